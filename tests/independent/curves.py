@@ -10,7 +10,8 @@ REACH = 11  # Grid points that the low-pass filter reaches to either side.
 class Curve:
     """One function y(x) of a kind (LINEAR, CUBIC, MFILTER) by its points; x and results are numbers or arrays.
 
-    No points are zero everywhere, one point is a constant. Slope and bend are known of LINEAR and CUBIC only.
+    No points are zero everywhere, one point is a constant. Derivatives are known of LINEAR and CUBIC only, in the
+    precision of x.
     """
 
     def __init__(self, kind, points):
@@ -22,16 +23,11 @@ class Curve:
     def value(self, x, classic=False):
         if self.kind == "MFILTER" and len(self.points) > 1:
             return self._low_pass_classic(np.asarray(x)) if classic else self._low_pass(np.asarray(x))
-        return self._derivative(x, 0)
+        return self.derivative(x, 0)
 
-    def slope(self, x):
-        return self._derivative(x, 1)
-
-    def bend(self, x):
-        return self._derivative(x, 2)
-
-    def _derivative(self, x, order):
-        x = np.asarray(x, float)
+    def derivative(self, x, order):
+        """Of order 0 to 3."""
+        x = np.asarray(x, np.longdouble if isinstance(x, np.longdouble) else float)
         if len(self.points) < 2:
             return np.full(x.shape, self.heights[0] if len(self.points) == 1 and order == 0 else 0.0)
         return {"LINEAR": self._linear, "CUBIC": self._cubic}[self.kind](x, order)
@@ -42,33 +38,41 @@ class Curve:
 
     def _linear(self, x, order):
         i = self._piece(x + 4e-16 * np.maximum(np.abs(x), np.abs(self.knots[-1])))
-        slope = (np.diff(self.heights) / np.diff(self.knots))[i]
-        return (self.heights[i] + slope * (x - self.knots[i]), slope, np.zeros_like(slope))[order]
+        heights, knots = self.heights.astype(x.dtype), self.knots.astype(x.dtype)
+        slope = (np.diff(heights) / np.diff(knots))[i]
+        return (heights[i] + slope * (x - knots[i]), slope, 0 * slope, 0 * slope)[order]
 
     @functools.cached_property
     def _knot_slopes(self):
         """Of the clamped spline: those of the outer chords at the ends, continuous second derivatives between."""
-        width, chord, count = np.diff(self.knots), np.diff(self.heights) / np.diff(self.knots), len(self.points)
-        matrix, right = np.eye(count), np.zeros(count)
-        right[0], right[-1] = chord[0], chord[-1]
-        for k in range(1, count - 1):
-            matrix[k, k - 1 : k + 2] = 1 / width[k - 1], 2 / width[k - 1] + 2 / width[k], 1 / width[k]
-            right[k] = 3 * (chord[k - 1] / width[k - 1] + chord[k] / width[k])
-        return np.linalg.solve(matrix, right)
+        heights, knots = self.heights.astype(np.longdouble), self.knots.astype(np.longdouble)
+        width, count = np.diff(knots), len(self.points)
+        chord = np.diff(heights) / width
+        diagonal, right = np.ones(count, np.longdouble), np.concatenate([chord[:1], chord])
+        for k in range(1, count - 1):  # Elimination from the left; row k links its slope with those beside it.
+            share = 1 / width[k - 1] / diagonal[k - 1]
+            above = 0 if k == 1 else 1 / width[k - 1]
+            diagonal[k] = 2 / width[k - 1] + 2 / width[k] - share * above
+            right[k] = 3 * (chord[k - 1] / width[k - 1] + chord[k] / width[k]) - share * right[k - 1]
+        for k in range(count - 2, 0, -1):
+            right[k] = (right[k] - right[k + 1] / width[k]) / diagonal[k]
+        return right
 
     def _cubic(self, x, order):
-        slopes, i = self._knot_slopes, self._piece(x)
-        width, begin, end = np.diff(self.knots)[i], slopes[i], slopes[i + 1]
-        chord, u = (np.diff(self.heights) / np.diff(self.knots))[i], x - self.knots[i]
+        heights, knots = self.heights.astype(x.dtype), self.knots.astype(x.dtype)
+        slopes, i = self._knot_slopes.astype(x.dtype), self._piece(x)
+        width, begin, end = np.diff(knots)[i], slopes[i], slopes[i + 1]
+        chord, u = (np.diff(heights) / np.diff(knots))[i], x - knots[i]
         square = (3 * chord - 2 * begin - end) / width
         cube = (begin + end - 2 * chord) / width**2
         inside = (
-            self.heights[i] + u * (begin + u * (square + u * cube)),
+            heights[i] + u * (begin + u * (square + u * cube)),
             begin + u * (2 * square + 3 * u * cube),
             2 * square + 6 * u * cube,
+            6 * cube,
         )[order]
-        for outside, k in ((x < self.knots[0], 0), (x >= self.knots[-1], -1)):
-            line = (self.heights[k] + slopes[k] * (x - self.knots[k]), slopes[k], 0.0)[order]
+        for outside, k in ((x < knots[0], 0), (x >= knots[-1], -1)):
+            line = (heights[k] + slopes[k] * (x - knots[k]), slopes[k], 0.0, 0.0)[order]
             inside = np.where(outside, line, inside)
         return inside
 

@@ -11,61 +11,22 @@ import typing
 
 import numpy as np
 
-from pulse import EDGE, Shape
+import light_time
+from motion import Kinematics, angles_of, direction, wrapped
+from pulse import EDGE, FILTER_LENGTH, Shape
 
+EXACT = False  # Whether the physical profile has the light time of both legs; else the program is older than that.
+OTHER_DELAYS_S = 1e-4  # By how much delays may change over the pulses that are in flight.
 LIGHT_SPEED = {"physical": 299792458.0, "classic": 299792500.0}  # m/s; docs/decisions/physics-rules.md, 1.
-
-
-class Motion(typing.NamedTuple):
-    """A platform when a pulse leaves: metres, metres per second, radians."""
-
-    position: np.ndarray
-    velocity: np.ndarray
-    world_from_platform: np.ndarray
-    turning: np.ndarray  # Derivative of world_from_platform.
-    pitch: float
-    yaw: float
 
 
 class Echo(typing.NamedTuple):
     """One target as one pulse meets it."""
 
-    delay_s: float
+    delay_s: float  # Two-way time of the pulse's middle, after it was sent.
     amplitude: float
-    speed: float  # m/s, receding is positive.
-
-
-def direction(azimuth, elevation):
-    """Unit vector; azimuth clockwise from y towards x, elevation up (docs/theory/frames.md)."""
-    level = np.cos(elevation)
-    return np.array([np.sin(azimuth) * level, np.cos(azimuth) * level, np.sin(elevation)])
-
-
-def angles_of(vector):
-    """Azimuth and elevation of a vector (docs/theory/frames.md)."""
-    return np.arctan2(vector[0], vector[1]), np.arctan2(vector[2], np.hypot(vector[0], vector[1]))
-
-
-def wrapped(angle):
-    return (angle + np.pi) % (2 * np.pi) - np.pi
-
-
-def turn(axis, angle):
-    """Right-handed rotation about axis 0, 1 or 2, and its derivative by the angle."""
-    cross = np.zeros((3, 3))
-    cross[(axis + 2) % 3, (axis + 1) % 3], cross[(axis + 1) % 3, (axis + 2) % 3] = 1.0, -1.0
-    across = -cross @ cross
-    return (
-        np.eye(3) + np.sin(angle) * cross - (1 - np.cos(angle)) * across,
-        np.cos(angle) * cross - np.sin(angle) * across,
-    )
-
-
-def world_from_platform(angles, rates):
-    """Rz(-c) Ry(-b) Rx(-a) and its derivative by time (docs/theory/frames.md; thesis 6.1)."""
-    (roll, d_roll), (pitch, d_pitch), (yaw, d_yaw) = (turn(axis, -angles[axis]) for axis in range(3))
-    derivative = -rates[2] * d_yaw @ pitch @ roll - rates[1] * yaw @ d_pitch @ roll - rates[0] * yaw @ pitch @ d_roll
-    return yaw @ pitch @ roll, derivative
+    doppler: float  # D; receding is positive.
+    acceleration: float  # a, in 1/s.
 
 
 def sinx_gain(offset, beamwidth_deg):
@@ -74,14 +35,15 @@ def sinx_gain(offset, beamwidth_deg):
     return 0.0 if offset >= np.pi / 2 else np.sinc(0.88 * np.sin(offset) / np.radians(beamwidth_deg))
 
 
-class Model:
+class Model(Kinematics):
     """The samples of a scene's recording. Each rule is a method, so that a test can put a wrong one in its place."""
 
-    def __init__(self, scene):
+    def __init__(self, scene, exact=EXACT):
         self.scene = scene
         self.radar = scene.radar
         self.recording = scene.recording
         self.classic = scene.profile == "classic"
+        self.exact = exact and not self.classic
         self.light_speed = LIGHT_SPEED[scene.profile]
         self.sampling_hz = self.recording.sampling_ghz * 1e9
         self.shape = Shape(self.radar.pulse, self.sampling_hz, self.classic)
@@ -115,47 +77,31 @@ class Model:
 
     # ---- Geometry: docs/theory/echo-model.md, 2, and docs/theory/frames.md ----
 
-    def track(self, platform, time):
-        """Position, velocity and acceleration."""
-        if platform.trajectory is None:
-            return np.array(platform.position, float), np.zeros(3), np.zeros(3)
-        curves = platform.trajectory
-        return tuple(
-            np.array([float(of(time)) for of in (getattr(curve, name) for curve in curves)])
-            for name in ("value", "slope", "bend")
+    def platform(self, name):
+        return next(platform for platform in self.scene.platforms if platform.name == name)
+
+    def flight(self, target, send_time):
+        """The way of what leaves at a time, in 80 bits (physical)."""
+        radar, carrying, place = self.platform(self.radar.platform), self.platform(target.platform), target.position
+        return light_time.flight(
+            lambda time: self.motion(radar, time).place,
+            lambda time: self.motion(carrying, time).of(place),
+            np.longdouble(send_time),
+            np.longdouble(self.light_speed),
         )
 
-    def alignment(self, velocity, acceleration):
-        """What "align x axis to path" adds to the angles about y and z, and its rates."""
-        level = np.hypot(velocity[0], velocity[1])
-        azimuth, elevation = angles_of(velocity)
-        level_rate = (velocity[:2] @ acceleration[:2]) / level
-        azimuth_rate = (acceleration[0] * velocity[1] - velocity[0] * acceleration[1]) / level**2
-        elevation_rate = (acceleration[2] * level - velocity[2] * level_rate) / (velocity @ velocity)
-        return np.array([0.0, elevation, azimuth - np.pi / 2]), np.array([0.0, elevation_rate, azimuth_rate])
+    def frozen_flight(self, target, send_time):
+        """tau = 2 d/(c - v) of the geometry at the send time (thesis 6.9; classic)."""
+        time = np.longdouble(send_time)
+        point = self.motion(self.platform(target.platform), time).of(target.position)
+        radar = self.motion(self.platform(self.radar.platform), time).place
+        look, rate = point[0] - radar[0], point[1] - radar[1]
+        distance = np.sqrt(look @ look)
+        speed = (look @ rate) / distance
+        delay = self.frozen_delay(distance, speed)
+        return light_time.Flight(delay, distance / self.light_speed, look, 2 * speed / self.light_speed, 0.0)
 
-    def motion(self, platform, time):
-        position, velocity, acceleration = self.track(platform, time)
-        angles, rates = np.array(platform.rotation, float), np.array(platform.rotation_rate, float)
-        if platform.rotation_curves:
-            angles = np.array([float(curve.value(time)) for curve in platform.rotation_curves])
-            rates = rates + np.array([float(curve.slope(time)) for curve in platform.rotation_curves])
-        angles, rates = np.radians(angles + np.array(platform.rotation_rate) * time), np.radians(rates)
-        if platform.aligned:
-            more, more_rates = self.alignment(velocity, acceleration)
-            angles, rates = angles + more, rates + more_rates
-        rotation, turning = world_from_platform(angles, rates)
-        return Motion(position, velocity, rotation, turning, angles[1], angles[2])
-
-    def look(self, target, target_motion, radar_motion):
-        """From the radar to the target in world axes, and how it changes."""
-        place = np.array(target.position, float)
-        vector = target_motion.world_from_platform @ place + target_motion.position - radar_motion.position
-        rate = target_motion.turning @ place + target_motion.velocity - radar_motion.velocity
-        return vector, rate
-
-    def delay(self, distance, speed):
-        """tau = 2 d/(c - v) (thesis 6.9)."""
+    def frozen_delay(self, distance, speed):
         return 2 * distance / (self.light_speed - speed)
 
     # ---- Antennas and beams: docs/theory/frames.md, "Antenna frame" ----
@@ -168,7 +114,7 @@ class Model:
         if beam.kind == "ROTATING":
             return np.radians(beam.rate_deg_s * time), np.radians(beam.elevation_deg)
         point = [float(curve.value(time)) for curve in beam.curves] if beam.kind == "OTHER" else beam.point
-        return angles_of(np.array(point, float) - radar_motion.position)
+        return angles_of(np.array(point, float) - radar_motion.place[0])
 
     def offsets(self, look, time, radar_motion):
         """How far the target is from the beam in azimuth and elevation."""
@@ -181,7 +127,7 @@ class Model:
             return wrapped(azimuth - target_azimuth), wrapped(elevation - target_elevation)
         along = direction(azimuth, elevation)
         right = np.array([np.cos(azimuth), -np.sin(azimuth), 0.0])
-        seen = radar_motion.world_from_platform.T @ look if on_platform else look
+        seen = radar_motion.world_from_platform[0].T @ look if on_platform else look
         seen = np.array([right @ seen, along @ seen, np.cross(right, along) @ seen]) / np.linalg.norm(look)
         return np.arctan2(seen[0], seen[1]), np.arcsin(np.clip(seen[2], -1, 1))
 
@@ -204,7 +150,7 @@ class Model:
         """In square metres: RCS times the law of the incidence angle (thesis 4.2)."""
         if target.normal_deg is None:
             return target.cross_section
-        normal = target_motion.world_from_platform @ direction(*np.radians(target.normal_deg))
+        normal = target_motion.world_from_platform[0] @ direction(*np.radians(target.normal_deg))
         cosine = np.clip(-(normal @ look) / np.linalg.norm(look), -1, 1)
         if target.reflectivity is None:
             return target.cross_section * max(cosine, 0.0)
@@ -213,7 +159,10 @@ class Model:
         )
 
     def amplitude(self, carrier, antennas, cross_section, distance):
-        """The radar equation, in sqrt W (thesis 2.2, 6.13, 6.15); classic STC leaves 1/d^2 out."""
+        """The radar equation, in sqrt W (thesis 2.2, 6.13, 6.15); classic STC leaves 1/d^2 out.
+
+        The distance is the geometric mean of the ways out and home.
+        """
         radar = self.radar
         power = radar.power_kw * 1e3 * 10 ** ((radar.transmit_gain_db + radar.receive_gain_db - radar.losses_db) / 10)
         strength = math.sqrt(power * cross_section) * self.light_speed / carrier * antennas / (4 * np.pi) ** 1.5
@@ -221,36 +170,80 @@ class Model:
 
     def echoes(self, number):
         """Of all targets to one pulse."""
-        time = self.send_time(number)
-        motions = {platform.name: self.motion(platform, time) for platform in self.scene.platforms}
-        radar_motion = motions[self.radar.platform]
-        found = []
-        for target in self.scene.targets:
-            look, rate = self.look(target, motions[target.platform], radar_motion)
-            distance = np.linalg.norm(look)
-            speed = (look @ rate) / distance
-            azimuth, elevation = self.offsets(look, time, radar_motion)
-            antennas = self.antenna_factor(self.radar.transmit, azimuth, elevation)
-            antennas *= self.antenna_factor(self.radar.receive or self.radar.transmit, azimuth, elevation)
-            cross_section = self.cross_section(target, look, motions[target.platform])
-            amplitude = self.amplitude(self.carrier(number), antennas, cross_section, distance)
-            found.append(Echo(self.delay(distance, speed), amplitude, speed))
-        return found
+        return [self.echo(target, number) for target in self.scene.targets]
 
-    def doppler(self, speed):
-        """Of an echo over the frequency, 2 v/c (thesis 6.21 to 6.24)."""
-        return 2 * speed / self.light_speed
+    def echo(self, target, number):
+        time = self.send_time(number)
+        flight = self.flight(target, time) if self.exact else self.frozen_flight(target, time)
+        met = time + flight.out_s if self.exact else np.longdouble(time)
+        radar_motion = self.motion(self.platform(self.radar.platform), np.longdouble(time))
+        target_motion = self.motion(self.platform(target.platform), met)
+        home = flight.delay_s - flight.out_s if self.exact else flight.out_s
+        look = flight.look.astype(float)
+        azimuth, elevation = self.offsets(look, time, radar_motion)
+        antennas = self.antenna_factor(self.radar.transmit, azimuth, elevation)
+        antennas *= self.antenna_factor(self.radar.receive or self.radar.transmit, azimuth, elevation)
+        cross_section = self.cross_section(target, look, target_motion)
+        distance = self.light_speed * math.sqrt(flight.out_s * home)
+        amplitude = self.amplitude(self.carrier(number), antennas, cross_section, distance)
+        return Echo(flight.delay_s, amplitude, flight.doppler, flight.acceleration)
+
+    def after_send(self, times):
+        """Times of a row counted from t(n), when the middle of its pulse leaves."""
+        return times + (self.lead_s - self.shape.width_s / 2)
+
+    def sent_when(self, echo, after_middle):
+        """When, counted from the pulse's middle, left what is received some time after that middle."""
+        if not self.exact:
+            return after_middle
+        return after_middle * (1 - float(echo.doppler)) - float(echo.acceleration) * after_middle**2 / 2
+
+    def turns(self, echo, carrier, after_middle):
+        """Of the Doppler shift within the pulse, in cycles."""
+        if self.exact:
+            return carrier * (float(echo.doppler) * after_middle + float(echo.acceleration) * after_middle**2 / 2)
+        swept = carrier * after_middle + self.shape.sweep_rate * after_middle**2 / 2  # Thesis 6.21 to 6.24.
+        return float(echo.doppler) * swept
+
+    def senders(self, number, after_send):
+        """Numbers of the pulses that may be heard in a row: its own, or all whose echoes reach it."""
+        if self.classic or not self.recording.other_pulses:
+            return [number]
+        delays = [float(echo.delay_s) for echo in self.echoes(number)]
+        margin = self.shape.width_s * max(1.0, self.radar.pulse.kept_width) + OTHER_DELAYS_S
+        margin += FILTER_LENGTH / (self.shape.nominal_bandwidth_hz() / 2) if self.radar.pulse.band_limited else 0.0
+        early, late = min(delays) - after_send[-1] - margin, max(delays) - after_send[0] + margin
+        begin, shortest = self.send_time(number), min(self.radar.intervals or [1 / self.radar.prf_hz])
+        numbers = range(number - math.ceil(max(late, 0) / shortest), number + math.ceil(max(-early, 0) / shortest) + 1)
+        return [m for m in numbers if m == number or early <= begin - self.send_time(m) <= late]
 
     def received(self, number, times, interval_s):
-        """The sum of all echoes of a pulse at two-way times after it (thesis 6.20 to 6.24)."""
-        total, carrier, rate = np.zeros(times.shape, complex), self.carrier(number), self.shape.sweep_rate
-        for echo in self.echoes(number):
-            after_edge = times - echo.delay_s + self.lead_s
-            from_middle = after_edge - self.shape.width_s / 2
-            turns = self.doppler(echo.speed) * (carrier * from_middle + rate * from_middle**2 / 2)
-            phase = np.exp(-2j * np.pi * (math.fmod(carrier * echo.delay_s, 1.0) + turns))
-            total += echo.amplitude * self.shape.transmitted(after_edge, interval_s) * phase
+        """The sum of all echoes at times of the row of a pulse (docs/theory/echo-model.md, 3)."""
+        total, carrier, after_send = np.zeros(times.shape, complex), self.carrier(number), self.after_send(times)
+        for sender in self.senders(number, after_send):
+            own, since = self.carrier(sender), np.longdouble(self.send_time(number)) - self.send_time(sender)
+            if abs(own - carrier) > self.sampling_hz:
+                continue
+            for echo in self.echoes(sender):
+                after_middle = (after_send + since - echo.delay_s).astype(float)
+                cycles = float(np.fmod(own * echo.delay_s, 1)) + self.turns(echo, own, after_middle)
+                cycles = cycles - (own - carrier) * after_send
+                sent = self.sent_when(echo, after_middle) + self.shape.width_s / 2
+                total += echo.amplitude * self.shape.transmitted(sent, interval_s) * np.exp(-2j * np.pi * cycles)
+        total[self.eclipsed(number, after_send, interval_s)] = 0.0
         return total * self.stc_gain(self.light_speed * times / 2)
+
+    def eclipsed(self, number, after_send, interval_s):
+        """Which samples of a row are taken while the radar sends, where its receiver is off then."""
+        sending = np.zeros(after_send.shape, bool)
+        if not self.recording.eclipsing:
+            return sending
+        edge, shortest = EDGE * interval_s, min(self.radar.intervals or [1 / self.radar.prf_hz])
+        first, last = math.floor(after_send[0] / shortest) - 1, math.ceil(after_send[-1] / shortest) + 1
+        for m in range(number + min(first, 0) - 1, number + max(last, 0) + 2):
+            after_edge = after_send + (self.send_time(number) - self.send_time(m)) + self.shape.width_s / 2
+            sending |= (after_edge >= -edge) & (after_edge < self.shape.width_s - edge)
+        return sending
 
     # ---- The receiver: docs/theory/echo-model.md, 4 and 5, and docs/theory/compression.md ----
 

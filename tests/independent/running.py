@@ -44,6 +44,15 @@ def error_of(samples, expected, level=0.0):
     return np.abs(samples - expected).max() / max(np.abs(expected).max(), level)
 
 
+def rounding_of(scene):
+    """Of a phase [rad] that is computed in double precision: of places, delays and their product with the carrier."""
+    radar, light_speed = scene.radar, 299792458.0
+    carrier = 1e9 * max(radar.carrier.frequencies_ghz or [radar.carrier.first_ghz])
+    begins = [[curve.heights[0] for curve in p.trajectory] if p.trajectory else p.position for p in scene.platforms]
+    farthest = max(np.linalg.norm(place) for place in begins) + scene.recording.far_m
+    return 4 * 2.0**-53 * 4 * np.pi * carrier / light_speed * farthest
+
+
 def reason_to_leave_out(expected):
     largest = np.abs(expected).max(initial=0.0)
     if largest == 0:

@@ -114,6 +114,8 @@ class Recording:
     sampling_ghz: float
     processing: str = "RAW"
     pulse_position: str = "BEGIN"
+    other_pulses: bool = False  # Whether their echoes are received, too.
+    eclipsing: bool = False
 
 
 @dataclasses.dataclass
@@ -380,7 +382,7 @@ class Draw:
     def set_swath(self, scene):
         """A range window around the echoes, that cuts their beginning, or that ends among them."""
         model, light_speed = Model(scene), LIGHT_SPEED[scene.profile]
-        slant_ranges = [echo.delay_s * light_speed / 2 for n in model.pulses() for echo in model.echoes(n)]
+        slant_ranges = [float(echo.delay_s) * light_speed / 2 for n in model.pulses() for echo in model.echoes(n)]
         nearest, farthest = min(slant_ranges), max(slant_ranges)
         extent = scene.radar.pulse.width_ns * 1e-9 * light_speed / 2
         swaths = (
@@ -389,7 +391,10 @@ class Draw:
             (nearest - 0.6 * extent - 5, nearest + 0.2 * extent + 60),
         )
         near, far = self.choice(swaths[0], *swaths)
-        scene.recording.near_m, scene.recording.far_m = round(near, 2), round(far, 2)
+        scene.recording.near_m, scene.recording.far_m = max(0.0, round(near, 2)), round(far, 2)
+
+    def sampling(self):
+        return self.choice(self.number(0.01, 0.15), 0.05)
 
     def scene(self):
         platforms = [
@@ -399,12 +404,8 @@ class Draw:
             self.platform("Drone", self.target_place + (30, -40, 5), 0.5),
         ]
         targets = [self.target() for _ in range(self.random.randint(1, 6))]
-        sampling_ghz = self.choice(self.number(0.01, 0.15), 0.05)
+        sampling_ghz = self.sampling()
         radar = self.radar(sampling_ghz)
         scene = Scene(self.profile, platforms, targets, radar, self.recording(radar, sampling_ghz))
         self.set_swath(scene)
         return scene
-
-
-def random_scene(seed):
-    return Draw(seed).scene()

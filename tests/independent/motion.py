@@ -1,0 +1,102 @@
+"""Where platforms are and how they turn, with the first two derivatives by time: docs/theory/frames.md.
+
+Numbers keep the precision of the time that they are asked for; a time of 80 bits gives results of 80 bits.
+"""
+
+import typing
+
+import numpy as np
+
+RADIANS_PER_DEGREE = np.arccos(np.longdouble(-1)) / 180
+
+
+class Pose(typing.NamedTuple):
+    """A platform at an instant: lists of a quantity and its first two derivatives, in metres, seconds and radians."""
+
+    place: list
+    world_from_platform: list
+    pitch: float
+    yaw: float
+
+    def of(self, point):
+        """Place, velocity and acceleration of a point of the platform in the world."""
+        return [origin + rotation @ point for origin, rotation in zip(self.place, self.world_from_platform)]
+
+
+def direction(azimuth, elevation):
+    """Unit vector; azimuth clockwise from y towards x, elevation up."""
+    level = np.cos(elevation)
+    return np.array([np.sin(azimuth) * level, np.cos(azimuth) * level, np.sin(elevation)])
+
+
+def angles_of(vector):
+    """Azimuth and elevation of a vector."""
+    return np.arctan2(vector[0], vector[1]), np.arctan2(vector[2], np.hypot(vector[0], vector[1]))
+
+
+def wrapped(angle):
+    return (angle + np.pi) % (2 * np.pi) - np.pi
+
+
+def angle_between(x, y):
+    """atan2(x, y) and its first two derivatives from those of x and y."""
+    square, half_slope = x[0] ** 2 + y[0] ** 2, x[0] * x[1] + y[0] * y[1]
+    rate = (x[1] * y[0] - x[0] * y[1]) / square
+    return [np.arctan2(x[0], y[0]), rate, (x[2] * y[0] - x[0] * y[2] - 2 * rate * half_slope) / square]
+
+
+def length_of(x, y):
+    """Root of x^2 + y^2 and its first two derivatives from those of x and y."""
+    length = np.hypot(x[0], y[0])
+    rate = (x[0] * x[1] + y[0] * y[1]) / length
+    return [length, rate, (x[1] ** 2 + x[0] * x[2] + y[1] ** 2 + y[0] * y[2] - rate**2) / length]
+
+
+def turn(axis, angle):
+    """Right-handed rotation about axis 0, 1 or 2 with its first two derivatives, from those of the angle."""
+    cross = np.zeros((3, 3))
+    cross[(axis + 2) % 3, (axis + 1) % 3], cross[(axis + 1) % 3, (axis + 2) % 3] = 1.0, -1.0
+    across, sine, cosine = -cross @ cross, np.sin(angle[0]), np.cos(angle[0])
+    by_angle = cosine * cross - sine * across
+    return [
+        np.eye(3) + sine * cross - (1 - cosine) * across,
+        by_angle * angle[1],
+        by_angle * angle[2] - (sine * cross + cosine * across) * angle[1] ** 2,
+    ]
+
+
+def product(a, b):
+    """Of two matrices that change with time, and its first two derivatives."""
+    return [a[0] @ b[0], a[1] @ b[0] + a[0] @ b[1], a[2] @ b[0] + 2 * a[1] @ b[1] + a[0] @ b[2]]
+
+
+class Kinematics:
+    """The motion of platforms. Each rule is a method, so that a test can put a wrong one in its place."""
+
+    def track(self, platform, time):
+        """Position and its first three derivatives."""
+        if platform.trajectory is None:
+            return [np.array(platform.position, type(time)), *[np.zeros(3)] * 3]
+        return [np.array([curve.derivative(time, order) for curve in platform.trajectory]) for order in range(4)]
+
+    def alignment(self, path):
+        """What "align x axis to path" adds to the angles about x, y and z, with its first two derivatives."""
+        x, y, z = ([path[order][axis] for order in (1, 2, 3)] for axis in range(3))
+        azimuth, elevation = angle_between(x, y), angle_between(z, length_of(x, y))
+        azimuth[0] = azimuth[0] - 90 * RADIANS_PER_DEGREE
+        return [[0.0] * 3, elevation, azimuth]
+
+    def motion(self, platform, time):
+        path = self.track(platform, time)
+        angles = []
+        for axis in range(3):
+            constant, rate = platform.rotation[axis], platform.rotation_rate[axis]
+            curve = platform.rotation_curves and platform.rotation_curves[axis]
+            orders = [curve.derivative(time, order) for order in range(3)] if curve else [constant, 0.0, 0.0]
+            orders = [orders[0] + rate * time, orders[1] + rate, orders[2]]
+            angles.append([RADIANS_PER_DEGREE * order for order in orders])
+        if platform.aligned:
+            angles = [[a + b for a, b in zip(*both)] for both in zip(angles, self.alignment(path))]
+        roll, pitch, yaw = (turn(axis, [-order for order in angles[axis]]) for axis in range(3))
+        rotation = product(product(yaw, pitch), roll)  # Rz(-c) Ry(-b) Rx(-a) (thesis 6.1).
+        return Pose(path[:3], rotation, float(angles[1][0]), float(angles[2][0]))
