@@ -20,7 +20,8 @@ TEST_F(VerifyCommand, FindsThatEverythingHoldsHere) {
   const Finished verify = sarsim({"verify", "--quick"});
   EXPECT_EQ(verify.status, 0) << verify.out;
   EXPECT_EQ(verify.err, "");
-  for (const char* group : {"Closed forms", "Numbers of the thesis", "Engines", "Statistics", "Focusing"})
+  for (const char* group : {"Closed forms", "Geometry", "Beams and targets", "Band-limited pulses",
+                            "Numbers of the thesis", "Engines", "Statistics", "Focusing", "Detection and profiles"})
     EXPECT_THAT(verify.out, HasSubstr(group));
   EXPECT_THAT(verify.out, Not(HasSubstr("FAILED")));
   EXPECT_THAT(verify.out, HasSubstr("A.2: phase, classic"));

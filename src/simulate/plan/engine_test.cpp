@@ -122,5 +122,18 @@ TEST(SimdLevel, ChosenIsTheOneThatComputesHoweverOftenItIsLookedAt) {
   EXPECT_EQ(fast, samples());
 }
 
+TEST(SimdLevel, OfAScopeIsSetBackAtItsEnd) {
+  const std::vector<std::string> levels = simd_levels();
+  for (const std::string& level : levels) {
+    {
+      const SimdLevelScope scope(level);
+      EXPECT_EQ(simd_level(), level);
+    }
+    EXPECT_EQ(simd_level(), levels.front());
+  }
+  const SimdLevelScope none("mmx");
+  EXPECT_EQ(simd_level(), levels.front());
+}
+
 }  // namespace engine_test
 }  // namespace sarsim::simulate

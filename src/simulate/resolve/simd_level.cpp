@@ -60,4 +60,8 @@ bool use_simd_level(std::string_view level) {
   return false;
 }
 
+SimdLevelScope::SimdLevelScope(std::string_view level) : before_(hwy::SupportedTargets()) { use_simd_level(level); }
+
+SimdLevelScope::~SimdLevelScope() { hwy::SetSupportedTargetsForTest(before_); }
+
 }  // namespace sarsim::simulate

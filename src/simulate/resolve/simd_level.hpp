@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,5 +16,19 @@ namespace sarsim::simulate {
 /// Restricts the fast kernels of this process to a level, for results that are the same bytes on different machines.
 /// To be called before any kernel runs. False where the level is not to be had.
 bool use_simd_level(std::string_view level);
+
+/// Keeps the fast kernels of this process on a level while it lives, then sets back what was before; for comparing
+/// levels. Nothing else may compute meanwhile.
+class SimdLevelScope {
+ public:
+  /// @param level  one of `simd_levels`; another one changes nothing
+  explicit SimdLevelScope(std::string_view level);
+  SimdLevelScope(const SimdLevelScope&) = delete;
+  SimdLevelScope& operator=(const SimdLevelScope&) = delete;
+  ~SimdLevelScope();
+
+ private:
+  std::int64_t before_;
+};
 
 }  // namespace sarsim::simulate

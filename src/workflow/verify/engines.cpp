@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "simulate/resolve/simd_level.hpp"
 #include "workflow/verify/groups.hpp"
 #include "workflow/verify/scenes.hpp"
 #include "workflow/verify/textbook.hpp"
@@ -97,6 +98,23 @@ void measure_accuracy(Record& record) {
   record.chart(std::move(chart));
 }
 
+// --simd LEVEL: all that this program and this processor have.
+void measure_levels(Record& record) {
+  const std::size_t targets = record.quick() ? 20 : 100;
+  std::vector<scene::PulseDefinition> pulses{scene::PulseDefinition::ideal};
+  if (!record.quick()) pulses.push_back(scene::PulseDefinition::band_limited);
+  for (const std::string& level : simulate::simd_levels()) {
+    const simulate::SimdLevelScope scope(level);
+    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
+      double worst = simulate::simd_level() == level ? 0.0 : 1.0;
+      for (const scene::PulseDefinition pulse : pulses)
+        worst = std::max(worst, relative_error(busy_scene(targets, pulse, 1e-6), engine));
+      record.at_most(fmt::format("Error of {} with --simd {} at 1e-06", simulate::name_of(engine), level), "", 1e-6,
+                     worst, "the plain sum in double precision");
+    }
+  }
+}
+
 void measure_textbook(Record& record) {
   const scene::Scene scene = busy_scene(40, scene::PulseDefinition::ideal, 1e-6);
   const simulate::Plan plan = simulate::make_plan(scene, 0);
@@ -162,6 +180,7 @@ void measure_repeatability(Record& record) {
 void measure_engines(Record& record) {
   measure_textbook(record);
   measure_accuracy(record);
+  measure_levels(record);
   measure_repeatability(record);
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "signal/measure/image_quality.hpp"
+#include "signal/sar/back_projection.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/verify/groups.hpp"
@@ -62,23 +63,43 @@ void measure_cut(Record& record, const std::string& name, const std::optional<si
   record.near(name + ": integrated side lobes", "dB", theory->islr_db, found.islr_db, 0.3, "docs/theory/focusing.md");
 }
 
-void measure_method(Record& record, const Echoes& echoes, signal::FocusMethod method, const std::string& name) {
-  const signal::FocusOptions options{.method = method};
+// As many samples on either side of a place.
+signal::ImageAxis about(const signal::ImageAxis& axis, double place_m, std::size_t reach) {
+  signal::ImageAxis part = axis;
+  part.first_m = axis.at(std::round(axis.index_of(place_m)) - static_cast<double>(reach));
+  part.count = 2 * reach + 1;
+  return part;
+}
+
+signal::FocusedImage back_projected_strip(const Echoes& echoes, const core::WorkControl& control) {
+  signal::FocusedImage axes = signal::image_of(echoes.rows, {});
+  const signal::ImagePlace place = signal::place_of(axes.frame, target_m);
+  const core::Vec3 across = target_m - axes.frame.origin_m - place.azimuth_m * axes.frame.along;
+  axes.frame.across = (1.0 / core::norm(across)) * across;
+  return signal::back_project(signal::sar_echoes(echoes.rows, control), axes.frame,
+                              about(axes.azimuth, place.azimuth_m, 80), about(axes.range, place.range_m, 40), {},
+                              control);
+}
+
+void measure_method(Record& record, const Echoes& echoes, std::optional<signal::FocusMethod> method,
+                    const TargetTheory& theory, const std::string& name) {
+  const signal::FocusOptions options{.method = method.value_or(signal::FocusMethod::omega_k)};
   const core::WorkControl control{2, record.rules().stop};
-  const signal::FocusedImage image = signal::focus(signal::sar_echoes(echoes.rows, control), options, control);
+  const signal::FocusedImage image = method ? signal::focus(signal::sar_echoes(echoes.rows, control), options, control)
+                                            : back_projected_strip(echoes, control);
   const signal::ImagePlace place = signal::place_of(image.frame, target_m);
   // The track passes the target at this distance, whatever the frame says.
   const double closest_m = std::hypot(10000.0 + target_m.x, 2000.0);
   const auto found = signal::measure_point(image, signal::reader_of(image), place, 2.0);
   if (!found) throw std::runtime_error("the target is not in the image made by " + name);
   record.near(name + ": range of the target", "m", closest_m, found->place.range_m, 0.03, "closest approach");
-  record.near(name + ": azimuth of the target", "m", place.azimuth_m, found->place.azimuth_m, 0.02,
+  // A hundredth of the width: what a radar that stops while its pulse travels would shift is twice that.
+  record.near(name + ": azimuth of the target", "m", place.azimuth_m, found->place.azimuth_m, 0.0064,
               "where the track passes it");
   const double expected_rad =
       wrapped_rad(-4.0 * core::pi * focusing_carrier_hz * closest_m / core::exact_light_speed_mps);
   record.near(name + ": error of the phase", "rad", 0.0, wrapped_rad(found->phase_rad - expected_rad), 0.01,
               "-4 pi f R0/c");
-  const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, options).at(0);
   record.near(name + ": amplitude over the mean of the echoes", "", 1.0, found->amplitude / theory.amplitude, 0.01,
               "docs/theory/focusing.md");
   measure_cut(record, name + ", range", theory.range, found->range);
@@ -89,10 +110,12 @@ void measure_method(Record& record, const Echoes& echoes, signal::FocusMethod me
 
 void measure_focusing(Record& record) {
   const Echoes echoes = recorded_strip();
-  measure_method(record, echoes, signal::FocusMethod::omega_k, "Omega-k");
+  const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}).at(0);
+  measure_method(record, echoes, signal::FocusMethod::omega_k, theory, "Omega-k");
+  measure_method(record, echoes, {}, theory, "Back-projection");
   if (record.quick()) return;
-  measure_method(record, echoes, signal::FocusMethod::range_doppler, "Range-Doppler");
-  measure_method(record, echoes, signal::FocusMethod::chirp_scaling, "Chirp scaling");
+  measure_method(record, echoes, signal::FocusMethod::range_doppler, theory, "Range-Doppler");
+  measure_method(record, echoes, signal::FocusMethod::chirp_scaling, theory, "Chirp scaling");
 }
 
 }  // namespace sarsim::workflow::verify

@@ -7,10 +7,14 @@ namespace sarsim::workflow::verify {
 Record verify_all(const Rules& rules) {
   Record record(rules);
   record.group("Closed forms", measure_closed_forms);
+  record.group("Geometry", measure_geometry);
+  record.group("Beams and targets", measure_beams_and_targets);
+  record.group("Band-limited pulses", measure_band_limit);
   record.group("Numbers of the thesis", measure_thesis);
   record.group("Engines", measure_engines);
   record.group("Statistics", measure_statistics);
   record.group("Focusing", measure_focusing);
+  record.group("Detection and profiles", measure_search);
   if (!rules.quick) record.group("Speed", measure_speed);
   return record;
 }

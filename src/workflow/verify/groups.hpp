@@ -8,6 +8,16 @@ namespace sarsim::workflow::verify {
 /// Radar equation, phase, Doppler, pulses and their compression, antenna, converter: each against its formula.
 void measure_closed_forms(Record& record);
 
+/// Frames, rotations and paths: the phase of echoes against the light time of their own evaluation.
+void measure_geometry(Record& record);
+
+/// Beams held on points, turning, on platforms that roll; antennas and targets given by points; sensitivity-time
+/// control.
+void measure_beams_and_targets(Record& record);
+
+/// Samples of band-limited pulses against the integral that defines them.
+void measure_band_limit(Record& record);
+
 /// The numbers that the thesis prints, in both profiles.
 void measure_thesis(Record& record);
 
@@ -20,6 +30,9 @@ void measure_statistics(Record& record);
 
 /// A point focused to an image by synthetic aperture: place, phase, amplitude, widths and side lobes.
 void measure_focusing(Record& record);
+
+/// Thresholds and false alarms of detectors, range profiles, images of a turning target.
+void measure_search(Record& record);
 
 /// The time of the engines against that of a textbook's loop on one thread.
 void measure_speed(Record& record);

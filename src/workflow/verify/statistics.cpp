@@ -153,6 +153,34 @@ void measure_jitter(Record& record, int pulses) {
               correlation_gate(moved_m.size() - 1), five);
 }
 
+// Motion errors of an envelope that is a box: 1 mm, correlated over 4 ms.
+void measure_motion_errors(Record& record, int pulses) {
+  constexpr double stddev_m = 1e-3;
+  constexpr double box_s = 4e-3;
+  scene::Scene scene = radar_at_origin();
+  scene::Platform& ship = add_platform(scene, "Ship", {1000.0, 0.0, 0.0});
+  ship.position_error = scene::Platform::MotionError::envelope;
+  const double height = stddev_m / std::sqrt(box_s);
+  ship.position_envelope.part[0] = {core::Interpolation::linear, {{0.0, height}, {box_s, height}}};
+  add_target(scene, {}, 1.0, "Ship");
+  set_window(scene, 1374.0, 1474.0, 4e6);  // The pulse's middle, where its Doppler phase is 0.
+  set_pulses(scene, 0, pulses - 1);
+  const auto samples = column(recorded(scene), 0);
+  const double still_rad = -2.0 * core::pi * std::remainder(2000.0 * 1e9 / core::exact_light_speed_mps, 1.0);
+  std::vector<double> moved;
+  for (const auto& sample : samples)
+    moved.push_back(wrapped_rad(std::arg(sample) - still_rad) * core::exact_light_speed_mps / (-4.0 * core::pi * 1e9) /
+                    stddev_m);
+  // The squares of a triangular correlation add up to two thirds of its half width.
+  const double independent = static_cast<double>(pulses) / 1000.0 / (2.0 / 3.0 * box_s);
+  const double gate = gate_sigmas * std::sqrt(2.0 / independent);
+  record.near("Motion error: variance", "sigma^2", 1.0, mean_square(moved), gate, "integral of the envelope's square");
+  for (const std::size_t lag : {std::size_t{1}, std::size_t{2}, std::size_t{6}})
+    record.near(fmt::format("Motion error: correlation after {} ms", lag), "",
+                std::max(0.0, 1.0 - 0.25 * static_cast<double>(lag)), mean_product(moved, lag), gate,
+                "the box with itself, shifted; five standard deviations");
+}
+
 }  // namespace
 
 void measure_statistics(Record& record) {
@@ -165,6 +193,7 @@ void measure_statistics(Record& record) {
   measure_filtered(record, pulses);
   measure_seeds(record, parts);
   measure_jitter(record, record.quick() ? 500 : 5000);
+  measure_motion_errors(record, record.quick() ? 4000 : 40000);
   add_histogram(record, parts.in_phase);
 }
 

@@ -1,0 +1,244 @@
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/maths/constants.hpp"
+#include "signal/measure/image_quality.hpp"
+#include "signal/search/cfar.hpp"
+#include "signal/stepped/profile_maker.hpp"
+#include "signal/stepped/stepped_isar.hpp"
+#include "workflow/verify/groups.hpp"
+#include "workflow/verify/moments.hpp"
+#include "workflow/verify/own_path.hpp"
+#include "workflow/verify/scenes.hpp"
+
+namespace sarsim::workflow::verify {
+
+namespace {
+
+// ---- Detection ----------------------------------------------------------------------------------------------------
+
+signal::CfarOptions detector(signal::CfarOptions::Kind kind, double false_alarm) {
+  signal::CfarOptions options;
+  options.kind = kind;
+  options.false_alarm = false_alarm;
+  options.reference_columns = 9;
+  options.guard_columns = 1;
+  return options;  // 16 reference cells, or fewer at the edges.
+}
+
+// Threshold over noise where all reference cells hold 1.
+double factor_of(const signal::CfarOptions& options, const core::WorkControl& control) {
+  std::vector<float> power(41, 1.0F);
+  power[20] = 1e9F;
+  for (const auto& found : signal::detect_cfar(power, power.size(), options, control))
+    if (found.column == 20) return found.threshold;
+  return 0.0;
+}
+
+// A draw from the exponential distribution of mean 1, by Marsaglia's xorshift.
+float exponential(std::uint64_t& state) {
+  state ^= state << 13U;
+  state ^= state >> 7U;
+  state ^= state << 17U;
+  return static_cast<float>(-std::log((static_cast<double>(state >> 11U) + 0.5) / 9007199254740992.0));
+}
+
+// False alarms in rows of independent noise over those asked for, with five standard deviations of the rows' mean.
+void measure_false_alarms(Record& record, const signal::CfarOptions& options, const std::string& name,
+                          const core::WorkControl& control) {
+  constexpr std::size_t columns = 500;
+  const std::size_t rows = record.quick() ? 100 : 1000;
+  std::uint64_t state = 88172645463325252ULL;
+  std::vector<float> power(rows * columns);
+  for (float& p : power) p = exponential(state);
+  std::vector<double> alarms(rows, 0.0);
+  for (const auto& found : signal::detect_cfar(power, columns, options, control)) alarms[found.row] += 1.0;
+  const double asked = options.false_alarm * static_cast<double>(columns);
+  const double average = mean(alarms);
+  record.near(name + ": false alarms over those asked for", "", 1.0, average / asked,
+              mean_gate(std::sqrt(mean_square(alarms, average)), rows) / asked,
+              "independent cells; five standard deviations");
+}
+
+void measure_detection(Record& record) {
+  using Kind = signal::CfarOptions::Kind;
+  const core::WorkControl control{1, record.rules().stop};
+  constexpr double cells = 16.0;
+  constexpr double false_alarm = 1e-4;
+  const auto averaging = detector(Kind::cell_averaging, false_alarm);
+  const double factor = cells * (std::pow(false_alarm, -1.0 / cells) - 1.0);
+  record.near("Factor of a cell-averaging detector, 16 cells, 1e-4", "", factor, factor_of(averaging, control),
+              1e-6 * factor, "N (P^(-1/N) - 1), Finn and Johnson 1968");
+  const auto ordered = detector(Kind::ordered_statistic, false_alarm);
+  const double ordered_factor = factor_of(ordered, control);
+  double probability = 1.0;
+  for (int i = 0; i < 12; ++i) probability *= (cells - i) / (cells - i + ordered_factor);
+  record.near("False alarms at the factor of an ordered-statistic detector over 1e-4", "", 1.0,
+              probability / false_alarm, 1e-4, "product of (N - i)/(N - i + factor), Rohling 1983");
+  measure_false_alarms(record, detector(Kind::cell_averaging, 0.01), "Cell averaging", control);
+  measure_false_alarms(record, detector(Kind::ordered_statistic, 0.01), "Ordered statistic", control);
+}
+
+// ---- Stepped frequencies --------------------------------------------------------------------------------------------
+
+constexpr double first_hz = 9e9;
+constexpr double step_hz = 5e6;
+constexpr int burst_steps = 32;
+constexpr double unambiguous_m = 0.5 * core::exact_light_speed_mps / step_hz;
+
+// Synthetic range profiles that the simulation makes.
+void measure_recorded_profile(Record& record) {
+  scene::Scene scene = radar_at_origin();
+  scene::Radar& radar = scene.radars[0];
+  radar.carrier = scene::Radar::Carrier::stepped;
+  radar.carrier_hz = first_hz;
+  radar.carrier_step_hz = step_hz;
+  radar.carrier_steps = burst_steps;
+  radar.pulses_per_step = 2;
+  radar.pulse_width_s = 0.2e-6;
+  // Five bins before the first gate, which is the fifth from the end of its profile.
+  constexpr double gate_m = 1015.0;
+  constexpr double echo_m = gate_m - 5.0 * unambiguous_m / burst_steps;
+  add_target(scene, {echo_m, 0.0, 0.0});
+  set_window(scene, gate_m, gate_m + 15.0, 20e6);
+  set_pulses(scene, 0, 2 * burst_steps - 1);
+  scene.simulations[0].processing = scene::Processing::srp;
+  double amplitude_v = 0.0;  // The mean of the radar equation over the carriers.
+  for (int n = 0; n < burst_steps; ++n)
+    amplitude_v += std::sqrt(1000.0) * core::exact_light_speed_mps / (first_hz + n * step_hz) /
+                   (std::pow(4.0 * core::pi, 1.5) * echo_m * echo_m) / burst_steps;
+  const auto samples = recorded(scene).samples;
+  const std::complex<double> expected = std::polar(
+      amplitude_v, -2.0 * core::pi * std::remainder(first_hz * 2.0 * echo_m / core::exact_light_speed_mps, 1.0));
+  record.at_most("Recorded range profile: deviation of a target's bin", "", 1e-7,
+                 std::abs(samples.at(burst_steps - 5) / expected - 1.0),
+                 "the mean of its echoes, at the first carrier");
+}
+
+signal::SteppedWaveform waveform(double first_gate_m, std::size_t gates) {
+  signal::SteppedWaveform w;
+  w.first_carrier_hz = first_hz;
+  w.carrier_step_hz = step_hz;
+  w.steps = burst_steps;
+  w.pulse_width_s = 200e-9;
+  w.sample_rate_hz = 10e6;
+  w.first_sample_s = 2.0 * first_gate_m / core::exact_light_speed_mps;
+  w.samples = gates;
+  w.seen_from_s = -100e-9;
+  w.seen_to_s = 100e-9;
+  w.light_speed_mps = core::exact_light_speed_mps;
+  return w;
+}
+
+// The echoes of one point of amplitude 1, pulse by pulse 125 us apart about t = 0.
+std::vector<std::complex<double>> burst_values(const signal::SteppedBand& band, const Motion& point,
+                                               std::size_t bursts) {
+  const signal::SteppedWaveform& w = band.waveform();
+  std::vector<std::complex<double>> values;
+  for (std::size_t p = 0; p < bursts * w.steps; ++p) {
+    const double time_s = 125e-6 * (static_cast<double>(p) - 0.5 * static_cast<double>(bursts * w.steps));
+    const long double delay_s = two_way_s(at_rest({}), point, time_s);
+    const double turns = static_cast<double>(std::remainder(w.carrier_hz(p % w.steps) * delay_s, 1.0L));
+    std::vector<std::complex<double>> row(w.samples);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const double t = w.first_sample_s + static_cast<double>(i) / w.sample_rate_hz - static_cast<double>(delay_s);
+      if (t >= w.seen_from_s && t < w.seen_to_s) row[i] = std::polar(1.0, -2.0 * core::pi * turns);
+    }
+    std::vector<std::complex<double>> placed(band.values_per_pulse());
+    band.place(p % w.steps, row, placed);
+    values.insert(values.end(), placed.begin(), placed.end());
+  }
+  return values;
+}
+
+void measure_profile(Record& record) {
+  constexpr double range_m = 5003.3;
+  const signal::SteppedBand band(waveform(4970.0, 6));
+  const signal::ProfileMaker maker(band, {}, 4980.0, 5020.0, 16);
+  std::vector<std::complex<double>> profile(maker.axis().count);
+  maker.make(burst_values(band, at_rest({range_m, 0.0L, 0.0L}), 1), {}, profile);
+  const auto peak = signal::peak_near(profile, maker.axis(), range_m, 2.0);
+  record.near("Range profile: range of a target", "m", range_m, peak ? peak->range_m : 0.0, 0.001, "2 R/c");
+  record.near("Range profile: amplitude of a target", "", 1.0, peak ? peak->amplitude : 0.0, 1e-3,
+              "the mean of its echoes");
+  const double middle_hz = first_hz + 0.5 * (burst_steps - 1) * step_hz;
+  const double expected_rad =
+      -2.0 * core::pi * std::remainder(2.0 * range_m * middle_hz / core::exact_light_speed_mps, 1.0);
+  record.near("Range profile: error of the phase", "rad", 0.0,
+              peak ? wrapped_rad(peak->phase_rad - expected_rad) : core::pi, 0.01,
+              "-4 pi f R/c, f the middle of the band");
+  // Half power of Dirichlet's kernel sin(pi S x)/(S sin(pi x)).
+  constexpr double cells = burst_steps;
+  double half = 0.3 / cells;
+  for (int i = 0; i < 50; ++i) {
+    const double k = std::sin(core::pi * cells * half) / (cells * std::sin(core::pi * half));
+    half += (k - std::sqrt(0.5)) * half;  // The kernel falls by about 1.3/half there.
+  }
+  record.near("Range profile: half-power width", "m", 2.0 * half * unambiguous_m, peak ? peak->width_m : 0.0,
+              0.005 * unambiguous_m / cells, "Dirichlet's kernel");
+}
+
+// ---- Turning targets ------------------------------------------------------------------------------------------------
+
+constexpr long double turn_rate_radps = 0.05L;
+
+// The antenna as a target sees it that stands at (0, 5 km, 0) and turns about z.
+signal::TrackPoint seen_at(double time_s) {
+  const Place antenna{0.0L, -5000.0L, 0.0L};
+  const Place z{0.0L, 0.0L, 1.0L};
+  const Place there = turned(antenna, z, -turn_rate_radps * time_s);
+  const Place moving = -turn_rate_radps * cross_of(z, there);
+  const auto vector = [](const Place& p) {
+    return core::Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
+  };
+  return {time_s, vector(there), vector(moving)};
+}
+
+void measure_turning(Record& record) {
+  const std::size_t bursts = record.quick() ? 32 : 64;
+  const Place fixed{6.0L, 4.0L, 0.0L};
+  const signal::SteppedBand band(waveform(4955.0, 7));
+  const auto values = burst_values(
+      band,
+      [&](long double t) {
+        return Place{0.0L, 5000.0L, 0.0L} + turned(fixed, {0.0L, 0.0L, 1.0L}, turn_rate_radps * t);
+      },
+      bursts);
+  std::vector<signal::TrackPoint> seen;
+  for (std::size_t p = 0; p < bursts * burst_steps; ++p)
+    seen.push_back(seen_at(125e-6 * (static_cast<double>(p) - 0.5 * static_cast<double>(bursts * burst_steps))));
+  const signal::IsarPlane plane = signal::plane_of(seen);
+  const auto motion = signal::motion_of_origin(seen, core::exact_light_speed_mps);
+  const signal::ProfileMaker maker(band, {}, plane.range_m - 4.0, plane.range_m + 12.0, 4);
+  const signal::IsarEchoes echoes{values, motion, {}};
+  const signal::ImageAxis across{-6.0, 0.4, 61};
+  const core::WorkControl control{1, record.rules().stop};
+  const double cell_m = 0.5 * core::exact_light_speed_mps / first_hz /
+                        (static_cast<double>(turn_rate_radps) * 125e-6 * static_cast<double>(seen.size()));
+  const auto measure = [&](const std::string& name, const signal::FocusedImage& image) {
+    const auto found = signal::measure_point(image, signal::reader_of(image), {6.0, 4.0}, 0.6);
+    record.near(name + ": cross-range of a point", "m", 6.0, found ? found->place.azimuth_m : 0.0, 0.02 * cell_m,
+                "the point's place on the target");
+    record.near(name + ": range of a point", "m", 4.0, found ? found->place.range_m : 0.0, 0.02,
+                "the point's place on the target");
+    record.near(name + ": amplitude of a point", "", 1.0, found ? found->amplitude : 0.0, 0.02,
+                "the mean of its echoes");
+  };
+  measure("Turning target, range-Doppler", signal::isar_range_doppler(maker, echoes, plane, across, control));
+  measure("Turning target, back-projection", signal::isar_back_projection(maker, echoes, seen, plane, across, control));
+}
+
+}  // namespace
+
+void measure_search(Record& record) {
+  measure_detection(record);
+  measure_recorded_profile(record);
+  measure_profile(record);
+  measure_turning(record);
+}
+
+}  // namespace sarsim::workflow::verify
