@@ -30,7 +30,7 @@ except ImportError:  # The Python that CMake found may be without it; Debian's h
 import scenes
 from model import Model
 from random_scenes import family, random_scene
-from running import TOLERANCE, VANISHING_V, error_of, reason_to_leave_out, rounding_of, simulated
+from running import TOLERANCE, VANISHING_V, allowed_for, error_of, reason_to_leave_out, simulated
 
 
 class Comparison:
@@ -62,12 +62,11 @@ class Comparison:
                 continue
             if not reason:
                 level = 0.0 if engine == "reference" else expecting.echo_level()
-                self.judge(number, engine, error_of(samples, expected, level), rounding_of(scene))
+                self.judge(number, engine, error_of(samples, expected, level), allowed_for(expecting, engine))
             elif np.abs(samples).max(initial=0.0) > VANISHING_V:
                 self.fail(number, f"{engine} has echoes, the model {reason}")
 
-    def judge(self, number, engine, error, rounding):
-        allowed = TOLERANCE[engine] + rounding
+    def judge(self, number, engine, error, allowed):
         if not error / allowed <= self.worst[engine][0]:
             self.worst[engine] = (error / allowed, error, number)
         if not error <= allowed:

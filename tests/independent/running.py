@@ -17,6 +17,8 @@ TOLERANCE = {
     "direct": 3e-6,
     "spectral": 3e-6,
 }
+# What the engines leave out of the light time of both ways, as a phase [rad]; docs/theory/echo-model.md, 6.
+LIGHT_TIME = 5e-5
 VANISHING_V = 1e-30  # Far from where single precision ends, 1e-38: filters in between still have digits to lose.
 
 
@@ -42,6 +44,11 @@ def error_of(samples, expected, level=0.0):
     if samples.shape != expected.shape or not np.isfinite(samples).all():
         return np.inf
     return np.abs(samples - expected).max() / max(np.abs(expected).max(), level)
+
+
+def allowed_for(model, engine):
+    """Error of a scene by an engine: what both promise, and the rounding of a phase in double precision."""
+    return TOLERANCE[engine] + rounding_of(model.scene) + (LIGHT_TIME if model.exact else 0.0)
 
 
 def rounding_of(scene):
