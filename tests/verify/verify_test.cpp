@@ -20,7 +20,7 @@ TEST_F(VerifyCommand, FindsThatEverythingHoldsHere) {
   const Finished verify = sarsim({"verify", "--quick"});
   EXPECT_EQ(verify.status, 0) << verify.out;
   EXPECT_EQ(verify.err, "");
-  for (const char* group : {"Closed forms", "Geometry", "Beams and targets", "Band-limited pulses",
+  for (const char* group : {"Closed forms", "Geometry", "Light time", "Beams and targets", "Band-limited pulses",
                             "Numbers of the thesis", "Engines", "Statistics", "Focusing", "Detection and profiles"})
     EXPECT_THAT(verify.out, HasSubstr(group));
   EXPECT_THAT(verify.out, Not(HasSubstr("FAILED")));

@@ -8,6 +8,7 @@ Record verify_all(const Rules& rules) {
   Record record(rules);
   record.group("Closed forms", measure_closed_forms);
   record.group("Geometry", measure_geometry);
+  record.group("Light time", measure_light_time);
   record.group("Beams and targets", measure_beams_and_targets);
   record.group("Band-limited pulses", measure_band_limit);
   record.group("Numbers of the thesis", measure_thesis);

@@ -11,6 +11,9 @@ void measure_closed_forms(Record& record);
 /// Frames, rotations and paths: the phase of echoes against the light time of their own evaluation.
 void measure_geometry(Record& record);
 
+/// Echoes of satellites, missiles and cars against the light-time equation of every sample.
+void measure_light_time(Record& record);
+
 /// Beams held on points, turning, on platforms that roll; antennas and targets given by points; sensitivity-time
 /// control.
 void measure_beams_and_targets(Record& record);
