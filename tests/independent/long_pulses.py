@@ -13,7 +13,7 @@ import numpy as np
 import light_time
 import scenes
 from curves import Curve
-from model import EXACT, Model
+from model import Model
 from running import simulated
 
 HALF_PULSES = 1.01  # What is farther from an echo's middle than so many half pulses is not looked at.
@@ -129,7 +129,7 @@ EXPANSION, RUN = 1e-4, 1e-6
 def truth_of(name, position):
     """Scene and samples of a case."""
     scene = long_pulse(*CASES[name], position)
-    return scene, EmissionModel(scene, exact=True).samples()
+    return scene, EmissionModel(scene).samples()
 
 
 class LongPulses(unittest.TestCase):
@@ -143,9 +143,8 @@ class LongPulses(unittest.TestCase):
                     self.assertLessEqual(error, allowed)
 
     def test_the_second_order_of_the_theory_is_enough(self):
-        self.compare(lambda scene: Model(scene, exact=True).samples(), EXPANSION)
+        self.compare(lambda scene: Model(scene).samples(), EXPANSION)
 
-    @unittest.skipUnless(EXACT, "the program is older than the light time of both legs")
     def test_the_program_agrees_sample_by_sample(self):
         with tempfile.TemporaryDirectory(prefix="sarsim-independent-") as folder:
             for engine in ("reference", "auto"):

@@ -15,7 +15,6 @@ import light_time
 from motion import Kinematics, angles_of, direction, wrapped
 from pulse import EDGE, FILTER_LENGTH, Shape
 
-EXACT = False  # Whether the physical profile has the light time of both legs; else the program is older than that.
 OTHER_DELAYS_S = 1e-4  # By how much delays may change over the pulses that are in flight.
 LIGHT_SPEED = {"physical": 299792458.0, "classic": 299792500.0}  # m/s; docs/decisions/physics-rules.md, 1.
 
@@ -38,12 +37,11 @@ def sinx_gain(offset, beamwidth_deg):
 class Model(Kinematics):
     """The samples of a scene's recording. Each rule is a method, so that a test can put a wrong one in its place."""
 
-    def __init__(self, scene, exact=EXACT):
+    def __init__(self, scene):
         self.scene = scene
         self.radar = scene.radar
         self.recording = scene.recording
         self.classic = scene.profile == "classic"
-        self.exact = exact and not self.classic
         self.light_speed = LIGHT_SPEED[scene.profile]
         self.sampling_hz = self.recording.sampling_ghz * 1e9
         self.shape = Shape(self.radar.pulse, self.sampling_hz, self.classic)
@@ -174,11 +172,11 @@ class Model(Kinematics):
 
     def echo(self, target, number):
         time = self.send_time(number)
-        flight = self.flight(target, time) if self.exact else self.frozen_flight(target, time)
-        met = time + flight.out_s if self.exact else np.longdouble(time)
+        flight = self.frozen_flight(target, time) if self.classic else self.flight(target, time)
+        met = np.longdouble(time) if self.classic else time + flight.out_s
         radar_motion = self.motion(self.platform(self.radar.platform), np.longdouble(time))
         target_motion = self.motion(self.platform(target.platform), met)
-        home = flight.delay_s - flight.out_s if self.exact else flight.out_s
+        home = flight.out_s if self.classic else flight.delay_s - flight.out_s
         look = flight.look.astype(float)
         azimuth, elevation = self.offsets(look, time, radar_motion)
         antennas = self.antenna_factor(self.radar.transmit, azimuth, elevation)
@@ -194,16 +192,16 @@ class Model(Kinematics):
 
     def sent_when(self, echo, after_middle):
         """When, counted from the pulse's middle, left what is received some time after that middle."""
-        if not self.exact:
+        if self.classic:
             return after_middle
         return after_middle * (1 - float(echo.doppler)) - float(echo.acceleration) * after_middle**2 / 2
 
     def turns(self, echo, carrier, after_middle):
         """Of the Doppler shift within the pulse, in cycles."""
-        if self.exact:
-            return carrier * (float(echo.doppler) * after_middle + float(echo.acceleration) * after_middle**2 / 2)
-        swept = carrier * after_middle + self.shape.sweep_rate * after_middle**2 / 2  # Thesis 6.21 to 6.24.
-        return float(echo.doppler) * swept
+        doppler, acceleration = float(echo.doppler), float(echo.acceleration)
+        if self.classic:  # Thesis 6.21 to 6.24.
+            return doppler * (carrier * after_middle + self.shape.sweep_rate * after_middle**2 / 2)
+        return carrier * (doppler * after_middle + acceleration * after_middle**2 / 2)
 
     def senders(self, number, after_send):
         """Numbers of the pulses that may be heard in a row: its own, or all whose echoes reach it."""

@@ -1,13 +1,12 @@
 """The scene of a number: ordinary ones, and in every other place those in which the exact light time matters."""
 
-import model
 from fast_scenes import FAMILIES, FastDraw
 from scenes import Draw
 
 
 def family(number):
     """Name of the family of a scene, or None of an ordinary one."""
-    return list(FAMILIES)[number // 2 % len(FAMILIES)] if model.EXACT and number % 2 == 0 else None
+    return list(FAMILIES)[number // 2 % len(FAMILIES)] if number % 2 == 0 else None
 
 
 def random_scene(number):

@@ -48,7 +48,7 @@ def error_of(samples, expected, level=0.0):
 
 def allowed_for(model, engine):
     """Error of a scene by an engine: what both promise, and the rounding of a phase in double precision."""
-    return TOLERANCE[engine] + rounding_of(model.scene) + (LIGHT_TIME if model.exact else 0.0)
+    return TOLERANCE[engine] + rounding_of(model.scene) + (0.0 if model.classic else LIGHT_TIME)
 
 
 def rounding_of(scene):

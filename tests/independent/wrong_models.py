@@ -10,7 +10,7 @@ import light_time
 import scenes
 from curves import Curve
 from long_pulses import CASES, long_pulse
-from model import EXACT, Model
+from model import Model
 from random_scenes import random_scene
 from running import TOLERANCE, allowed_for, error_of, reason_to_leave_out, simulated
 
@@ -121,8 +121,8 @@ class WithoutDirection(Model):
 
 
 class LightOfTheOtherProfile(Model):
-    def __init__(self, scene, exact=EXACT):
-        super().__init__(scene, exact)
+    def __init__(self, scene):
+        super().__init__(scene)
         self.light_speed += 42
 
 
@@ -291,7 +291,6 @@ class WrongModels(unittest.TestCase):
                 self.assertLessEqual(right, allowed_for(Model(telling_scene(**changes)), "reference"))
                 self.assertGreater(wrong, 10 * allowed_for(Model(telling_scene()), "auto"))
 
-    @unittest.skipUnless(EXACT, "the program is older than the light time of both legs")
     def test_wrong_light_times_are_found(self):
         for model, case in WRONG_IN_LONG_PULSES:
             with self.subTest(model=model.__name__), tempfile.TemporaryDirectory() as folder:
