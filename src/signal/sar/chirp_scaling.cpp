@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "core/maths/turns.hpp"
@@ -16,17 +17,20 @@ class ChirpScaling : public RowFocuser {
   explicit ChirpScaling(const FocusFrame& frame)
       : frame_(frame),
         fft_(frame.range_size),
+        image_fft_(frame.image_bins),
         rate_hzps_(std::pow(frame.waveform.bandwidth_hz, 2) / dispersed_time_bandwidth) {}
 
   void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
     const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
     const double cosine = std::sqrt(1.0 - sine * sine);
-    disperse(row, sine, cosine);
-    fft_.inverse(row);
-    scale(row, cosine);
-    fft_.forward(row);
-    compress(row, cosine);
-    fft_.inverse(row);
+    const auto bins = row.first(frame_.range_size);
+    disperse(bins, sine, cosine);
+    fft_.inverse(bins);
+    scale(bins, cosine);
+    fft_.forward(bins);
+    compress(bins, cosine);
+    if (frame_.image_bins > bins.size()) widen(row.first(frame_.image_bins));
+    image_fft_.inverse(row.first(frame_.image_bins));
   }
 
   double azimuth_turns(double range_m, double cosine) const override {
@@ -73,8 +77,18 @@ class ChirpScaling : public RowFocuser {
     }
   }
 
+  // The spectrum with zeros between its halves, for closer samples.
+  void widen(std::span<std::complex<float>> row) const {
+    const auto kept = static_cast<std::ptrdiff_t>((frame_.range_size + 1) / 2);
+    const auto end = row.begin() + static_cast<std::ptrdiff_t>(frame_.range_size);
+    std::move_backward(row.begin() + kept, end, row.end());
+    const auto zeros = static_cast<std::ptrdiff_t>(row.size() - frame_.range_size);
+    std::fill(row.begin() + kept, row.begin() + kept + zeros, std::complex<float>());
+  }
+
   FocusFrame frame_;
   core::BasicFft<float> fft_;
+  core::BasicFft<float> image_fft_;
   double rate_hzps_;
 };
 

@@ -35,6 +35,7 @@ void set_range_axis(FocusFrame& frame) {
   frame.range.count = scaled ? frame.samples : static_cast<std::size_t>(std::ceil(samples * cosine));
   frame.range.spectrum_centre_per_m = radar::turns_of(cosine - 1.0, frame.waveform.carrier_hz, c);
   frame.reference_range_m = frame.range.at(0.5 * static_cast<double>(frame.range.count));
+  frame.range_middle_hz = frame.waveform.carrier_hz * (cosine - 1.0);
 }
 
 // Pulses by which the beam's centre meets a target before (positive: the target lies ahead) its closest approach.
@@ -57,21 +58,64 @@ void set_azimuth_axis(FocusFrame& frame) {
   const double half_aperture = half_aperture_pulses(frame);
   // Targets beside the record's ends still have half their aperture in it: their responses are to be seen whole.
   const double margin = std::min(half_aperture, static_cast<double>(frame.pulses) / 8.0);
-  frame.first_pulse = static_cast<std::ptrdiff_t>(std::floor(std::min(near, far) - margin));
+  frame.first_row = static_cast<std::ptrdiff_t>(std::floor(std::min(near, far) - margin));
   frame.azimuth.count = frame.pulses + static_cast<std::size_t>(std::ceil(std::abs(far - near) + 2.0 * margin));
   frame.azimuth.step_m = frame.track.speed_mps * frame.track.interval_s;
-  frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_pulse));
+  frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_row));
   frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
   frame.azimuth_size = core::good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(half_aperture)));
+  frame.doppler_middle_hz = frame.options.doppler_centroid_hz;
+}
+
+// A size that makes the samples of an axis so close, those of `size` being `step_m` apart.
+std::size_t finer_size(std::size_t size, double step_m, double wanted_m) {
+  return wanted_m < step_m
+             ? core::good_fft_size(static_cast<std::size_t>(std::ceil(static_cast<double>(size) * step_m / wanted_m)))
+             : size;
+}
+
+// The axis with its samples that much closer.
+void divide(ImageAxis& axis, double by) {
+  axis.step_m /= by;
+  axis.count = static_cast<std::size_t>(std::ceil(static_cast<double>(axis.count) * by));
+}
+
+void fit_range(FocusFrame& frame, const SpectrumExtent& extent) {
+  ImageAxis& axis = frame.range;
+  if (holds(axis, extent)) return;
+  frame.image_bins = finer_size(frame.range_size, axis.step_m, step_for(axis, extent));
+  divide(axis, static_cast<double>(frame.image_bins) / static_cast<double>(frame.range_size));
+  axis.spectrum_centre_per_m = extent.middle_per_m();
+  frame.range_middle_hz = radar::range_of(extent.middle_per_m(), frame.waveform.light_speed_mps);
+}
+
+void fit_azimuth(FocusFrame& frame, const SpectrumExtent& extent) {
+  ImageAxis& axis = frame.azimuth;
+  if (holds(axis, extent)) return;
+  frame.unfolds = true;
+  frame.image_rows = finer_size(frame.azimuth_size, axis.step_m, step_for(axis, extent));
+  const double by = static_cast<double>(frame.image_rows) / static_cast<double>(frame.azimuth_size);
+  divide(axis, by);
+  frame.first_row = static_cast<std::ptrdiff_t>(std::floor(static_cast<double>(frame.first_row) * by));
+  axis.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_row) / by);
+  axis.spectrum_centre_per_m = extent.middle_per_m();
+  frame.doppler_middle_hz = axis.spectrum_centre_per_m * frame.track.speed_mps;
+}
+
+// Bins of a transform from its first one on, those of the second half below it.
+double signed_bin(std::size_t bin, std::size_t size) {
+  const auto number = static_cast<double>(bin);
+  return 2 * bin < size ? number : number - static_cast<double>(size);
 }
 
 }  // namespace
 
 double FocusFrame::doppler_hz(std::size_t row) const {
-  CORE_EXPECT(row < azimuth_size);
+  CORE_EXPECT(row < image_rows);
   const double base_hz = static_cast<double>(row) / static_cast<double>(azimuth_size) * prf_hz();
-  const double folds = std::floor((options.doppler_centroid_hz - base_hz) / prf_hz() + 0.5);
-  return base_hz + folds * prf_hz();
+  const double period_hz = static_cast<double>(image_rows) / static_cast<double>(azimuth_size) * prf_hz();
+  const double folds = std::floor((doppler_middle_hz - base_hz) / period_hz + 0.5);
+  return base_hz + folds * period_hz;
 }
 
 // Of the second order in V/c, which the Doppler shift of radar/path does not have.
@@ -85,8 +129,11 @@ double FocusFrame::sine(double doppler_hz) const {
 
 double FocusFrame::range_hz(std::size_t bin) const {
   const double step_hz = waveform.sample_rate_hz / static_cast<double>(range_size);
-  const auto number = static_cast<double>(bin);
-  return step_hz * (2 * bin < range_size ? number : number - static_cast<double>(range_size));
+  return step_hz * signed_bin(bin, range_size);
+}
+
+double FocusFrame::image_hz(std::size_t bin) const {
+  return waveform.sample_rate_hz / static_cast<double>(range_size) * signed_bin(bin, image_bins);
 }
 
 FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
@@ -106,6 +153,10 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   set_range_axis(frame);
   set_azimuth_axis(frame);
   frame.range_size = core::good_fft_size(padded_samples(frame));
+  frame.image_rows = frame.azimuth_size;
+  frame.image_bins = frame.range_size;
+  if (options.spectrum) fit_range(frame, options.spectrum->range);
+  if (options.spectrum) fit_azimuth(frame, options.spectrum->azimuth);
   return frame;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -21,9 +22,14 @@ struct FocusFrame {
   std::size_t samples = 0;
   double first_delay_s = 0.0;
 
-  std::size_t azimuth_size = 0;    ///< Of the Fourier transforms over pulses.
-  std::size_t range_size = 0;      ///< Of those over samples.
-  std::ptrdiff_t first_pulse = 0;  ///< Pulse, counted like those of the echoes, at which the image begins.
+  std::size_t azimuth_size = 0;  ///< Of the Fourier transforms over pulses.
+  std::size_t range_size = 0;    ///< Of those over samples.
+  std::size_t image_rows = 0;    ///< Of the transforms back over Doppler frequencies: more where rows are closer.
+  std::size_t image_bins = 0;    ///< Of those back over range frequencies.
+  std::ptrdiff_t first_row = 0;  ///< Row, counted from that of pulse 0, at which the image begins.
+  bool unfolds = false;  ///< The image holds more Doppler frequencies than the pulses sample at one range frequency.
+  double doppler_middle_hz = 0.0;  ///< Of the Doppler frequencies that the image holds.
+  double range_middle_hz = 0.0;    ///< Of its range frequencies.
   ImageAxis azimuth;
   ImageAxis range;
   double reference_range_m = 0.0;  ///< Closest distance at the middle of the swath.
@@ -33,7 +39,9 @@ struct FocusFrame {
     return radar::wavelength_of(waveform.carrier_hz, waveform.light_speed_mps);
   }
   [[nodiscard]] double prf_hz() const { return 1.0 / track.interval_s; }
-  /// Doppler frequency of a row of the azimuth spectrum: within half the pulse repetition frequency of the centroid.
+  /// Samples of a row of the matrix that is worked on.
+  [[nodiscard]] std::size_t row_length() const { return std::max({range_size, image_bins, range.count}); }
+  /// Doppler frequency of a row of the image's azimuth spectrum: within half a period of their middle.
   [[nodiscard]] double doppler_hz(std::size_t row) const;
   /// What the antenna's own motion between sending and receiving adds to a Doppler frequency at `hz`: 2 hz V^2/c^2.
   [[nodiscard]] double motion_doppler_hz(double hz) const;
@@ -41,6 +49,8 @@ struct FocusFrame {
   [[nodiscard]] double sine(double doppler_hz) const;
   /// Frequency of a bin of a range spectrum, in [-fs/2, fs/2).
   [[nodiscard]] double range_hz(std::size_t bin) const;
+  /// The same of the spectrum of the image's rows, from the middle of its range frequencies.
+  [[nodiscard]] double image_hz(std::size_t bin) const;
 };
 
 /// @param echoes  at least two pulses of an antenna that moves; std::invalid_argument for fewer
@@ -56,7 +66,8 @@ class RowFocuser {
   virtual ~RowFocuser() = default;
 
   /// @param doppler_hz   of the row, the antenna's motion between sending and receiving not yet added
-  /// @param[in,out] row  range_size bins; then frame.range.count samples along frame.range and more of no use.
+  /// @param[in,out] row  row_length() values, range_size bins first; then frame.range.count samples along frame.range
+  /// and more of no use.
   ///                     The unscaled transforms leave a factor range_size
   virtual void focus(double doppler_hz, std::span<std::complex<float>> row) const = 0;
   /// Turns by which a sample at a closest distance is to be multiplied at each Doppler frequency.

@@ -65,7 +65,7 @@ constexpr double most_sine = 0.999;
 std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   const double band_hz = frame.options.doppler_bandwidth_hz;
   const auto weight = weight_of(frame.options.azimuth_window);
-  std::vector<DopplerRow> rows(frame.azimuth_size);
+  std::vector<DopplerRow> rows(frame.image_rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double hz = frame.doppler_hz(k);
     const double sine = frame.sine(hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
@@ -113,15 +113,19 @@ class Focuser {
       : echoes_(echoes),
         frame_(focus_frame(echoes, options)),
         control_(control),
-        matrix_(frame_.azimuth_size, frame_.range_size, options.memory_bytes, options.scratch_folder),
-        counter_(std::move(progress), (frame_.pulses + frame_.azimuth_size) * frame_.range_size + passes_over_columns(),
-                 frame_.range_size),
-        azimuth_fft_(frame_.azimuth_size) {}
+        matrix_(frame_.image_rows, frame_.row_length(), options.memory_bytes, options.scratch_folder),
+        counter_(std::move(progress), (frame_.pulses + frame_.image_rows) * frame_.row_length() + passes_over_columns(),
+                 frame_.row_length()),
+        azimuth_fft_(frame_.azimuth_size),
+        image_fft_(frame_.image_rows) {}
 
   FocusedRows carry_out() {
     load();
     matrix_.each_column(0, frame_.range_size, control_, counter_,
-                        [&](std::size_t, std::span<std::complex<float>> column) { azimuth_fft_.forward(column); });
+                        [&](std::size_t bin, std::span<std::complex<float>> column) {
+                          azimuth_fft_.forward(column.first(frame_.azimuth_size));
+                          if (frame_.unfolds) unfold(bin, column);
+                        });
     focus_all_rows();
     focus_all_columns();
     return result();
@@ -129,7 +133,7 @@ class Focuser {
 
  private:
   [[nodiscard]] std::size_t passes_over_columns() const {
-    return frame_.azimuth_size * (frame_.range_size + frame_.range.count);
+    return frame_.image_rows * (frame_.range_size + frame_.range.count);
   }
 
   // Range spectra of the pulses; the rows beyond them are 0.
@@ -137,7 +141,8 @@ class Focuser {
     const core::BasicFft<float> fft(frame_.range_size);
     const std::vector<float> pulses = pulse_weights(frame_);
     const std::vector<float> bins = range_weights(frame_);
-    const auto load_row = [&](std::size_t p, std::span<std::complex<float>> row) {
+    const auto load_row = [&](std::size_t p, std::span<std::complex<float>> whole) {
+      const auto row = whole.first(frame_.range_size);
       echoes_.read(p, row.first(frame_.samples));
       std::fill(row.begin() + static_cast<std::ptrdiff_t>(frame_.samples), row.end(), std::complex<float>());
       fft.forward(row);
@@ -146,18 +151,36 @@ class Focuser {
     matrix_.each_row(0, frame_.pulses, control_, counter_, load_row);
   }
 
+  // Doppler frequencies grow with the range frequency: the pulses tell those within half their repetition frequency of
+  // where the centroid is there, of all that the image holds.
+  void unfold(std::size_t bin, std::span<std::complex<float>> column) const {
+    const std::vector<std::complex<float>> sampled(column.begin(),
+                                                   column.begin() + static_cast<std::ptrdiff_t>(frame_.azimuth_size));
+    const double stretch = 1.0 + frame_.range_hz(bin) / frame_.waveform.carrier_hz;
+    const double middle_hz = stretch * frame_.options.doppler_centroid_hz;
+    const double step_hz = frame_.prf_hz() / static_cast<double>(frame_.azimuth_size);
+    const auto size = static_cast<std::ptrdiff_t>(frame_.azimuth_size);
+    for (std::size_t k = 0; k < column.size(); ++k) {
+      const double hz = frame_.doppler_hz(k);
+      column[k] = {};
+      if (!(std::abs(hz - middle_hz) <= 0.5 * frame_.prf_hz())) continue;
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(std::llround(hz / step_hz)) % size;
+      column[k] = sampled[static_cast<std::size_t>(at < 0 ? at + size : at)];
+    }
+  }
+
   void focus_all_rows() {
     const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
     const std::vector<DopplerRow> rows = doppler_rows(frame_);
     const auto focus_row = [&](std::size_t k, std::span<std::complex<float>> row) {
       if (rows[k].weight != 0.0F) {
-        undo_doppler_in_pulse(frame_.doppler_hz(k), row);
+        undo_doppler_in_pulse(frame_.doppler_hz(k), row.first(frame_.range_size));
         focuser->focus(frame_.doppler_hz(k), row);
       } else {
         std::ranges::fill(row, std::complex<float>());
       }
     };
-    matrix_.each_row(0, frame_.azimuth_size, control_, counter_, focus_row);
+    matrix_.each_row(0, frame_.image_rows, control_, counter_, focus_row);
   }
 
   // A chirp of the rate K that is shifted in frequency has its peak fd/K earlier, turned by -pi fd^2/K.
@@ -189,7 +212,7 @@ class Focuser {
         const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns;
         column[k] = size * rows[k].weight * core::product(column[k], core::turned(turns));
       }
-      azimuth_fft_.inverse(column);
+      image_fft_.inverse(column);
     };
     matrix_.each_column(0, frame_.range.count, control_, counter_, focus_column);
   }
@@ -200,8 +223,8 @@ class Focuser {
     focused.rows = focused.image.azimuth.count;
     focused.columns = focused.image.range.count;
     focused.on_disk = matrix_.on_disk();
-    const auto size = static_cast<std::ptrdiff_t>(frame_.azimuth_size);
-    const std::ptrdiff_t first = (frame_.first_pulse % size + size) % size;
+    const auto size = static_cast<std::ptrdiff_t>(frame_.image_rows);
+    const std::ptrdiff_t first = (frame_.first_row % size + size) % size;
     const auto matrix = std::make_shared<const WorkMatrix>(std::move(matrix_));
     focused.copy = [matrix, first, size](std::size_t row, std::span<std::complex<float>> out) {
       const std::ptrdiff_t at = (first + static_cast<std::ptrdiff_t>(row)) % size;
@@ -216,6 +239,7 @@ class Focuser {
   WorkMatrix matrix_;
   WorkCounter counter_;
   core::BasicFft<float> azimuth_fft_;
+  core::BasicFft<float> image_fft_;
 };
 
 core::Problem error(std::string message, double found, std::string expected, std::string hint = {}) {

@@ -4,12 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
+#include "signal/sar/image_spectrum.hpp"
 #include "signal/sar/sar_echoes.hpp"
 #include "signal/sar/sar_image.hpp"
 #include "signal/sar/sar_window.hpp"
@@ -28,10 +30,12 @@ struct FocusOptions {
   FocusMethod method = FocusMethod::omega_k;
   SarWindow range_window{};    ///< Over the pulse's band, the rest of which it sets to 0 unless it is rectangular.
   SarWindow azimuth_window{};  ///< Over the band that is kept, or, where all of it is, over the pulses.
-  double doppler_centroid_hz = 0.0;        ///< True one: not modulo the pulse repetition frequency.
-  double doppler_bandwidth_hz = 0.0;       ///< Kept about the centroid; 0: all.
-  std::size_t memory_bytes = 0;            ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
-  std::filesystem::path scratch_folder{};  ///< Where; empty: the system's for temporary files.
+  double doppler_centroid_hz = 0.0;         ///< True one: not modulo the pulse repetition frequency.
+  double doppler_bandwidth_hz = 0.0;        ///< Kept about the centroid; 0: all.
+  std::optional<ImageSpectrum> spectrum{};  ///< That the image has to hold: where the samples of the recording are too
+                                            ///< far apart for it, those of the image are closer. Nothing: unknown.
+  std::size_t memory_bytes = 0;             ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
+  std::filesystem::path scratch_folder{};   ///< Where; empty: the system's for temporary files.
 };
 
 /// A focused image that need not be in memory.

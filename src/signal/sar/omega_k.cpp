@@ -19,14 +19,14 @@ class OmegaK : public RowFocuser {
  public:
   explicit OmegaK(const FocusFrame& frame)
       : frame_(frame),
-        fft_(frame.range_size),
+        fft_(frame.image_bins),
         table_(static_cast<double>(frame.samples) / static_cast<double>(frame.range_size)) {}
 
   void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
     const double a = radar::range_of(doppler_hz, frame_.waveform.light_speed_mps) / frame_.track.speed_mps;
-    refer_to_middle(row, a);
+    refer_to_middle(row.first(frame_.range_size), a);
     change_variable(row, a);
-    fft_.inverse(row);
+    fft_.inverse(row.first(frame_.image_bins));
     // The image's band lies about f0 (Dc - 1), not about 0.
     for (std::size_t n = 0; n < frame_.range.count; ++n)
       row[n] = core::product(
@@ -59,12 +59,12 @@ class OmegaK : public RowFocuser {
     const double c = frame_.waveform.light_speed_mps;
     const double fs = frame_.waveform.sample_rate_hz;
     const double b = motion();
-    const double centre_hz = f0 * (frame_.centroid_cosine - 1.0);
     const double first_s = radar::delay_of(frame_.range.first_m - frame_.reference_range_m, c);
-    const double bins_per_hz = static_cast<double>(row.size()) / fs;
-    const std::vector<std::complex<float>> spectrum(row.begin(), row.end());
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const double image_hz = centre_hz + frame_.range_hz(k);
+    const double bins_per_hz = static_cast<double>(frame_.range_size) / fs;
+    const auto bins = row.first(frame_.range_size);
+    const std::vector<std::complex<float>> spectrum(bins.begin(), bins.end());
+    for (std::size_t k = 0; k < frame_.image_bins; ++k) {
+      const double image_hz = frame_.range_middle_hz + frame_.image_hz(k);
       const double across = f0 + image_hz;
       const double true_hz =
           (a * b + std::sqrt(a * a * b * b + (1.0 - b * b) * (a * a + across * across))) / (1.0 - b * b);

@@ -22,9 +22,10 @@ class RangeDoppler : public RowFocuser {
   void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
     const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
     const double cosine = std::sqrt(1.0 - sine * sine);
-    for (std::size_t k = 0; k < row.size(); ++k)
-      row[k] = core::product(row[k], core::turned(secondary_turns(frame_, frame_.range_hz(k), sine, cosine)));
-    fft_.inverse(row);
+    const auto bins = row.first(frame_.range_size);
+    for (std::size_t k = 0; k < bins.size(); ++k)
+      bins[k] = core::product(bins[k], core::turned(secondary_turns(frame_, frame_.range_hz(k), sine, cosine)));
+    fft_.inverse(bins);
     straighten(row, cosine);
   }
 
@@ -37,7 +38,8 @@ class RangeDoppler : public RowFocuser {
   void straighten(std::span<std::complex<float>> row, double cosine) const {
     const double fs = frame_.waveform.sample_rate_hz;
     const double per_m = radar::delay_of(1.0, frame_.waveform.light_speed_mps * cosine) * fs;
-    std::vector<std::complex<float>> curved(row.begin(), row.end());
+    const auto samples = row.first(frame_.range_size);
+    const std::vector<std::complex<float>> curved(samples.begin(), samples.end());
     for (std::size_t n = 0; n < frame_.range.count; ++n) {
       const double position = frame_.range.at(static_cast<double>(n)) * per_m - frame_.first_delay_s * fs;
       row[n] = table_.value(curved, position);

@@ -100,8 +100,12 @@ signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes, const 
                                           const signal::FocusOptions& options) {
   signal::FocusOptions plain = options;
   plain.method = signal::FocusMethod::range_doppler;
+  plain.spectrum.reset();
   signal::FocusedImage axes = signal::image_of(echoes, plain);
   refine_azimuth(axes.azimuth, targets, options, axes.frame.speed_mps);
+  if (!options.spectrum) return axes;
+  signal::fit_axis(axes.azimuth, options.spectrum->azimuth);
+  signal::fit_axis(axes.range, options.spectrum->range);
   return axes;
 }
 

@@ -14,6 +14,7 @@
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/image/image_output.hpp"
 
 namespace sarsim::workflow {
@@ -111,6 +112,9 @@ FocusWork opened_work(const FocusRequest& request, const core::WorkControl& cont
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
   work.motion = wanted_motion(request, work.input.echoes, work.problems);
   expect_focusable(work.input, work.problems, work.motion);
+  const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
+  work.options.spectrum = seen_spectrum(*work.input.plan, work.input.echoes, kept,
+                                        in_time(request) ? SeenPulses::all : SeenPulses::sampled, control);
   return work;
 }
 
@@ -132,6 +136,22 @@ core::Problems problems_of_work(const FocusWork& work, const core::WorkControl& 
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, control), std::back_inserter(problems));
   return core::ranked(std::move(problems));
+}
+
+// Axes and frame of the image of slant range that is to be made; what its grid differs in from that of the recording is
+// remarked on.
+signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, const std::vector<SarTarget>& targets) {
+  const auto axes_for = [&](const signal::FocusOptions& options) {
+    return in_time(request) ? back_projection_axes(work.input.echoes, targets, options)
+                            : signal::image_of(work.input.echoes, options);
+  };
+  signal::FocusedImage axes = axes_for(work.options);
+  if (!work.options.spectrum) return axes;
+  signal::FocusOptions coarse = work.options;
+  coarse.spectrum.reset();
+  std::ranges::move(remarks_on_grid(axes_for(coarse), axes, *work.options.spectrum),
+                    std::back_inserter(work.input.problems));
+  return axes;
 }
 
 signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& request, signal::FocusedImage axes,
@@ -170,8 +190,7 @@ FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
   std::vector<SarTarget> targets;
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
   if (request.autofocus || in_time(request)) look_at_targets();
-  const signal::FocusedImage axes = in_time(request) ? back_projection_axes(work.input.echoes, targets, work.options)
-                                                     : signal::image_of(work.input.echoes, work.options);
+  const signal::FocusedImage axes = image_axes(work, request, targets);
   if (request.autofocus) expect_autofocus(axes, work.input.echoes, targets, choice, work.options);
   if (work.motion != MotionOrder::none) {
     compensate_work(work, request, control, observer);

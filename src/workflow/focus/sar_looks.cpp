@@ -12,11 +12,10 @@ namespace sarsim::workflow {
 namespace {
 
 // Looks at a target: all of these for so many targets, then as many in all, but no fewer than the least.
-constexpr std::size_t most_looks = 2048;
 constexpr std::size_t looks_for_targets = 4096;
 constexpr std::size_t least_looks = 65;
 
-std::size_t step_of(std::size_t pulses, std::size_t targets) {
+std::size_t step_of(std::size_t pulses, std::size_t targets, std::size_t most_looks) {
   const std::size_t affordable = most_looks * looks_for_targets / std::max(targets, looks_for_targets);
   const std::size_t looks = std::max(affordable, least_looks);
   return (pulses + looks - 1) / looks;
@@ -33,20 +32,22 @@ double peak_gain_of(const simulate::Plan& plan) {
 
 }  // namespace
 
-SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight)
+SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight,
+                   std::size_t most_looks)
     : plan_(plan),
       track_(signal::fit_straight(echoes.track)),
       gain_(
           plan, echoes.columns, weight ? weight : [](double) { return 1.0; }),
       peak_gain_(peak_gain_of(plan)),
       pulses_(echoes.track.size()),
-      step_(step_of(echoes.track.size(), plan.scene->scatterers.size())),
+      step_(step_of(echoes.track.size(), plan.scene->scatterers.size(), most_looks)),
       compensated_(echoes.compensated) {}
 
 void SarLooks::each(const core::WorkControl& control,
-                    const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body) const {
+                    const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body,
+                    std::size_t every) const {
   const std::size_t looks = count();
-  core::parallel_ranges(targets(), targets_at_once(plan_.scene->platforms.size()), control,
+  core::parallel_ranges((targets() + every - 1) / every, targets_at_once(plan_.scene->platforms.size()), control,
                         [&](std::size_t begin, std::size_t end) {
                           std::vector<SarLook> seen((end - begin) * looks);
                           simulate::PulseGeometry geometry(*plan_.scene, plan_.radar);
@@ -54,10 +55,10 @@ void SarLooks::each(const core::WorkControl& control,
                             geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
                             const radar::Pointing pointing = geometry.pointing();
                             for (std::size_t t = begin; t < end; ++t)
-                              seen[(t - begin) * looks + i] = look_at(t, pulse(i), geometry, pointing);
+                              seen[(t - begin) * looks + i] = look_at(t * every, pulse(i), geometry, pointing);
                           }
                           for (std::size_t t = begin; t < end; ++t)
-                            body(t, std::span<const SarLook>(seen).subspan((t - begin) * looks, looks));
+                            body(t * every, std::span<const SarLook>(seen).subspan((t - begin) * looks, looks));
                         });
 }
 

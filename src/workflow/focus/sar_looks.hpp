@@ -23,14 +23,18 @@ struct SarLook {
   double share = 0.0;      ///< Of it that is recorded, 0 to 1.
 };
 
-/// The pulses of a plan as looks at each of its targets; of more than 2048 pulses, some that are evenly spaced, of more
-/// than 4096 targets fewer still, but 65 at least. They are computed when they are asked for, a few targets at a time.
+/// The pulses of a plan as looks at each of its targets; of more than `most_looks` pulses, some that are evenly spaced,
+/// of more than 4096 targets fewer still, but 65 at least. They are computed when they are asked for, a few targets at
+/// a time.
 class SarLooks {
  public:
+  static constexpr std::size_t usual_looks = 2048;
+
   /// Keeps a reference to the plan.
   /// @param echoes  their track, their window, and whether they are compensated to the track's line; no rows are read
   /// @param weight  of the compressing filter over the pulse; even where there is none
-  SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight = {});
+  SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight = {},
+           std::size_t most_looks = usual_looks);
 
   [[nodiscard]] std::size_t targets() const { return plan_.scene->scatterers.size(); }
   /// Looks at each target.
@@ -39,10 +43,12 @@ class SarLooks {
   /// Pulse of the echoes that look number i is at.
   [[nodiscard]] std::size_t pulse(std::size_t i) const { return i * step_; }
 
-  /// Calls `body` with each target, counted from 0, and `count()` looks at it, from many threads at once.
+  /// Calls `body` with each target, counted from 0, or with one of `every` so many, and `count()` looks at it, from
+  /// many threads at once.
   /// @throw  Interrupted
   void each(const core::WorkControl& control,
-            const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body) const;
+            const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body,
+            std::size_t every = 1) const;
 
   /// Where echoes of this look are focused to when they are taken to have that Doppler frequency.
   [[nodiscard]] signal::ImagePlace place(const SarLook& look, double doppler_hz) const;

@@ -1,0 +1,103 @@
+#include "workflow/focus/seen_spectrum.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "radar/path/path.hpp"
+#include "workflow/focus/sar_looks.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+// Of a target, with the mean amplitude of its echoes.
+struct TargetSpectrum {
+  double amplitude = 0.0;
+  std::optional<signal::ImageSpectrum> spectrum;
+};
+
+TargetSpectrum spectrum_of_target(std::span<const SarLook> seen, const signal::EchoRows& echoes, double band_hz,
+                                  double centroid_hz, double speed_mps) {
+  constexpr double beyond = 0.003;
+  const double per_hz = radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / speed_mps;
+  TargetSpectrum target;
+  std::vector<signal::SeenDirection> directions;
+  directions.reserve(seen.size());
+  double all = 0.0;
+  double used = 0.0;
+  for (const SarLook& look : seen) {
+    const double sine = per_hz * look.doppler_hz;
+    const double weight = look.amplitude * look.share;
+    all += weight;
+    if (!(std::abs(sine) < 1.0) || !(weight > 0.0) || std::abs(look.doppler_hz - centroid_hz) > 0.5 * band_hz) continue;
+    directions.push_back({sine, weight});
+    used += weight;
+  }
+  // Of a target with few echoes among those that are used, what is beyond counts as part of all of them.
+  constexpr double least_used = 0.05;
+  if (!(used > least_used * all)) return target;
+  target.amplitude = used / static_cast<double>(seen.size());
+  target.spectrum = signal::spectrum_of(directions, echoes.waveform, beyond * all / used);
+  return target;
+}
+
+// "columns 0.5 m apart instead of 1 m, for a spectrum of 1.7 cycles per metre from -4.7 to -3"
+std::string text_of_axis(const char* what, const signal::ImageAxis& coarse, const signal::ImageAxis& fine,
+                         const signal::SpectrumExtent& extent) {
+  return fmt::format(
+      "{} {:.4g} m apart instead of {:.4g} m, for a spectrum of {:.4g} cycles per metre from {:.4g} to "
+      "{:.4g}",
+      what, fine.step_m, coarse.step_m, extent.width_per_m(), extent.least_per_m, extent.most_per_m);
+}
+
+}  // namespace
+
+std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
+                                                   const DopplerBand& kept, SeenPulses pulses,
+                                                   const core::WorkControl& control) {
+  constexpr std::size_t most_targets = 4096;
+  constexpr std::size_t most_looks = 257;
+  constexpr double weakest = 0.01;
+  echoes.compensated = true;
+  const SarLooks looks(plan, echoes, {}, most_looks);
+  const double prf_hz = 1.0 / looks.track().interval_s;
+  double band_hz = pulses == SeenPulses::all ? std::numeric_limits<double>::infinity() : prf_hz;
+  if (kept.width_hz > 0.0) band_hz = std::min(band_hz, kept.width_hz);
+  const std::size_t every = (looks.targets() + most_targets - 1) / most_targets;
+  std::vector<TargetSpectrum> targets(looks.targets());
+  looks.each(
+      control,
+      [&](std::size_t t, std::span<const SarLook> seen) {
+        targets[t] = spectrum_of_target(seen, echoes, band_hz, kept.centroid_hz, looks.track().speed_mps);
+      },
+      std::max<std::size_t>(every, 1));
+  double strongest = 0.0;
+  for (const TargetSpectrum& target : targets) strongest = std::max(strongest, target.amplitude);
+  std::optional<signal::ImageSpectrum> all;
+  for (const TargetSpectrum& target : targets)
+    if (target.spectrum && target.amplitude >= weakest * strongest)
+      all = all ? signal::joined(*all, *target.spectrum) : *target.spectrum;
+  return all;
+}
+
+core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
+                               const signal::ImageSpectrum& spectrum) {
+  std::string text;
+  if (axes.range.step_m < coarse.range.step_m)
+    text += text_of_axis("columns", coarse.range, axes.range, spectrum.range);
+  if (axes.azimuth.step_m < coarse.azimuth.step_m)
+    text += (text.empty() ? "" : "; ") + text_of_axis("rows", coarse.azimuth, axes.azimuth, spectrum.azimuth);
+  if (text.empty()) return {};
+  return {core::problem_of(core::Severity::note,
+                           "the image is sampled more finely than the recording, since squint, aperture and bandwidth "
+                           "widen its spectrum: " +
+                               text,
+                           {}, {}, {})};
+}
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+
+#include "core/report/problem.hpp"
+#include "signal/sar/focusing.hpp"
+#include "simulate/plan/plan.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
+
+namespace sarsim::workflow {
+
+/// Which echoes an image is made of.
+enum class SeenPulses {
+  sampled,  ///< Those whose Doppler frequencies lie within half the pulse repetition frequency of the centroid.
+  all,
+};
+
+/// The wave numbers that the images of a scene's targets fill, but for 0.3 % of each target's echoes at either end:
+/// what is left out changes a peak by less than 0.06 dB. Targets whose echoes are 40 dB below the strongest do not
+/// count, of more than 4096 targets some are looked at. Nothing where there are no echoes.
+/// @param echoes  their waveform, track and window; no rows are read. Directions are those from the track's line
+/// @throw  Interrupted
+[[nodiscard]] std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
+                                                                 const DopplerBand& kept, SeenPulses pulses,
+                                                                 const core::WorkControl& control = {});
+
+/// What a user should know of an image whose samples are closer than those of the recording: how close, and why.
+/// @param coarse  axes as the recording's sampling gives them
+/// @param axes    those of the image
+[[nodiscard]] core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
+                                             const signal::ImageSpectrum& spectrum);
+
+}  // namespace sarsim::workflow
