@@ -15,6 +15,7 @@
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
+#include "workflow/focus/swath_remark.hpp"
 #include "workflow/image/image_output.hpp"
 
 namespace sarsim::workflow {
@@ -129,12 +130,15 @@ void compensate_work(FocusWork& work, const FocusRequest& request, const core::W
 }
 
 // All that there is to say of the work before it is done, ranked.
-core::Problems problems_of_work(const FocusWork& work, const core::WorkControl& control) {
+core::Problems problems_of_work(const FocusWork& work, const FocusRequest& request, const core::WorkControl& control) {
   core::Problems problems = work.input.problems;
   std::ranges::copy(work.problems, std::back_inserter(problems));
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, control), std::back_inserter(problems));
+  if (!in_time(request))
+    std::ranges::move(remarks_on_swath_loss(*work.input.plan, work.input.echoes, work.options, control),
+                      std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
 
@@ -205,7 +209,7 @@ FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
                      .motion = work.motion,
                      .strays_m = work.strays_m,
                      .autofocus = {},
-                     .problems = problems_of_work(work, control)};
+                     .problems = problems_of_work(work, request, control)};
   observer.remarks(report.problems);
   report.image = focused_rows(work, request, axes, control, observer);
   if (request.autofocus)
