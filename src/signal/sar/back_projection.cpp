@@ -11,6 +11,7 @@
 #include "radar/path/path.hpp"
 #include "signal/sar/back_projection_kernel.hpp"
 #include "signal/sar/echo_records.hpp"
+#include "signal/sar/ground_sight.hpp"
 #include "signal/sar/reference_track.hpp"
 
 namespace sarsim::signal {
@@ -69,6 +70,36 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   return aperture;
 }
 
+// The cubic in the column, and the line in the row, through points of a curved grid; in its plane where they bend so
+// sharply, straight below a track, that they would be missed by 1 in 50 000 of a column.
+void bend_tile(const PointGrid& grid, double row, double column, ProjectionTile& tile) {
+  constexpr double third = static_cast<double>(ProjectionTile::columns - 1) / 3.0;
+  constexpr double last_row = static_cast<double>(ProjectionTile::rows - 1);
+  const auto at = [&](double i, double j) { return grid.curved(row + i, column + j); };
+  const double middle = 0.5 * last_row;
+  const core::Vec3 p0 = at(middle, 0.0);
+  const core::Vec3 p1 = at(middle, third);
+  const core::Vec3 p2 = at(middle, 2.0 * third);
+  const core::Vec3 p3 = at(middle, 3.0 * third);
+  const core::Vec3 d1 = p1 - p0;
+  const core::Vec3 d2 = p2 - 2.0 * p1 + p0;
+  const core::Vec3 d3 = p3 - 3.0 * p2 + 3.0 * p1 - p0;
+  tile.row_step_m = (1.0 / last_row) * (at(last_row, 1.5 * third) - at(0.0, 1.5 * third));
+  tile.column_step_m = (1.0 / third) * (d1 - 0.5 * d2 + (1.0 / 3.0) * d3);
+  tile.column_bend_m = (1.0 / (third * third)) * (d2 - d3);
+  tile.column_twist_m = (1.0 / (third * third * third)) * d3;
+  tile.corner_m = p0 - middle * tile.row_step_m;
+  double missed_m = 0.0;
+  for (const double i : {0.0, last_row})
+    for (const double j : {0.0, 0.5 * third, 1.5 * third, 2.5 * third, 3.0 * third})
+      missed_m = std::max(missed_m, core::norm(tile.point_m(i, j) - at(i, j)));
+  if (missed_m < 2e-5 * core::norm(grid.column_step_m)) return;
+  tile.row_step_m = grid.row_step_m;
+  tile.column_step_m = grid.column_step_m;
+  tile.column_bend_m = tile.column_twist_m = {};
+  tile.corner_m = grid.origin_m + row * grid.row_step_m + column * grid.column_step_m;
+}
+
 // The rectangles a grid is computed in.
 class Tiles {
  public:
@@ -84,6 +115,10 @@ class Tiles {
   void place(std::size_t index, ProjectionTile& tile) const {
     tile.used_rows = std::min(ProjectionTile::rows, grid_->rows - first_row(index));
     tile.used_columns = std::min(ProjectionTile::columns, grid_->columns - first_column(index));
+    if (grid_->curved) {
+      bend_tile(*grid_, static_cast<double>(first_row(index)), static_cast<double>(first_column(index)), tile);
+      return;
+    }
     tile.row_step_m = grid_->row_step_m;
     tile.column_step_m = grid_->column_step_m;
     tile.corner_m = grid_->origin_m + static_cast<double>(first_row(index)) * grid_->row_step_m +
@@ -157,7 +192,8 @@ void normalize(Sums& sums, std::size_t pulses) {
 
 }  // namespace
 
-PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const ImageAxis& range) {
+PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const ImageAxis& range,
+                    std::optional<double> ground_m) {
   CORE_EXPECT(frame.plane == ImagePlane::slant_range || azimuth.count == 0 || azimuth.step_m != 0.0);
   PointGrid grid;
   grid.origin_m = frame.origin_m + azimuth.first_m * frame.along + range.first_m * frame.across;
@@ -165,6 +201,13 @@ PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const Ima
   grid.column_step_m = range.step_m * frame.across;
   grid.rows = azimuth.count;
   grid.columns = range.count;
+  if (!ground_m || frame.plane != ImagePlane::slant_range) return grid;
+  core::Vec3 scene_m = frame.origin_m + range.at(0.5 * static_cast<double>(range.count)) * frame.across;
+  scene_m.z = *ground_m;
+  const GroundSight sight({0.0, frame.origin_m, frame.along}, scene_m, 0.0);
+  grid.curved = [frame, azimuth, range, sight](double row, double column) {
+    return sight.point_at(frame.origin_m + azimuth.at(row) * frame.along, range.at(column));
+  };
   return grid;
 }
 
@@ -212,7 +255,7 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
 FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, const ImageAxis& azimuth,
                           const ImageAxis& range, const BackProjectionOptions& options,
                           const core::WorkControl& control, const core::ProgressReport& progress) {
-  const PointGrid grid = points_of(frame, azimuth, range);
+  const PointGrid grid = points_of(frame, azimuth, range, options.ground_m);
   FocusedImage image;
   image.frame = frame;
   image.azimuth = azimuth;
@@ -226,8 +269,7 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
   core::parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t row = begin; row < end; ++row)
       for (std::size_t column = 0; column < grid.columns; ++column) {
-        const core::Vec3 point_m = grid.origin_m + static_cast<double>(row) * grid.row_step_m +
-                                   static_cast<double>(column) * grid.column_step_m;
+        const core::Vec3 point_m = grid.at(static_cast<double>(row), static_cast<double>(column));
         const double turns = turns_per_m * distance_from(line, point_m);
         image.values[row * grid.columns + column] *= std::complex<float>(core::turned_exactly(-turns));
       }

@@ -2,6 +2,8 @@
 
 #include <complex>
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/task/parallel.hpp"
@@ -12,18 +14,27 @@
 
 namespace sarsim::signal {
 
-/// Points of the world in rows and columns: origin + row * row_step + column * column_step.
+/// Points of the world in rows and columns: origin + row * row_step + column * column_step, or on a curved surface.
 struct PointGrid {
   core::Vec3 origin_m;  ///< Of row 0, column 0.
   core::Vec3 row_step_m;
   core::Vec3 column_step_m;
   std::size_t rows = 0;
   std::size_t columns = 0;
+  /// Where not empty: the place of a row and a column, smooth in both. Steps are then those of the plane that it
+  /// replaces where it bends too sharply.
+  std::function<core::Vec3(double row, double column)> curved{};
+
+  [[nodiscard]] core::Vec3 at(double row, double column) const {
+    return curved ? curved(row, column) : origin_m + row * row_step_m + column * column_step_m;
+  }
 };
 
 /// The points of an image: origin + azimuth along + range across. In the plane of slant range `across` says on which
-/// side of the track, and how far below it, the points lie.
-[[nodiscard]] PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const ImageAxis& range);
+/// side of the track, and how far below it, the points lie; on level ground of a height that is given they lie at the
+/// same azimuths and ranges, straight below the track where the ground is farther away than that.
+[[nodiscard]] PointGrid points_of(const ImageFrame& frame, const ImageAxis& azimuth, const ImageAxis& range,
+                                  std::optional<double> ground_m = {});
 
 /// Which pulses a point is made from, and with which weights.
 struct BackProjectionOptions {
@@ -39,7 +50,8 @@ struct BackProjectionOptions {
   double time_s = 0.0;            ///< Full length, above 0, for a straight flight at the speed of the pulse.
   WindowFunction azimuth_window;  ///< Over the aperture, argument 0 to 1; empty: all 1. `all` has no use for it.
   WindowFunction range_window;  ///< Over the pulse's band, argument 0 to 1; empty: none (signal/sar/echo_records.hpp).
-  bool start_stop = false;      ///< Echoes as if the antenna rested: delay 2 d/c, no Doppler in the pulse.
+  std::optional<double> ground_m{};  ///< Height of the points of a slant-range image, world; nothing: those of a plane.
+  bool start_stop = false;           ///< Echoes as if the antenna rested: delay 2 d/c, no Doppler in the pulse.
 };
 
 /// Focuses echoes by back-projection in the time domain, exact for any track, attitude and squint: for each point x

@@ -161,17 +161,23 @@ HWY_INLINE DoubleVec place_of_points(const Vec3Lanes& r, const core::Vec3& headi
 // The stretches of all rows about the column `middle`, for one pulse. With r from the antenna to the point in the
 // middle, b the step of a column, u = r.b/d and v the speed at which the point recedes,
 //
-//     d(j) = d + u j + (b^2 - u^2)/(2 d) j^2 - u (b^2 - u^2)/(2 d^2) j^3 + ...,      v'(j) = (-V.b - v u)/d.
+//     d(j) = d + u j + e j^2 + (g/(2 d) - u e/d) j^3 + ...,      e = (b^2 + r.q - u^2)/(2 d),  g = b.q + r.s/3,
+//     v'(j) = (-V.b - v u)/d,
+//
+// q and s the bend and the twist of the columns there.
 void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& constants, const ProjectionAperture& aperture,
                  const ProjectionTile& tile, double middle, double half, StretchRows& out) {
   const DoubleTag d;
-  const core::Vec3 b = tile.column_step_m;
+  const core::Vec3 s = tile.column_twist_m;
+  const core::Vec3 q = tile.column_bend_m + middle * s;
+  const core::Vec3 b = tile.column_step_m + middle * tile.column_bend_m + (0.5 * middle * middle) * s;
+  const bool bent = core::dot(q, q) + core::dot(s, s) > 0.0;
   const DoubleVec b2 = hn::Set(d, core::dot(b, b));
   const DoubleVec c = hn::Set(d, constants.light_speed_mps);
   const DoubleVec f = hn::Set(d, constants.carrier_hz);
   const double speed_mps = core::norm(pulse.velocity_mps);
   const core::Vec3 heading = heading_of(pulse, aperture);
-  const core::Vec3 first = tile.corner_m + middle * b - pulse.position_m;
+  const core::Vec3 first = tile.point_m(0.0, middle) - pulse.position_m;
   const core::Vec3 a = tile.row_step_m;
   for (std::size_t row = 0; row < ProjectionTile::rows; row += hn::Lanes(d)) {
     const DoubleVec i = hn::Iota(d, static_cast<double>(row));
@@ -181,8 +187,14 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
     const DoubleVec distance = hn::Sqrt(length_squared(r));
     const DoubleVec inverse = hn::Div(hn::Set(d, 1.0), distance);
     const DoubleVec u = hn::Mul(dot_lanes(r, b), inverse);
-    const DoubleVec bend = hn::Mul(hn::NegMulAdd(u, u, b2), hn::Mul(inverse, hn::Set(d, 0.5)));
-    const DoubleVec twist = hn::Neg(hn::Mul(hn::Mul(u, bend), inverse));
+    const DoubleVec half_inverse = hn::Mul(inverse, hn::Set(d, 0.5));
+    const DoubleVec second = bent ? hn::Add(b2, dot_lanes(r, q)) : b2;
+    const DoubleVec bend = hn::Mul(hn::NegMulAdd(u, u, second), half_inverse);
+    DoubleVec twist = hn::Neg(hn::Mul(hn::Mul(u, bend), inverse));
+    if (bent) {
+      const DoubleVec third = hn::MulAdd(dot_lanes(r, s), hn::Set(d, 1.0 / 3.0), hn::Set(d, core::dot(b, q)));
+      twist = hn::MulAdd(third, half_inverse, twist);
+    }
     DoubleVec v = hn::Zero(d);
     DoubleVec v1 = hn::Zero(d);
     if (constants.moving) {
@@ -430,8 +442,7 @@ void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants&
     for (std::size_t row = 0; row < tile.used_rows; ++row)
       for (std::size_t column = 0; column < tile.used_columns; ++column) {
         const std::size_t at = row * ProjectionTile::columns + column;
-        const core::Vec3 point_m = tile.corner_m + static_cast<double>(row) * tile.row_step_m +
-                                   static_cast<double>(column) * tile.column_step_m;
+        const core::Vec3 point_m = tile.point_m(static_cast<double>(row), static_cast<double>(column));
         project_point(pulse, constants, aperture, point_m, tile.re[at], tile.im[at], tile.weight[at]);
       }
 }

@@ -39,7 +39,8 @@ struct ProjectionAperture {
   std::vector<float> weights;  ///< pieces + 1 values from place -1/2 to 1/2 and one more; empty where uniform.
 };
 
-/// A rectangle of points, corner + row * row_step + column * column_step, and their sums.
+/// Rows and columns of points, corner + row * row_step + column * column_step + column^2/2 * column_bend
+/// + column^3/6 * column_twist, and their sums.
 struct ProjectionTile {
   static constexpr std::size_t rows = 32;
   static constexpr std::size_t columns = 64;
@@ -47,11 +48,19 @@ struct ProjectionTile {
   core::Vec3 corner_m;
   core::Vec3 row_step_m;
   core::Vec3 column_step_m;
+  core::Vec3 column_bend_m{};  ///< 0 where the columns stand in a straight line.
+  core::Vec3 column_twist_m{};
   std::size_t used_rows = rows;        ///< The others are not computed.
   std::size_t used_columns = columns;  ///< The others are computed in part.
   alignas(64) std::array<float, rows * columns> re{};
   alignas(64) std::array<float, rows * columns> im{};
   alignas(64) std::array<float, rows * columns> weight{};  ///< Sum of weights; left alone by Kind::all.
+
+  /// Place of a point; `column` may lie between two of them.
+  [[nodiscard]] core::Vec3 point_m(double row, double column) const {
+    return corner_m + row * row_step_m + column * column_step_m + (0.5 * column * column) * column_bend_m +
+           (column * column * column / 6.0) * column_twist_m;
+  }
 };
 
 /// How delays vary along a stretch of a row: as a polynomial of degree 3 about its middle, or point by point where

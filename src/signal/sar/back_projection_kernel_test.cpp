@@ -82,6 +82,27 @@ TEST(Project, OfEveryStretchIsThatOfSinglePointsOnEveryInstructionSet) {
   }
 }
 
+// Columns of level ground at even slant ranges: y = sqrt(R^2 - h^2) has these derivatives.
+TEST(Project, OfBentColumnsIsThatOfSinglePointsOnEveryInstructionSet) {
+  for (const double distance_m : {400.0, 3000.0}) {
+    const Setting s = setting_at(distance_m);
+    const auto bent = [&] {
+      ProjectionTile tile = tile_with(0.25);
+      tile.column_bend_m = (-0.5 * 0.0625 / distance_m) * tile.column_step_m;
+      tile.column_twist_m = (2.0 * std::pow(0.25 / distance_m, 2)) * tile.column_step_m;
+      tile.column_bend_m.z = -0.3 * 0.0625 / distance_m;
+      return tile;
+    };
+    ProjectionTile expected = bent();
+    project(s.pulses, s.constants, {}, Stretch::by_point, expected);
+    test::on_every_instruction_set([&](std::int64_t target) {
+      ProjectionTile got = bent();
+      project(s.pulses, s.constants, {}, Stretch::of_16, got);
+      EXPECT_LT(largest_difference(got, expected), 7.0 * 1.5e-4) << distance_m << " " << target;
+    });
+  }
+}
+
 TEST(Project, WeighsByTheTableAsSinglePointsDoOnEveryInstructionSet) {
   const Setting s = setting_at(10e3);
   for (const auto kind : {ProjectionAperture::Kind::angle, ProjectionAperture::Kind::time}) {

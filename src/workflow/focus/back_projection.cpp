@@ -76,13 +76,35 @@ signal::BackProjectionOptions options_of(const signal::FocusOptions& options, co
   return back;
 }
 
-// The frame of the points that are focused.
-void place_axes(signal::FocusedImage& axes, const FocusInput& input, const BackProjectionChoice& choice) {
+// Whether the antenna leaves its line by so much that the height of the points counts: the plane of the line and the
+// scene is as good otherwise.
+bool strays(const signal::EchoRows& echoes) {
+  constexpr double least_wavelengths = 1e-3;
+  return signal::fit_straight(echoes.track).worst_position_m >
+         least_wavelengths * radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
+}
+
+void expect_ground_in_reach(const signal::FocusedImage& axes, double ground_m) {
+  const double level = std::hypot(axes.frame.along.x, axes.frame.along.y);
+  const double nearest_m = std::abs(axes.frame.origin_m.z - ground_m) / std::max(level, 1e-6);
+  if (level < 1e-6 || axes.range.at(static_cast<double>(axes.range.count)) > nearest_m) return;
+  throw core::Refused(
+      fmt::format("back projection: ground at {:.6g} m is {:.6g} m or more away, farther than all ranges "
+                  "of the image",
+                  ground_m, nearest_m),
+      "give the ground another --height");
+}
+
+// The frame of the points that are focused, and the height of those of slant range.
+std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& input,
+                                 const BackProjectionChoice& choice) {
   core::Vec3 scene_m = scene_middle_m(*input.plan);
   if (choice.ground_m) scene_m.z = *choice.ground_m;
   if (!choice.ground) {
     axes.frame.across = across_of(scene_m, axes.frame);
-    return;
+    if (choice.ground_m) expect_ground_in_reach(axes, scene_m.z);
+    if (!strays(input.echoes)) return std::nullopt;
+    return scene_m.z;
   }
   if (core::norm(core::cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
     throw core::Refused("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
@@ -92,6 +114,7 @@ void place_axes(signal::FocusedImage& axes, const FocusInput& input, const BackP
   } catch (const std::invalid_argument& error) {
     throw core::Refused(error.what(), "give the ground another --height, or leave out --grid ground");
   }
+  return std::nullopt;
 }
 
 }  // namespace
@@ -114,7 +137,7 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
                                    const core::WorkControl& control, const core::ProgressReport& progress) {
   signal::BackProjectionOptions back = options_of(options, axes);
   back.start_stop = choice.start_stop;
-  place_axes(axes, input, choice);
+  back.ground_m = place_axes(axes, input, choice);
   const double bytes =
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.columns) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));

@@ -78,7 +78,7 @@ void add_grid(OptionTable<FocusRequest>& table) {
                           "columns are slant ranges (default), or places on level ground: of back-projection",
                           &FocusRequest::grid);
   table.number("--height", "M",
-               "height of the ground, of --grid ground and motion compensation (default: the targets' mean)",
+               "height of the ground, of back-projection and motion compensation (default: the targets' mean)",
                &FocusRequest::ground_m);
   table.flag("--start-stop",
              "back-projection as if the antenna rested while a pulse travels: what that neglects is seen",
