@@ -33,7 +33,7 @@ std::string text_of_image(const std::string& output, const workflow::FocusReport
 std::string text_of_autofocus(const workflow::AutofocusFinding& found) {
   return fmt::format("  autofocus {} {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after{}\n",
                      found.applied ? "took out" : "would take out", found.rms_rad, found.piece_m, found.entropy_before,
-                     found.entropy_after, found.applied ? "" : "; the image is left as it was, which is sharper");
+                     found.entropy_after, found.applied ? "" : "; it failed, and the image is left as it was");
 }
 
 void write_autofocus(core::JsonWriter& json, const std::optional<workflow::AutofocusFinding>& found) {

@@ -12,7 +12,7 @@ namespace sarsim::picture {
 namespace {
 
 void add_autofocus(report::Facts& facts, const workflow::AutofocusFinding& found) {
-  facts.word("Autofocus", found.applied ? "applied" : "found, not applied");
+  facts.word("Autofocus", found.applied ? "applied" : "failed, not applied");
   facts.number("Phase error, rms", found.rms_rad, "rad");
   facts.number("Length of its pieces", found.piece_m, "m");
   facts.word("Entropy before", report::fixed(found.entropy_before, 3));
@@ -26,7 +26,7 @@ Figure phase_figure(const workflow::AutofocusFinding& found) {
   figure.title = "Phase that autofocus found";
   figure.note =
       fmt::format("{:.3g} rad rms, {}", found.rms_rad,
-                  found.applied ? "taken out of the echoes" : "not taken out: the image is sharper as it was");
+                  found.applied ? std::string("taken out of the echoes") : "not taken out: " + failure_of(found));
   figure.panels.push_back(curve_panel("", axis_along("Along the track", "m", found.along_m), std::move(up),
                                       found.along_m, found.phase_rad));
   return figure;

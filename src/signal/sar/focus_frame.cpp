@@ -52,6 +52,17 @@ double half_aperture_pulses(const FocusFrame& frame) {
   return std::min(0.5 * band_hz / rate_hzps * frame.prf_hz(), static_cast<double>(frame.pulses));
 }
 
+// Rows besides, so that the image holds an area.
+void reach_area(FocusFrame& frame, const AxisInterval& area) {
+  const auto row_at = [&](double azimuth_m) {
+    return azimuth_m / frame.azimuth.step_m + static_cast<double>(frame.track.middle_pulse);
+  };
+  const auto end = frame.first_row + static_cast<std::ptrdiff_t>(frame.azimuth.count);
+  frame.first_row = std::min(frame.first_row, static_cast<std::ptrdiff_t>(std::floor(row_at(area.first_m))));
+  const auto last = std::max(end, static_cast<std::ptrdiff_t>(std::ceil(row_at(area.last_m))) + 1);
+  frame.azimuth.count = static_cast<std::size_t>(last - frame.first_row);
+}
+
 void set_azimuth_axis(FocusFrame& frame) {
   const double near = lead_pulses(frame, frame.range.at(0.0));
   const double far = lead_pulses(frame, frame.range.at(static_cast<double>(frame.range.count)));
@@ -61,6 +72,7 @@ void set_azimuth_axis(FocusFrame& frame) {
   frame.first_row = static_cast<std::ptrdiff_t>(std::floor(std::min(near, far) - margin));
   frame.azimuth.count = frame.pulses + static_cast<std::size_t>(std::ceil(std::abs(far - near) + 2.0 * margin));
   frame.azimuth.step_m = frame.track.speed_mps * frame.track.interval_s;
+  if (frame.options.azimuth_area) reach_area(frame, *frame.options.azimuth_area);
   frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_row));
   frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
   frame.azimuth_size = core::good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(half_aperture)));
@@ -100,6 +112,16 @@ void fit_azimuth(FocusFrame& frame, const SpectrumExtent& extent) {
   axis.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_row) / by);
   axis.spectrum_centre_per_m = extent.middle_per_m();
   frame.doppler_middle_hz = axis.spectrum_centre_per_m * frame.track.speed_mps;
+}
+
+// The wanted part of an axis; what lies beyond the axis is not there.
+ImageAxis part_of(const ImageAxis& axis, const std::optional<AxisInterval>& area, std::size_t& hidden) {
+  if (!area) return axis;
+  const double last_m = axis.at(static_cast<double>(axis.count) - 1.0);
+  ImageAxis part = axis;
+  const std::ptrdiff_t first = cut_axis(part, {std::max(area->first_m, axis.first_m), std::min(area->last_m, last_m)});
+  hidden = part.count > 0 ? static_cast<std::size_t>(first) : 0;
+  return part;
 }
 
 // Bins of a transform from its first one on, those of the second half below it.
@@ -157,6 +179,8 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.image_bins = frame.range_size;
   if (options.spectrum) fit_range(frame, options.spectrum->range);
   if (options.spectrum) fit_azimuth(frame, options.spectrum->azimuth);
+  frame.shown_azimuth = part_of(frame.azimuth, options.azimuth_area, frame.hidden_rows);
+  frame.shown_range = part_of(frame.range, options.range_area, frame.hidden_columns);
   return frame;
 }
 

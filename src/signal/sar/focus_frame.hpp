@@ -32,6 +32,10 @@ struct FocusFrame {
   double range_middle_hz = 0.0;    ///< Of its range frequencies.
   ImageAxis azimuth;
   ImageAxis range;
+  ImageAxis shown_azimuth;         ///< The part of `azimuth` that is wanted.
+  ImageAxis shown_range;           ///< The part of `range` that is.
+  std::size_t hidden_rows = 0;     ///< Before it.
+  std::size_t hidden_columns = 0;  ///< Before it.
   double reference_range_m = 0.0;  ///< Closest distance at the middle of the swath.
   double centroid_cosine = 1.0;    ///< D at the Doppler centroid.
 

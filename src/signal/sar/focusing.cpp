@@ -99,8 +99,8 @@ FocusedImage empty_image(const FocusFrame& frame) {
                  .origin_m = frame.track.origin_m,
                  .along = frame.track.along,
                  .speed_mps = frame.track.speed_mps};
-  image.azimuth = frame.azimuth;
-  image.range = frame.range;
+  image.azimuth = frame.shown_azimuth;
+  image.range = frame.shown_range;
   image.carrier_hz = frame.waveform.carrier_hz;
   image.light_speed_mps = frame.waveform.light_speed_mps;
   return image;
@@ -133,7 +133,7 @@ class Focuser {
 
  private:
   [[nodiscard]] std::size_t passes_over_columns() const {
-    return frame_.image_rows * (frame_.range_size + frame_.range.count);
+    return frame_.image_rows * (frame_.range_size + frame_.shown_range.count);
   }
 
   // Range spectra of the pulses; the rows beyond them are 0.
@@ -214,7 +214,8 @@ class Focuser {
       }
       image_fft_.inverse(column);
     };
-    matrix_.each_column(0, frame_.range.count, control_, counter_, focus_column);
+    matrix_.each_column(frame_.hidden_columns, frame_.hidden_columns + frame_.shown_range.count, control_, counter_,
+                        focus_column);
   }
 
   FocusedRows result() {
@@ -224,11 +225,13 @@ class Focuser {
     focused.columns = focused.image.range.count;
     focused.on_disk = matrix_.on_disk();
     const auto size = static_cast<std::ptrdiff_t>(frame_.image_rows);
-    const std::ptrdiff_t first = (frame_.first_row % size + size) % size;
+    const std::ptrdiff_t from = frame_.first_row + static_cast<std::ptrdiff_t>(frame_.hidden_rows);
+    const std::ptrdiff_t first = (from % size + size) % size;
+    const std::size_t column = frame_.hidden_columns;
     const auto matrix = std::make_shared<const WorkMatrix>(std::move(matrix_));
-    focused.copy = [matrix, first, size](std::size_t row, std::span<std::complex<float>> out) {
+    focused.copy = [matrix, first, size, column](std::size_t row, std::span<std::complex<float>> out) {
       const std::ptrdiff_t at = (first + static_cast<std::ptrdiff_t>(row)) % size;
-      matrix->read_row(static_cast<std::size_t>(at), 0, out);
+      matrix->read_row(static_cast<std::size_t>(at), column, out);
     };
     return focused;
   }

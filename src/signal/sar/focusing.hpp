@@ -11,6 +11,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
+#include "signal/sar/image_area.hpp"
 #include "signal/sar/image_spectrum.hpp"
 #include "signal/sar/sar_echoes.hpp"
 #include "signal/sar/sar_image.hpp"
@@ -34,8 +35,11 @@ struct FocusOptions {
   double doppler_bandwidth_hz = 0.0;        ///< Kept about the centroid; 0: all.
   std::optional<ImageSpectrum> spectrum{};  ///< That the image has to hold: where the samples of the recording are too
                                             ///< far apart for it, those of the image are closer. Nothing: unknown.
-  std::size_t memory_bytes = 0;             ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
-  std::filesystem::path scratch_folder{};   ///< Where; empty: the system's for temporary files.
+  std::optional<AxisInterval>
+      azimuth_area{};                        ///< Rows to make; also beyond what the record's middle sees. Nothing: all.
+  std::optional<AxisInterval> range_area{};  ///< Columns to keep. Nothing: all.
+  std::size_t memory_bytes = 0;              ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
+  std::filesystem::path scratch_folder{};    ///< Where; empty: the system's for temporary files.
 };
 
 /// A focused image that need not be in memory.

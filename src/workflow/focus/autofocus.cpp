@@ -113,14 +113,40 @@ std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
   signal::StripmapAutofocusResult result = signal::autofocus_strip(blurred, finding.piece_m, how, control);
   finding.entropy_before = signal::image_entropy(blurred);
   finding.entropy_after = signal::image_entropy(result.image);
-  finding.applied = finding.entropy_after < finding.entropy_before;
   take_phase(result, echoes, finding);
+  finding.applied = failure_of(finding).empty();
 
   signal::FocusedRows sharp = signal::rows_of(
       std::make_shared<const signal::FocusedImage>(finding.applied ? std::move(result.image) : blurred));
   sharp.image = rows.image;
   sharp.on_disk = rows.on_disk;
   return {std::move(sharp), std::move(finding)};
+}
+
+std::string failure_of(const AutofocusFinding& finding) {
+  constexpr double much_rad = 0.5;
+  constexpr double least_gain = 0.02;
+  const double gain = finding.entropy_before - finding.entropy_after;
+  if (!(gain > 0.0)) return "the image is sharper as it was";
+  if (!(finding.rms_rad > much_rad)) return {};
+  if (gain < least_gain)
+    return fmt::format("the entropy of the image hardly changes, from {:.3f} to {:.3f}", finding.entropy_before,
+                       finding.entropy_after);
+  return {};
+}
+
+core::Problems remarks_on_autofocus(const AutofocusFinding& finding) {
+  const std::string failure = failure_of(finding);
+  if (failure.empty() || !(finding.rms_rad > 0.0)) return {};
+  // What is found in a sharp image is small, and needs no advice.
+  constexpr double small_rad = 0.1;
+  const bool matters = finding.rms_rad > small_rad;
+  return {core::problem_of(
+      matters ? core::Severity::warning : core::Severity::note,
+      fmt::format(
+          "autofocus failed: it found {:.3g} rad rms in pieces of {:.4g} m, but {}; the image is left as it was",
+          finding.rms_rad, finding.piece_m, failure),
+      {}, {}, matters ? "try another --autofocus-piece, or give focus the track as it was flown with --script" : "")};
 }
 
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -19,8 +20,15 @@ struct AutofocusFinding {
   double rms_rad = 0.0;           ///< Of phase_rad along the flight.
   double entropy_before = 0.0;
   double entropy_after = 0.0;
-  bool applied = false;  ///< Not where the image would have lost sharpness: it is then as it was.
+  bool applied = false;  ///< Not where it failed: the image is then as it was.
 };
+
+/// Whether autofocus failed, in words: the image would lose sharpness, or hardly gain any although much was found.
+/// Empty where it did not.
+[[nodiscard]] std::string failure_of(const AutofocusFinding& finding);
+
+/// The same as a warning that says what to try.
+[[nodiscard]] core::Problems remarks_on_autofocus(const AutofocusFinding& finding);
 
 /// How it is to go to work.
 struct AutofocusChoice {

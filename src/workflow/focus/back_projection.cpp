@@ -124,6 +124,8 @@ signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes, const 
   signal::FocusOptions plain = options;
   plain.method = signal::FocusMethod::range_doppler;
   plain.spectrum.reset();
+  plain.azimuth_area.reset();
+  plain.range_area.reset();
   signal::FocusedImage axes = signal::image_of(echoes, plain);
   refine_azimuth(axes.azimuth, targets, options, axes.frame.speed_mps);
   if (!options.spectrum) return axes;
@@ -138,6 +140,10 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
   signal::BackProjectionOptions back = options_of(options, axes);
   back.start_stop = choice.start_stop;
   back.ground_m = place_axes(axes, input, choice);
+  if (options.azimuth_area) signal::cut_axis(axes.azimuth, *options.azimuth_area);
+  if (options.range_area) signal::cut_axis(axes.range, *options.range_area);
+  if (axes.azimuth.count == 0 || axes.range.count == 0)
+    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
   const double bytes =
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.columns) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));

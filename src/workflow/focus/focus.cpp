@@ -6,12 +6,16 @@
 #include <tuple>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "core/os/free_memory.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/back_projection.hpp"
 #include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/motion_residual.hpp"
+#include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
@@ -39,6 +43,8 @@ signal::FocusOptions options_of(const FocusRequest& request) {
   options.range_window = request.range_window;
   options.azimuth_window = request.azimuth_window;
   options.doppler_bandwidth_hz = request.bandwidth_hz;
+  options.azimuth_area = request.azimuth_area;
+  options.range_area = request.range_area;
   options.memory_bytes = memory_for(request);
   options.scratch_folder = request.scratch_folder;
   return options;
@@ -107,12 +113,50 @@ struct FocusWork {
   double strays_m = 0.0;  // from the straight line, before compensation
 };
 
-FocusWork opened_work(const FocusRequest& request, const core::WorkControl& control) {
+// Samples of the image times pulses beyond which back projection is proposed, not chosen: some ten minutes of a core.
+constexpr double most_projections = 2e11;
+
+// Whether back projection is in reach without being asked for.
+bool affords_projection(const FocusRequest& request, const FocusWork& work) {
+  if (request.motion || request.autofocus || work.input.echoes.columns < 2) return false;
+  const signal::FocusedImage image = signal::image_of(work.input.echoes, work.options);
+  const double samples = static_cast<double>(image.azimuth.count) * static_cast<double>(image.range.count);
+  const auto pulses = static_cast<double>(work.input.echoes.track.size());
+  const double bytes = 8.0 * (samples + pulses * static_cast<double>(work.input.echoes.columns));
+  const auto memory = static_cast<double>(work.options.memory_bytes);
+  return samples * pulses <= most_projections && (memory == 0.0 || bytes <= memory);
+}
+
+// Compensation that leaves too much is remarked on, or, where the algorithm is free, given up for back projection.
+void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkControl& control) {
+  const bool free = request.algorithm == FocusAlgorithm::automatic;
+  if (free) request.algorithm = FocusAlgorithm::omega_k;
+  if (work.motion == MotionOrder::none) return;
+  const signal::MotionCompensation how = compensation_of(work.input, work.motion, request.ground_m, work.options);
+  const auto residual = worst_motion_residual(*work.input.plan, work.input.echoes, how, control);
+  core::Problems problems = remarks_on_residual(residual);
+  if (!problems.empty() && free && affords_projection(request, work)) {
+    problems = {
+        core::problem_of(core::Severity::note,
+                         fmt::format("back-projection instead of omega-k: motion compensation would leave {:.2g} "
+                                     "rad rms in the echoes of target {}, more than {:.1f} rad",
+                                     residual->rms_rad, residual->target + 1, most_residual_rad),
+                         {}, {}, {})};
+    request.algorithm = FocusAlgorithm::back_projection;
+    work.motion = MotionOrder::none;
+    work.problems = problems_of_echoes(request, work.input.echoes, work.options);
+  }
+  std::ranges::move(problems, std::back_inserter(work.input.problems));
+}
+
+// `request.algorithm` is what will be done.
+FocusWork opened_work(FocusRequest& request, const core::WorkControl& control) {
   FocusWork work{.input = open_focus_input(request.input, control), .options = options_of(request), .problems = {}};
   work.options.doppler_centroid_hz = first_centroid_hz(request, work.input, control);
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
   work.motion = wanted_motion(request, work.input.echoes, work.problems);
   expect_focusable(work.input, work.problems, work.motion);
+  look_at_residual(request, work, control);
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   work.options.spectrum = seen_spectrum(*work.input.plan, work.input.echoes, kept,
                                         in_time(request) ? SeenPulses::all : SeenPulses::sampled, control);
@@ -150,12 +194,20 @@ signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, co
                             : signal::image_of(work.input.echoes, options);
   };
   signal::FocusedImage axes = axes_for(work.options);
+  if (axes.azimuth.count == 0 || axes.range.count == 0)
+    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
   if (!work.options.spectrum) return axes;
   signal::FocusOptions coarse = work.options;
   coarse.spectrum.reset();
   std::ranges::move(remarks_on_grid(axes_for(coarse), axes, *work.options.spectrum),
                     std::back_inserter(work.input.problems));
   return axes;
+}
+
+void remark_on_movers(FocusWork& work, signal::FocusedImage axes, const core::WorkControl& control) {
+  if (work.options.azimuth_area) signal::cut_axis(axes.azimuth, *work.options.azimuth_area);
+  std::ranges::move(remarks_on_movers(*work.input.plan, work.input.echoes, axes, control),
+                    std::back_inserter(work.input.problems));
 }
 
 signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& request, signal::FocusedImage axes,
@@ -185,9 +237,10 @@ void write_outputs(const FocusReport& report, const FocusWork& work, const Focus
 
 }  // namespace
 
-FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
+FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   const double begin_s = core::now_s();
-  expect_sense(request);
+  expect_sense(asked);
+  FocusRequest request = asked;
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
   FocusWork work = opened_work(request, control);
   const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
@@ -195,6 +248,7 @@ FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
   if (request.autofocus || in_time(request)) look_at_targets();
   const signal::FocusedImage axes = image_axes(work, request, targets);
+  remark_on_movers(work, axes, control);
   if (request.autofocus) expect_autofocus(axes, work.input.echoes, targets, choice, work.options);
   if (work.motion != MotionOrder::none) {
     compensate_work(work, request, control, observer);
@@ -212,9 +266,13 @@ FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
                      .problems = problems_of_work(work, request, control)};
   observer.remarks(report.problems);
   report.image = focused_rows(work, request, axes, control, observer);
-  if (request.autofocus)
+  if (request.autofocus) {
     std::tie(report.image, report.autofocus) =
         autofocused(report.image, work.input.echoes, targets, choice, work.options, control);
+    const core::Problems failed = remarks_on_autofocus(*report.autofocus);
+    observer.remarks(failed);
+    report.problems.insert(report.problems.end(), failed.begin(), failed.end());
+  }
   write_outputs(report, work, request, observer.stop);
   report.seconds = core::now_s() - begin_s;
   return report;

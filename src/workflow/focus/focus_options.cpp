@@ -73,6 +73,25 @@ void add_band(OptionTable<FocusRequest>& table) {
                &FocusRequest::bandwidth_hz);
 }
 
+// "FIRST:LAST" in metres.
+signal::AxisInterval interval_of(const char* option, const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const auto first = core::parse_number(text.substr(0, colon));
+  const auto last = colon == std::string::npos ? std::nullopt : core::parse_number(text.substr(colon + 1));
+  if (first && last && *first < *last) return {*first, *last};
+  throw core::Refused(fmt::format("{}: '{}' is no interval", option, text), "give FIRST:LAST in metres, as -80:120");
+}
+
+void add_area(OptionTable<FocusRequest>& table) {
+  table.text(
+      "--azimuth", "FIRST:LAST",
+      "rows of the image, in metres along the track; also beyond what the middle of the record sees, as for images "
+      "of movers (default: half an aperture around the record)",
+      [](FocusRequest& request, const std::string& word) { request.azimuth_area = interval_of("--azimuth", word); });
+  table.text("--range", "FIRST:LAST", "columns of the image, in metres (default: all that are recorded)",
+             [](FocusRequest& request, const std::string& word) { request.range_area = interval_of("--range", word); });
+}
+
 void add_grid(OptionTable<FocusRequest>& table) {
   table.choice<FocusGrid>("--grid", {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
                           "columns are slant ranges (default), or places on level ground: of back-projection",
@@ -119,14 +138,17 @@ OptionTable<FocusRequest> focus_option_table() {
       "--out", "OUT",
       fmt::format("image to write: ENVI (.img, default), or {}; default: the input's name", raster::image_extensions()),
       &FocusRequest::output);
-  table.choice<FocusAlgorithm>("--algorithm",
-                               {{"range-doppler", FocusAlgorithm::range_doppler},
-                                {"chirp-scaling", FocusAlgorithm::chirp_scaling},
-                                {"omega-k", FocusAlgorithm::omega_k},
-                                {"back-projection", FocusAlgorithm::back_projection}},
-                               "omega-k by default; back-projection for tracks that are not straight",
-                               &FocusRequest::algorithm);
+  table.choice<FocusAlgorithm>(
+      "--algorithm",
+      {{"auto", FocusAlgorithm::automatic},
+       {"range-doppler", FocusAlgorithm::range_doppler},
+       {"chirp-scaling", FocusAlgorithm::chirp_scaling},
+       {"omega-k", FocusAlgorithm::omega_k},
+       {"back-projection", FocusAlgorithm::back_projection}},
+      "auto (default): omega-k, or back-projection where motion compensation would leave more than 0.1 rad",
+      &FocusRequest::algorithm);
   add_band(table);
+  add_area(table);
   add_grid(table);
   add_phases(table);
   table.include(recording_options(), &FocusRequest::input);

@@ -71,6 +71,7 @@ const char* word_of(FocusAlgorithm algorithm) {
     case FocusAlgorithm::range_doppler: return "range-doppler";
     case FocusAlgorithm::chirp_scaling: return "chirp-scaling";
     case FocusAlgorithm::back_projection: return "back-projection";
+    case FocusAlgorithm::automatic: return "auto";
     case FocusAlgorithm::omega_k: break;
   }
   return "omega-k";

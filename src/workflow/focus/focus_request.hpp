@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "signal/sar/image_area.hpp"
 #include "signal/sar/sar_window.hpp"
 #include "workflow/focus/motion.hpp"
 #include "workflow/input/recording_input.hpp"
@@ -11,7 +12,13 @@
 namespace sarsim::workflow {
 
 /// How an image is made of echoes.
-enum class FocusAlgorithm { range_doppler, chirp_scaling, omega_k, back_projection };
+enum class FocusAlgorithm {
+  range_doppler,
+  chirp_scaling,
+  omega_k,
+  back_projection,
+  automatic,  ///< Omega-k; back projection where motion compensation would leave more than `most_residual_rad`.
+};
 
 /// As requests and image headers call it: "omega-k".
 [[nodiscard]] const char* word_of(FocusAlgorithm algorithm);
@@ -33,12 +40,14 @@ enum class CentroidSource {
 struct FocusRequest {
   RecordingArguments input;
   std::filesystem::path output;  ///< Image to write, in the format of its extension; empty: the image stays in memory.
-  FocusAlgorithm algorithm = FocusAlgorithm::omega_k;
+  FocusAlgorithm algorithm = FocusAlgorithm::automatic;
   signal::SarWindow range_window{};
   signal::SarWindow azimuth_window{};
   CentroidSource centroid = CentroidSource::geometry;
-  double given_centroid_hz = 0.0;  ///< Where it is given.
-  double bandwidth_hz = 0.0;       ///< Doppler frequencies to keep about the centroid; 0: all.
+  double given_centroid_hz = 0.0;                    ///< Where it is given.
+  double bandwidth_hz = 0.0;                         ///< Doppler frequencies to keep about the centroid; 0: all.
+  std::optional<signal::AxisInterval> azimuth_area;  ///< Of the image to make; nothing: what the record's middle sees.
+  std::optional<signal::AxisInterval> range_area;    ///< Of its columns; nothing: all that are recorded.
   FocusGrid grid = FocusGrid::slant;
   std::optional<double> ground_m;     ///< Height of the ground, world; nothing: that of the middle of the scene.
   bool start_stop = false;            ///< Back projection as if the antenna rested while a pulse travels.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <span>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/movers.hpp"
 #include "workflow/image/image_script.hpp"
 
 namespace sarsim::workflow {
@@ -171,6 +173,9 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   expect_free_pictures(request, theories);
+  core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
+  observer.remarks(movers);
+  std::ranges::move(movers, std::back_inserter(way.problems));
   return {opened.origin, measured_targets(opened, theories, request, control), std::move(way.problems)};
 }
 

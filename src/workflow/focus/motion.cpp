@@ -52,13 +52,28 @@ void expect_one_way(const signal::EchoRows& echoes) {
                         "use --algorithm back-projection");
 }
 
+signal::MotionCompensation compensation_of(const FocusInput& input, MotionOrder order, std::optional<double> ground_m,
+                                           const signal::FocusOptions& options) {
+  signal::MotionCompensation how;
+  how.reference = signal::fitted_track(input.echoes.track);
+  const signal::SarWaveform& wave = input.echoes.waveform;
+  const double speed_mps = core::norm(how.reference.velocity_mps);
+  const double sine =
+      radar::range_of_cycle(wave.carrier_hz * speed_mps, wave.light_speed_mps) * options.doppler_centroid_hz;
+  how.squint_rad = std::asin(std::clamp(sine, -0.999, 0.999));
+  how.scene_m = scene_middle_m(*input.plan);
+  if (ground_m) how.scene_m.z = *ground_m;
+  how.second_order = order == MotionOrder::second;
+  expect_ground_in_reach(input.echoes, how);
+  return how;
+}
+
 void compensate(FocusInput& input, MotionOrder order, std::optional<double> ground_m,
                 const signal::FocusOptions& options, const core::WorkControl& control,
                 const core::ProgressReport& progress) {
   if (order == MotionOrder::none) return;
   constexpr double most_uneven = 0.02;
-  signal::MotionCompensation how;
-  how.reference = signal::fitted_track(input.echoes.track);
+  const signal::MotionCompensation how = compensation_of(input, order, ground_m, options);
   const double speed_mps = core::norm(how.reference.velocity_mps);
   const double uneven = speed_mps > 0.0 ? signal::unevenness(input.echoes.track, how.reference) : 0.0;
   expect_one_way(input.echoes);
@@ -69,14 +84,6 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
             "can interpolate between them",
             100.0 * uneven),
         fmt::format("expected up to {:.0f} %; use --algorithm back-projection", 100.0 * most_uneven));
-  const signal::SarWaveform& wave = input.echoes.waveform;
-  const double sine =
-      radar::range_of_cycle(wave.carrier_hz * speed_mps, wave.light_speed_mps) * options.doppler_centroid_hz;
-  how.squint_rad = std::asin(std::clamp(sine, -0.999, 0.999));
-  how.scene_m = scene_middle_m(*input.plan);
-  if (ground_m) how.scene_m.z = *ground_m;
-  how.second_order = order == MotionOrder::second;
-  expect_ground_in_reach(input.echoes, how);
   input.echoes = signal::compensate_motion(input.echoes, how, {options.memory_bytes / 2, options.scratch_folder},
                                            control, progress);
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "signal/sar/motion_compensation.hpp"
 #include "workflow/focus/focus_input.hpp"
 
 namespace sarsim::workflow {
@@ -23,6 +24,13 @@ enum class MotionOrder {
 
 /// core::Refused where the antenna does not fly the line that fits its track in one direction.
 void expect_one_way(const signal::EchoRows& echoes);
+
+/// What echoes of an input are compensated to: the line that fits their track best, for the middle of the scene under
+/// the squint of the Doppler centroid. Their antenna moves. core::Refused where the ground is out of reach.
+/// @param ground_m  height of the ground, world; nothing: that of the middle of the scene
+[[nodiscard]] signal::MotionCompensation compensation_of(const FocusInput& input, MotionOrder order,
+                                                         std::optional<double> ground_m,
+                                                         const signal::FocusOptions& options);
 
 /// Puts echoes compensated to the line that fits the track best in the place of those of an input. core::Refused where
 /// the pulses are too unevenly spaced along the line to be interpolated or turn back, or the ground is out of reach.

@@ -118,16 +118,6 @@ std::vector<SarGhost> in_order(const std::vector<std::vector<SarGhost>>& ghosts_
   return all;
 }
 
-// "1, 2, 3 and 5 more"
-std::string target_list(const std::vector<std::size_t>& targets) {
-  constexpr std::size_t most = 12;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(targets.size(), most); ++i)
-    text += (i > 0 ? ", " : "") + std::to_string(targets[i] + 1);
-  if (targets.size() > most) text += fmt::format(" and {} more", targets.size() - most);
-  return text;
-}
-
 void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, core::Problems& problems) {
   if (ghosts.empty()) return;
   std::vector<std::size_t> wrapped;
@@ -209,6 +199,15 @@ void remark_on_sampling(const signal::SarWaveform& waveform, core::Problems& pro
 }
 
 }  // namespace
+
+std::string target_list(const std::vector<std::size_t>& targets) {
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(targets.size(), most); ++i)
+    text += (i > 0 ? ", " : "") + std::to_string(targets[i] + 1);
+  if (targets.size() > most) text += fmt::format(" and {} more", targets.size() - most);
+  return text;
+}
 
 std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                    const core::WorkControl& control) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "signal/sar/focusing.hpp"
@@ -55,6 +56,9 @@ struct SarTarget {
 /// @throw  Interrupted
 [[nodiscard]] std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                                const DopplerBand& kept, const core::WorkControl& control = {});
+
+/// Numbers of targets as messages list them, from 1: "1, 2, 3 and 5 more".
+[[nodiscard]] std::string target_list(const std::vector<std::size_t>& targets);
 
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "core/report/problem.hpp"
+#include "signal/sar/focusing.hpp"
+#include "simulate/plan/plan.hpp"
+
+namespace sarsim::workflow {
+
+/// Names targets that move or turn with their platform: an image shows them R u/V beside where they are, u the speed at
+/// which they recede, and blurs them. A warning where one of them stands outside the rows of an image. Of more than
+/// 4096 targets nothing is said.
+/// @param echoes  their track, waveform and window; no rows are read
+/// @param image   axes and frame; nothing: whatever the image holds
+/// @throw  Interrupted
+[[nodiscard]] core::Problems remarks_on_movers(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                               const std::optional<signal::FocusedImage>& image,
+                                               const core::WorkControl& control = {});
+
+}  // namespace sarsim::workflow
