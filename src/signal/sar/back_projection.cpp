@@ -25,6 +25,8 @@ constexpr std::size_t longest_block = 64;
 void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options) {
   core::expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
                "back-projection: the number of samples is not pulses times samples of a pulse");
+  core::expect(echoes.carriers_hz.empty() || echoes.carriers_hz.size() == echoes.track.size(),
+               "back-projection: the number of carriers is not that of the pulses");
   core::expect(echoes.waveform.sample_rate_hz > 0.0, "back-projection: the sampling rate is not above 0");
   core::expect(echoes.waveform.light_speed_mps > 0.0, "back-projection: the speed of light is not above 0");
   core::expect(echoes.waveform.carrier_hz > 0.0, "back-projection: the carrier is not above 0");
@@ -236,7 +238,8 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
     records.fill(first, count, control);
     together.clear();
     for (std::size_t i = 0; i < count; ++i)
-      together.push_back({echoes.track[first + i].position_m, echoes.track[first + i].velocity_mps, records.at(i)});
+      together.push_back({echoes.track[first + i].position_m, echoes.track[first + i].velocity_mps, records.at(i),
+                          echoes.carriers_hz.empty() ? 0.0 : echoes.carriers_hz[first + i]});
     core::parallel_ranges(tiles.count(), 1, control, [&](std::size_t begin, std::size_t end) {
       const auto tile = std::make_unique<ProjectionTile>();
       for (std::size_t index = begin; index < end; ++index) {

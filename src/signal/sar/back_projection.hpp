@@ -58,11 +58,11 @@ struct BackProjectionOptions {
 ///
 ///     (1/sum of w) sum over pulses of w s(tau - fd/K) exp(+j 2 pi (f tau + fd^2/(2 K))),  tau = 2 d/(c - v),
 ///
-/// d the point's distance from the antenna, v the speed at which it recedes, fd = -2 v f/c, K the chirp rate (Cumming
-/// and Wong 2005, ch. 2 and 10; docs/theory/back-projection.md). A resting target has the phase of its reflectivity and
-/// the weighted mean of its echoes' amplitudes. Points beyond the recorded delays count as 0; points without pulses are
-/// 0. The same bytes for any number of threads; between instruction sets they differ by less than 2e-6 of the largest
-/// value.
+/// d the point's distance from the antenna, v the speed at which it recedes, f the carrier of the pulse, fd = -2 v f/c,
+/// K the chirp rate (Cumming and Wong 2005, ch. 2 and 10; docs/theory/back-projection.md). A resting target has the
+/// phase of its reflectivity and the weighted mean of its echoes' amplitudes. Points beyond the recorded delays count
+/// as 0; points without pulses are 0. The same bytes for any number of threads; between instruction sets they differ by
+/// less than 2e-6 of the largest value.
 ///
 /// @return rows * columns values
 /// @throw  std::invalid_argument where the echoes contradict themselves or an option is out of range; Interrupted

@@ -174,7 +174,7 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
   const bool bent = core::dot(q, q) + core::dot(s, s) > 0.0;
   const DoubleVec b2 = hn::Set(d, core::dot(b, b));
   const DoubleVec c = hn::Set(d, constants.light_speed_mps);
-  const DoubleVec f = hn::Set(d, constants.carrier_hz);
+  const DoubleVec f = hn::Set(d, pulse.carrier_of(constants));
   const double speed_mps = core::norm(pulse.velocity_mps);
   const core::Vec3 heading = heading_of(pulse, aperture);
   const core::Vec3 first = tile.point_m(0.0, middle) - pulse.position_m;
@@ -206,7 +206,8 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
     // The change of c - v along the stretch: 2 d v'/(c - v)^2.
     const DoubleVec delay1 =
         hn::Mul(slowness, hn::MulAdd(hn::Mul(distance, v1), hn::Mul(slowness, hn::Set(d, 0.5)), u));
-    const DoubleVec doppler_scale = hn::Set(d, -radar::turns_per_m(constants.carrier_hz, constants.light_speed_mps));
+    const DoubleVec doppler_scale =
+        hn::Set(d, -radar::turns_per_m(pulse.carrier_of(constants), constants.light_speed_mps));
     const DoubleVec fd = hn::Mul(doppler_scale, v);
     const DoubleVec fd1 = hn::Mul(doppler_scale, v1);
     const DoubleVec inverse_rate = hn::Set(d, constants.doppler_delay_s2);
@@ -300,7 +301,7 @@ HWY_INLINE bool terms_of_row(const StretchRows& rows, std::size_t row, double ha
                              StretchTerms& t) {
   const double last = static_cast<double>(constants.record_count) - 2.0;
   const double record0 = rows.record0[row];
-  const double scale = constants.records_per_s / (2.0 * constants.carrier_hz);
+  const double scale = constants.records_per_s / (2.0 * pulse.carrier_of(constants));
   const double reach = half * (std::abs(rows.record1[row]) +
                                half * scale * (std::abs(rows.phase2[row]) + half * std::abs(rows.phase3[row])));
   if (weighting == Weighting::none && (record0 + reach < -1.0 || record0 - reach > last)) return false;
@@ -397,7 +398,7 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
     weight += static_cast<float>(w);
   }
   const double delay_s = radar::moving_delay_of(radar::there_and_back(d), v, constants.light_speed_mps);
-  const double fd = radar::doppler_of(v, constants.carrier_hz, constants.light_speed_mps);
+  const double fd = radar::doppler_of(v, pulse.carrier_of(constants), constants.light_speed_mps);
   const double early_s = fd * constants.doppler_delay_s2;
   const double record = (delay_s - early_s - constants.first_delay_s) * constants.records_per_s;
   if (!(record >= 0.0 && record < static_cast<double>(constants.record_count) - 2.0)) return;
@@ -406,7 +407,7 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
   const float* at = pulse.records + 4 * (whole + 1);
   const double x = static_cast<double>(at[0]) + fraction * static_cast<double>(at[2]);
   const double y = static_cast<double>(at[1]) + fraction * static_cast<double>(at[3]);
-  const double turns = constants.carrier_hz * delay_s + 0.5 * fd * early_s;
+  const double turns = pulse.carrier_of(constants) * delay_s + 0.5 * fd * early_s;
   const double angle = 2.0 * core::pi * (turns - std::round(turns));
   re += static_cast<float>(w * (x * std::cos(angle) - y * std::sin(angle)));
   im += static_cast<float>(w * (x * std::sin(angle) + y * std::cos(angle)));

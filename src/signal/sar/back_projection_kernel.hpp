@@ -25,6 +25,11 @@ struct ProjectionPulse {
   core::Vec3 position_m;
   core::Vec3 velocity_mps;
   const float* records = nullptr;  ///< signal/sar/echo_records.hpp.
+  double carrier_hz = 0.0;         ///< 0: that of the constants.
+
+  [[nodiscard]] double carrier_of(const ProjectionConstants& constants) const {
+    return carrier_hz > 0.0 ? carrier_hz : constants.carrier_hz;
+  }
 };
 
 /// Which pulses a point takes, by a number `place` that runs from -1/2 to 1/2 along the aperture.

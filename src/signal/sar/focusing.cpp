@@ -343,6 +343,12 @@ std::pair<core::Problems, std::optional<StraightTrack>> common_problems(const Ec
 core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options) {
   auto [problems, track] = common_problems(echoes, options);
   if (!track) return problems;
+  if (!echoes.carriers_hz.empty()) {
+    const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
+    problems.push_back(error("the carrier changes from pulse to pulse, up to", high,
+                             fmt::format("{:.6g} Hz alone", low),
+                             "use back projection, which takes each pulse at its own"));
+  }
   const bool sound = !core::has_errors(problems);
   check_track(echoes, *track, problems);
   if (sound) check_spectrum(echoes, options, *track, problems);

@@ -38,6 +38,7 @@ struct SarEchoes {
   std::size_t samples = 0;        ///< Of each pulse.
   double first_delay_s = 0.0;
   std::vector<std::complex<float>> volts;  ///< track.size() rows of `samples`.
+  std::vector<double> carriers_hz{};       ///< Of each pulse, where they differ; empty: all that of the waveform.
 };
 
 /// Echoes that need not all be in memory: a row for each pulse.
@@ -45,7 +46,8 @@ struct EchoRows : core::SampleRows<float> {
   SarWaveform waveform;
   std::vector<TrackPoint> track;  ///< One for each row.
   double first_delay_s = 0.0;
-  bool compensated = false;  ///< As if received on the straight line that fits the track.
+  bool compensated = false;           ///< As if received on the straight line that fits the track.
+  std::vector<double> carriers_hz{};  ///< As of SarEchoes. Back projection alone takes rows whose carriers differ.
 };
 
 /// Keeps a reference to the echoes.

@@ -152,6 +152,8 @@ void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkCo
 // `request.algorithm` is what will be done.
 FocusWork opened_work(FocusRequest& request, const core::WorkControl& control) {
   FocusWork work{.input = open_focus_input(request.input, control), .options = options_of(request), .problems = {}};
+  if (request.algorithm == FocusAlgorithm::automatic && !work.input.echoes.carriers_hz.empty())
+    request.algorithm = FocusAlgorithm::back_projection;
   work.options.doppler_centroid_hz = first_centroid_hz(request, work.input, control);
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
   work.motion = wanted_motion(request, work.input.echoes, work.problems);

@@ -39,6 +39,7 @@ SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, c
       gain_(
           plan, echoes.columns, weight ? weight : [](double) { return 1.0; }),
       peak_gain_(peak_gain_of(plan)),
+      carrier_hz_(echoes.waveform.carrier_hz),
       pulses_(echoes.track.size()),
       step_(step_of(echoes.track.size(), plan.scene->scatterers.size(), most_looks)),
       compensated_(echoes.compensated) {}
@@ -64,7 +65,7 @@ void SarLooks::each(const core::WorkControl& control,
 
 SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const simulate::PulseGeometry& geometry,
                           const radar::Pointing& pointing) const {
-  const double per_speed = radar::turns_per_m(geometry.carrier_hz(), plan_.scene->conventions.light_speed_mps);
+  const double per_speed = radar::turns_per_m(carrier_hz_, plan_.scene->conventions.light_speed_mps);
   const simulate::ScattererView view = geometry.view(target, pointing);
   const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
                      .distance_m = view.distance_m,
@@ -85,16 +86,14 @@ SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar:
   const double light_speed = plan_.scene->conventions.light_speed_mps;
   look.time_s = along_m / track_.speed_mps;
   look.distance_m = core::norm(sight_m);
-  look.doppler_hz = -radar::turns_per_m(plan_.radar.carrier.carrier_hz(plan_.pulses.first), light_speed) *
-                    core::dot(sight_m, velocity_mps) / look.distance_m;
+  look.doppler_hz = -radar::turns_per_m(carrier_hz_, light_speed) * core::dot(sight_m, velocity_mps) / look.distance_m;
   look.delay_s = radar::delay_of(look.distance_m, light_speed);
   return look;
 }
 
 signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
   const double light_speed = plan_.scene->conventions.light_speed_mps;
-  const double per_hz =
-      radar::range_of_cycle(plan_.radar.carrier.carrier_hz(plan_.pulses.first), light_speed) / track_.speed_mps;
+  const double per_hz = radar::range_of_cycle(carrier_hz_, light_speed) / track_.speed_mps;
   const double sine = std::clamp(per_hz * doppler_hz, -1.0, 1.0);
   return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
 }

@@ -63,6 +63,7 @@ class SarLooks {
   signal::StraightTrack track_;
   RecordedGain gain_;
   double peak_gain_ = 1.0;
+  double carrier_hz_ = 0.0;
   std::size_t pulses_ = 0;
   std::size_t step_ = 1;
   bool compensated_ = false;

@@ -41,6 +41,12 @@ signal::EchoRows rows_without_reader(const simulate::Plan& plan, std::size_t sam
   rows.rows = rows.track.size();
   rows.columns = samples;
   rows.first_delay_s = plan.raw_grid.first_s + plan.pulse.lead_s;
+  const double lowest_hz = plan.radar.carrier.lowest_hz();
+  const double highest_hz = plan.radar.carrier.highest_hz();
+  if (lowest_hz == highest_hz) return rows;
+  rows.waveform.carrier_hz = 0.5 * (lowest_hz + highest_hz);
+  for (std::int64_t pulse = plan.pulses.first; pulse <= plan.pulses.last; ++pulse)
+    rows.carriers_hz.push_back(plan.radar.carrier.carrier_hz(pulse));
   return rows;
 }
 
@@ -51,11 +57,6 @@ core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
   if (recorded && plan.simulation.processing == scene::Processing::srp)
     problems.push_back(core::problem_of(core::Severity::error, "synthetic range profiles cannot be focused", "SRP",
                                         "RAW or MF processing", "focus a recording of chirps"));
-  if (plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
-    problems.push_back(core::problem_of(
-        core::Severity::error, "the carrier changes from pulse to pulse",
-        fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
-        "one carrier", "use CARRIER SINGLE"));
   if (plan.pulses.count() < 2)
     problems.push_back(core::problem_of(core::Severity::error, "too few pulses to focus",
                                         fmt::format("{}", plan.pulses.count()), "at least 2", "record for longer"));

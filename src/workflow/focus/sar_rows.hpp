@@ -11,9 +11,8 @@
 /// From simulations and their recordings to what focusing begins with.
 namespace sarsim::workflow {
 
-/// What keeps a simulation from being focused whatever the method, all at once: a carrier that changes from pulse to
-/// pulse, fewer than two pulses, a radar that rests; of recordings also synthetic range profiles and samples that the
-/// classic profile places unevenly.
+/// What keeps a simulation from being focused whatever the method, all at once: fewer than two pulses, a radar that
+/// rests; of recordings also synthetic range profiles and samples that the classic profile places unevenly.
 /// @param recorded  a file holds the echoes; otherwise they are simulated as focusing wants them
 [[nodiscard]] core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded);
 

@@ -203,7 +203,9 @@ std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const si
   const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
   const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
   const LookWeights weights(looks, options, echoes.track.size(), domain);
-  const std::optional<signal::ResponseFigures> range = range_theory(plan, echoes.waveform, options.range_window);
+  // The band that stepped carriers fill together has no theory of its response.
+  const std::optional<signal::ResponseFigures> range =
+      echoes.carriers_hz.empty() ? range_theory(plan, echoes.waveform, options.range_window) : std::nullopt;
   std::vector<TargetTheory> theories(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
     theories[t] = theory_of(looks, weights, echoes, options, range, t, seen);

@@ -64,6 +64,10 @@ std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, s
   constexpr std::size_t most_looks = 257;
   constexpr double weakest = 0.01;
   echoes.compensated = true;
+  if (!echoes.carriers_hz.empty()) {
+    const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
+    echoes.waveform.bandwidth_hz = std::abs(echoes.waveform.bandwidth_hz) + high - low;
+  }
   const SarLooks looks(plan, echoes, {}, most_looks);
   const double prf_hz = 1.0 / looks.track().interval_s;
   double band_hz = pulses == SeenPulses::all ? std::numeric_limits<double>::infinity() : prf_hz;

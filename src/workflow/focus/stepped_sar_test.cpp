@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "core/maths/constants.hpp"
+#include "core/report/refused.hpp"
+#include "scene/script/writer.hpp"
+#include "signal/sar/image_test_value.hpp"
+#include "support/test_folder.hpp"
+#include "workflow/focus/focus.hpp"
+#include "workflow/focus/sar_test_scene.hpp"
+
+namespace sarsim::workflow {
+namespace stepped_sar_test {
+
+// Chirps of 50 MHz on eight carriers 40 MHz apart, one after the other: 330 MHz in all.
+scene::Scene stepped_scene() {
+  scene::Scene scene = sar_scene(1600.0, {{0.0, 0.0, 0.0}, {30.0, 7.0, 0.0}}, 0.5);
+  scene::Radar& radar = scene.radars[0];
+  radar.bandwidth_hz = 50e6;
+  radar.pulse_width_s = 4e-6;
+  radar.carrier = scene::Radar::Carrier::stepped;
+  radar.carrier_hz = 5.3e9 - 140e6;
+  radar.carrier_step_hz = 40e6;
+  radar.carrier_steps = 8;
+  scene.simulations[0].sample_rate_hz = 75e6;
+  return scene;
+}
+
+class SteppedSar : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::ofstream(folder_ / "stepped.scr") << scene::write_script(stepped_scene());
+    request_.input.path = (folder_ / "stepped.scr").string();
+    request_.threads = 2;
+  }
+  test::TestFolder folder_;
+  FocusRequest request_;
+};
+
+TEST_F(SteppedSar, FocusesToTheBandOfAllCarriers) {
+  const FocusReport report = focus(request_, {});
+  EXPECT_EQ(report.algorithm, FocusAlgorithm::back_projection);
+  const signal::FocusedImage image = signal::in_memory(report.image);
+  EXPECT_DOUBLE_EQ(image.carrier_hz, 5.3e9);
+  const auto [plan, rows] = sar_recording(stepped_scene());
+  const std::vector<SarTarget> targets = sar_targets(*plan, rows);
+  for (const std::size_t t : {0U, 1U}) {
+    const core::Vec3 point = t == 0 ? core::Vec3{} : core::Vec3{30.0, 7.0, 0.0};
+    const signal::ImagePlace place = signal::place_of(image.frame, point);
+    const std::complex<double> value = signal::test::value_at(image, place);
+    EXPECT_NEAR(20.0 * std::log10(std::abs(value) / targets.at(t).amplitude), 0.0, 0.1) << t;
+    const double turns = 2.0 * place.range_m * 5.3e9 / core::exact_light_speed_mps;
+    EXPECT_NEAR(std::remainder(std::arg(value) + 2.0 * core::pi * turns, 2.0 * core::pi), 0.0, 0.01) << t;
+    // Half the power within 0.886 c/(2 n df), n df = 320 MHz, but for the flanks.
+    const double half_m = 0.5 * 0.886 * core::exact_light_speed_mps / (2.0 * 325e6);
+    const double beside = std::abs(signal::test::value_at(image, {place.azimuth_m, place.range_m + half_m}));
+    EXPECT_NEAR(20.0 * std::log10(beside / std::abs(value)), -3.0, 0.3) << t;
+  }
+}
+
+TEST_F(SteppedSar, IsRefusedByMethodsOfOneCarrierWithTheWayOut) {
+  request_.algorithm = FocusAlgorithm::omega_k;
+  try {
+    static_cast<void>(focus(request_, {}));
+    ADD_FAILURE() << "omega-k took it";
+  } catch (const core::Refused& refused) {
+    EXPECT_THAT(core::to_string(refused.problems.front()),
+                testing::HasSubstr("the carrier changes from pulse to pulse"));
+    EXPECT_THAT(refused.problems.front().hint, testing::HasSubstr("use back projection"));
+  }
+}
+
+}  // namespace stepped_sar_test
+}  // namespace sarsim::workflow
