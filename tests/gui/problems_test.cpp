@@ -107,6 +107,8 @@ class ProblemsTest : public QObject {
     Bench bench;
     QVERIFY(bench.window.documents().open_file(file(example())));
     bench.rest();
+    QCOMPARE(bench.told("strongest echo"), qsizetype{1});  // how strong the echoes are, as `sarsim check` has it
+    QCOMPARE(bench.told("off the beam"), qsizetype{2});
     QVERIFY2(bench.told("Error") + bench.told("Warning") == 0, qPrintable(bench.log->toPlainText()));
     QVERIFY(bench.clean());
   }

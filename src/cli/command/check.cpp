@@ -11,6 +11,7 @@
 #include "core/build/version.hpp"
 #include "core/text/json.hpp"
 #include "scene/script/reader.hpp"
+#include "workflow/input/echo_words.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
 
@@ -32,14 +33,15 @@ std::size_t count_of(const core::Problems& problems, core::Severity severity) {
   return count;
 }
 
-core::Problems problems_of(const std::string& path, const workflow::SceneOverrides& overrides,
-                           const core::StopFlag* stop) {
+workflow::SceneInput looked_at(const std::string& path, const workflow::SceneOverrides& overrides,
+                               const core::StopFlag* stop) {
   workflow::SceneInput input =
       workflow::read_scene(path, overrides, workflow::Scrutiny::echoes, {core::thread_count(0), stop});
   core::Problems names = workflow::output_names(input.scene, {}).problems;
   scene::locate(names, input.places);
   std::ranges::move(names, std::back_inserter(input.problems));
-  return core::ranked(std::move(input.problems));
+  input.problems = core::ranked(std::move(input.problems));
+  return input;
 }
 
 std::string verdict(const std::string& path, const core::Problems& problems) {
@@ -50,12 +52,20 @@ std::string verdict(const std::string& path, const core::Problems& problems) {
   return notes > 0 ? text + ", " + counted(notes, "note") : text;
 }
 
-void add_json(core::JsonWriter& json, const std::string& path, const core::Problems& problems) {
+void add_json(core::JsonWriter& json, const std::string& path, const workflow::SceneInput& input) {
+  const core::Problems& problems = input.problems;
   json.begin_object().member("script", path).member("errors", count_of(problems, core::Severity::error));
   json.member("warnings", count_of(problems, core::Severity::warning))
       .member("notes", count_of(problems, core::Severity::note));
   json.key("problems");
   write_json(json, problems);
+  json.key("simulations").begin_array();
+  for (const simulate::EchoSummary& summary : input.echoes) {
+    json.begin_object().member("number", summary.simulation + 1);
+    workflow::write_echoes(json, summary);
+    json.end_object();
+  }
+  json.end_array();
   json.end_object();
 }
 
@@ -64,15 +74,18 @@ ExitStatus check_scenes(const CheckArguments& arguments, Streams& streams) {
   json.begin_object().member("sarsim", core::program_version).key("scripts").begin_array();
   ExitStatus status = exit_done;
   for (const std::string& path : arguments.scenes) {
-    const core::Problems problems = problems_of(path, arguments.overrides, streams.stop);
+    const workflow::SceneInput input = looked_at(path, arguments.overrides, streams.stop);
+    const core::Problems& problems = input.problems;
     if (core::has_errors(problems) || (arguments.strict && count_of(problems, core::Severity::warning) > 0))
       status = exit_bad_input;
     if (arguments.json) {
-      add_json(json, path, problems);
+      add_json(json, path, input);
       continue;
     }
     std::string text;
     for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
+    if (!core::has_errors(problems))
+      for (const simulate::EchoSummary& summary : input.echoes) text += workflow::echo_text(input.scene, summary);
     write_out(streams, text + verdict(path, problems) + "\n");
   }
   json.end_array().end_object();

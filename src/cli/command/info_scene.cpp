@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include "core/text/number_text.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/input/echo_words.hpp"
 #include "workflow/input/scene_words.hpp"
 #include "workflow/record/record_size.hpp"
 
@@ -21,6 +23,7 @@ namespace sarsim::cli {
 namespace {
 
 constexpr std::size_t most_listed = 20;
+constexpr std::size_t most_looked_at = 1000;  // targets whose passage through the beam is looked at
 
 std::string between(double low, double high, std::string_view unit) {
   // Adding 0 turns -0 into 0.
@@ -91,18 +94,30 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
   return f;
 }
 
-std::string target_line(std::size_t number, const simulate::TargetSurvey& t) {
+// @param sight  nothing: the target was not looked at in that detail
+std::string target_line(std::size_t number, const simulate::TargetSurvey& t, const simulate::TargetSight* sight,
+                        bool directive) {
   std::string text =
       fmt::format("    target {:<6} {}, Doppler {}, {:.4g} V", number, between(t.nearest_m, t.farthest_m, "m"),
                   between(t.lowest_doppler_hz, t.highest_doppler_hz, "Hz"), t.largest_amplitude_v);
   if (t.snr > 0.0) text += ", SNR " + decibels(t.snr);
+  if (sight != nullptr && sight->processed_snr > 0.0)
+    text += fmt::format(" ({} with all pulses)", workflow::decibel_text(sight->processed_snr));
+  if (sight != nullptr && directive) text += ", " + workflow::off_beam_text(*sight);
   return text + (t.in_window ? "\n" : ", outside the window\n");
 }
 
-void write_survey_json(core::JsonWriter& json, std::size_t number, const simulate::TargetSurvey& t) {
+void write_survey_json(core::JsonWriter& json, std::size_t number, const simulate::TargetSurvey& t,
+                       const simulate::TargetSight* sight) {
   json.begin_object().member("number", number).member("nearest_m", t.nearest_m).member("farthest_m", t.farthest_m);
   json.member("lowest_doppler_hz", t.lowest_doppler_hz).member("highest_doppler_hz", t.highest_doppler_hz);
   json.member("largest_amplitude_v", t.largest_amplitude_v).member("snr", t.snr).member("in_window", t.in_window);
+  if (sight != nullptr)
+    json.member("best_pulse", static_cast<double>(sight->pulse))
+        .member("processed_snr", sight->processed_snr)
+        .member("off_azimuth_rad", sight->off_azimuth_rad)
+        .member("off_elevation_rad", sight->off_elevation_rad)
+        .member("pattern", sight->pattern);
   json.end_object();
 }
 
@@ -149,7 +164,9 @@ class SceneInfo {
     json_.end_array();
   }
 
-  void add_simulations(const std::shared_ptr<const simulate::ResolvedScene>& resolved) {
+  void add_simulations(const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+                       const std::vector<simulate::EchoSummary>& echoes) {
+    echoes_ = &echoes;
     json_.key("simulations").begin_array();
     for (std::size_t i = 0; i < scene_.simulations.size(); ++i)
       add_simulation(i, simulate::make_plan(scene_, i, resolved, simulate::Engine::automatic, control_.stop));
@@ -199,20 +216,29 @@ class SceneInfo {
                          workflow::format_word(simulation.format), workflow::processing_word(simulation.processing),
                          simulation.bits, plan.radar.name);
     text_ += shown(figures);
-    add_targets(plan, survey);
+    const auto summary = std::ranges::find(*echoes_, index, &simulate::EchoSummary::simulation);
+    if (summary != echoes_->end()) {
+      workflow::write_echoes(json_, *summary);
+      text_ += workflow::echo_text(scene_, *summary);
+    }
+    add_targets(plan, survey, summary != echoes_->end() && summary->directive);
     json_.end_object();
   }
 
-  void add_targets(const simulate::Plan& plan, const simulate::EchoSurvey& survey) {
+  void add_targets(const simulate::Plan& plan, const simulate::EchoSurvey& survey, bool directive) {
     const std::size_t count = arguments_.all ? survey.targets.size() : std::min(survey.targets.size(), most_listed);
     if (count > 0)
       text_ += survey.all_pulses ? "  targets\n"
                                  : fmt::format("  targets (estimated from {} of {} pulses)\n", survey.pulses_sampled,
                                                plan.pulses.count());
+    std::vector<std::size_t> looked_at(std::min(count, most_looked_at));
+    std::iota(looked_at.begin(), looked_at.end(), std::size_t{0});
+    const std::vector<simulate::TargetSight> sights = simulate::SightSurvey(plan, looked_at).look(control_);
     json_.key("targets").begin_array();
     for (std::size_t i = 0; i < count; ++i) {
-      text_ += target_line(i + 1, survey.targets[i]);
-      write_survey_json(json_, i + 1, survey.targets[i]);
+      const simulate::TargetSight* sight = i < sights.size() ? &sights[i] : nullptr;
+      text_ += target_line(i + 1, survey.targets[i], sight, directive);
+      write_survey_json(json_, i + 1, survey.targets[i], sight);
     }
     json_.end_array();
     if (count < survey.targets.size())
@@ -222,6 +248,7 @@ class SceneInfo {
   const SceneInfoArguments& arguments_;
   const scene::Scene& scene_;
   core::WorkControl control_;
+  const std::vector<simulate::EchoSummary>* echoes_ = nullptr;
   core::JsonWriter json_;
   std::string text_;
 };
@@ -238,7 +265,7 @@ ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& stream
   SceneInfo info(arguments, input.scene, control);
   info.add_objects();
   info.add_radars(*input.resolved);
-  info.add_simulations(input.resolved);
+  info.add_simulations(input.resolved, input.echoes);
   write_out(streams, arguments.json ? info.json() : info.text());
   return exit_done;
 }

@@ -41,8 +41,14 @@ LogPanel::LogPanel(Session& session, const ProblemWatch& watch, QWidget* parent)
                                                                                  : QString();
     add_line(word + text);
   });
-  connect(&session, &Session::document_replaced, this, [this] { told_.clear(); });
-  connect(&watch, &ProblemWatch::changed, this, [this, &watch] { tell_problems(watch.problems()); });
+  connect(&session, &Session::document_replaced, this, [this] {
+    told_.clear();
+    told_echoes_ = false;
+  });
+  connect(&watch, &ProblemWatch::changed, this, [this, &watch] {
+    tell_problems(watch.problems());
+    tell_echoes(watch.echoes());
+  });
 }
 
 void LogPanel::add_line(const QString& text) { appendPlainText(QTime::currentTime().toString("HH:mm:ss ") + text); }
@@ -62,6 +68,11 @@ void LogPanel::tell_problems(const core::Problems& problems) {
     for (const auto& [cause, count] : told_)
       if (!cause.startsWith(error_mark)) now[cause] = std::max(now[cause], count);
   told_ = std::move(now);
+}
+
+void LogPanel::tell_echoes(const QString& echoes) {
+  if (echoes.isEmpty() || std::exchange(told_echoes_, true)) return;
+  for (const QString& line : echoes.split(u'\n', Qt::SkipEmptyParts)) add_line(line.trimmed());
 }
 
 }  // namespace sarsim::gui

@@ -11,7 +11,7 @@ namespace sarsim::gui {
 class ProblemWatch;
 
 /// What the workbench did and what went wrong, a line each with its time ("log_panel"); also what is wrong with the
-/// script, each problem once.
+/// script, each problem once, and once for each document how strong its echoes are.
 class LogPanel : public QPlainTextEdit {
   Q_OBJECT
 
@@ -22,9 +22,11 @@ class LogPanel : public QPlainTextEdit {
  private:
   void add_line(const QString& text);
   void tell_problems(const core::Problems& problems);
+  void tell_echoes(const QString& echoes);
 
   const Session& session_;
   std::map<QString, std::size_t> told_;  // how often, by their causes
+  bool told_echoes_ = false;             // of this document
 };
 
 }  // namespace sarsim::gui

@@ -5,6 +5,7 @@
 
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/input/echo_words.hpp"
 
 namespace sarsim::gui {
 
@@ -28,6 +29,7 @@ ProblemWatch::ProblemWatch(Session& session, QObject* parent) : QObject(parent),
 void ProblemWatch::begin_document() {
   survey_.cancel();
   surveyed_.clear();
+  echoes_.clear();
   fresh_ = true;
   wait_for_rest();
 }
@@ -50,16 +52,19 @@ void ProblemWatch::look() {
 
 void ProblemWatch::look_at_echoes() {
   auto scene = session_.shared_scene();
-  found_ = std::make_shared<core::Problems>();
+  found_ = std::make_shared<Found>();
   survey_.run([scene = std::move(scene), found = found_](const core::StopFlag& stop, const BackgroundJob::Report&) {
-    *found = simulate::survey(*scene, nullptr, core::WorkControl{1, &stop});
+    simulate::SurveyReport report = simulate::survey_report(*scene, nullptr, core::WorkControl{1, &stop});
+    found->problems = std::move(report.problems);
+    for (const simulate::EchoSummary& summary : report.summaries) found->echoes += workflow::echo_text(*scene, summary);
   });
 }
 
 // A scene that changed meanwhile is surveyed once it rests. Where a survey fails a run fails too, and says why.
 void ProblemWatch::take_survey(bool good) {
   if (rest_.isActive()) return;
-  surveyed_ = good ? *found_ : core::Problems{};
+  surveyed_ = good ? found_->problems : core::Problems{};
+  echoes_ = good ? QString::fromStdString(found_->echoes) : QString();
   collect();
 }
 

@@ -22,6 +22,8 @@ class ProblemWatch : public QObject {
   [[nodiscard]] const core::Problems& problems() const { return problems_; }
   /// Those that the survey found last, with their places; while the script holds errors, of the scene before.
   [[nodiscard]] const core::Problems& of_echoes() const { return of_echoes_; }
+  /// What the survey says of each simulation, a line each thing (workflow/input/echo_words.hpp); empty without one.
+  [[nodiscard]] const QString& echoes() const { return echoes_; }
 
  signals:
   void changed();  ///< They were looked for; they may be the same as before.
@@ -38,8 +40,13 @@ class ProblemWatch : public QObject {
   QTimer rest_;
   bool fresh_ = true;  // nothing was told of this document yet
   LatestWork survey_;
-  std::shared_ptr<core::Problems> found_;  // by the survey under way, without places
-  core::Problems surveyed_;                // by the last one, without places
+  struct Found {
+    core::Problems problems;  // without places
+    std::string echoes;
+  };
+  std::shared_ptr<Found> found_;  // by the survey under way
+  QString echoes_;
+  core::Problems surveyed_;  // by the last one, without places
   core::Problems of_echoes_;
   core::Problems problems_;
 };

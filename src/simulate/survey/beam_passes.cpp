@@ -14,17 +14,21 @@ namespace {
 
 class BeamPasses {
  public:
-  explicit BeamPasses(const Plan& plan) : plan_(plan), geometry_(*plan.scene, plan.radar) {
-    first_s_ = plan.radar.repetition.send_time_s(plan.pulses.first);
-    last_s_ = plan.radar.repetition.send_time_s(plan.pulses.last);
-    turn_s_ = 2.0 * core::pi / plan.radar.beam.rate_rad_per_s;
+  BeamPasses(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses)
+      : scene_(scene), radar_(radar), pulses_(pulses), geometry_(scene, radar) {
+    first_s_ = radar.repetition.send_time_s(pulses.first);
+    last_s_ = radar.repetition.send_time_s(pulses.last);
+    turn_s_ = 2.0 * core::pi / radar.beam.rate_rad_per_s;
   }
+
+  [[nodiscard]] double first_s() const { return first_s_; }
+  [[nodiscard]] double last_s() const { return last_s_; }
 
   // Up to `most` pulses; of all targets one pass, then another, at times spread over the recording.
   [[nodiscard]] std::vector<std::int64_t> pulses(std::size_t most) {
     std::vector<std::int64_t> found;
     for (std::size_t round = 0; round < most_passes; ++round)
-      for (std::size_t i = 0; i < plan_.scene->scatterers.size(); ++i) {
+      for (std::size_t i = 0; i < scene_.scatterers.size(); ++i) {
         if (found.size() >= most) return found;
         const double share = static_cast<double>(round) / static_cast<double>(most_passes - 1);
         if (const auto pulse = met(i, first_s_ + share * (last_s_ - first_s_))) found.push_back(*pulse);
@@ -32,30 +36,12 @@ class BeamPasses {
     return found;
   }
 
- private:
-  static constexpr std::size_t most_passes = 5;  // of each target
-
-  [[nodiscard]] std::int64_t pulse_at(double time_s) const {
-    const double half_s = 0.5 * plan_.radar.repetition.mean_interval_s();
-    const radar::PulseRange near = plan_.radar.repetition.pulses_in(time_s - half_s, time_s + half_s);
-    return std::clamp(near.first, plan_.pulses.first, plan_.pulses.last);
-  }
-
-  // A time, or one some turns before or after it, that is within the recording.
-  [[nodiscard]] std::optional<double> recorded(double time_s) const {
-    const double turn_s = std::abs(turn_s_);
-    if (time_s < first_s_) time_s += turn_s * std::ceil((first_s_ - time_s) / turn_s);
-    if (time_s > last_s_) time_s -= turn_s * std::ceil((time_s - last_s_) / turn_s);
-    if (time_s < first_s_) return std::nullopt;
-    return time_s;
-  }
-
   // The pulse near a time at which the beam points nearest to a target: the beam gets there in the time that it takes
   // for what is missing of the angle. Both move meanwhile, hence the second look.
   [[nodiscard]] std::optional<std::int64_t> met(std::size_t target, double time_s) {
     for (int look = 0; look < 2; ++look) {
       geometry_.set_pulse(pulse_at(time_s));
-      const Scatterer& s = plan_.scene->scatterers[target];
+      const Scatterer& s = scene_.scatterers[target];
       const core::Vec3 look_world_m =
           radar::world_position_m(geometry_.pose(s.platform), s.position_m) - geometry_.radar_pose().position_world_m;
       const double offset_rad = std::remainder(geometry_.pointing().offset(look_world_m).azimuth_rad, 2.0 * core::pi);
@@ -67,7 +53,27 @@ class BeamPasses {
     return pulse_at(time_s);
   }
 
-  const Plan& plan_;
+ private:
+  static constexpr std::size_t most_passes = 5;  // of each target
+
+  [[nodiscard]] std::int64_t pulse_at(double time_s) const {
+    const double half_s = 0.5 * radar_.repetition.mean_interval_s();
+    const radar::PulseRange near = radar_.repetition.pulses_in(time_s - half_s, time_s + half_s);
+    return std::clamp(near.first, pulses_.first, pulses_.last);
+  }
+
+  // A time, or one some turns before or after it, that is within the recording.
+  [[nodiscard]] std::optional<double> recorded(double time_s) const {
+    const double turn_s = std::abs(turn_s_);
+    if (time_s < first_s_) time_s += turn_s * std::ceil((first_s_ - time_s) / turn_s);
+    if (time_s > last_s_) time_s -= turn_s * std::ceil((time_s - last_s_) / turn_s);
+    if (time_s < first_s_) return std::nullopt;
+    return time_s;
+  }
+
+  const ResolvedScene& scene_;
+  const ResolvedRadar& radar_;
+  radar::PulseRange pulses_;
   PulseGeometry geometry_;
   double first_s_ = 0.0;
   double last_s_ = 0.0;
@@ -80,7 +86,14 @@ bool turns(const radar::Beam& beam) { return beam.kind == radar::Beam::Kind::rot
 
 std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most) {
   CORE_EXPECT(plan.scene != nullptr);
-  return BeamPasses(plan).pulses(most);
+  return BeamPasses(*plan.scene, plan.radar, plan.pulses).pulses(most);
+}
+
+std::optional<std::int64_t> pulse_on_target(const ResolvedScene& scene, const ResolvedRadar& radar,
+                                            const radar::PulseRange& pulses, std::size_t target) {
+  CORE_EXPECT(target < scene.scatterers.size());
+  BeamPasses passes(scene, radar, pulses);
+  return passes.met(target, 0.5 * (passes.first_s() + passes.last_s()));
 }
 
 }  // namespace sarsim::simulate

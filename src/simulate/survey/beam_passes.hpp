@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "simulate/plan/plan.hpp"
@@ -17,5 +18,10 @@ namespace sarsim::simulate {
 /// @param most  how many pulses at most: of all targets the first pass before the second of any
 /// @return in no order, perhaps some more than once; none for targets that the beam does not meet in the recording
 [[nodiscard]] std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most);
+
+/// Number of the pulse at which a beam that turns points nearest to one target in azimuth, in the pass nearest to the
+/// middle of the recording; nothing where the beam does not meet it.
+[[nodiscard]] std::optional<std::int64_t> pulse_on_target(const ResolvedScene& scene, const ResolvedRadar& radar,
+                                                          const radar::PulseRange& pulses, std::size_t target);
 
 }  // namespace sarsim::simulate

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include "core/maths/window.hpp"
+#include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
 #include "scene/model/format_values.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/sight_rules.hpp"
 
 namespace sarsim::simulate {
 
@@ -21,11 +23,12 @@ namespace {
 class Surveyor {
  public:
   // @param impossible  targets that have been reported
-  Surveyor(const scene::Scene& scene, std::size_t index, core::Problems& problems, std::set<std::size_t>& impossible)
+  Surveyor(const scene::Scene& scene, std::size_t index, SurveyReport& report, std::set<std::size_t>& impossible)
       : scene_(scene),
         index_(index),
         simulation_(scene.simulations[index]),
-        problems_(problems),
+        report_(report),
+        problems_(report.problems),
         impossible_(impossible) {}
 
   void look(const std::shared_ptr<const ResolvedScene>& resolved, const core::WorkControl& control) {
@@ -42,9 +45,24 @@ class Surveyor {
     check_doppler(survey, plan);
     check_lsb(survey, plan);
     check_ambiguity(survey, plan);
+    check_sights(survey, plan, control);
   }
 
  private:
+  static constexpr std::size_t most_sights = 64;
+
+  void check_sights(const EchoSurvey& survey, const Plan& plan, const core::WorkControl& control) {
+    const SightSurvey looked(plan, targets_in_window(survey, most_sights));
+    EchoSummary summary{index_, survey.targets.size(), survey.totals.in_window, looked.look(control)};
+    const auto directive = [](const radar::AntennaPattern& pattern) {
+      return pattern.kind != radar::AntennaPattern::Kind::isotropic;
+    };
+    summary.directive = directive(plan.radar.transmit) || directive(plan.radar.receive);
+    summary.noise = plan.scene->conventions.boltzmann_j_per_k * plan.radar.noise_temperature_k > 0.0;
+    simulate::check_sights({scene_, index_, plan, looked, summary, control}, problems_);
+    report_.summaries.push_back(std::move(summary));
+  }
+
   void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,
            std::string hint) {
     problems_.push_back({severity,
@@ -208,21 +226,29 @@ class Surveyor {
           "set it to 0 to have it estimated from the data");
   }
 
+  // From orbit, where many pulses are under way at once, a lower PRF is no advice: a real receiver listens between
+  // pulses sent later.
   void check_ambiguity(const EchoSurvey& survey, const Plan& plan) {
     if (survey.totals.late == 0) return;
-    add(core::Severity::warning, "radar",
+    const double under_way = std::floor(survey.totals.latest_m / unambiguous_range_m(plan));
+    const bool from_afar = under_way >= 3.0;
+    add(from_afar ? core::Severity::note : core::Severity::warning, "radar",
         fmt::format("echoes of {} of {} targets arrive after the next pulse has left; a row holds the echoes of its "
                     "own pulse only",
                     survey.totals.late, survey.targets.size()) +
             scope_,
         fmt::format("range {:.6g} m", survey.totals.latest_m),
         fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(plan)),
-        "lower the PRF if a real receiver is meant");
+        from_afar ? fmt::format("{:.0f} pulses are under way at once, as is usual from orbit: a real receiver listens "
+                                "between later pulses; choose the PRF so that no pulse leaves while echoes arrive",
+                                under_way)
+                  : "lower the PRF if a real receiver is meant");
   }
 
   const scene::Scene& scene_;
   std::size_t index_;
   const scene::Simulation& simulation_;
+  SurveyReport& report_;
   core::Problems& problems_;
   std::set<std::size_t>& impossible_;
   std::string scope_;
@@ -230,15 +256,30 @@ class Surveyor {
 
 }  // namespace
 
-core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
-                      const core::WorkControl& control) {
-  core::Problems problems;
-  if (scene.simulations.empty()) return problems;
+SurveyReport survey_report(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
+                           const core::WorkControl& control) {
+  SurveyReport report;
+  if (scene.simulations.empty()) return report;
   if (!resolved) resolved = std::make_shared<const ResolvedScene>(resolve(scene, control));
   std::set<std::size_t> impossible;
   for (std::size_t i = 0; i < scene.simulations.size(); ++i)
-    Surveyor(scene, i, problems, impossible).look(resolved, control);
-  return problems;
+    Surveyor(scene, i, report, impossible).look(resolved, control);
+  return report;
+}
+
+core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved,
+                      const core::WorkControl& control) {
+  return survey_report(scene, std::move(resolved), control).problems;
+}
+
+const TargetSight& EchoSummary::strongest() const {
+  CORE_EXPECT(!sights.empty());
+  return *std::ranges::max_element(sights, {}, &TargetSight::amplitude_v);
+}
+
+const TargetSight& EchoSummary::weakest() const {
+  CORE_EXPECT(!sights.empty());
+  return *std::ranges::min_element(sights, {}, &TargetSight::amplitude_v);
 }
 
 }  // namespace sarsim::simulate

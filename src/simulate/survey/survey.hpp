@@ -10,6 +10,7 @@
 #include "scene/model/scene.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
+#include "simulate/survey/sight.hpp"
 
 namespace sarsim::simulate {
 
@@ -32,7 +33,11 @@ struct SurveyTotals {
   bool any_in_window = false;
   double nearest_m = std::numeric_limits<double>::infinity();
   double farthest_m = -std::numeric_limits<double>::infinity();
-  double strongest_v = 0.0;             ///< Of the targets in the window.
+  double strongest_v = 0.0;  ///< Of the targets in the window.
+  double weakest_v = std::numeric_limits<double>::infinity();
+  std::size_t strongest = 0;            ///< Which target that is, ...
+  std::size_t weakest = 0;              ///< ... and which has the weakest echo.
+  std::size_t in_window = 0;            ///< Targets some sampled echo of which touches the window.
   std::size_t late = 0;                 ///< Targets in the window that lie beyond the unambiguous range.
   double latest_m = 0.0;                ///< The farthest of them.
   std::vector<std::size_t> impossible;  ///< Targets whose echo cannot be computed, in order.
@@ -65,12 +70,44 @@ struct EchoSurvey {
 /// Interrupted.
 [[nodiscard]] EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control = {});
 
+/// At most `most` (3 or more) targets that the window of a survey meets: all of them, or an even choice with the
+/// strongest and the weakest. Ascending.
+[[nodiscard]] std::vector<std::size_t> targets_in_window(const EchoSurvey& survey, std::size_t most);
+
+/// What a recording will hold, in a few numbers.
+struct EchoSummary {
+  std::size_t simulation = 0;  ///< Position in the scene's list.
+  std::size_t targets = 0;     ///< Of the scene.
+  std::size_t in_window = 0;   ///< Of them, those that the window meets.
+  std::vector<TargetSight>
+      sights;              ///< Of those, at most 64: all, or an even choice with the strongest and the weakest.
+  bool directive = false;  ///< The radar has an antenna with a beam.
+  bool noise = false;      ///< The receiver has noise; without it there is no SNR.
+
+  /// The strongest of `sights`; expects at least one.
+  [[nodiscard]] const TargetSight& strongest() const;
+  /// The weakest of `sights`; expects at least one.
+  [[nodiscard]] const TargetSight& weakest() const;
+};
+
+/// What `survey` finds, and what every simulation will hold.
+struct SurveyReport {
+  core::Problems problems;
+  std::vector<EchoSummary> summaries;  ///< One for each simulation whose echoes can be computed.
+};
+
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets whose echo is
 /// impossible (at the radar's position, faster than light, too strong), echoes beyond the PRI, surfaces that show their
-/// back, a window function without weight. The scene must have passed `check`.
+/// back or are filled too thinly for the wavelength, a window function without weight, no echo at all, a beam that
+/// misses its targets, echoes below the noise, echoes that the window cuts. The scene must have passed `check`.
 /// @param resolved  what `resolve` gives for the scene; made where it is missing and needed
 [[nodiscard]] core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved = nullptr,
                                     const core::WorkControl& control = {});
+
+/// Same, with what every simulation will hold.
+[[nodiscard]] SurveyReport survey_report(const scene::Scene& scene,
+                                         std::shared_ptr<const ResolvedScene> resolved = nullptr,
+                                         const core::WorkControl& control = {});
 
 }  // namespace sarsim::simulate

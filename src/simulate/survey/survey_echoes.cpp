@@ -75,6 +75,18 @@ void take_in(TargetSurvey& target, const ScattererView& view, double range_m, do
   target.in_window = target.in_window || in_window;
 }
 
+void take_in_amplitude(SurveyTotals& totals, std::size_t strongest, double strongest_v, std::size_t weakest,
+                       double weakest_v) {
+  if (strongest_v > totals.strongest_v) {
+    totals.strongest_v = strongest_v;
+    totals.strongest = strongest;
+  }
+  if (weakest_v < totals.weakest_v) {
+    totals.weakest_v = weakest_v;
+    totals.weakest = weakest;
+  }
+}
+
 void take_in(SurveyTotals& totals, std::size_t index, const TargetSurvey& target, double light_speed_mps,
              double unambiguous_m) {
   totals.nearest_m = std::min(totals.nearest_m, target.nearest_m);
@@ -82,7 +94,8 @@ void take_in(SurveyTotals& totals, std::size_t index, const TargetSurvey& target
   if (!possible_echo(extremes_of(target), light_speed_mps)) totals.impossible.push_back(index);
   if (!target.in_window) return;
   totals.any_in_window = true;
-  totals.strongest_v = std::max(totals.strongest_v, target.largest_amplitude_v);
+  ++totals.in_window;
+  take_in_amplitude(totals, index, target.largest_amplitude_v, index, target.largest_amplitude_v);
   if (!(target.farthest_m > unambiguous_m)) return;
   ++totals.late;
   totals.latest_m = std::max(totals.latest_m, target.farthest_m);
@@ -92,7 +105,8 @@ void take_in(SurveyTotals& totals, const SurveyTotals& more) {
   totals.nearest_m = std::min(totals.nearest_m, more.nearest_m);
   totals.farthest_m = std::max(totals.farthest_m, more.farthest_m);
   totals.any_in_window = totals.any_in_window || more.any_in_window;
-  totals.strongest_v = std::max(totals.strongest_v, more.strongest_v);
+  totals.in_window += more.in_window;
+  if (more.any_in_window) take_in_amplitude(totals, more.strongest, more.strongest_v, more.weakest, more.weakest_v);
   totals.late += more.late;
   totals.latest_m = std::max(totals.latest_m, more.latest_m);
   totals.impossible.insert(totals.impossible.end(), more.impossible.begin(), more.impossible.end());
@@ -256,6 +270,24 @@ EchoExtremes extremes_of(const TargetSurvey& target) {
 EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control) {
   CORE_EXPECT(plan.scene != nullptr);
   return Look(plan, control).survey();
+}
+
+std::vector<std::size_t> targets_in_window(const EchoSurvey& survey, std::size_t most) {
+  CORE_EXPECT(most > 2);
+  const std::size_t count = survey.totals.in_window;
+  const std::size_t evenly = count <= most ? count : most - 2;
+  std::vector<std::size_t> chosen;
+  std::size_t met = 0;
+  for (std::size_t i = 0; i < survey.targets.size() && chosen.size() < evenly; ++i) {
+    if (!survey.targets[i].in_window) continue;
+    const std::size_t next = evenly > 1 ? chosen.size() * (count - 1) / (evenly - 1) : 0;
+    if (met++ == next) chosen.push_back(i);
+  }
+  if (count > most) chosen.insert(chosen.end(), {survey.totals.strongest, survey.totals.weakest});
+  std::ranges::sort(chosen);
+  const auto doubles = std::ranges::unique(chosen);
+  chosen.erase(doubles.begin(), doubles.end());
+  return chosen;
 }
 
 }  // namespace sarsim::simulate

@@ -50,8 +50,9 @@ TEST(Survey, WarnsWhereAllEchoesMissTheWindowAndSaysWhereTheyAre) {
   EXPECT_THAT(problems[0].expected, HasSubstr("1749.48"));
   EXPECT_THAT(problems[0].message, HasSubstr("estimate from 64 of 200 pulses"));
   scene.simulations[0].range_start_m = 1740.0;  // its last 9 m, a sample
-  EXPECT_THAT(survey(scene), IsEmpty());
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "range_start_m", "cuts the echoes")));
   scene.simulations[0].range_start_m = 2000.0;
+  scene.simulations[0].range_end_m = 3300.0;
   scene.targets.push_back(target_on("Earth", {2500, 0, 0}, 40.0));
   EXPECT_THAT(survey(scene), IsEmpty());
 }
@@ -63,7 +64,14 @@ TEST(Survey, WarnsOfASceneWithoutTargets) {
   scene.radars[0].noise_temperature_k = 300.0;
   EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "", "noise only")));
   scene.surfaces.push_back({});
+  scene.radars[0].carrier_hz = 0.14e9;  // 2.1 m
   EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+TEST(Survey, SaysThatThePointsOfASurfaceAreTooFewBelowAWavelengthOfTwoMetres) {
+  scene::Scene scene = sound_scene();
+  scene.surfaces.push_back({});
+  EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::note, "radar", "too thinly for this wavelength")));
 }
 
 // 200 m/s both ways at 1 GHz: a band of 4 * 200/0.2998 = 2669 Hz.
@@ -172,6 +180,8 @@ TEST(Survey, ReportsBurstsThatAreMissingOrCut) {
 TEST(Survey, WarnsOfASurfaceThatShowsItsBackToTheRadar) {
   scene::Scene scene = sound_scene();
   scene.surfaces.assign(2, scene::Surface());
+  scene.radars[0].carrier_hz = 0.14e9;
+  scene.simulations[0].lsb_v = 0.0;
   EXPECT_THAT(survey(scene), IsEmpty());
   std::swap(scene.surfaces[1].corner_m[1], scene.surfaces[1].corner_m[2]);
   const core::Problems problems = survey(scene);

@@ -1,7 +1,11 @@
 #include "workflow/input/scene_input.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
+
+#include <fmt/format.h>
 
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
@@ -66,8 +70,30 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
     for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
 
+// A number without a unit counts in the base unit; where that is far from what the script says, another one was meant.
+std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, const scene::NamedField& field,
+                                                   const std::string& setting, const std::string& value) {
+  constexpr double far = 1e4;
+  const scene::Quantity quantity = field.field->quantity;
+  const auto units = scene::units_of(quantity);
+  if (units.size() < 2 || scene::number_length(value) != value.size()) return std::nullopt;
+  const std::string old_text = scene::named_field_text(scene, field);
+  const std::optional<double> given = scene::read_quantity(value, quantity).value;
+  const std::optional<double> old = scene::read_quantity(old_text, quantity).value;
+  if (!given || !old || *given == 0.0 || *old == 0.0) return std::nullopt;
+  const double ratio = std::abs(*given / *old);
+  if (ratio < far && ratio > 1.0 / far) return std::nullopt;
+  return core::problem_of(
+      core::Severity::warning,
+      fmt::format("--set {}: a number without a unit counts in {}", setting.substr(0, 80), units[0]),
+      scene::quantity_text(*given, quantity), "a value near that of the script, " + old_text,
+      fmt::format("Write the unit, as in {}={}.", setting.substr(0, setting.find('=')), old_text));
+}
+
 // One field after the other, so that a later one may need what an earlier one chose.
-core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene) {
+// @param[out] remarks  what is allowed and likely not meant
+core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene,
+                                   core::Problems& remarks) {
   core::Problems problems;
   for (const std::string& setting : settings) {
     const std::size_t equals = std::min(setting.find('='), setting.size());
@@ -77,8 +103,10 @@ core::Problems problems_of_setting(const std::vector<std::string>& settings, sce
     std::string failure = field.failure;
     if (equals == setting.size())
       failure = "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz";
-    else if (field.field != nullptr)
+    else if (field.field != nullptr) {
+      if (auto remark = remark_on_bare_number(scene, field, setting, value)) remarks.push_back(std::move(*remark));
       failure = scene::set_named_field(scene, field, value);
+    }
     if (failure.empty()) continue;
     problems.push_back({});
     problems.back().message = "--set " + setting.substr(0, 80) + ": " + failure;
@@ -107,16 +135,19 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
                                   const core::WorkControl& control) {
   if (input.scene.simulations.empty() || (wanted && wanted->simulations.empty())) return {};
   resolve_once(input, control);
-  if (!wanted || wanted->simulations.size() == input.scene.simulations.size())
-    return simulate::survey(input.scene, input.resolved, control);
-  std::vector<scene::Simulation> picked;
-  for (const std::size_t index : wanted->simulations) picked.push_back(input.scene.simulations.at(index));
-  std::swap(picked, input.scene.simulations);
-  core::Problems problems = simulate::survey(input.scene, input.resolved, control);
-  std::swap(picked, input.scene.simulations);
-  for (core::Problem& problem : problems)
+  std::vector<scene::Simulation> all = input.scene.simulations;
+  if (wanted) {
+    input.scene.simulations.clear();
+    for (const std::size_t index : wanted->simulations) input.scene.simulations.push_back(all.at(index));
+  }
+  simulate::SurveyReport report = simulate::survey_report(input.scene, input.resolved, control);
+  input.scene.simulations = std::move(all);
+  input.echoes = std::move(report.summaries);
+  if (!wanted) return std::move(report.problems);
+  for (simulate::EchoSummary& summary : input.echoes) summary.simulation = wanted->simulations.at(summary.simulation);
+  for (core::Problem& problem : report.problems)
     if (problem.subject.kind == "simulation") problem.subject.index = wanted->simulations.at(problem.subject.index);
-  return problems;
+  return std::move(report.problems);
 }
 
 // A scene with what its reader found, on its way to an input.
@@ -127,7 +158,8 @@ SceneInput looked_at(scene::ScriptReading reading, const SceneOverrides& overrid
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
-    if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene); !mistakes.empty())
+    if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene, reading.problems);
+        !mistakes.empty())
       throw core::Refused(std::move(mistakes));
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
@@ -139,6 +171,9 @@ SceneInput looked_at(scene::ScriptReading reading, const SceneOverrides& overrid
   }
   if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems))
     append(reading.problems, problems_of_echoes(input, wanted, control));
+  if (scrutiny == Scrutiny::echoes && input.scene.simulations.empty() && input.scene.geometries.empty())
+    reading.problems.push_back(core::problem_of(core::Severity::warning, "the script asks for nothing", {},
+                                                "a product that is to be made", "add a $SIMULATION or a $GEOMETRY"));
   scene::locate(reading.problems, input.places);
   input.problems = core::ranked(std::move(reading.problems));
   return input;

@@ -13,6 +13,7 @@
 #include "scene/model/scene.hpp"
 #include "scene/script/field_places.hpp"
 #include "simulate/resolve/resolved.hpp"
+#include "simulate/survey/survey.hpp"
 
 namespace sarsim::workflow {
 
@@ -33,6 +34,7 @@ struct SceneInput {
   scene::FieldPlaces places;
   std::vector<std::filesystem::path> sources;  ///< The script and the data files that it names.
   core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
+  std::vector<simulate::EchoSummary> echoes;   ///< Of the simulations that are wanted, where echoes were looked at.
   std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
 };
 

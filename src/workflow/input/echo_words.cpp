@@ -1,0 +1,84 @@
+#include "workflow/input/echo_words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+constexpr double degrees = 180.0 / core::pi;
+
+std::string one_echo(const simulate::TargetSight& sight) {
+  return fmt::format("{:.4g} V of target {}", sight.amplitude_v, sight.target + 1);
+}
+
+std::string ratio_range(double low, double high) {
+  const std::string first = decibel_text(low);
+  const std::string last = decibel_text(high);
+  return first == last ? first : first + " to " + last;
+}
+
+std::string snr_line(const std::vector<simulate::TargetSight>& sights) {
+  const auto [low, high] = std::ranges::minmax(sights, {}, &simulate::TargetSight::snr);
+  const auto [weak, strong] = std::ranges::minmax(sights, {}, &simulate::TargetSight::processed_snr);
+  return fmt::format("    SNR {} a pulse, {} with all pulses added\n", ratio_range(low.snr, high.snr),
+                     ratio_range(weak.processed_snr, strong.processed_snr));
+}
+
+void write_sight(core::JsonWriter& json, const char* key, const simulate::EchoSummary& summary,
+                 const simulate::TargetSight& sight) {
+  json.key(key).begin_object().member("target", sight.target + 1).member("amplitude_v", sight.amplitude_v);
+  json.member("pulse", static_cast<double>(sight.pulse));
+  if (summary.noise) json.member("snr", sight.snr).member("processed_snr", sight.processed_snr);
+  if (summary.directive)
+    json.member("off_azimuth_rad", sight.off_azimuth_rad)
+        .member("off_elevation_rad", sight.off_elevation_rad)
+        .member("pattern", sight.pattern);
+  json.end_object();
+}
+
+}  // namespace
+
+std::string decibel_text(double ratio) {
+  return ratio > 0.0 ? fmt::format("{:.1f} dB", std::round(100.0 * std::log10(ratio)) / 10.0 + 0.0) : "none";
+}
+
+std::string off_beam_text(const simulate::TargetSight& sight) {
+  // A thousandth of a degree is finer than any beam.
+  const auto angle = [](double rad) { return std::round(1e3 * degrees * std::abs(rad)) / 1e3; };
+  return fmt::format("{:.4g} deg in azimuth and {:.4g} deg in elevation off the beam ({})",
+                     angle(sight.off_azimuth_rad), angle(sight.off_elevation_rad), decibel_text(sight.pattern));
+}
+
+std::string echo_text(const scene::Scene& scene, const simulate::EchoSummary& summary) {
+  if (summary.sights.empty()) return {};
+  const bool all = summary.sights.size() == summary.in_window;
+  std::string text = fmt::format("  simulation {} ({}): {} of {} targets in the window{}\n", summary.simulation + 1,
+                                 scene.simulations.at(summary.simulation).file, summary.in_window, summary.targets,
+                                 all ? "" : fmt::format(", {} of them looked at", summary.sights.size()));
+  const simulate::TargetSight& strongest = summary.strongest();
+  const simulate::TargetSight& weakest = summary.weakest();
+  text += "    strongest echo " + one_echo(strongest);
+  if (strongest.target != weakest.target) text += ", weakest " + one_echo(weakest);
+  text += "\n";
+  if (summary.noise) text += snr_line(summary.sights);
+  if (!summary.directive) return text;
+  const auto [far, near] = std::ranges::minmax(summary.sights, {}, &simulate::TargetSight::pattern);
+  text += fmt::format("    target {}: {}\n", near.target + 1, off_beam_text(near));
+  if (far.target != near.target) text += fmt::format("    target {}: {}\n", far.target + 1, off_beam_text(far));
+  return text;
+}
+
+void write_echoes(core::JsonWriter& json, const simulate::EchoSummary& summary) {
+  json.member("targets_in_window", summary.in_window);
+  if (summary.sights.empty()) return;
+  write_sight(json, "strongest", summary, summary.strongest());
+  write_sight(json, "weakest", summary, summary.weakest());
+}
+
+}  // namespace sarsim::workflow
