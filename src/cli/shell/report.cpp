@@ -36,11 +36,18 @@ std::string report_text(const workflow::RecordingReport& report) {
   std::string text = fmt::format(
       "{}: {} x {} samples, {}{}\n", report.file.empty() ? "nothing written" : report.file, run.rows, run.columns,
       report.bytes ? core::bytes_text(*report.bytes) + ", " : std::string(), core::duration_text(report.seconds));
-  text += fmt::format("  largest magnitude  {}, {:.4g} % of the converter's range\n", millivolts(run.maximum_v),
-                      100.0 * run.range_used);
+  if (report.counts)
+    text += fmt::format("  largest magnitude  {}, {:.4g} % of the converter's range\n", millivolts(run.maximum_v),
+                        100.0 * run.range_used);
+  else
+    text += fmt::format("  largest magnitude  {}\n", millivolts(run.maximum_v));
   text += lsb_line(report) + "\n";
-  text += fmt::format("  samples            {:.4g} % saturated, {:.4g} % zero\n", 100.0 * share(run.saturated, run),
-                      100.0 * share(run.zero, run));
+  if (report.counts)
+    text += fmt::format("  samples            {:.4g} % saturated, {:.4g} % zero\n", 100.0 * share(run.saturated, run),
+                        100.0 * share(run.zero, run));
+  else
+    text += fmt::format("  samples            volts, not quantised: --quantise applies the {}-bit converter\n",
+                        report.simulation.bits);
   text += fmt::format("  engine             {} ({}), relative error below {:g}\n", report.engine, report.engine_reason,
                       report.engine == "reference" ? 1e-12 : report.options.tolerance);
   if (run.saturated > 0)
@@ -56,6 +63,7 @@ void write_json(core::JsonWriter& json, const workflow::RecordingReport& report)
   else
     json.value(report.file);
   json.member("format", workflow::format_word(report.simulation.format)).member("counts", report.counts);
+  json.member("quantised", report.counts);
   json.member("processing", workflow::processing_word(report.simulation.processing));
   json.member("rows", run.rows).member("columns", run.columns).key("bytes");
   report.bytes ? json.value(*report.bytes) : json.null();

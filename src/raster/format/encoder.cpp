@@ -159,11 +159,12 @@ std::vector<std::byte> encode_integers(std::span<const std::int64_t> counts, Cou
   return bytes;
 }
 
+template <class Real>
 std::vector<std::byte> encode_volts(std::span<const std::complex<double>> volts) {
-  std::vector<std::byte> bytes(volts.size() * 2 * sizeof(float));
+  std::vector<std::byte> bytes(volts.size() * 2 * sizeof(Real));
   std::byte* next = bytes.data();
   for (const std::complex<double>& value : volts) {
-    const std::array<float, 2> stored{static_cast<float>(value.real()), static_cast<float>(value.imag())};
+    const std::array<Real, 2> stored{static_cast<Real>(value.real()), static_cast<Real>(value.imag())};
     std::memcpy(next, stored.data(), sizeof stored);
     next += sizeof stored;
   }
@@ -188,7 +189,9 @@ const std::complex<double>* signed_zeros_of(const Encoding& encoding, const simu
 
 std::size_t binary_component_bytes(const Encoding& encoding) { return CountRange{encoding.bits}.component_bytes(); }
 
-std::size_t array_component_bytes(const Encoding& encoding) { return encoding.counts && encoding.bits > 31 ? 8 : 4; }
+std::size_t array_component_bytes(const Encoding& encoding) {
+  return (encoding.counts ? encoding.bits > 31 : encoding.doubles) ? 8 : 4;
+}
 
 std::vector<std::byte> encode_ascii(const Encoding& encoding, const simulate::Block& block) {
   require_counts(block);
@@ -213,7 +216,7 @@ std::vector<std::byte> encode_binary(const Encoding& encoding, const simulate::B
 std::vector<std::byte> encode_array(const Encoding& encoding, const simulate::Block& block) {
   if (!encoding.counts) {
     require_size(block.volts.size(), block.rows * block.columns, "samples");
-    return encode_volts(block.volts);
+    return encoding.doubles ? encode_volts<double>(block.volts) : encode_volts<float>(block.volts);
   }
   require_counts(block);
   const CountRange range{encoding.bits};

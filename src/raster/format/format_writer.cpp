@@ -55,7 +55,7 @@ double binary_bytes(const simulate::Product& product, const Encoding& encoding, 
 
 std::string npy_preamble(const simulate::Product& product, const Encoding& encoding, bool) {
   const std::array<std::size_t, 3> shape{product.rows, product.columns, 2};
-  if (!encoding.counts) return npy_header_text("<c8", std::span(shape).first(2));
+  if (!encoding.counts) return npy_header_text(encoding.doubles ? "<c16" : "<c8", std::span(shape).first(2));
   return npy_header_text(array_component_bytes(encoding) == 8 ? "<i8" : "<i4", shape);
 }
 

@@ -47,7 +47,7 @@ Hdf5Handle complex_type(hid_t part) {
 }
 
 hid_t part_type(const Encoding& encoding) {
-  if (!encoding.counts) return H5T_IEEE_F32LE;
+  if (!encoding.counts) return encoding.doubles ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
   return array_component_bytes(encoding) == 8 ? H5T_STD_I64LE : H5T_STD_I32LE;
 }
 

@@ -19,7 +19,7 @@ Encoding encoding_of(const simulate::Product& product, const SinkOptions& option
   if (product.bits < 1 || product.bits > 64)
     throw std::invalid_argument(fmt::format("{} A/D bits are outside 1 to 64", product.bits));
   return {options.format, holds_counts(options.format, options.counts), product.bits,
-          product.options.profile == scene::Profile::classic};
+          product.options.profile == scene::Profile::classic, options.doubles};
 }
 
 const FormatWriter& writer_of(const Encoding& encoding) { return *format_of(encoding.format).writer; }

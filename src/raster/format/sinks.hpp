@@ -16,6 +16,7 @@ struct SinkOptions {
   bool replace = false;  ///< Replace an existing file.
   bool counts = false;   ///< Integer counts rather than volts in HDF5 and NPY; the other formats always hold counts.
   bool header = false;   ///< A header line in CSV.
+  bool doubles = false;  ///< Volts of HDF5 and NPY in double precision.
 };
 
 /// A sink that makes the file `path` of a product (docs/formats/samples.md). The file appears under its name with

@@ -23,10 +23,14 @@ struct Case {
   scene::FileFormat format;
   bool counts;
   int bits;
+  bool doubles = false;
 };
 
 std::string name_of_case(const testing::TestParamInfo<Case>& info) {
-  return std::string(name_of(info.param.format)) + (info.param.counts ? "_counts_" : "_volts_") +
+  return std::string(name_of(info.param.format)) +
+         (info.param.counts    ? "_counts_"
+          : info.param.doubles ? "_double_volts_"
+                               : "_volts_") +
          std::to_string(info.param.bits);
 }
 
@@ -37,6 +41,8 @@ std::vector<Case> all_cases() {
     for (const int bits : {1, 8, 12, 16, 31, 32, 53, 64}) cases.push_back({format, true, bits});
   cases.push_back({scene::FileFormat::hdf5, false, 8});
   cases.push_back({scene::FileFormat::npy, false, 8});
+  cases.push_back({scene::FileFormat::hdf5, false, 8, true});
+  cases.push_back({scene::FileFormat::npy, false, 8, true});
   return cases;
 }
 
@@ -46,6 +52,7 @@ class EveryFormat : public testing::TestWithParam<Case> {
     SinkOptions result;
     result.format = GetParam().format;
     result.counts = GetParam().counts;
+    result.doubles = GetParam().doubles;
     return result;
   }
   [[nodiscard]] fs::path file(const TestFolder& folder) const {
@@ -84,6 +91,25 @@ TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
   std::vector<std::complex<double>> middle(14);
   opened.raster->read_rows(5, 2, middle);
   EXPECT_TRUE(std::equal(middle.begin(), middle.end(), samples.begin() + 35));
+}
+
+// A third has no float that is it.
+TEST(Sinks, DoublesKeepWhatFloatsLose) {
+  for (const scene::FileFormat format : {scene::FileFormat::hdf5, scene::FileFormat::npy}) {
+    const TestFolder folder;
+    const fs::path path = folder / ("a" + std::string(extension_of(format)));
+    const std::vector<std::complex<double>> third{{1.0 / 3.0, -1.0 / 7.0}};
+    SinkOptions options;
+    options.format = format;
+    options.doubles = true;
+    const simulate::Product product = test_product(1, 1, 8);
+    auto sink = make_sink(path, product, options);
+    sink->append(sink->encode({0, 1, 1, third, {}}), 0, 1);
+    sink->finish({});
+    const auto opened = open_raster(Integrity::whole, path, {});
+    ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+    EXPECT_EQ(read_all_rows(*opened.raster), third);
+  }
 }
 
 TEST_P(EveryFormat, SameInputGivesTheSameBytesWhateverTheBlocks) {

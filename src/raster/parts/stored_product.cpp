@@ -17,7 +17,7 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'01U;
+constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'02U;
 
 using Axis = std::function<double(std::size_t)>;
 
@@ -123,6 +123,7 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
   packer.put(static_cast<std::uint64_t>(stored.options.format));
   packer.put(static_cast<std::uint64_t>(stored.options.counts));
   packer.put(static_cast<std::uint64_t>(stored.options.header));
+  packer.put(static_cast<std::uint64_t>(stored.options.doubles));
   packer.put(static_cast<std::uint64_t>(stored.estimate_lsb));
   packer.put_text(stored.engine_reason);
   packer.put_axis(axes ? product.row_time_s : Axis(), product.rows);
@@ -155,6 +156,7 @@ StoredProduct load_product(const std::filesystem::path& path) {
   stored.options.format = static_cast<scene::FileFormat>(from.word());
   stored.options.counts = from.word() != 0;
   stored.options.header = from.word() != 0;
+  stored.options.doubles = from.word() != 0;
   stored.estimate_lsb = from.word() != 0;
   stored.engine_reason = from.text();
   product.row_time_s = from.axis();

@@ -131,6 +131,10 @@ class Recorder {
     input_ = request_.scene ? take_scene(*request_.scene, fs::path(request_.script).parent_path(), request_.overrides,
                                          Scrutiny::echoes, work(), choose)
                             : read_scene(request_.script, request_.overrides, Scrutiny::echoes, work(), choose);
+    if (request_.doubles)  // What single precision cannot hold is held then.
+      std::erase_if(input_.problems, [](const core::Problem& p) {
+        return p.severity == core::Severity::note && p.subject.kind == "simulation" && p.subject.field == "format";
+      });
     tell_problems();
     expect_usable(input_);
     if (jobs_.empty()) expect_objects();
@@ -252,7 +256,7 @@ class Recorder {
   }
 
   [[nodiscard]] raster::SinkOptions sink_options(const scene::Simulation& simulation) const {
-    return {simulation.format, request_.force, request_.counts, request_.header};
+    return {simulation.format, request_.force, request_.counts, request_.header, request_.doubles};
   }
 
   // The text of the scene as understood, made when it is first needed.

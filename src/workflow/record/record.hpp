@@ -29,6 +29,7 @@ struct RecordRequest {
   bool keep_paths = false;  ///< Keep the folders of output names.
   bool counts = false;      ///< Counts of the converter instead of volts in HDF5 and NPY.
   bool header = false;      ///< A header line in CSV.
+  bool doubles = false;     ///< Volts of HDF5 and NPY in double precision.
   bool discard = false;     ///< Compute and encode everything, write nothing.
   bool strict = false;      ///< Warnings are mistakes, too.
   PartChoice part;
