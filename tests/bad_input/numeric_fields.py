@@ -131,11 +131,11 @@ STEPPED
 ~0  losses of the system | -1e-300
 ~300  noise temperature | -1e-300
 SINX
-~90  beam width in elevation | 0, -1, 360.00000000000006
-~90  beam width in azimuth | 0, -1, 360.00000000000006
+~40  beam width in elevation | 0, -1, 360.00000000000006
+~40  beam width in azimuth | 0, -1, 360.00000000000006
 SINX
-~90  beam width in elevation | 0, -1, 360.00000000000006
-~90  beam width in azimuth | 0, -1, 360.00000000000006
+~40  beam width in elevation | 0, -1, 360.00000000000006
+~40  beam width in azimuth | 0, -1, 360.00000000000006
 FIXED
 ~0  elevation of the beam
 ~90  azimuth of the beam
@@ -153,7 +153,7 @@ ISOTROPIC SAME ROTATING
 ~0  elevation of the beam
 ~60  rotation rate of the beam | -1e-300
 RECT NO_STC
-$RADAR Spot Still MONO 1000 RECT CONSTANT 1000 SINGLE 1 1 0 0 SINX 90 90 ISOTROPIC SPOT
+$RADAR Spot Still MONO 1000 RECT CONSTANT 1000 SINGLE 1 1 0 0 SINX 40 40 ISOTROPIC SPOT
 ~1000  spot x
 ~0  spot y
 ~0  spot z

@@ -82,8 +82,27 @@ TEST_F(Commands, CheckPraisesASoundScript) {
   write_scene({});
   const Finished check = sarsim({"check", "scene.scr"});
   EXPECT_EQ(check.status, 0);
-  EXPECT_EQ(check.out, "scene.scr: no problems\n");
+  EXPECT_THAT(check.out,
+              testing::HasSubstr("simulation 1 (sim.bin): 1 of 1 targets in the window\n    strongest echo"));
+  EXPECT_THAT(check.out, testing::HasSubstr("SNR "));
+  EXPECT_THAT(check.out, testing::EndsWith("scene.scr: no problems\n"));
   EXPECT_EQ(check.err, "");
+  EXPECT_THAT(sarsim({"info", "scene.scr"}).out, testing::HasSubstr("dB with all pulses)"));
+}
+
+TEST_F(Commands, ABeamThatMissesItsTargetsIsAWarningAndStrictRefusesIt) {
+  std::string away = SceneText{}.text();
+  ASSERT_NE(away.find("ISOTROPIC SAME"), std::string::npos) << away;
+  away.replace(away.find("ISOTROPIC SAME"), 14, "SINX 5 5 SAME");
+  ASSERT_NE(away.find("FIXED 0 0"), std::string::npos) << away;
+  away.replace(away.find("FIXED 0 0"), 9, "FIXED 0 180");
+  write_text(folder_ / "scene.scr", away);
+  const Finished lenient = sarsim({"check", "scene.scr"});
+  EXPECT_EQ(lenient.status, 0);
+  EXPECT_THAT(lenient.out, testing::AnyOf(testing::HasSubstr("no echo is received"),
+                                          testing::HasSubstr("the beam misses all targets")));
+  EXPECT_EQ(sarsim({"check", "scene.scr", "--strict"}).status, 2);
+  EXPECT_EQ(sarsim({"run", "scene.scr", "--strict"}).status, 2);
 }
 
 TEST_F(Commands, CheckCountsProblemsOfEveryScript) {

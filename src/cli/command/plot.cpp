@@ -275,6 +275,7 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
   add_choice<picture::SpectrumWindow>(app, "--window", a.window,
                                       {{"rectangular", picture::SpectrumWindow::rectangular},
                                        {"hann", picture::SpectrumWindow::hann},
+                                       {"hanning", picture::SpectrumWindow::hann},
                                        {"hamming", picture::SpectrumWindow::hamming}},
                                       "weights of spectra and range-Doppler maps (default: hann)");
   add_integer(app, "--padding", a.padding, 1, 64, "Doppler bins for each pulse (default: 1)");

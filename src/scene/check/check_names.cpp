@@ -70,6 +70,20 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   return not_found;
 }
 
+// The names that there are, where they are few.
+std::string NameCheck::expected_name() const {
+  constexpr std::size_t most_listed = 8;
+  std::string text;
+  std::size_t listed = 0;
+  for (const std::string_view name : table_->names()) {
+    if (name.empty() || name.size() > 60) continue;
+    if (++listed > most_listed) break;
+    text += fmt::format("{}{}", listed > 1 ? ", " : "", name);
+  }
+  if (listed == 0) return fmt::format("the name of a {}", kind_);
+  return fmt::format("the name of a {}: {}{}", kind_, text, listed > most_listed ? ", ..." : "");
+}
+
 void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {
   std::vector<std::string_view> candidates = table_->names();
   if (kind_ == "platform") candidates.emplace_back("Earth");
@@ -81,7 +95,7 @@ void NameCheck::report_unknown(Findings& findings, std::string_view field, std::
     hint = fmt::format("The scene defines no {}.", kind_);
   findings.error(field, {.message = fmt::format("no {} has this name", kind_),
                          .found = std::string(name),
-                         .expected = fmt::format("the name of a {}", kind_),
+                         .expected = expected_name(),
                          .hint = std::move(hint)});
 }
 

@@ -36,6 +36,7 @@ class NameCheck {
   NameCheck(std::string kind, std::shared_ptr<const NameTable> table)
       : kind_(std::move(kind)), table_(std::move(table)) {}
   NameTable::Result find(std::string_view name);
+  [[nodiscard]] std::string expected_name() const;
   void report_unknown(Findings& findings, std::string_view field, std::string_view name) const;
 
   std::string kind_;

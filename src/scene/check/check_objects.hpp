@@ -19,6 +19,12 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
 void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table);
 void check_options(Findings& findings, const RunOptions& options);
 
+/// Warns of values of a radar that can be simulated and that nobody is likely to mean.
+void check_plausible_radar(Findings& findings, const Radar& radar);
+/// The same of a simulation by this radar. @param pulses  of its window; none where it is not sound
+void check_plausible_simulation(Findings& findings, const Scene& scene, const Simulation& simulation,
+                                const Radar& radar, const radar::PulseRange& pulses);
+
 /// Warns of products whose files would have one name.
 void check_file_names(Findings& findings, const Scene& scene);
 

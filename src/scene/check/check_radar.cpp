@@ -168,6 +168,7 @@ void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar) {
   check_carrier(findings, radar);
   check_beam(findings, radar);
   check_receiver(findings, radar);
+  check_plausible_radar(findings, radar);
 }
 
 std::optional<radar::Repetition> repetition_of(const Radar& radar) {

@@ -128,7 +128,7 @@ void check_samples(Findings& findings, const Simulation& simulation, double rows
                         value_text(radar::frequency_of_turns(0.5, simulation.range_end_m - simulation.range_start_m,
                                                              core::exact_light_speed_mps),
                                    "Hz")),
-                    .hint = "Samples lie c/(2 fs) apart."});
+                    .hint = "Samples lie c/(2 fs) apart. Scripts have ranges in metres."});
     return;
   }
   if (std::max(rows, 1.0) * columns > exact_integers)
@@ -216,7 +216,7 @@ void check_ranges(Findings& findings, const Simulation& simulation, const radar:
                     .found = value_text(simulation.range_end_m, "m"),
                     .expected = fmt::format("up to {:.6g} m, c/2 times the shortest pulse interval", unambiguous_m),
                     .hint = "Echoes from there come back after the next pulse has left; a row holds only the echoes of "
-                            "its own pulse."});
+                            "its own pulse. From orbit that is usual."});
 }
 
 void check_burst(Findings& findings, const Radar& radar, const radar::PulseRange& pulses) {
@@ -295,6 +295,7 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
   if (window_sound && rate_sound && rows_fit) check_samples(findings, simulation, static_cast<double>(pulses.count()));
   if (radar != nullptr && rate_sound) check_bandwidth(findings, simulation, *radar, scene.options.pulse);
   if (radar != nullptr && simulation.processing == Processing::srp) check_profile(findings, *radar, pulses);
+  if (radar != nullptr && rate_sound) check_plausible_simulation(findings, scene, simulation, *radar, pulses);
 }
 
 void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table) {

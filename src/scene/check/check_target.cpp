@@ -1,3 +1,7 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
 #include "scene/check/check_objects.hpp"
 #include "scene/check/check_values.hpp"
 #include "scene/model/limits.hpp"
@@ -8,11 +12,14 @@ namespace {
 
 void check_reflectivity(Findings& findings, const Target& target) {
   if (target.rcs_m2 < 0.0)
-    findings.warning(Consequence::lost_signal, "rcs_m2",
-                     {.message = "the radar cross-section is negative, which counts as zero: the target is not seen",
-                      .found = value_text(target.rcs_m2, "m2"),
-                      .expected = "a number above 0",
-                      .hint = {}});
+    findings.warning(
+        Consequence::lost_signal, "rcs_m2",
+        {.message = "the radar cross-section is negative, which counts as zero: the target is not seen",
+         .found = value_text(target.rcs_m2, "m2"),
+         .expected = "a number above 0",
+         .hint = target.rcs_m2 > -100.0 ? fmt::format("It is in m2, not in dBsm: {0:g} dBsm are {1:.4g} m2.",
+                                                      target.rcs_m2, std::pow(10.0, 0.1 * target.rcs_m2))
+                                        : std::string()});
   const bool used = target.reflectivity == Target::Reflectivity::directional && target.gain == Target::Gain::user;
   check_function(findings, {.field = "gain_db", .what = "reflectivity function", .parts = single_part, .used = used},
                  target.gain_db.part);

@@ -88,7 +88,10 @@ void report(const std::optional<Descent>& descent, const FunctionText& text, Rep
   if (!descent) return;
   reporter.error(descent->x_token, text.member,
                  {fmt::format("{} of the points of {} must ascend", text.block.x.name, subject_of(text)),
-                  shown(descent->x_token.text), fmt::format("more than {}", core::format_number(descent->above))});
+                  shown(descent->x_token.text), fmt::format("more than {}", core::format_number(descent->above)),
+                  text.block.count == 3 ? "the points of each coordinate stand together, with their number "
+                                          "before them: no rows of time, x, y and z"
+                                        : ""});
 }
 
 }  // namespace

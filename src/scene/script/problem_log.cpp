@@ -1,11 +1,14 @@
 #include "scene/script/problem_log.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
+#include "scene/schema/quantity.hpp"
 
 namespace sarsim::scene::script {
 
@@ -35,6 +38,19 @@ bool is_literal_too_large(std::string_view text) {
   return digits && core::parse_number(text.substr(0, mark)).has_value();
 }
 
+// A number with a unit, in another unit of the same quantity; nothing where it has none.
+std::optional<double> in_unit(std::string_view text, std::string_view unit) {
+  for (int q = 0; q <= static_cast<int>(Quantity::count); ++q) {
+    const auto quantity = static_cast<Quantity>(q);
+    const auto units = units_of(quantity);
+    if (std::ranges::find(units, unit) == units.end()) continue;
+    const std::optional<double> value = read_quantity(text, quantity).value;
+    const std::optional<double> one = read_quantity(fmt::format("1 {}", unit), quantity).value;
+    if (value && one) return core::tidy(*value / *one);
+  }
+  return std::nullopt;
+}
+
 std::string hint_for(std::string_view text, const Field& field) {
   if (text.find('$') != std::string_view::npos) return "a blank is missing before '$'";
   const std::size_t prefix = numeric_prefix(text);
@@ -42,6 +58,8 @@ std::string hint_for(std::string_view text, const Field& field) {
   const std::string_view number = text.substr(0, prefix);
   if (!all_letters(text.substr(prefix))) return {};
   if (field.unit.empty()) return fmt::format("write {}", number);
+  if (const auto converted = in_unit(text, field.unit))
+    return fmt::format("the unit is fixed ({}): write {}", field.unit, core::format_number(*converted));
   return fmt::format("the unit is fixed ({}): write {}", field.unit, number);
 }
 

@@ -110,7 +110,8 @@ std::optional<SarWindow> window_from_text(std::string_view text) {
   if (text.find(':') != std::string_view::npos) return std::nullopt;
   if (core::equal_ignoring_case(word, "rectangular")) return SarWindow{};
   if (core::equal_ignoring_case(word, "hamming")) return SarWindow{.kind = SarWindow::Kind::hamming};
-  if (core::equal_ignoring_case(word, "hann")) return SarWindow{.kind = SarWindow::Kind::hann};
+  if (core::equal_ignoring_case(word, "hann") || core::equal_ignoring_case(word, "hanning"))
+    return SarWindow{.kind = SarWindow::Kind::hann};
   return std::nullopt;
 }
 

@@ -28,8 +28,8 @@ struct SarWindow {
 /// The mean of the weights over the band.
 [[nodiscard]] double mean_weight(const SarWindow& window);
 
-/// "rectangular", "hamming", "hann", "kaiser", "kaiser:BETA", "taylor" or "taylor:DB:NBAR", ignoring case; nothing for
-/// another text or a parameter out of range (beta 0 to 20, 10 to 100 dB, nbar 1 to 30).
+/// "rectangular", "hamming", "hann" or "hanning", "kaiser", "kaiser:BETA", "taylor" or "taylor:DB:NBAR", ignoring case;
+/// nothing for another text or a parameter out of range (beta 0 to 20, 10 to 100 dB, nbar 1 to 30).
 [[nodiscard]] std::optional<SarWindow> window_from_text(std::string_view text);
 
 /// The text that `window_from_text` reads.

@@ -43,6 +43,7 @@ class SightRules {
     if (sights_.empty() || !plan_.scene->sheets.empty()) return;
     if (check_beam()) check_noise();
     check_ends();
+    check_passages();
     check_beam_band();
   }
 
@@ -72,6 +73,10 @@ class SightRules {
     const double best = best_pattern(sights_);
     const bool silent = sighted_.summary.strongest().amplitude_v == 0.0;
     if (silent && best >= least_pattern) {
+      // A negative cross-section was told of already.
+      if (std::ranges::all_of(sights_,
+                              [&](const TargetSight& s) { return sighted_.scene.targets[s.target].rcs_m2 < 0.0; }))
+        return false;
       add(core::Severity::warning, "simulation", "",
           "no echo is received: the targets reflect nothing to the radar while the beam is on them" + scope_, "",
           "a target with a radar cross-section above 0 that faces the radar", "");
@@ -113,7 +118,7 @@ class SightRules {
     if (meets(other)) return upwards(beam);
     other.azimuth_rad = beam.elevation_rad;
     other.elevation_rad = beam.azimuth_rad;
-    if (meets(other)) return "Azimuth and elevation look exchanged: the azimuth stands first.";
+    if (meets(other)) return "Azimuth and elevation look exchanged: in a script the elevation stands first.";
     other = beam;
     other.azimuth_rad = beam.azimuth_rad + core::pi;
     if (meets(other)) return "The beam points the opposite way: add 180 degrees to its azimuth.";
@@ -202,6 +207,27 @@ class SightRules {
     for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 5); ++i)
       text += (i > 0 ? ", " : "") + std::to_string(numbers[i]);
     return numbers.size() > 5 ? text + ", ..." : text;
+  }
+
+  // Targets that the beam is nearest to when the recording begins or ends, and not on: it passes them at other times.
+  void check_passages() {
+    if (plan_.radar.beam.kind != radar::Beam::Kind::fixed || plan_.pulses.count() < 16) return;
+    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    geometry.set_pulse(plan_.pulses.first);
+    if (core::norm(geometry.radar_pose().velocity_world_mps) == 0.0) return;
+    std::vector<std::size_t> missed;
+    for (const TargetSight& s : sights_)
+      if ((s.pulse == plan_.pulses.first || s.pulse == plan_.pulses.last) && s.best_pattern < good_pattern)
+        missed.push_back(s.target + 1);
+    if (missed.empty() || best_pattern(sights_) < least_pattern) return;
+    add(core::Severity::note, "simulation", "time_start_s",
+        fmt::format(
+            "the beam passes {} of {} targets ({}) before or after the azimuth window: their images are weak, at "
+            "its edge or outside of it{}",
+            missed.size(), sights_.size(), list_of(missed), scope_),
+        fmt::format("{} to {} s", core::format_number(plan_.simulation.time_start_s),
+                    core::format_number(plan_.simulation.time_end_s)),
+        "a window in which the beam passes all targets that are meant to be seen", "");
   }
 
   // Points that fill a surface stand a metre apart: at short wavelengths they form a lattice that reflects to the side.

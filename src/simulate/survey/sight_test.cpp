@@ -153,6 +153,18 @@ TEST(SightRules, WarnOfEchoesThatTheWindowCuts) {
   EXPECT_EQ(said(scene), "");
 }
 
+TEST(SightRules, NoteTargetsThatTheBeamPassesAtOtherTimes) {
+  scene::Scene scene = strip();
+  scene.targets.push_back(
+      target_on("Earth", {270.0, 0.0, 0.0}));  // 70 m beyond the end of 200 m, at 10 km: 0.4 degrees
+  const core::Problems problems = survey(scene);
+  ASSERT_EQ(problems.size(), 1U) << said(scene);
+  EXPECT_EQ(problems[0].severity, core::Severity::note);
+  EXPECT_THAT(problems[0].message, HasSubstr("passes 1 of 2 targets (2) before or after"));
+  scene.simulations[0].time_end_s = 1.5;
+  EXPECT_EQ(said(scene), "");
+}
+
 TEST(SightRules, DoNotAdviseALowerPrfFromOrbit) {
   scene::Scene scene = strip();
   scene.platforms[1] = moving("Plane", {0.0, -600e3, 600e3}, {7500.0, 0.0, 0.0});

@@ -51,6 +51,7 @@ void expect_outputs_to_be_free(const FocusRequest& request) {
   if (request.magnitude && (request.output.empty() || !is_envi(request.output)))
     throw core::Refused("--magnitude makes ENVI images", "name the output .img");
   const std::vector<fs::path> paths = outputs_of(request);
+  for (const fs::path& path : paths) expect_no_picture(path, "--out");
   OutputCare care{named_sources(request.input), request.force, "--out"};
   if (request.force)  // Otherwise nothing that exists is replaced.
     std::ranges::move(sources_of_script(script_of(request.input)), std::back_inserter(care.sources));

@@ -5,6 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/image/image_script.hpp"
@@ -52,6 +56,18 @@ double largest_of(const signal::FocusedRows& image, const core::StopFlag* stop) 
 }
 
 }  // namespace
+
+void expect_no_picture(const fs::path& path, std::string_view option) {
+  static constexpr std::string_view pictures[] = {".png", ".jpg", ".jpeg", ".tif", ".tiff",
+                                                  ".bmp", ".gif", ".svg",  ".pdf"};
+  const std::string extension = path.extension().string();
+  for (const std::string_view picture : pictures)
+    if (core::equal_ignoring_case(extension, picture))
+      throw core::Refused(
+          fmt::format("{} '{}' is the name of a picture, and an image is written as samples", option, path.string()),
+          fmt::format("name it {0}; 'sarsim plot {0} -o {1}' then draws it",
+                      fs::path(path).replace_extension(".img").string(), path.string()));
+}
 
 bool is_envi(const fs::path& path) { return !raster::format_from_path(path); }
 

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/task/stop.hpp"
@@ -12,6 +13,10 @@ namespace sarsim::workflow {
 
 /// Whether a path names an ENVI image: every extension that names no other format does.
 [[nodiscard]] bool is_envi(const std::filesystem::path& path);
+
+/// Refuses the name of a picture (.png, .tif ...): an image is samples, and `sarsim plot` makes a picture of it. The
+/// message begins with `option`.
+void expect_no_picture(const std::filesystem::path& path, std::string_view option);
 
 /// The image of magnitudes that goes with a complex one: "name-magnitude.img" for "name.img".
 [[nodiscard]] std::filesystem::path magnitude_path(const std::filesystem::path& path);

@@ -83,11 +83,13 @@ std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, co
   if (!given || !old || *given == 0.0 || *old == 0.0) return std::nullopt;
   const double ratio = std::abs(*given / *old);
   if (ratio < far && ratio > 1.0 / far) return std::nullopt;
+  std::string written = old_text;
+  std::erase(written, ' ');
   return core::problem_of(
       core::Severity::warning,
       fmt::format("--set {}: a number without a unit counts in {}", setting.substr(0, 80), units[0]),
       scene::quantity_text(*given, quantity), "a value near that of the script, " + old_text,
-      fmt::format("Write the unit, as in {}={}.", setting.substr(0, setting.find('=')), old_text));
+      fmt::format("Write the unit, as in {}={}.", setting.substr(0, setting.find('=')), written));
 }
 
 // One field after the other, so that a later one may need what an earlier one chose.
@@ -171,7 +173,8 @@ SceneInput looked_at(scene::ScriptReading reading, const SceneOverrides& overrid
   }
   if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems))
     append(reading.problems, problems_of_echoes(input, wanted, control));
-  if (scrutiny == Scrutiny::echoes && input.scene.simulations.empty() && input.scene.geometries.empty())
+  if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems) && input.scene.simulations.empty() &&
+      input.scene.geometries.empty())
     reading.problems.push_back(core::problem_of(core::Severity::warning, "the script asks for nothing", {},
                                                 "a product that is to be made", "add a $SIMULATION or a $GEOMETRY"));
   scene::locate(reading.problems, input.places);

@@ -133,6 +133,7 @@ void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, sce
 }  // namespace
 
 std::vector<fs::path> files_of_profiles(const fs::path& path) {
+  workflow::expect_no_picture(path, "--out");
   if (!workflow::is_envi(path)) return {path};
   return {path, fs::path(path).replace_extension(".hdr")};
 }

@@ -1,0 +1,246 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/rounding.hpp"
+#include "core/text/number_text.hpp"
+#include "radar/path/path.hpp"
+#include "scene/check/check_objects.hpp"
+#include "scene/check/check_values.hpp"
+#include "scene/model/format_values.hpp"
+#include "scene/model/limits.hpp"
+#include "scene/model/scene_index.hpp"
+
+/// Values that can be simulated and that nobody is likely to mean.
+namespace sarsim::scene {
+
+namespace {
+
+constexpr double least_time_bandwidth = 10.0;  // below it a chirp is no chirp: its spectrum has no band
+constexpr double most_oversampling = 20.0;
+constexpr double least_oversampling = 1.05;
+constexpr double widest_beam_deg = 40.0;
+constexpr double longest_extrapolation = 200.0;  // times the points of a trajectory
+
+bool has_band(const Radar& radar) { return radar.pulse == Radar::Pulse::chirp && radar.bandwidth_hz != 0.0; }
+
+std::optional<double> lowest_carrier_hz(const Radar& radar) {
+  if (radar.carrier == Radar::Carrier::single) return radar.carrier_hz;
+  if (radar.carrier == Radar::Carrier::stepped)
+    return std::min(radar.carrier_hz, radar.carrier_hz + radar.carrier_step_hz * (radar.carrier_steps - 1));
+  const auto& knots = radar.carrier_list_hz.part[0].knots;
+  if (knots.empty()) return std::nullopt;
+  return std::ranges::min_element(knots, {}, &core::Knot::y)->y;
+}
+
+void check_carrier_band(Findings& findings, const Radar& radar) {
+  constexpr double highest_hz = 1e12;
+  constexpr double lowest_hz = 1e5;
+  const double carrier_hz = radar.carrier_hz;
+  if (radar.carrier != Radar::Carrier::user && computable(carrier_hz) && carrier_hz > 0.0 &&
+      (carrier_hz > highest_hz || carrier_hz < lowest_hz)) {
+    const bool high = carrier_hz > highest_hz;
+    findings.warning(
+        Consequence::surprise, "carrier_hz",
+        {.message = fmt::format("the carrier frequency is {} those of radars", high ? "above" : "below"),
+         .found = value_text(carrier_hz, "Hz"),
+         .expected = "3 MHz to 1 THz",
+         .hint = high ? fmt::format("Scripts have it in GHz: {} is {}.", value_text(1e-3 * carrier_hz, "Hz"),
+                                    core::format_number(core::tidy(1e-12 * carrier_hz)))
+                      : "Scripts have it in GHz."});
+  }
+  const auto lowest = lowest_carrier_hz(radar);
+  if (!has_band(radar) || !lowest || !(*lowest > 0.0) || *lowest >= 0.5 * std::abs(radar.bandwidth_hz)) return;
+  findings.warning(Consequence::false_signal, "bandwidth_hz",
+                   {.message = "the chirp's band reaches below 0 Hz, where no radar transmits",
+                    .found = fmt::format("{} around a carrier of {}", value_text(std::abs(radar.bandwidth_hz), "Hz"),
+                                         value_text(*lowest, "Hz")),
+                    .expected = fmt::format("a bandwidth up to {}, twice the carrier", value_text(2.0 * *lowest, "Hz")),
+                    .hint = "What is computed is the formula, no wave: half of the band has no meaning."});
+}
+
+void check_time_bandwidth(Findings& findings, const Radar& radar) {
+  if (!has_band(radar) || radar.carrier == Radar::Carrier::stepped || !computable(radar.bandwidth_hz) ||
+      !(radar.pulse_width_s > 0.0))
+    return;
+  const double product = std::abs(radar.bandwidth_hz) * radar.pulse_width_s;
+  if (product >= least_time_bandwidth) return;
+  const bool short_unit = 1e3 * product >= least_time_bandwidth;
+  findings.warning(
+      Consequence::surprise, "pulse_width_s",
+      {.message = "the time-bandwidth product of the chirp is too small for pulse compression",
+       .found = fmt::format("{:.3g}: {} in {}", product, value_text(std::abs(radar.bandwidth_hz), "Hz"),
+                            value_text(radar.pulse_width_s, "s")),
+       .expected = fmt::format("{:.0f} or more", least_time_bandwidth),
+       .hint = short_unit ? fmt::format("Scripts have the pulse width in ns: {} is {}.",
+                                        value_text(1e3 * radar.pulse_width_s, "s"),
+                                        core::format_number(core::tidy(1e12 * radar.pulse_width_s)))
+                          : "Range resolution is that of the pulse, not c/(2 B). MONO is a pulse without a sweep."});
+}
+
+// Where the half power of sin(x)/x is: x = 1.39156, of the amplitude.
+void check_beamwidth(Findings& findings, std::string_view field, std::string_view cut, double width_deg) {
+  if (!(width_deg > widest_beam_deg)) return;
+  const double half = 1.391557 / (0.88 * core::pi) * width_deg * core::pi / 180.0;
+  findings.warning(
+      Consequence::surprise, field,
+      {.message = fmt::format("the {} beamwidth is too wide for a sin(x)/x beam", cut),
+       .found = value_text(width_deg, "deg"),
+       .expected = fmt::format("{:.0f} deg or less", widest_beam_deg),
+       .hint = half < 1.0 ? fmt::format("The beam's half-power width comes out as {:.1f} degrees, and nothing is "
+                                        "radiated beyond 90 degrees. Give such a beam by points (OTHER).",
+                                        2.0 * std::asin(half) * 180.0 / core::pi)
+                          : fmt::format("The beam never falls to half power: it ends at 90 degrees, {:.1f} dB below "
+                                        "its peak. Give such a beam by points (OTHER), or take ISOTROPIC.",
+                                        -20.0 * std::log10(std::sin(1.391557 / half) / (1.391557 / half)))});
+}
+
+void check_beams(Findings& findings, std::string_view field, const Antenna& antenna) {
+  if (antenna.pattern != Antenna::Pattern::sinx) return;
+  check_beamwidth(findings, field, "azimuth", antenna.azimuth_beamwidth.deg());
+  check_beamwidth(findings, field, "elevation", antenna.elevation_beamwidth.deg());
+}
+
+void check_hanning(Findings& findings, const Radar& radar) {
+  if (radar.window != Radar::Window::hanning || radar.hanning_pedestal != 1.0) return;
+  findings.warning(Consequence::surprise, "hanning_pedestal",
+                   {.message = "a Hanning window with the constant 1 is no window: all of its weights are 1",
+                    .found = "1",
+                    .expected = "0, the Hann window (side lobes of -31.5 dB), to 0.5",
+                    .hint = "Write RECT where no weighting is meant."});
+}
+
+void check_oversampling(Findings& findings, const Simulation& simulation, const Radar& radar) {
+  if (!has_band(radar) || !computable(radar.bandwidth_hz) || simulation.processing == Processing::srp) return;
+  const double bandwidth_hz = std::abs(radar.bandwidth_hz);
+  const double ratio = simulation.sample_rate_hz / bandwidth_hz;
+  const std::string found =
+      fmt::format("{}, {:.4g} times the bandwidth", value_text(simulation.sample_rate_hz, "Hz"), ratio);
+  if (ratio > most_oversampling)
+    findings.warning(Consequence::surprise, "sample_rate_hz",
+                     {.message = "the sampling frequency is far above the bandwidth of the pulse",
+                      .found = found,
+                      .expected = fmt::format("about {}", value_text(1.25 * bandwidth_hz, "Hz")),
+                      .hint = "Scripts have bandwidths and sampling frequencies in GHz. The file grows with the ratio "
+                              "and holds nothing more."});
+  else if (ratio < least_oversampling && ratio >= 1.0 - 1e-9)
+    findings.note("sample_rate_hz",
+                  {.message = "the sampling frequency hardly exceeds the bandwidth of the pulse: the skirts of its "
+                              "spectrum fold, and interpolation in range (focus, measure) errs by some per cent",
+                   .found = found,
+                   .expected = fmt::format("{} or more", value_text(1.2 * bandwidth_hz, "Hz")),
+                   .hint = {}});
+}
+
+// The filter of a band-limited pulse rings for 28 half bands before and after it (decision 7); what is cut off leaks.
+void check_kept_length(Findings& findings, const Simulation& simulation, const Radar& radar, PulseDefinition pulse) {
+  const auto bandwidth_hz = nominal_bandwidth_hz(radar);
+  if (pulse != PulseDefinition::band_limited || !(simulation.oversampling > 1.0) || !bandwidth_hz) return;
+  const double whole = 1.0 + 112.0 / std::max(1.0, *bandwidth_hz * radar.pulse_width_s);
+  const double wanted = std::min(std::ceil(10.0 * whole) / 10.0, 100.0);
+  if (simulation.width_factor >= wanted || !(simulation.width_factor >= 1.0)) return;
+  findings.warning(
+      Consequence::false_signal, "width_factor",
+      {.message = "the kept length cuts the band-limited pulse hard, and it is band-limited no more",
+       .found = value_text(simulation.width_factor, ""),
+       .expected = fmt::format("{:.1f}, which keeps all of it, or an over-sampling factor of 1", wanted),
+       .hint =
+           "Cut to its own length a chirp has -26 dB of its energy beyond its band; whole it has -120 dB or less."});
+}
+
+void check_single_precision(Findings& findings, const Simulation& simulation, const RunOptions& options) {
+  constexpr double of_a_float = 6e-8;
+  if (values_of(simulation.format) != SampleValues::volts) return;
+  if (options.tolerance < of_a_float)
+    findings.note("format", {.message = "the file holds single precision, which is coarser than the tolerance",
+                             .found = fmt::format("a tolerance of {:.3g}", options.tolerance),
+                             .expected = fmt::format("{:.0e} or more", of_a_float),
+                             .hint = "'sarsim run --double' writes double precision."});
+  if (simulation.bits < 8)
+    findings.note("bits", {.message = "volts are not quantised: the A/D converter takes no part in this format",
+                           .found = fmt::format("{} bits", simulation.bits),
+                           .expected = "a format of counts (BINARY, ASCII, BRACKET, CSV)",
+                           .hint = "'sarsim run --quantise' writes the converter's counts into HDF5 and NPY."});
+}
+
+void check_single_pulse(Findings& findings, const Simulation& simulation, const radar::Repetition& repetition,
+                        const radar::PulseRange& pulses) {
+  const double window_s = simulation.time_end_s - simulation.time_start_s;
+  // A hundredth of a second is no window for many pulses.
+  if (pulses.count() != 1 || !(window_s > 0.01)) return;
+  findings.warning(
+      Consequence::lost_signal, "time_end_s",
+      {.message = "the azimuth window holds a single pulse: nothing can be focused, and no Doppler measured",
+       .found = fmt::format("{} at a PRF of {}", value_text(window_s, "s"),
+                            value_text(1.0 / repetition.mean_interval_s(), "Hz")),
+       .expected = "many pulses, or a window of no length for one",
+       .hint = "Scripts have the PRF in Hz and times in s."});
+}
+
+// Straight lines through two points go on for ever, but hardly for hours where the points are seconds apart.
+void check_extrapolation(Findings& findings, const Simulation& simulation, const Platform& platform) {
+  if (platform.path != Platform::Path::trajectory) return;
+  double first_s = simulation.time_end_s;
+  double last_s = simulation.time_start_s;
+  for (const core::SampledFunction& part : platform.trajectory_m.part) {
+    if (part.knots.size() < 2) continue;
+    first_s = std::min(first_s, part.knots.front().x);
+    last_s = std::max(last_s, part.knots.back().x);
+  }
+  const double window_s = simulation.time_end_s - simulation.time_start_s;
+  if (!(last_s > first_s) || !(window_s > longest_extrapolation * (last_s - first_s))) return;
+  findings.warning(Consequence::surprise, "time_end_s",
+                   {.message = "the azimuth window is much longer than the points of the radar's trajectory reach",
+                    .found = fmt::format("{} of {}, in which the trajectory has points for {}",
+                                         value_text(window_s, "s"), platform.name, value_text(last_s - first_s, "s")),
+                    .expected = "a window about as long as the trajectory",
+                    .hint = "Times are in seconds. Beyond its points the trajectory is continued by its formula."});
+}
+
+struct Extension {
+  std::string_view extension;
+  FileFormat format;
+};
+
+void check_extension(Findings& findings, const Simulation& simulation) {
+  static constexpr Extension extensions[] = {
+      {".npy", FileFormat::npy}, {".h5", FileFormat::hdf5}, {".hdf5", FileFormat::hdf5}, {".csv", FileFormat::csv}};
+  const std::string extension = std::filesystem::path(simulation.file).extension().string();
+  for (const Extension& known : extensions) {
+    if (!core::equal_ignoring_case(extension, known.extension) || known.format == simulation.format) continue;
+    findings.warning(Consequence::surprise, "file",
+                     {.message = "the file's name is that of another format",
+                      .found = simulation.file,
+                      .expected = "an extension that fits the format of the simulation",
+                      .hint = "Programs that go by the name will not read it: change the name or the format."});
+  }
+}
+
+}  // namespace
+
+void check_plausible_radar(Findings& findings, const Radar& radar) {
+  check_carrier_band(findings, radar);
+  check_time_bandwidth(findings, radar);
+  check_beams(findings, "transmit_antenna", radar.transmit_antenna);
+  if (!radar.same_antenna) check_beams(findings, "receive_antenna", radar.receive_antenna);
+  check_hanning(findings, radar);
+}
+
+void check_plausible_simulation(Findings& findings, const Scene& scene, const Simulation& simulation,
+                                const Radar& radar, const radar::PulseRange& pulses) {
+  check_extension(findings, simulation);
+  check_single_precision(findings, simulation, scene.options);
+  check_kept_length(findings, simulation, radar, scene.options.pulse);
+  check_oversampling(findings, simulation, radar);
+  const auto repetition = repetition_of(radar);
+  if (!repetition) return;
+  if (is_sound<&Radar::prf_hz>(radar)) check_single_pulse(findings, simulation, *repetition, pulses);
+  const std::size_t platform = find_platform(scene, radar.platform);
+  if (platform != not_found) check_extrapolation(findings, simulation, scene.platforms[platform]);
+}
+
+}  // namespace sarsim::scene
