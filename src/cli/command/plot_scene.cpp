@@ -231,7 +231,7 @@ Plotted of_function(const PlotArguments& a, const workflow::SceneInput& input) {
   Plotted plotted;
   plotted.figure = picture::function_figure(scene::function_info(function.object, function.field),
                                             scene::function_of(function.object, function.field),
-                                            simulate::conventions_of(input.scene.options.profile).low_pass, a.compare);
+                                            simulate::interpolation_rules(input.scene.options), a.compare);
   if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/maths/constants.hpp"
 
@@ -34,7 +35,8 @@ Jet tapered_sinc_jet(double z) {
           s.curvature * taper.value + 2.0 * s.slope * taper.slope + s.value * taper.curvature};
 }
 
-// Solves the tridiagonal system in place (Thomas); diagonally dominant here, so no pivoting is needed.
+// Solves the tridiagonal system in place (Thomas). No pivoting is needed: all but the rows of a spline's ends dominate
+// their diagonals, and what is left of those after the first step does, too.
 void solve_tridiagonal(const std::vector<double>& lower, std::vector<double> diagonal, const std::vector<double>& upper,
                        std::vector<double>& right) {
   for (std::size_t i = 1; i < right.size(); ++i) {
@@ -50,11 +52,11 @@ void solve_tridiagonal(const std::vector<double>& lower, std::vector<double> dia
 
 }  // namespace
 
-Interpolator::Interpolator(const SampledFunction& function, LowPassRule rule, double y_scale)
-    : method_(function.method), rule_(rule), knots_(function.knots) {
+Interpolator::Interpolator(const SampledFunction& function, InterpolationRules rules, double y_scale)
+    : method_(function.method), rule_(rules.low_pass), knots_(function.knots) {
   for (Knot& knot : knots_) knot.y *= y_scale;
   if (knots_.size() < 2) return;
-  if (method_ == Interpolation::cubic) prepare_cubic();
+  if (method_ == Interpolation::cubic) prepare_cubic(rules.cubic_ends);
   if (method_ == Interpolation::low_pass) prepare_low_pass();
 }
 
@@ -98,27 +100,40 @@ Jet Interpolator::linear_jet(double x) const {
   return {a.y + slope * (x - a.x), slope, 0.0};
 }
 
-void Interpolator::prepare_cubic() {
+void Interpolator::prepare_cubic(CubicEnds ends) {
   const std::size_t count = knots_.size();
   const auto width = [&](std::size_t i) { return knots_[i + 1].x - knots_[i].x; };
   const auto chord = [&](std::size_t i) { return (knots_[i + 1].y - knots_[i].y) / width(i); };
-  slopes_.assign(count, 0.0);
-  slopes_.front() = chord(0);
-  slopes_.back() = chord(count - 2);
+  slopes_ = {chord(0), chord(count - 2)};
   if (count == 2) return;
-  std::vector<double> lower(count - 2), diagonal(count - 2), upper(count - 2), right(count - 2);
+  std::vector<double> lower(count), diagonal(count, 1.0), upper(count), right(count);
   for (std::size_t i = 1; i + 1 < count; ++i) {
-    const double left_width = width(i - 1);
-    const double right_width = width(i);
-    lower[i - 1] = right_width;
-    diagonal[i - 1] = 2.0 * (left_width + right_width);
-    upper[i - 1] = left_width;
-    right[i - 1] = 3.0 * (right_width * chord(i - 1) + left_width * chord(i));
+    lower[i] = width(i);
+    diagonal[i] = 2.0 * (width(i - 1) + width(i));
+    upper[i] = width(i - 1);
+    right[i] = 3.0 * (width(i) * chord(i - 1) + width(i - 1) * chord(i));
   }
-  right.front() -= lower.front() * slopes_.front();
-  right.back() -= upper.back() * slopes_.back();
+  right.front() = chord(0);
+  right.back() = chord(count - 2);
+  if (ends == CubicEnds::not_a_knot) {
+    // End slope and its neighbour's, from equal third derivatives on both sides of the knot next to the end. Of three
+    // knots that is one knot, and the second equation is a parabola's: the mean of two slopes is the chord's.
+    const auto equation = [](double outer, double inner, double outer_chord, double inner_chord) {
+      return ((outer + 2.0 * (outer + inner)) * inner * outer_chord + outer * outer * inner_chord) / (outer + inner);
+    };
+    diagonal.front() = width(1);
+    upper.front() = width(0) + width(1);
+    right.front() = equation(width(0), width(1), chord(0), chord(1));
+    diagonal.back() = width(count - 3);
+    lower.back() = width(count - 2) + width(count - 3);
+    right.back() = equation(width(count - 2), width(count - 3), chord(count - 2), chord(count - 3));
+    if (count == 3) {
+      diagonal.back() = lower.back() = 1.0;
+      right.back() = 2.0 * chord(1);
+    }
+  }
   solve_tridiagonal(lower, diagonal, upper, right);
-  std::ranges::copy(right, slopes_.begin() + 1);
+  slopes_ = std::move(right);
 }
 
 Jet Interpolator::cubic_jet(double x) const {

@@ -19,12 +19,23 @@ enum class LowPassRule {
   origin,      ///< Anchored at x = 0, bare sinc of 21 terms, decaying to 0 outside (the 1998 programs).
 };
 
+/// How sampled functions are continued and completed, whatever their method.
+struct InterpolationRules {
+  LowPassRule low_pass = LowPassRule::first_knot;
+  CubicEnds cubic_ends = CubicEnds::chords;
+
+  constexpr InterpolationRules() = default;
+  constexpr InterpolationRules(LowPassRule low_pass_rule, CubicEnds ends = CubicEnds::chords)
+      : low_pass(low_pass_rule), cubic_ends(ends) {}
+};
+
 /// Evaluates a sampled function. No knots: 0; one knot: constant, for every method.
 ///
 /// - linear: straight lines, the first and last of them extended; a knot belongs to the segment on its right, so that
 ///   the slope at a knot is the slope to the right.
-/// - cubic: the clamped spline through the true knots (de Boor, "A Practical Guide to Splines", ch. IV) whose end
-///   slopes are those of the first and last chord; continued by straight lines outside.
+/// - cubic: the spline through the true knots (de Boor, "A Practical Guide to Splines", ch. IV) with the end slopes of
+///   CubicEnds; not a knot, it is the straight line through two knots and the parabola through three. Continued by
+///   straight lines outside.
 /// - low pass: sum over the nearest 21 grid points of a_k sinc(u - k), u = (x - anchor)/step,
 ///   step = (last - first)/(count - 1); a_k is the mean of the knots within half a step of grid point k (thesis 4.6.1).
 ///   With LowPassRule::first_knot the sinc carries a Hann taper that ends 11 steps away (22 points then), the weights
@@ -36,8 +47,7 @@ class Interpolator {
   Interpolator() = default;
   /// Prepares a function.
   /// @param y_scale  factor on its values: from units of a script to SI units
-  explicit Interpolator(const SampledFunction& function, LowPassRule rule = LowPassRule::first_knot,
-                        double y_scale = 1.0);
+  explicit Interpolator(const SampledFunction& function, InterpolationRules rules = {}, double y_scale = 1.0);
 
   [[nodiscard]] double value(double x) const { return jet(x).value; }
   /// Third derivative, to the right where it jumps. Exact for straight lines and cubics; for low pass the quotient of
@@ -54,7 +64,7 @@ class Interpolator {
   [[nodiscard]] Jet cubic_jet(double x) const;
   [[nodiscard]] Jet tapered_jet(double x) const;
   [[nodiscard]] Jet bare_sinc_jet(double x) const;
-  void prepare_cubic();
+  void prepare_cubic(CubicEnds ends);
   void prepare_low_pass();
 
   Interpolation method_ = Interpolation::linear;

@@ -153,6 +153,88 @@ TEST(CubicInterpolator, IsTheMirrorImageOfThatOfMirroredKnots) {
   for (double x = -5.0; x < 10.0; x += 0.31) EXPECT_NEAR(f.value(x), g.value(-x), 500.0 * epsilon);
 }
 
+Interpolator not_a_knot(std::vector<Knot> knots) {
+  return Interpolator(SampledFunction{Interpolation::cubic, std::move(knots)},
+                      {LowPassRule::first_knot, CubicEnds::not_a_knot});
+}
+
+TEST(NotAKnot, ReproducesCubicPolynomialsOnUnevenKnots) {
+  const auto p = [](double x) { return 2.0 + x * (-0.75 + x * (0.3 - 0.125 * x)); };
+  const auto slope = [](double x) { return -0.75 + x * (0.6 - 0.375 * x); };
+  for (const std::size_t count : {4U, 5U, 9U, 30U}) {
+    std::vector<Knot> knots = uneven_knots(1, count);
+    for (Knot& knot : knots) knot.y = p(knot.x);
+    const Interpolator f = not_a_knot(knots);
+    const double first = knots.front().x, last = knots.back().x;
+    const double largest = std::abs(p(first)) + std::abs(p(last)) + 10.0;
+    for (int i = 0; i <= 100; ++i) {
+      const double x = first + (last - first) * i / 100.0;
+      ASSERT_NEAR(f.jet(x).value, p(x), 100.0 * epsilon * largest) << count << ' ' << x;
+      ASSERT_NEAR(f.jet(x).slope, slope(x), 1000.0 * epsilon * largest) << count << ' ' << x;
+    }
+    // Straight lines outside.
+    EXPECT_NEAR(f.value(last + 3.0), p(last) + 3.0 * slope(last), 4000.0 * epsilon * largest);
+  }
+}
+
+TEST(NotAKnot, IsTheParabolaThroughThreeKnotsAndTheLineThroughTwo) {
+  const Interpolator parabola = not_a_knot({{0.0, 1.0}, {1.0, 0.0}, {3.0, 4.0}});  // (x - 1)^2
+  for (const double x : {0.0, 0.3, 1.0, 2.2, 3.0}) {
+    EXPECT_NEAR(parabola.jet(x).value, (x - 1.0) * (x - 1.0), 16.0 * epsilon);
+    EXPECT_NEAR(parabola.jet(x).slope, 2.0 * (x - 1.0), 16.0 * epsilon);
+  }
+  EXPECT_NEAR(not_a_knot({{1.0, 2.0}, {3.0, 8.0}}).value(2.5), 6.5, 8.0 * epsilon);
+  EXPECT_EQ(not_a_knot({{1.0, 2.0}}).value(7.0), 2.0);
+}
+
+// Through (0,0) (1,0) (2,1) (3,0) (4,0) one cubic reaches from 0 to 2, level at 2 by symmetry: x (x - 1) (2 - 3/4 x).
+TEST(NotAKnot, MatchesTheHandCalculationOnFiveKnots) {
+  const Interpolator f = not_a_knot({{0.0, 0.0}, {1.0, 0.0}, {2.0, 1.0}, {3.0, 0.0}, {4.0, 0.0}});
+  EXPECT_NEAR(f.jet(0.0).slope, -2.0, 32.0 * epsilon);
+  EXPECT_NEAR(f.value(0.5), -0.40625, 32.0 * epsilon);
+  EXPECT_NEAR(f.value(1.5), 0.75 * (2.0 - 1.125), 32.0 * epsilon);
+  EXPECT_NEAR(f.value(3.5), -0.40625, 32.0 * epsilon);
+  EXPECT_NEAR(f.jet(2.0).slope, 0.0, 32.0 * epsilon);
+}
+
+TEST(NotAKnot, HasEqualThirdDerivativesOnBothSidesOfTheKnotsNextToTheEnds) {
+  for (const unsigned seed : {2U, 3U}) {
+    const std::vector<Knot> knots = uneven_knots(seed, 12);
+    const Interpolator f = not_a_knot(knots);
+    constexpr double d = 1e-6;
+    for (const std::size_t i : {std::size_t{1}, knots.size() - 2}) {
+      const double left = f.third_derivative(knots[i].x - d), right = f.third_derivative(knots[i].x + d);
+      EXPECT_NEAR(left, right, 1e5 * epsilon * (1.0 + std::abs(left)));
+    }
+    for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
+      EXPECT_NEAR(f.value(knots[i].x), knots[i].y, 100.0 * epsilon);
+      EXPECT_NEAR(f.jet(knots[i].x - d).curvature, f.jet(knots[i].x + d).curvature, 4.0 * d * 1000.0);
+    }
+  }
+}
+
+// A circular orbit at 700 km, a point every 10 s, of acceleration a: the slope of a chord is wrong by a h/2, which
+// moves the path by 0.08 a h^2 near the ends (64 m) and dies by 2 - sqrt(3) from point to point. Not a knot leaves 1/38
+// of the fourth derivative times h^4 there and 1/384 inside.
+TEST(NotAKnot, FollowsAnOrbitWhereChordsLoseTensOfMetres) {
+  constexpr double radius_m = 7.071e6, rate = 1.0617e-3, h = 10.0;
+  std::vector<Knot> knots;
+  for (int i = -12; i <= 12; ++i) knots.push_back({h * i, radius_m * std::cos(rate * h * i)});
+  const auto worst = [&](const Interpolator& f, double from, double to) {
+    double error = 0.0;
+    for (double t = from; t <= to; t += 0.1)
+      error = std::max(error, std::abs(f.value(t) - radius_m * std::cos(rate * t)));
+    return error;
+  };
+  constexpr double a = radius_m * rate * rate;
+  constexpr double fourth = a * rate * rate * h * h * h * h;
+  const Interpolator chords = through(Interpolation::cubic, knots), smooth = not_a_knot(knots);
+  EXPECT_NEAR(worst(chords, -120.0, -110.0) / (a * h * h), 0.08, 0.008);
+  EXPECT_NEAR(worst(chords, -100.0, -90.0) / worst(chords, -110.0, -100.0), 2.0 - std::sqrt(3.0), 0.01);
+  EXPECT_NEAR(worst(smooth, -120.0, -110.0) / fourth, 1.0 / 38.0, 0.1 / 38.0);
+  EXPECT_NEAR(worst(smooth, -20.0, 20.0) / fourth, 1.0 / 384.0, 0.1 / 384.0);
+}
+
 // Central differences over +-h err by h^2/6 |f'''| in the slope and h^2/12 |f''''| in the curvature, and by rounding
 // R/h and 4 R/h^2 with R the rounding of a value. Pieces are about 1 wide with ordinates within 1: third and fourth
 // derivatives stay below 1000 (tapered sincs: 22 terms, each below pi^3/4 and pi^4/5, plus the normalisation), R below

@@ -23,4 +23,10 @@ struct SampledFunction {
   friend bool operator==(const SampledFunction&, const SampledFunction&) = default;
 };
 
+/// What a cubic spline does at its first and last knot (decision 17).
+enum class CubicEnds {
+  chords,      ///< Slopes of the first and last chord: wrong by half a segment's bend, an error that decays inwards.
+  not_a_knot,  ///< One cubic through the first three knots and one through the last three: a cubic is met exactly.
+};
+
 }  // namespace sarsim::core

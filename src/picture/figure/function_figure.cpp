@@ -34,7 +34,7 @@ std::pair<double, double> seen(const scene::FunctionInfo& info, const core::Samp
   return {std::max(first - more, info.x_limits[0]), std::min(last + more, info.x_limits[1])};
 }
 
-FigureCurve curve_of(const core::SampledFunction& part, const Method& method, core::LowPassRule rule,
+FigureCurve curve_of(const core::SampledFunction& part, const Method& method, core::InterpolationRules rule,
                      std::pair<double, double> x) {
   core::SampledFunction function = part;
   function.method = method.interpolation;
@@ -66,7 +66,7 @@ void add_bars(FigurePanel& panel, const core::SampledFunction& part) {
 }
 
 void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const core::SampledFunction& part,
-                core::LowPassRule rule, bool compare) {
+                core::InterpolationRules rule, bool compare) {
   const auto x = seen(info, part);
   std::tie(panel.x.first, panel.x.last) = x;
   std::vector<double> values;
@@ -86,8 +86,8 @@ void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const core:
 
 }  // namespace
 
-Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDraft& function, core::LowPassRule rule,
-                       bool compare) {
+Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDraft& function,
+                       core::InterpolationRules rule, bool compare) {
   Figure figure;
   figure.title = info.title;
   const bool all_constant = std::ranges::all_of(function.parts, constant);

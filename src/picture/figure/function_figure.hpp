@@ -11,6 +11,6 @@ namespace sarsim::picture {
 /// @param rule     of low-pass interpolation
 /// @param compare  all three interpolations, not only the one chosen
 [[nodiscard]] Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDraft& function,
-                                     core::LowPassRule rule, bool compare);
+                                     core::InterpolationRules rule, bool compare);
 
 }  // namespace sarsim::picture

@@ -173,7 +173,7 @@ struct Path {
 };
 
 // @param platform  cleaned
-Path path_of(const scene::Platform& platform, core::LowPassRule rule) {
+Path path_of(const scene::Platform& platform, core::InterpolationRules rule) {
   Path path;
   if (platform.path != scene::Platform::Path::trajectory) return path;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -302,7 +302,7 @@ void SnapshotMaker::Prepared::add_platforms(const scene::Scene& frames) {
   resolved = simulate::resolve(frames);
   paths.clear();
   for (const scene::Platform& platform : frames.platforms)
-    paths.push_back(path_of(platform, resolved.conventions.low_pass));
+    paths.push_back(path_of(platform, simulate::interpolation_rules(resolved.options)));
 }
 
 void SnapshotMaker::Prepared::add_targets(const scene::Scene& scene, PlatformFinder& platform_of) {

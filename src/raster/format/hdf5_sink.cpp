@@ -158,8 +158,10 @@ void Hdf5Sink::write_attributes() {
          put("processing", std::string(name_of(product_.processing))) &&
          put("profile", std::string(name_of(options.profile))) && put("pulse", std::string(name_of(options.pulse))) &&
          put("seed", H5T_STD_U64LE, static_cast<const void*>(&options.seed)) && put("engine", product_.engine) &&
-         put("tolerance", options.tolerance) && put("sample_rate_hz", product_.sample_rate_hz) &&
-         put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v));
+         put("tolerance", options.tolerance) &&
+         put("cubic_ends", std::string(options.cubic_ends == core::CubicEnds::not_a_knot ? "not_a_knot" : "chords")) &&
+         put("sample_rate_hz", product_.sample_rate_hz) && put("bits", static_cast<std::int32_t>(product_.bits)) &&
+         put("lsb_v", product_.lsb_v));
 }
 
 void Hdf5Sink::create_datasets() {

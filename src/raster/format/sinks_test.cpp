@@ -298,6 +298,7 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   EXPECT_EQ(attributes.at("radar"), "Radar1");
   EXPECT_EQ(attributes.at("format_version"), "1");
   EXPECT_EQ(attributes.at("tolerance"), "1E-06");
+  EXPECT_EQ(attributes.at("cubic_ends"), "chords");
   EXPECT_FALSE(attributes.at("program_version").empty());
   const auto axes = opened.raster->axes();
   ASSERT_TRUE(axes);

@@ -118,6 +118,7 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
   packer.put(product.options.seed);
   packer.put(static_cast<std::uint64_t>(product.options.pulse));
   packer.put_real(product.options.tolerance);
+  packer.put(static_cast<std::uint64_t>(product.options.cubic_ends));
   packer.put_text(product.engine);
   packer.put_text(product.script);
   packer.put(static_cast<std::uint64_t>(stored.options.format));
@@ -151,6 +152,7 @@ StoredProduct load_product(const std::filesystem::path& path) {
   product.options.seed = from.word();
   product.options.pulse = static_cast<scene::PulseDefinition>(from.word());
   product.options.tolerance = from.real();
+  product.options.cubic_ends = static_cast<core::CubicEnds>(from.word());
   product.engine = from.text();
   product.script = from.text();
   stored.options.format = static_cast<scene::FileFormat>(from.word());

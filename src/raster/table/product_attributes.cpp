@@ -74,6 +74,10 @@ void take_origin(const FileAttributes& attributes, simulate::Product& product) {
   });
   take("seed", [&](const std::string& text) { return take_whole(text, options.seed); });
   take("tolerance", [&](const std::string& text) { return take_number(text, options.tolerance); });
+  take("cubic_ends", [&](const std::string& text) {
+    return take_word(text, {{"chords", core::CubicEnds::chords}, {"not_a_knot", core::CubicEnds::not_a_knot}},
+                     options.cubic_ends);
+  });
 }
 
 }  // namespace sarsim::raster

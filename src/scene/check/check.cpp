@@ -89,6 +89,7 @@ core::Problems check(const Scene& scene, const core::WorkControl& control) {
   check_each(findings, "geometry", scene.geometries,
              [&](const GeometryTable& g) { check_geometry_table(findings, radars, scene, g); });
   check_file_names(findings, scene);
+  check_paths_between_points(findings, scene);
   findings.about("options", 0);
   check_options(findings, scene.options);
   platforms.report_undefined_earth(findings);

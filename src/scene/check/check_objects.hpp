@@ -17,6 +17,9 @@ void check_surface(Findings& findings, NameCheck& platforms, const Surface& surf
 void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar);
 void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene, const Simulation& simulation);
 void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table);
+/// Warns of paths that may miss what their points are taken from, between them, by more than a sixteenth of the
+/// wavelength of a radar that looks: a quarter of pi in the phase of an echo.
+void check_paths_between_points(Findings& findings, const Scene& scene);
 void check_options(Findings& findings, const RunOptions& options);
 
 /// Warns of values of a radar that can be simulated and that nobody is likely to mean.

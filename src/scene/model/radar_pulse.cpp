@@ -2,7 +2,7 @@
 
 namespace sarsim::scene {
 
-radar::Pulse pulse_of(const Radar& radar, core::LowPassRule rule) {
+radar::Pulse pulse_of(const Radar& radar, core::InterpolationRules rules) {
   radar::Pulse pulse;
   pulse.width_s = radar.pulse_width_s;
   switch (radar.pulse) {
@@ -17,8 +17,8 @@ radar::Pulse pulse_of(const Radar& radar, core::LowPassRule rule) {
       break;
     case Radar::Pulse::user:
       pulse.kind = radar::Pulse::Kind::user;
-      pulse.in_phase = core::Interpolator(radar.pulse_iq.part[0], rule);
-      pulse.quadrature = core::Interpolator(radar.pulse_iq.part[1], rule);
+      pulse.in_phase = core::Interpolator(radar.pulse_iq.part[0], rules);
+      pulse.quadrature = core::Interpolator(radar.pulse_iq.part[1], rules);
       break;
   }
   switch (radar.envelope) {
@@ -30,7 +30,7 @@ radar::Pulse pulse_of(const Radar& radar, core::LowPassRule rule) {
       break;
     case Radar::Envelope::user:
       pulse.envelope = radar::Pulse::Envelope::user;
-      pulse.envelope_gain = core::Interpolator(radar.envelope_gain.part[0], rule);
+      pulse.envelope_gain = core::Interpolator(radar.envelope_gain.part[0], rules);
       break;
   }
   return pulse;

@@ -7,6 +7,6 @@
 namespace sarsim::scene {
 
 /// The pulse that a radar sends, its functions ready to be evaluated. The radar has passed `check`.
-[[nodiscard]] radar::Pulse pulse_of(const Radar& radar, core::LowPassRule rule = core::LowPassRule::first_knot);
+[[nodiscard]] radar::Pulse pulse_of(const Radar& radar, core::InterpolationRules rules = {});
 
 }  // namespace sarsim::scene

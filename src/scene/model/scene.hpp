@@ -222,6 +222,7 @@ struct RunOptions {
   std::uint64_t seed = 1;
   PulseDefinition pulse = PulseDefinition::ideal;
   double tolerance = 1e-6;
+  core::CubicEnds cubic_ends = core::CubicEnds::chords;  ///< Of every function given by points, CUBIC (decision 17).
 
   friend bool operator==(const RunOptions&, const RunOptions&) = default;
 };

@@ -36,6 +36,15 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
          .range = above_zero,
          .usable = Range{1e-12, 0.1},
          .tip = "Largest error of the echoes that a fast method may make, relative to the echo; 1e-12 to 0.1."});
+    table.add<&RunOptions::cubic_ends>(
+        {.id = "cubic_ends",
+         .label = "Ends of CUBIC",
+         .words = "rule for the ends of cubic functions",
+         .choices = {{"CHORDS", core::CubicEnds::chords, "Chords", "slopes of the first and last chord, as since 1998"},
+                     {"NOT_A_KNOT", core::CubicEnds::not_a_knot, "Not a knot",
+                      "one cubic through the first three points and one through the last three"}},
+         .tip = "What CUBIC functions do at their first and last point: the slope of a chord, or what the next points "
+                "say, which orbits and other bent paths need."});
     return table;
   }();
   return made;

@@ -132,7 +132,8 @@ Order<GeometryTable> script_order() {
 
 template <>
 Order<RunOptions> script_order() {
-  return order<&RunOptions::profile, &RunOptions::seed, &RunOptions::pulse, &RunOptions::tolerance>();
+  return order<&RunOptions::profile, &RunOptions::seed, &RunOptions::pulse, &RunOptions::tolerance,
+               &RunOptions::cubic_ends>();
 }
 
 std::string option_key(const FieldSpec& spec) {

@@ -23,4 +23,8 @@ Conventions conventions_of(scene::Profile profile) {
   return conventions;
 }
 
+core::InterpolationRules interpolation_rules(const scene::RunOptions& options) {
+  return {conventions_of(options.profile).low_pass, options.cubic_ends};
+}
+
 }  // namespace sarsim::simulate

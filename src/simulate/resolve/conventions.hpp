@@ -32,5 +32,7 @@ struct Conventions {
 
 /// What a profile stands for.
 [[nodiscard]] Conventions conventions_of(scene::Profile profile);
+/// How functions given by points are continued, by profile and option.
+[[nodiscard]] core::InterpolationRules interpolation_rules(const scene::RunOptions& options);
 
 }  // namespace sarsim::simulate

@@ -16,7 +16,7 @@ namespace sarsim::simulate {
 
 namespace {
 
-std::array<core::Interpolator, 3> three(const scene::UserFunction<3>& function, core::LowPassRule rule,
+std::array<core::Interpolator, 3> three(const scene::UserFunction<3>& function, core::InterpolationRules rule,
                                         double scale = 1.0) {
   return {core::Interpolator(function.part[0], rule, scale), core::Interpolator(function.part[1], rule, scale),
           core::Interpolator(function.part[2], rule, scale)};
@@ -30,7 +30,7 @@ std::array<double, 3> radians(const std::array<core::Angle, 3>& angles) {
   return {angles[0].rad(), angles[1].rad(), angles[2].rad()};
 }
 
-radar::Motion motion_of(const scene::Platform& platform, core::LowPassRule rule) {
+radar::Motion motion_of(const scene::Platform& platform, core::InterpolationRules rule) {
   radar::Motion motion;
   if (platform.path == scene::Platform::Path::trajectory)
     motion.position_m = three(platform.trajectory_m, rule);
@@ -70,7 +70,7 @@ Scatterer scatterer_of(const scene::Target& target, std::uint32_t platform, Reso
     s.elevation_stddev_rad = target.elevation_stddev.rad();
     if (s.law == radar::ReflectivityLaw::user) {
       s.gain_curve = static_cast<std::uint32_t>(resolved.gain_curves.size());
-      resolved.gain_curves.emplace_back(target.gain_db.part[0], resolved.conventions.low_pass);
+      resolved.gain_curves.emplace_back(target.gain_db.part[0], interpolation_rules(resolved.options));
     }
   }
   s.jittered = s.position_stddev_m != core::Vec3{} || s.rcs_stddev_m2 != 0.0 || s.azimuth_stddev_rad != 0.0 ||
@@ -95,7 +95,7 @@ radar::CarrierPlan carrier_of(const scene::Radar& radar) {
   return radar::CarrierPlan::single(radar.carrier_hz);
 }
 
-radar::AntennaPattern pattern_of(const scene::Antenna& antenna, core::LowPassRule rule) {
+radar::AntennaPattern pattern_of(const scene::Antenna& antenna, core::InterpolationRules rule) {
   radar::AntennaPattern pattern;
   switch (antenna.pattern) {
     case scene::Antenna::Pattern::isotropic: break;
@@ -113,7 +113,7 @@ radar::AntennaPattern pattern_of(const scene::Antenna& antenna, core::LowPassRul
   return pattern;
 }
 
-radar::Beam beam_of(const scene::Radar& radar, core::LowPassRule rule) {
+radar::Beam beam_of(const scene::Radar& radar, core::InterpolationRules rule) {
   radar::Beam beam;
   beam.azimuth_rad = radar.beam_azimuth.rad();
   beam.elevation_rad = radar.beam_elevation.rad();
@@ -131,7 +131,7 @@ radar::Beam beam_of(const scene::Radar& radar, core::LowPassRule rule) {
   return beam;
 }
 
-signal::WindowFunction window_of(const scene::Radar& radar, core::LowPassRule rule) {
+signal::WindowFunction window_of(const scene::Radar& radar, core::InterpolationRules rule) {
   switch (radar.window) {
     case scene::Radar::Window::rectangular: break;
     case scene::Radar::Window::hanning:
@@ -183,7 +183,7 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   ResolvedScene resolved;
   resolved.conventions = conventions_of(scene.options.profile);
   resolved.options = scene.options;
-  const core::LowPassRule rule = resolved.conventions.low_pass;
+  const core::InterpolationRules rule = interpolation_rules(scene.options);
   for (const scene::Platform& platform : scene.platforms)
     resolved.platforms.push_back(
         {platform.name, radar::Track(motion_of(platform, rule), scene.options.seed, platform.name), {}, 0.0});
@@ -216,7 +216,7 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
 ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar_index) {
   CORE_EXPECT(radar_index < scene.radars.size());
   const scene::Radar& radar = scene.radars.at(radar_index);
-  const core::LowPassRule rule = resolved.conventions.low_pass;
+  const core::InterpolationRules rule = interpolation_rules(resolved.options);
   ResolvedRadar r;
   r.name = radar.name;
   scene::SceneIndex names(scene);

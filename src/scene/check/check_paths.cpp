@@ -1,0 +1,102 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
+#include "scene/check/check_objects.hpp"
+#include "scene/check/path_error.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+constexpr double tolerated_wavelengths = 1.0 / 16.0;
+
+// A radar that looks: its shortest wavelength and the time of one of its recordings.
+struct Look {
+  std::string radar;
+  double wavelength_m = 0.0;
+  double from_s = 0.0;
+  double to_s = 0.0;
+};
+
+double highest_carrier_hz(const Radar& radar) {
+  double highest_hz = radar.carrier_hz;
+  if (radar.carrier == Radar::Carrier::stepped)
+    highest_hz = std::max(highest_hz, highest_hz + radar.carrier_step_hz * (radar.carrier_steps - 1));
+  if (radar.carrier == Radar::Carrier::user && !radar.carrier_list_hz.part[0].knots.empty())
+    highest_hz = std::ranges::max(radar.carrier_list_hz.part[0].knots, {}, &core::Knot::y).y;
+  return highest_hz;
+}
+
+std::vector<Look> looks_of(const Scene& scene) {
+  std::vector<Look> looks;
+  for (const Simulation& simulation : scene.simulations) {
+    const std::size_t radar = find_radar(scene, simulation.radar);
+    if (radar == not_found) continue;
+    const double carrier_hz = highest_carrier_hz(scene.radars[radar]);
+    if (!(carrier_hz > 0.0) || !std::isfinite(carrier_hz)) continue;
+    looks.push_back({scene.radars[radar].name, radar::wavelength_of(carrier_hz, core::exact_light_speed_mps),
+                     simulation.time_start_s, simulation.time_end_s});
+  }
+  return looks;
+}
+
+bool sound(const core::SampledFunction& part) {
+  const auto finite = [](const core::Knot& knot) { return std::isfinite(knot.x) && std::isfinite(knot.y); };
+  const auto not_ascending = [](const core::Knot& a, const core::Knot& b) { return !(a.x < b.x); };
+  return std::ranges::all_of(part.knots, finite) &&
+         std::ranges::adjacent_find(part.knots, not_ascending) == part.knots.end();
+}
+
+std::string hint_of(const Platform& platform, const core::InterpolationRules& rules) {
+  const auto takes = [&](core::Interpolation method) {
+    return std::ranges::any_of(platform.trajectory_m.part, [&](const core::SampledFunction& part) {
+      return part.method == method && part.knots.size() > 2;
+    });
+  };
+  const bool chords = rules.cubic_ends == core::CubicEnds::chords;
+  const std::string ends = chords ? " and CUBIC_ENDS NOT_A_KNOT in $OPTIONS" : "";
+  if (takes(core::Interpolation::linear) || takes(core::Interpolation::low_pass))
+    return "Take CUBIC" + ends + ", or give more points.";
+  if (chords) return "Set CUBIC_ENDS NOT_A_KNOT in $OPTIONS, or give more points.";
+  return "Give more points.";
+}
+
+}  // namespace
+
+void check_paths_between_points(Findings& findings, const Scene& scene) {
+  const std::vector<Look> looks = looks_of(scene);
+  const core::InterpolationRules rules(
+      scene.options.profile == Profile::classic ? core::LowPassRule::origin : core::LowPassRule::first_knot,
+      scene.options.cubic_ends);
+  for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
+    const Platform& platform = scene.platforms[i];
+    if (platform.path != Platform::Path::trajectory || !std::ranges::all_of(platform.trajectory_m.part, sound))
+      continue;
+    PathError worst;
+    const Look* at = nullptr;
+    for (const Look& look : looks) {
+      const auto error = path_error(platform.trajectory_m.part, rules, look.from_s, look.to_s);
+      if (!error || error->error_m <= tolerated_wavelengths * look.wavelength_m) continue;
+      if (at != nullptr && error->error_m / look.wavelength_m <= worst.error_m / at->wavelength_m) continue;
+      worst = *error;
+      at = &look;
+    }
+    if (at == nullptr) continue;
+    findings.about("platform", i);
+    findings.warning(Consequence::false_signal, "trajectory_m",
+                     {.message = "the path between its points may miss a smooth one",
+                      .found = fmt::format("about {:.3g} m at {:.6g} s, {:.3g} wavelengths of radar {}", worst.error_m,
+                                           worst.time_s, worst.error_m / at->wavelength_m, at->radar),
+                      .expected = fmt::format("less than 1/16 of a wavelength, {:.3g} mm",
+                                              1e3 * tolerated_wavelengths * at->wavelength_m),
+                      .hint = hint_of(platform, rules)});
+  }
+}
+
+}  // namespace sarsim::scene
