@@ -203,6 +203,8 @@ signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, co
   coarse.spectrum.reset();
   std::ranges::move(remarks_on_grid(axes_for(coarse), axes, *work.options.spectrum),
                     std::back_inserter(work.input.problems));
+  std::ranges::move(remarks_on_carriers(work.input.echoes, *work.options.spectrum),
+                    std::back_inserter(work.input.problems));
   return axes;
 }
 

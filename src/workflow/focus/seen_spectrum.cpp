@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "radar/path/path.hpp"
+#include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
 namespace sarsim::workflow {
@@ -102,6 +103,36 @@ core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal:
                            "widen its spectrum: " +
                                text,
                            {}, {}, {})};
+}
+
+core::Problems remarks_on_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum) {
+  std::vector<double> carriers_hz = echoes.carriers_hz;
+  std::ranges::sort(carriers_hz);
+  carriers_hz.erase(std::ranges::unique(carriers_hz).begin(), carriers_hz.end());
+  if (carriers_hz.size() < 2) return {};
+  core::Problems problems;
+  double gap_hz = 0.0;
+  for (std::size_t i = 1; i < carriers_hz.size(); ++i) gap_hz = std::max(gap_hz, carriers_hz[i] - carriers_hz[i - 1]);
+  if (gap_hz > std::abs(echoes.waveform.bandwidth_hz))
+    problems.push_back(core::problem_of(
+        core::Severity::warning,
+        fmt::format(
+            "the carriers are up to {:.4g} MHz apart, more than the pulse's band: responses repeat every {:.4g} "
+            "m of range",
+            1e-6 * gap_hz, radar::range_of_cycle(gap_hz, echoes.waveform.light_speed_mps)),
+        {}, {}, "step by less than the bandwidth"));
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
+  const double rate_hz = 1.0 / (track.interval_s * static_cast<double>(carriers_hz.size()));
+  const double band_hz = spectrum.azimuth.width_per_m() * track.speed_mps;
+  if (band_hz > rate_hz)
+    problems.push_back(core::problem_of(
+        core::Severity::warning,
+        fmt::format(
+            "each of {} carriers is sent {:.4g} times a second, but the targets' Doppler frequencies are {:.4g} Hz "
+            "wide: ghosts of each carrier stand at azimuths of their own",
+            carriers_hz.size(), rate_hz, band_hz),
+        {}, {}, "send more pulses per second, or fewer carriers"));
+  return problems;
 }
 
 }  // namespace sarsim::workflow

@@ -30,4 +30,8 @@ enum class SeenPulses {
 [[nodiscard]] core::Problems remarks_on_grid(const signal::FocusedImage& coarse, const signal::FocusedImage& axes,
                                              const signal::ImageSpectrum& spectrum);
 
+/// What carriers that change from pulse to pulse leave ambiguous: ranges, where they are further apart than the pulse's
+/// band, and azimuths, where the spectrum holds more Doppler frequencies than each carrier's own pulses sample.
+[[nodiscard]] core::Problems remarks_on_carriers(const signal::EchoRows& echoes, const signal::ImageSpectrum& spectrum);
+
 }  // namespace sarsim::workflow

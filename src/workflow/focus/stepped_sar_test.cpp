@@ -10,6 +10,7 @@
 #include "support/test_folder.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
+#include "workflow/focus/seen_spectrum.hpp"
 
 namespace sarsim::workflow {
 namespace stepped_sar_test {
@@ -58,6 +59,25 @@ TEST_F(SteppedSar, FocusesToTheBandOfAllCarriers) {
     const double beside = std::abs(signal::test::value_at(image, {place.azimuth_m, place.range_m + half_m}));
     EXPECT_NEAR(20.0 * std::log10(beside / std::abs(value)), -3.0, 0.3) << t;
   }
+}
+
+TEST_F(SteppedSar, SaysWhatTheCarriersLeaveAmbiguous) {
+  scene::Scene scene = stepped_scene();
+  scene.radars[0].bandwidth_hz = 30e6;
+  scene.radars[0].prf_hz = 800.0;  // 100 Hz for each carrier; 100 m of flight from 10.2 km are 70 Hz
+  const auto [plan, rows] = sar_recording(scene);
+  const signal::ImageSpectrum narrow{{-0.1, 0.1}, {}};
+  const core::Problems ranges = remarks_on_carriers(rows, narrow);
+  ASSERT_EQ(ranges.size(), 1U);
+  EXPECT_THAT(ranges[0].message,
+              testing::HasSubstr("up to 40 MHz apart, more than the pulse's band: responses repeat every 3.747 m"));
+  const signal::ImageSpectrum wide{{-0.3, 0.3}, {}};  // 120 Hz at 200 m/s
+  const core::Problems both = remarks_on_carriers(rows, wide);
+  ASSERT_EQ(both.size(), 2U);
+  EXPECT_THAT(
+      both[1].message,
+      testing::HasSubstr(
+          "each of 8 carriers is sent 100 times a second, but the targets' Doppler frequencies are 120 Hz wide"));
 }
 
 TEST_F(SteppedSar, IsRefusedByMethodsOfOneCarrierWithTheWayOut) {
