@@ -38,6 +38,13 @@ inline core::Vec3 heading_of(const ProjectionPulse& pulse, const ProjectionApert
   return speed_mps > 0.0 ? (1.0 / speed_mps) * pulse.velocity_mps : core::Vec3{};
 }
 
+/// k of tau = k (d - r.V/c): 2/c, and 1/(1 - V^2/c^2) of that where the antenna flies on while the echo is under way.
+inline double slowness_of(const ProjectionPulse& pulse, const ProjectionConstants& constants) {
+  const double c = constants.light_speed_mps;
+  const double v2 = constants.moving ? core::dot(pulse.velocity_mps, pulse.velocity_mps) : 0.0;
+  return 2.0 / c / (1.0 - v2 / (c * c));
+}
+
 }  // namespace sarsim::signal
 #endif
 
@@ -162,7 +169,7 @@ HWY_INLINE DoubleVec place_of_points(const Vec3Lanes& r, const core::Vec3& headi
 // middle, b the step of a column, u = r.b/d and v the speed at which the point recedes,
 //
 //     d(j) = d + u j + e j^2 + (g/(2 d) - u e/d) j^3 + ...,      e = (b^2 + r.q - u^2)/(2 d),  g = b.q + r.s/3,
-//     v'(j) = (-V.b - v u)/d,
+//     v'(j) = (-V.b - v u)/d,     tau(j) = k (d(j) - r(j).V/c),
 //
 // q and s the bend and the twist of the columns there.
 void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& constants, const ProjectionAperture& aperture,
@@ -173,7 +180,8 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
   const core::Vec3 b = tile.column_step_m + middle * tile.column_bend_m + (0.5 * middle * middle) * s;
   const bool bent = core::dot(q, q) + core::dot(s, s) > 0.0;
   const DoubleVec b2 = hn::Set(d, core::dot(b, b));
-  const DoubleVec c = hn::Set(d, constants.light_speed_mps);
+  const double ahead1 = constants.moving ? core::dot(pulse.velocity_mps, b) / constants.light_speed_mps : 0.0;
+  const double ahead2 = constants.moving ? 0.5 * core::dot(pulse.velocity_mps, q) / constants.light_speed_mps : 0.0;
   const DoubleVec f = hn::Set(d, pulse.carrier_of(constants));
   const double speed_mps = core::norm(pulse.velocity_mps);
   const core::Vec3 heading = heading_of(pulse, aperture);
@@ -197,15 +205,16 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
     }
     DoubleVec v = hn::Zero(d);
     DoubleVec v1 = hn::Zero(d);
+    DoubleVec ahead = hn::Zero(d);  // r.V/c
     if (constants.moving) {
-      v = hn::Neg(hn::Mul(dot_lanes(r, pulse.velocity_mps), inverse));
+      const DoubleVec along = dot_lanes(r, pulse.velocity_mps);
+      v = hn::Neg(hn::Mul(along, inverse));
       v1 = hn::Neg(hn::Mul(hn::MulAdd(v, u, hn::Set(d, core::dot(pulse.velocity_mps, b))), inverse));
+      ahead = hn::Mul(along, hn::Set(d, 1.0 / constants.light_speed_mps));
     }
-    const DoubleVec slowness = hn::Div(hn::Set(d, 2.0), hn::Sub(c, v));  // 2/(c - v)
-    const DoubleVec delay = hn::Mul(distance, slowness);
-    // The change of c - v along the stretch: 2 d v'/(c - v)^2.
-    const DoubleVec delay1 =
-        hn::Mul(slowness, hn::MulAdd(hn::Mul(distance, v1), hn::Mul(slowness, hn::Set(d, 0.5)), u));
+    const DoubleVec slowness = hn::Set(d, slowness_of(pulse, constants));
+    const DoubleVec delay = hn::Mul(hn::Sub(distance, ahead), slowness);
+    const DoubleVec delay1 = hn::Mul(slowness, hn::Sub(u, hn::Set(d, ahead1)));
     const DoubleVec doppler_scale =
         hn::Set(d, -radar::turns_per_m(pulse.carrier_of(constants), constants.light_speed_mps));
     const DoubleVec fd = hn::Mul(doppler_scale, v);
@@ -218,7 +227,7 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
     const DoubleVec half_turns1 = hn::MulAdd(two_f, delay1, hn::Mul(hn::Add(fd, fd), early1));
     hn::Store(without_turns(half_turns), d, out.phase0.data() + row);
     hn::Store(without_turns(half_turns1), d, out.phase1.data() + row);
-    hn::Store(hn::Mul(hn::Mul(two_f, slowness), bend), d, out.phase2.data() + row);
+    hn::Store(hn::Mul(hn::Mul(two_f, slowness), hn::Sub(bend, hn::Set(d, ahead2))), d, out.phase2.data() + row);
     hn::Store(hn::Mul(hn::Mul(two_f, slowness), twist), d, out.phase3.data() + row);
     const DoubleVec rate = hn::Set(d, constants.records_per_s);
     const DoubleVec from_first = hn::Sub(hn::Sub(delay, early), hn::Set(d, constants.first_delay_s));
@@ -397,7 +406,8 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
     }
     weight += static_cast<float>(w);
   }
-  const double delay_s = radar::moving_delay_of(radar::there_and_back(d), v, constants.light_speed_mps);
+  const double ahead_m = constants.moving ? core::dot(r, pulse.velocity_mps) / constants.light_speed_mps : 0.0;
+  const double delay_s = slowness_of(pulse, constants) * (d - ahead_m);
   const double fd = radar::doppler_of(v, pulse.carrier_of(constants), constants.light_speed_mps);
   const double early_s = fd * constants.doppler_delay_s2;
   const double record = (delay_s - early_s - constants.first_delay_s) * constants.records_per_s;

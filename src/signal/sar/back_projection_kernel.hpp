@@ -16,7 +16,7 @@ struct ProjectionConstants {
   double first_delay_s = 0.0;
   double records_per_s = 0.0;     ///< EchoRecords::factor times the sampling rate.
   double doppler_delay_s2 = 0.0;  ///< 1/K: the peak of a chirp of rate K lies fd/K before its delay. 0: it does not.
-  bool moving = true;             ///< Delay 2 d/(c - v), else 2 d/c.
+  bool moving = true;             ///< Delay 2 (d - r.V/c)/(c (1 - V^2/c^2)), else 2 d/c.
   std::size_t record_count = 0;   ///< Of a pulse, both zero records included.
 };
 
@@ -80,7 +80,8 @@ enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 =
 ///
 ///     w s(tau(x) - fd/K) exp(+j 2 pi (f tau(x) + fd^2/(2 K))),      fd = -2 v f/c,
 ///
-/// s the pulse's echo between records and w its weight. Distances, delays and the reference of every phase are in
+/// s the pulse's echo between records and w its weight; tau is the light time there and back to the antenna as it flies
+/// on, exact for an even flight (radar/path/light_time.hpp). Distances, delays and the reference of every phase are in
 /// double precision at the middle of each stretch; from there a polynomial in float leads on, with whole turns per
 /// point taken out of its linear term: within 1.3e-5 cycles of the exact phase and 1e-3 of a record. SIMD with run-time
 /// choice of the instruction set.

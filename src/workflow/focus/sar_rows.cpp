@@ -73,6 +73,13 @@ core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
   return problems;
 }
 
+// The antenna's mean velocity while an echo is under way: that with which its light time is that of an even flight.
+core::Vec3 velocity_until_back(const simulate::PulseGeometry& geometry, const simulate::Plan& plan) {
+  if (plan.scene->scatterers.empty() || plan.scene->conventions.light_time == radar::LightTime::thesis)
+    return geometry.radar_pose().velocity_world_mps;
+  return geometry.frame(plan.scene->scatterers.front().platform).radar_mps;
+}
+
 std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan) {
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   std::vector<signal::TrackPoint> track;
@@ -80,7 +87,7 @@ std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan) {
   for (std::int64_t pulse = plan.pulses.first; pulse <= plan.pulses.last; ++pulse) {
     geometry.set_pulse(pulse);
     const radar::Pose& pose = geometry.radar_pose();
-    track.push_back({geometry.send_time_s(), pose.position_world_m, pose.velocity_world_mps});
+    track.push_back({geometry.send_time_s(), pose.position_world_m, velocity_until_back(geometry, plan)});
   }
   return track;
 }
