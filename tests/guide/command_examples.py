@@ -33,9 +33,9 @@ SCENE = """
 $TARGET Earth  0, 3000, 0  0, 0, 0  1, 0  ISOTROPIC
 $TARGET Earth  0, 3100, 0  0, 0, 0  2, 0  ISOTROPIC
 $TARGET Earth  10, 3200, 0  0, 0, 0  1, 0  ISOTROPIC
-$RADAR Radar1 Earth  CHIRP 0.01 2000 RECT  CONSTANT 1000  SINGLE 3  1 0 300  ISOTROPIC SAME  FIXED 0 90  RECT  NO_STC
-$SIMULATION Radar1  1500, 3418.67  0, 0.003  8  0.02  5E-6  BINARY RAW sim1.bin BEGIN
-$SIMULATION Radar1  1500, 3418.67  0, 0.003  8  0.02  0  HDF5 MATCHED_FILTER sim2.h5 BEGIN
+$RADAR Radar1 Earth  CHIRP 0.01 2000 RECT  CONSTANT 1000  SINGLE 3  1000 0 300  ISOTROPIC SAME  FIXED 0 90  RECT  NO_STC
+$SIMULATION Radar1  1600, 3518.67  0, 0.003  8  0.02  1E-5  BINARY RAW sim1.bin BEGIN
+$SIMULATION Radar1  1600, 3518.67  0, 0.003  8  0.02  0  HDF5 MATCHED_FILTER sim2.h5 BEGIN
 $GEOMETRY Radar1  0, 100000  0, 0.01  SPACE  255  geo1.txt
 """
 
@@ -44,7 +44,8 @@ def writing(script, name, form):
     """A script whose recording has another name and format."""
     head, tail = script.rsplit("$SIMULATION", 1)
     tail = re.sub(r"\b(HDF5|NPY|ASCII|BINARY)\b", form, tail, count=1)
-    return head + "$SIMULATION" + re.sub(r"^\S+\.(h5|npy|asc|bin)", name, tail, count=1, flags=re.MULTILINE)
+    own = name if re.search(r"^\S+\.(h5|npy|asc|bin)", tail, re.MULTILINE) else "sim2" + pathlib.Path(name).suffix
+    return head + "$SIMULATION" + re.sub(r"\S+\.(h5|npy|asc|bin)\b", own, tail, count=1)
 
 
 def commands_of(text):
