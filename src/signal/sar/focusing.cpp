@@ -198,6 +198,7 @@ class Focuser {
     const double scale = amplitude_scale(frame_, pulse_weights(frame_), rows);
     const bool band = frame_.options.doppler_bandwidth_hz > 0.0;
     constexpr double stationary_phase_turns = 0.125;  // of the spectrum of a chirp: pi/4
+    const double flown = flown_turns_per_m();
     const auto focus_column = [&](std::size_t n, std::span<std::complex<float>> column) {
       const double range_m = frame_.range.at(static_cast<double>(n));
       // On the track itself, and before it, there is nothing to be focused.
@@ -209,13 +210,23 @@ class Focuser {
       const auto size = static_cast<float>(band ? scale / spread : scale * spread);
       for (std::size_t k = 0; k < column.size(); ++k) {
         if (rows[k].weight == 0.0F) continue;
-        const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns;
+        const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns +
+                             flown * range_m / rows[k].cosine;
         column[k] = size * rows[k].weight * core::product(column[k], core::turned(turns));
       }
       image_fft_.inverse(column);
     };
     matrix_.each_column(frame_.hidden_columns, frame_.hidden_columns + frame_.shown_range.count, control_, counter_,
                         focus_column);
+  }
+
+  // The antenna flies on while an echo is under way: its light time is 2 d/c longer by V^2/c^2 of itself, besides what
+  // belongs to Doppler. Turns for each metre of distance; none where all of it is below a millionth of a turn.
+  [[nodiscard]] double flown_turns_per_m() const {
+    const double share = std::pow(frame_.track.speed_mps / frame_.waveform.light_speed_mps, 2);
+    const double turns = radar::turns_per_m(frame_.waveform.carrier_hz, frame_.waveform.light_speed_mps) * share;
+    const double farthest_m = frame_.range.at(static_cast<double>(frame_.range.count));
+    return turns * farthest_m < 1e-6 ? 0.0 : turns;
   }
 
   FocusedRows result() {

@@ -11,7 +11,7 @@
 #include "core/maths/turns.hpp"
 #include "core/maths/window.hpp"
 #include "core/report/expect.hpp"
-#include "radar/path/path.hpp"
+#include "radar/path/light_time.hpp"
 #include "signal/sar/ground_sight.hpp"
 
 namespace sarsim::signal {
@@ -21,12 +21,12 @@ namespace {
 constexpr std::size_t shift_guard_samples =
     32;  // zeros beyond the largest shift, between the end of a pulse and its beginning
 
-// 2 d/(c - v), v the speed at which the point recedes.
+// The light time to a point at rest and back to the antenna as it flies on.
 double delay_of(const core::Vec3& point_m, const core::Vec3& antenna_m, const core::Vec3& velocity_mps,
                 double light_speed_mps) {
-  const core::Vec3 r = point_m - antenna_m;
-  const double d = core::norm(r);
-  return radar::delay_of(d * d, light_speed_mps * d + core::dot(r, velocity_mps));
+  radar::FlightMotion motion;
+  motion.radar_mps = motion.radar_slope_mps = velocity_mps;
+  return radar::flight_of(point_m - antenna_m, motion, light_speed_mps).delay_s;
 }
 
 // One pulse's way from its antenna to the reference track.
