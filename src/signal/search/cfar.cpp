@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/maths/constants.hpp"
-#include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
+#include "signal/search/cfar_calibration.hpp"
 
 namespace sarsim::signal {
 
@@ -127,11 +127,7 @@ double exceedance_correlation(double power_correlation, double value) {
   return sum * std::exp(-value) / -std::expm1(-value);
 }
 
-}  // namespace
-
-double cfar_factor(std::size_t cells, const CfarOptions& options) {
-  CORE_EXPECT(cells > 0);
-  CORE_EXPECT(options.independence > 0.0 && options.independence <= 1.0);
+double independent_factor(std::size_t cells, const CfarOptions& options) {
   const bool mean = options.kind == CfarOptions::Kind::cell_averaging;
   const std::size_t rank = cfar_rank(cells, options.rank_share);
   if (options.independence == 1.0)
@@ -145,21 +141,19 @@ double cfar_factor(std::size_t cells, const CfarOptions& options) {
                       std::log(options.false_alarm));
 }
 
+}  // namespace
+
+double cfar_factor(std::size_t cells, const CfarOptions& options) {
+  CORE_EXPECT(cells > 0);
+  CORE_EXPECT(options.independence > 0.0 && options.independence <= 1.0);
+  CORE_EXPECT(options.calibration > 0.0);
+  return options.calibration * independent_factor(cells, options);
+}
+
 std::vector<double> power_correlation(std::span<const std::complex<double>> filter) {
-  double energy = 0.0;
-  for (const std::complex<double>& tap : filter) energy += std::norm(tap);
-  if (!(energy > 0.0)) return {1.0};
-  const core::Fft fft(core::good_fft_size(2 * filter.size()));
-  std::vector<std::complex<double>> values(filter.begin(), filter.end());
-  values.resize(fft.size());
-  fft.forward(values);
-  for (std::complex<double>& value : values) value = std::norm(value);
-  fft.inverse(values);
-  std::vector<double> correlation(filter.size());
-  const double scale = 1.0 / (energy * static_cast<double>(fft.size()));
-  for (std::size_t m = 0; m < correlation.size(); ++m) correlation[m] = std::norm(scale * values[m]);
-  correlation[0] = 1.0;
-  return correlation;
+  std::vector<double> powers;
+  for (const std::complex<double>& rho : noise_correlation(filter)) powers.push_back(std::norm(rho));
+  return powers;
 }
 
 double independence(std::span<const double> along_columns, std::span<const double> along_rows,

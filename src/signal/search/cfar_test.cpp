@@ -6,6 +6,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "signal/search/cfar_calibration.hpp"
+
 namespace sarsim::signal {
 namespace cfar_test {
 
@@ -171,6 +173,7 @@ TEST(DetectCfar, KeepsItsFalseAlarmsWhereNeighboursAreCorrelated) {
     const double spread = 5.0 * std::sqrt(3.0 * expected);
     EXPECT_GT(static_cast<double>(detect_cfar(map, columns, options, one).size()), expected + spread);
     options.independence = independence(power_correlation(filter), std::vector<double>{1.0}, options);
+    options.calibration = cfar_calibration({noise_correlation(filter), {1.0}}, options, rows, columns);
     EXPECT_NEAR(static_cast<double>(detect_cfar(map, columns, options, one).size()), expected, spread);
   }
 }

@@ -5,7 +5,7 @@
 
 #include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
-#include "signal/search/cfar.hpp"
+#include "signal/search/cfar_calibration.hpp"
 #include "simulate/plan/row_space.hpp"
 #include "simulate/survey/derived.hpp"
 
@@ -35,7 +35,7 @@ PulseRows compressed_rows(std::shared_ptr<const simulate::Plan> plan) {
   const bool keeps_peak = plan->scene->conventions.compression == simulate::Conventions::Compression::keeps_peak;
   rows.peak_gain = keeps_peak ? 1.0 : simulate::processing_gain(*plan);
   rows.noise_w = noise_of(*plan, plan->compressor->filter());
-  rows.noise_correlation = signal::power_correlation(plan->compressor->filter().taps);
+  rows.noise_correlation = signal::noise_correlation(plan->compressor->filter().taps);
   rows.plan = std::move(plan);
   return rows;
 }
@@ -50,7 +50,7 @@ PulseRows rows_of_raw_recording(std::shared_ptr<const simulate::Plan> plan, core
   for (std::size_t i = 0; i < plan->columns; ++i)
     rows.range_m.push_back(radar::range_of(plan->raw_grid.time_s(i) + plan->pulse.lead_s, c));
   rows.noise_w = noise_of(*plan, compressor->filter());
-  rows.noise_correlation = signal::power_correlation(compressor->filter().taps);
+  rows.noise_correlation = signal::noise_correlation(compressor->filter().taps);
   const auto pool =
       std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
   rows.copy = [plan, compressor, pool, recorded = std::move(recorded)](std::size_t pulse,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <memory>
 #include <vector>
@@ -17,8 +18,8 @@ struct PulseRows : core::SampleRows<float> {
   std::vector<double> range_m;  ///< One way, of each sample.
   double peak_gain = 1.0;       ///< Height of a compressed echo of amplitude 1.
   double noise_w = 0.0;         ///< Mean square magnitude of the receiver's noise in a sample, without STC.
-  std::vector<double> noise_correlation{
-      1.0};  ///< Of samples 0, 1 ... apart, squared magnitude (signal/search/cfar.hpp).
+  /// Of complex samples 0, 1 ... apart (signal/search/cfar_calibration.hpp).
+  std::vector<std::complex<double>> noise_correlation{1.0};
 
   [[nodiscard]] std::size_t pulses() const { return rows; }
   [[nodiscard]] std::size_t samples() const { return columns; }

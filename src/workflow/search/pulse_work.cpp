@@ -100,6 +100,10 @@ void PulseWork::look_through(const std::string& stage, const std::function<void(
 }
 
 void PulseWork::detect(const Placing& place, const std::function<void(const SearchInterval&)>& consume) {
+  if (options_.detect && !options_.detector_known) {
+    options_.cfar = detector_of(rows(), options_);
+    options_.detector_known = true;
+  }
   std::optional<DetectionTable> detections;
   if (options_.detect) detections.emplace(table(), request_.replace, doppler(), static_cast<bool>(place));
   SearchTargets targets(rows(), options_);

@@ -8,6 +8,7 @@
 #include "core/maths/fft.hpp"
 #include "radar/path/path.hpp"
 #include "signal/search/canceller.hpp"
+#include "signal/search/cfar_calibration.hpp"
 #include "signal/search/detection_peaks.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
@@ -203,17 +204,24 @@ signal::CoherentInterval coherent_interval(const SearchOptions& options) {
 
 signal::CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options) {
   signal::CfarOptions cfar = options.cfar;
-  std::vector<double> along_rows{1.0};
+  if (options.detector_known) return cfar;
+  signal::NoiseCorrelation noise{rows.noise_correlation, {1.0}};
   if (cfar.reference_rows > 0) {
     // The rows of a map are a transform: their correlation is that of the squared weights.
-    std::vector<std::complex<double>> weights(options.rows());
-    std::ranges::transform(signal::pulse_weights(coherent_interval(options)), weights.begin(),
+    noise.along_rows.assign(options.rows(), 0.0);
+    std::ranges::transform(signal::pulse_weights(coherent_interval(options)), noise.along_rows.begin(),
                            [](double w) { return w * w; });
-    core::Fft(weights.size()).forward(weights);
-    along_rows.resize(weights.size());
-    for (std::size_t m = 0; m < weights.size(); ++m) along_rows[m] = std::norm(weights[m] / weights[0]);
+    core::Fft(noise.along_rows.size()).forward(noise.along_rows);
+    const std::complex<double> power = noise.along_rows[0];
+    for (std::complex<double>& rho : noise.along_rows) rho /= power;
   }
-  cfar.independence = signal::independence(rows.noise_correlation, along_rows, cfar);
+  const auto squared = [](const std::vector<std::complex<double>>& correlation) {
+    std::vector<double> powers(correlation.size());
+    std::ranges::transform(correlation, powers.begin(), [](const std::complex<double>& rho) { return std::norm(rho); });
+    return powers;
+  };
+  cfar.independence = signal::independence(squared(noise.along_columns), squared(noise.along_rows), cfar);
+  cfar.calibration = signal::cfar_calibration(noise, cfar, options.rows(), rows.samples());
   return cfar;
 }
 

@@ -25,7 +25,8 @@ struct SearchOptions {
   signal::SarWindow window{};   ///< Over the pulses.
   bool detect = true;
   signal::CfarOptions cfar{};
-  bool all_cells = false;  ///< Report every cell above its threshold, not only the largest of its neighbours.
+  bool detector_known = false;  ///< `cfar` is what `detector_of` made of it.
+  bool all_cells = false;       ///< Report every cell above its threshold, not only the largest of its neighbours.
 
   [[nodiscard]] std::size_t step_pulses() const { return step > 0 ? step : pulses; }
   [[nodiscard]] std::size_t rows() const { return frequencies > 0 ? frequencies : pulses; }
@@ -42,8 +43,9 @@ struct SearchOptions {
 /// The interval as range_doppler_maps takes it.
 [[nodiscard]] signal::CoherentInterval coherent_interval(const SearchOptions& options);
 
-/// The detector for maps of those pulses: `options.cfar` with what a reference cell is worth. Samples of range are
-/// correlated by the matched filter, Doppler rows, where the reference has more than one, by window and zeros.
+/// The detector for maps of those pulses: `options.cfar` with what a reference cell is worth and the calibration of its
+/// factors. Samples of range are correlated by the matched filter, Doppler rows, where the reference has more than one,
+/// by window and zeros.
 [[nodiscard]] signal::CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options);
 
 /// Something that stands out of the noise.

@@ -17,6 +17,21 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+// The detector of as many independent cells as have the factor of the correlated ones: what probabilities follow.
+signal::CfarOptions equivalent_detector(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns) {
+  const std::size_t all = signal::reference_cells(cfar, rows, columns);
+  if (cfar.calibration == 1.0 || all == 0) return cfar;
+  const double factor = signal::cfar_factor(all, cfar);
+  signal::CfarOptions independent = cfar;
+  independent.calibration = 1.0;
+  double low = 0.0, high = 1.0;
+  for (int i = 0; i < 50; ++i) {
+    independent.independence = 0.5 * (low + high);
+    (signal::cfar_factor(all, independent) > factor ? low : high) = independent.independence;
+  }
+  return independent;
+}
+
 // The ratio at which a steady target is found in half of all cases.
 double even_snr(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns) {
   double low = 0.0;
@@ -48,14 +63,8 @@ std::size_t pulses_of_look(const SearchOptions& options) {
   return (options.recorded_pulses() + most_looks - 1) / most_looks | 1U;
 }
 
-}  // namespace
-
-double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
+double probability_of(const signal::CfarOptions& cfar, std::size_t cells, double snr) {
   constexpr std::size_t most_ordered = 4096;
-  const std::size_t all = signal::reference_cells(cfar, rows, columns);
-  if (all == 0) return 0.0;
-  const double worth = std::round(cfar.independence * static_cast<double>(all));
-  std::size_t cells = std::max<std::size_t>(1, static_cast<std::size_t>(worth));
   if (cfar.kind == signal::CfarOptions::Kind::cell_averaging)
     return std::min(1.0, signal::cell_averaging_steady_probability(
                              cells, signal::cell_averaging_factor(cells, cfar.false_alarm), snr));
@@ -63,6 +72,19 @@ double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std
   const std::size_t rank = signal::cfar_rank(cells, cfar.rank_share);
   const double factor = signal::ordered_statistic_factor(cells, rank, cfar.false_alarm);
   return std::min(1.0, signal::ordered_statistic_steady_probability(cells, rank, factor, snr));
+}
+
+}  // namespace
+
+double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns, double snr) {
+  const std::size_t all = signal::reference_cells(cfar, rows, columns);
+  if (all == 0) return 0.0;
+  const double worth = std::clamp(equivalent_detector(cfar, rows, columns).independence * static_cast<double>(all), 1.0,
+                                  static_cast<double>(all));
+  const auto below = static_cast<std::size_t>(worth);
+  const double share = worth - static_cast<double>(below);
+  const double low = probability_of(cfar, below, snr);
+  return share > 0.0 ? low + share * (probability_of(cfar, below + 1, snr) - low) : low;
 }
 
 std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t canceller, std::size_t rows) {
@@ -99,7 +121,8 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
   noise_w_ = noise_gains(weights_, options.canceller, options.rows());
   for (double& noise_w : noise_w_) noise_w *= rows.noise_w;
   if (options.detect && rows.noise_w > 0.0)
-    certain_snr_ = even_snr(detector_of(rows, options), options.rows(), rows.samples());
+    certain_snr_ = even_snr(equivalent_detector(detector_of(rows, options), options.rows(), rows.samples()),
+                            options.rows(), rows.samples());
   if (options.recorded_pulses() == 1 && !beam_turns(*rows.plan)) still_beam_rad_ = seen_width_rad(*rows.plan);
   targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
@@ -267,7 +290,7 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
 
 std::vector<TargetFinding> SearchTargets::findings() const {
   std::vector<TargetFinding> findings = targets_;
-  const signal::CfarOptions cfar = detector_of(rows_, options_);
+  const signal::CfarOptions cfar = equivalent_detector(detector_of(rows_, options_), options_.rows(), rows_.samples());
   for (TargetFinding& finding : findings)
     if (certain_snr_ > 0.0 && finding.sight.in_window)
       finding.probability = steady_probability(cfar, options_.rows(), rows_.samples(), finding.sight.snr);

@@ -85,9 +85,9 @@ class SearchTargets {
   std::vector<TargetFinding> targets_;
 };
 
-/// Probability of detecting a steady target of that ratio in a cell in the middle of a map; of correlated reference
-/// cells as many count as they are worth, a whole number, and of the ordered statistic no more than 4096, whose
-/// probability is that of more to 0.003.
+/// Probability of detecting a steady target of that ratio in a cell in the middle of a map; correlated reference cells
+/// count as those independent ones that have their factor, between two whole numbers by a straight line, and of the
+/// ordered statistic no more than 4096, whose probability is that of more to 0.003.
 [[nodiscard]] double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns,
                                         double snr);
 

@@ -1,0 +1,314 @@
+#include "signal/search/cfar_calibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/fft.hpp"
+#include "core/report/expect.hpp"
+
+namespace sarsim::signal {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr std::size_t most_calibrated_cells = 400;
+
+// One step of Householder's reduction: makes the column below the diagonal of `at` a multiple of its first element and
+// turns the rest of the matrix along. Returns |that element|^2.
+double reduce_column(std::vector<Complex>& matrix, std::size_t size, std::size_t at) {
+  const std::size_t first = at + 1;
+  const std::size_t count = size - first;
+  std::vector<Complex> v(count), p(count);
+  double energy = 0.0;
+  for (std::size_t i = 0; i < count; ++i) energy += std::norm(v[i] = matrix[(first + i) * size + at]);
+  if (count < 2 || energy == 0.0) return energy;
+  const double length = std::sqrt(energy);
+  v[0] += std::abs(v[0]) > 0.0 ? length * v[0] / std::abs(v[0]) : Complex(length);
+  double square = 0.0;
+  for (const Complex& x : v) square += std::norm(x);
+  const double beta = 2.0 / square;
+  for (std::size_t i = 0; i < count; ++i) {
+    Complex sum;
+    for (std::size_t k = 0; k < count; ++k) sum += matrix[(first + i) * size + first + k] * v[k];
+    p[i] = beta * sum;
+  }
+  Complex along;
+  for (std::size_t i = 0; i < count; ++i) along += std::conj(v[i]) * p[i];
+  for (std::size_t i = 0; i < count; ++i) p[i] -= 0.5 * beta * along * v[i];
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < count; ++k)
+      matrix[(first + i) * size + first + k] -= v[i] * std::conj(p[k]) + p[i] * std::conj(v[k]);
+  return energy;
+}
+
+// The factor at which ln P, which falls from 0, is so small.
+template <class LogProbability>
+double factor_of(const LogProbability& log_probability, double log_false_alarm) {
+  double high = 1.0;
+  while (log_probability(high) > log_false_alarm && high < 1e15) high *= 2.0;
+  double low = 0.0;
+  for (int i = 0; i < 60 && high - low > 1e-6 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (log_probability(middle) > log_false_alarm ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// ln of det(I + step T) of the reference's three diagonals, what remains of its first pivot and its derivative by s,
+// step being s times `rate`.
+struct Determinant {
+  double log_all = 0.0;
+  double pivot = 1.0;
+  double pivot_slope = 0.0;
+};
+
+Determinant determinant_of(const std::vector<double>& diagonal, const std::vector<double>& squares, double s,
+                           double rate) {
+  const double step = s * rate;
+  Determinant d;
+  for (std::size_t k = diagonal.size(); k-- > 0;) {
+    double pivot = 1.0 + step * diagonal[k];
+    double slope = rate * diagonal[k];
+    if (k + 1 < diagonal.size()) {
+      const double coupling = step * step * squares[k + 1] / d.pivot;
+      pivot -= coupling;
+      slope -= 2.0 * coupling / s - coupling * d.pivot_slope / d.pivot;
+    }
+    d.log_all += std::log(pivot);
+    d.pivot = pivot;
+    d.pivot_slope = slope;
+  }
+  return d;
+}
+
+// Columns of a factor L of a correlation matrix, R = L L^H to within 1/1000 of its trace; by the largest pivots first,
+// of which the first cell is none: its row says what is known of it by the others.
+std::vector<std::vector<Complex>> main_columns(const std::vector<Complex>& matrix, std::size_t size) {
+  std::vector<std::vector<Complex>> columns;
+  std::vector<double> left(size, 1.0);
+  left[0] = 0.0;
+  double rest = static_cast<double>(size - 1);
+  while (columns.size() + 1 < size && rest > 1e-3 * static_cast<double>(size - 1)) {
+    const auto at = static_cast<std::size_t>(std::ranges::max_element(left) - left.begin());
+    const double root = std::sqrt(left[at]);
+    std::vector<Complex> column(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      Complex sum = matrix[i * size + at];
+      for (const auto& before : columns) sum -= before[i] * std::conj(before[at]);
+      column[i] = sum / root;
+    }
+    rest = 0.0;
+    for (std::size_t i = 1; i < size; ++i) rest += left[i] = std::max(0.0, left[i] - std::norm(column[i]));
+    left[at] = 0.0;
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+// A draw of the reference whose energy over all dimensions is 1: its statistic, and the power that it lets the cell be
+// expected to have, both over what remains uncertain of the cell's.
+struct Draw {
+  double statistic = 0.0;
+  double known = 0.0;
+};
+
+std::vector<Draw> draws_of(const std::vector<std::vector<Complex>>& columns, std::size_t size, std::size_t rank) {
+  double uncertain = 1.0;
+  for (const auto& column : columns) uncertain -= std::norm(column[0]);
+  uncertain = std::max(uncertain, 1e-6);
+  const std::size_t work = size * columns.size();
+  std::vector<Draw> draws(
+      std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(work, 1), 4000, 65536));
+  std::mt19937_64 random(1);
+  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+  std::vector<double> power(size);
+  std::vector<Complex> cells(size);
+  for (Draw& draw : draws) {
+    std::ranges::fill(cells, Complex());
+    double energy = 0.0;
+    for (const auto& column : columns) {
+      const double drawn = -std::log(uniform());
+      const Complex w = std::polar(std::sqrt(drawn), 2.0 * core::pi * uniform());
+      energy += drawn;
+      for (std::size_t i = 0; i < size; ++i) cells[i] += w * column[i];
+    }
+    for (std::size_t i = 0; i < size; ++i) power[i] = std::norm(cells[i]);
+    const auto at = power.begin() + static_cast<std::ptrdiff_t>(rank);
+    std::nth_element(power.begin() + 1, at, power.end());
+    draw = {*at / (energy * uncertain), power[0] / (energy * uncertain)};
+  }
+  return draws;
+}
+
+// Probability that a cell exceeds t times the draw's energy E, gamma distributed of `dimensions`, where E m of its
+// power is known: Marcum's function is that of J <= K, J and K Poisson of means E t and E m, and E turns these into
+// negative binomial numbers: J, and K for a J.
+double exceedance(double t, double m, double dimensions) {
+  double chance_of_j = std::pow(1.0 + t, -dimensions);
+  double sum = chance_of_j;
+  const double p = m / (1.0 + t + m);
+  if (!(p > 1e-9)) return sum;
+  double none = std::pow(1.0 - p, dimensions);
+  for (int j = 1; j < 100; ++j) {
+    chance_of_j *= (dimensions + j - 1.0) / j * t / (1.0 + t);
+    none *= 1.0 - p;
+    double first = 1.0;  // C(d + 2j - 1, j) p^j: the chance of K = j, over that of none
+    for (int i = 1; i <= j; ++i) first *= (dimensions + j + i - 1.0) / i * p;
+    double tail = 0.0, term = first;
+    for (int i = j; i < j + 200 && term > 1e-6 * tail; ++i) {
+      tail += term;
+      term *= (dimensions + j + i) / (i + 1.0) * p;
+    }
+    const double more = chance_of_j * std::min(1.0, none * tail);
+    sum += more;
+    if (more < 1e-5 * sum) break;
+  }
+  return sum;
+}
+
+struct Place {
+  std::ptrdiff_t row, column;
+};
+
+// The cell in the middle of a map and, behind it, its reference, as distances from it.
+std::vector<Place> places_of(const CfarOptions& options, std::size_t rows, std::size_t columns) {
+  const auto within = [](std::ptrdiff_t off, std::size_t reach, std::size_t count) {
+    const auto middle = static_cast<std::ptrdiff_t>(count / 2);
+    return std::abs(off) <= static_cast<std::ptrdiff_t>(reach) && middle + off >= 0 &&
+           middle + off < static_cast<std::ptrdiff_t>(count);
+  };
+  const auto row_reach = static_cast<std::ptrdiff_t>(std::min(options.reference_rows, rows));
+  const auto column_reach = static_cast<std::ptrdiff_t>(std::min(options.reference_columns, columns));
+  std::vector<Place> places{{0, 0}};
+  for (std::ptrdiff_t r = -row_reach; r <= row_reach; ++r)
+    for (std::ptrdiff_t c = -column_reach; c <= column_reach; ++c) {
+      const bool guarded = std::abs(r) <= static_cast<std::ptrdiff_t>(options.guard_rows) &&
+                           std::abs(c) <= static_cast<std::ptrdiff_t>(options.guard_columns);
+      if (!guarded && within(r, options.reference_rows, rows) && within(c, options.reference_columns, columns))
+        places.push_back({r, c});
+    }
+  return places;
+}
+
+Complex correlation_of(const NoiseCorrelation& correlation, const Place& a, const Place& b) {
+  const std::ptrdiff_t off = a.column - b.column;
+  const auto distance = static_cast<std::size_t>(std::abs(off));
+  if (distance >= correlation.along_columns.size()) return {};
+  const Complex along = correlation.along_columns[distance];
+  const auto round = static_cast<std::ptrdiff_t>(correlation.along_rows.size());
+  const std::ptrdiff_t turned = ((a.row - b.row) % round + round) % round;
+  if (round == 1 && a.row != b.row) return {};
+  return (off < 0 ? std::conj(along) : along) * correlation.along_rows[static_cast<std::size_t>(turned)];
+}
+
+std::vector<Complex> matrix_of(const NoiseCorrelation& correlation, std::span<const Place> places) {
+  std::vector<Complex> matrix;
+  matrix.reserve(places.size() * places.size());
+  for (const Place& a : places)
+    for (const Place& b : places) matrix.push_back(correlation_of(correlation, a, b));
+  return matrix;
+}
+
+bool is_white(const std::vector<Complex>& matrix, std::size_t size) {
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    if (i % (size + 1) != 0 && std::norm(matrix[i]) > 1e-6) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Complex> noise_correlation(std::span<const Complex> filter) {
+  double energy = 0.0;
+  for (const Complex& tap : filter) energy += std::norm(tap);
+  if (!(energy > 0.0)) return {1.0};
+  const core::Fft fft(core::good_fft_size(2 * filter.size()));
+  std::vector<Complex> values(filter.begin(), filter.end());
+  values.resize(fft.size());
+  fft.forward(values);
+  for (Complex& value : values) value = std::norm(value);
+  fft.inverse(values);
+  values.resize(filter.size());
+  for (Complex& value : values) value /= energy * static_cast<double>(fft.size());
+  values[0] = 1.0;
+  return values;
+}
+
+CorrelatedMean::CorrelatedMean(std::vector<Complex> matrix, std::size_t size) {
+  CORE_EXPECT(size > 1 && matrix.size() == size * size);
+  for (std::size_t k = 0; k + 1 < size; ++k) {
+    squares_.push_back(reduce_column(matrix, size, k));
+    diagonal_.push_back(matrix[(k + 1) * size + k + 1].real());
+  }
+}
+
+// The eigenvalue: the root s >= 1 of f(s) = 1 - s + s^2 a/N b^2/pivot(s), which is convex and falls there; Newton's
+// steps come to it from the left. The product without it is -s f'(s) times the determinant.
+double CorrelatedMean::log_false_alarm(double factor) const {
+  const double rate = factor / static_cast<double>(diagonal_.size());
+  double s = 1.0;
+  for (int i = 0;; ++i) {
+    const Determinant d = determinant_of(diagonal_, squares_, s, rate);
+    const double share = rate * squares_[0] / d.pivot;
+    const double value = 1.0 - s + s * s * share;
+    const double slope = -1.0 + 2.0 * s * share - s * s * share * d.pivot_slope / d.pivot;
+    const double step = slope < 0.0 ? -value / slope : 0.0;
+    if (std::abs(step) <= 1e-12 * s || i == 100)
+      return std::min(0.0, -d.log_all - std::log(std::max(-s * slope, 1e-300)));
+    s += step;
+  }
+}
+
+double CorrelatedMean::factor(double false_alarm) const {
+  return factor_of([&](double factor) { return log_false_alarm(factor); }, std::log(false_alarm));
+}
+
+double correlated_statistic_factor(const std::vector<Complex>& matrix, std::size_t size, std::size_t rank,
+                                   double false_alarm) {
+  CORE_EXPECT(size > 1 && matrix.size() == size * size);
+  CORE_EXPECT(rank > 0 && rank < size);
+  const auto columns = main_columns(matrix, size);
+  const std::vector<Draw> draws = draws_of(columns, size, rank);
+  const auto dimensions = static_cast<double>(columns.size());
+  const auto off = [&](double factor) {
+    double sum = 0.0;
+    for (const Draw& draw : draws) sum += exceedance(factor * draw.statistic, draw.known, dimensions);
+    return std::log(sum / static_cast<double>(draws.size()) / false_alarm);
+  };
+  // Secants: ln P is smooth and falls.
+  double before = ordered_statistic_factor(size - 1, rank, false_alarm);
+  double factor = 1.1 * before;
+  double off_before = off(before);
+  for (int i = 0; i < 20; ++i) {
+    const double here = off(factor);
+    if (std::abs(here) < 1e-4 || here == off_before) break;
+    const double next = factor - here * (factor - before) / (here - off_before);
+    before = factor;
+    off_before = here;
+    factor = std::clamp(next, 0.5 * before, 2.0 * before);
+  }
+  return factor;
+}
+
+double cfar_calibration(const NoiseCorrelation& correlation, const CfarOptions& options, std::size_t rows,
+                        std::size_t columns) {
+  if (rows == 0 || columns == 0) return 1.0;
+  if (reference_cells(options, rows, columns) > most_calibrated_cells) return 1.0;
+  const std::vector<Place> places = places_of(options, rows, columns);
+  const std::size_t cells = places.size() - 1;
+  if (cells == 0) return 1.0;
+  std::vector<Complex> matrix = matrix_of(correlation, places);
+  if (is_white(matrix, places.size())) return 1.0;
+  CfarOptions plain = options;
+  plain.calibration = 1.0;
+  const double independent = cfar_factor(cells, plain);
+  const double factor = options.kind == CfarOptions::Kind::cell_averaging
+                            ? CorrelatedMean(std::move(matrix), places.size()).factor(options.false_alarm)
+                            : correlated_statistic_factor(matrix, places.size(), cfar_rank(cells, options.rank_share),
+                                                          options.false_alarm);
+  return factor / independent;
+}
+
+}  // namespace sarsim::signal
