@@ -1,5 +1,6 @@
 // `sarsim measure`: one target alone, pictures of its response.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -32,6 +33,38 @@ TEST_F(Measure, TakesOneTargetAlone) {
   EXPECT_THAT(none.err, HasSubstr("the script has 24"));
 }
 
+// So much noise that what is found near each place is noise.
+TEST_F(Measure, SaysThatNoiseIsNoTargetAndEndsWithAStatus) {
+  const Finished clear = sarsim({"measure", "sar_r.img"});
+  EXPECT_THAT(clear.out, HasSubstr("24 of 24 targets found, within "));
+  EXPECT_THAT(clear.out, HasSubstr("theory in parentheses, signed numbers are found less theory"));
+  EXPECT_THAT(clear.out, HasSubstr(" m in azimuth, "));
+  std::string script = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr");
+  const std::size_t noise = script.find("! (K) noise temperature");
+  ASSERT_NE(noise, std::string::npos);
+  script.replace(script.rfind("\n", noise) + 1, 1, "1E16");
+  write_text(folder_ / "loud.scr", script);
+  const Finished focus = sarsim({"focus", "loud.scr", "--quiet"});
+  ASSERT_EQ(focus.status, 0) << focus.err;
+  const Finished measure = sarsim({"measure", "loud.img"});
+  EXPECT_EQ(measure.status, 1) << measure.out;
+  EXPECT_THAT(measure.out, HasSubstr("target 5    azimuth "));
+  EXPECT_THAT(measure.out, HasSubstr(": not found within "));
+  EXPECT_THAT(measure.out, HasSubstr("0 of 24 targets found"));
+}
+
+TEST_F(Measure, WritesATableAndFieldsForPrograms) {
+  const Finished table = sarsim({"measure", "sar_r.img", "--csv"});
+  EXPECT_EQ(table.status, 0) << table.err;
+  EXPECT_THAT(table.out, testing::StartsWith("target,found,theory_azimuth_m,"));
+  EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 25);
+  const Finished json = sarsim({"measure", "sar_r.img", "--target", "5", "--json"});
+  for (const char* key : {"\"snr_db\"", "\"noise_v\"", "\"threshold_db\"", "\"false_alarm\"", "\"found_targets\"",
+                          "\"amplitude_error_db\""})
+    EXPECT_THAT(json.out, HasSubstr(key));
+  EXPECT_EQ(sarsim({"measure", "sar_r.img", "--csv", "--json"}).status, 2);
+}
+
 TEST_F(Measure, DrawsTheCutsThroughATarget) {
 #ifndef SARSIM_HAS_GUI
   GTEST_SKIP() << "built without the graphical program, which draws";
@@ -54,7 +87,7 @@ TEST_F(Measure, FindsAWeakTargetBesideAStrongOne) {
   ASSERT_EQ(focus.status, 0) << focus.err;
   const Finished measure = sarsim({"measure", "near.img", "--target", "25"});
   ASSERT_EQ(measure.status, 0) << measure.err;
-  const std::size_t found = measure.out.find(" m away");
+  const std::size_t found = measure.out.find(" m in range;");
   ASSERT_NE(found, std::string::npos) << measure.out;
   const std::size_t number = measure.out.rfind(' ', found - 1);
   EXPECT_LT(std::abs(std::stod(measure.out.substr(number))), 1.0) << measure.out;

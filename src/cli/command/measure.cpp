@@ -1,3 +1,4 @@
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
+#include "core/maths/decibels.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/input/recording_input.hpp"
 
@@ -24,12 +26,14 @@ struct MeasureArguments {
   std::string image;
   workflow::RecordingArguments input;
   std::optional<double> search_m;
+  std::optional<double> false_alarm;
   std::optional<std::int64_t> target;
   std::string cuts;
   std::optional<std::int64_t> threads;
   bool dark = false;
   bool force = false;
   bool json = false;
+  bool csv = false;
 };
 
 std::string figures_row(const std::optional<signal::ResponseFigures>& theory, const signal::ResponseFigures& found) {
@@ -43,21 +47,50 @@ std::string figures_row(const std::optional<signal::ResponseFigures>& theory, co
                      against(found.islr_db, part(&signal::ResponseFigures::islr_db), 2));
 }
 
-// Four lines for a target: where it is and how strong, and its two cuts. Theory in parentheses.
+std::string snr_text(double snr_db) {
+  return std::isfinite(snr_db) ? fmt::format("{:.1f} dB above the noise", snr_db) : std::string("no noise");
+}
+
+// Why a target counts as missing: what is there and what would have to be.
+std::string missing_text(const workflow::MeasuredTarget& target) {
+  std::string text = fmt::format(": not found within {:.4g} m in azimuth and range", target.search_m);
+  if (!(target.peak_v > 0.0)) return text + ": no peak there\n";
+  return text +
+         fmt::format(": the largest peak is {}, less than the {:.1f} dB that noise alone may reach; theory has {}\n",
+                     snr_text(target.snr_db()), core::power_db(target.threshold), snr_text(target.expected_snr_db()));
+}
+
+// Three lines for a target: where it is and how strong, and its two cuts. Theory in parentheses.
 std::string text_of(const workflow::MeasuredTarget& target) {
   const workflow::TargetTheory& theory = target.theory;
   std::string text = fmt::format("target {:<4} azimuth {:.3f} m, range {:.3f} m", theory.target + 1,
                                  theory.place.azimuth_m, theory.place.range_m);
-  if (!(theory.amplitude > 0.0)) return text + ": no echoes\n";
-  if (!target.found) return text + ": not found\n";
+  if (!target.expected()) return text + ": no echoes\n";
+  if (!target.found) return text + missing_text(target);
   const signal::PointResponse& found = *target.found;
-  text +=
-      fmt::format("; found {:+.4f} m, {:+.4f} m away; amplitude {:.4g} V ({:+.2f} dB), phase {:.3f} rad ({:+.3f})\n",
-                  found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m,
-                  found.amplitude, target.amplitude_error_db(), found.phase_rad, target.phase_error_rad());
+  text += fmt::format(
+      "; found {:+.4f} m in azimuth, {:+.4f} m in range; amplitude {:.4g} V, {:+.2f} dB; phase {:.3f} rad, {:+.3f}; "
+      "{}\n",
+      found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m, found.amplitude,
+      target.amplitude_error_db(), found.phase_rad, target.phase_error_rad(), snr_text(target.snr_db()));
   text += fmt::format("  {:<8}{}\n", "azimuth", figures_row(theory.azimuth, found.azimuth));
   text += fmt::format("  {:<8}{}\n", "range", figures_row(theory.range, found.range));
   return text;
+}
+
+// One line for all of them.
+std::string summary_text(const workflow::MeasureReport& report) {
+  const workflow::MeasureSummary sum = workflow::summary_of(report);
+  std::string text = fmt::format("{} of {} found", sum.found, counted(sum.expected, "target"));
+  if (sum.expected < report.targets.size())
+    text += fmt::format(" ({} without echoes)", report.targets.size() - sum.expected);
+  if (sum.found > 0)
+    text += fmt::format(
+        ", within {:.4f} m of their places; amplitudes {:+.2f} to {:+.2f} dB, phases {:+.3f} to {:+.3f} rad",
+        sum.farthest_m, sum.lowest_amplitude_db, sum.highest_amplitude_db, sum.lowest_phase_rad, sum.highest_phase_rad);
+  if (sum.found > 0 && std::isfinite(sum.highest_snr_db))
+    text += fmt::format("; {:.1f} to {:.1f} dB above the noise", sum.lowest_snr_db, sum.highest_snr_db);
+  return text + fmt::format("; noise alone counts as a target with probability {:g}\n", report.false_alarm);
 }
 
 void write_figures(core::JsonWriter& json, const char* name, const std::optional<signal::ResponseFigures>& figures) {
@@ -77,7 +110,13 @@ void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& t
   json.member("amplitude_v", theory.amplitude).member("phase_rad", theory.phase_rad);
   write_figures(json, "azimuth", theory.azimuth);
   write_figures(json, "range", theory.range);
-  json.end_object().key("found");
+  json.end_object();
+  if (target.expected()) {
+    json.member("search_m", target.search_m).member("noise_v", target.noise_v);
+    json.member("threshold_db", core::power_db(target.threshold)).key("snr_db");
+    target.peak_v > 0.0 && target.noise_v > 0.0 ? json.value(target.snr_db()) : json.null();
+  }
+  json.key("found");
   if (!target.found) {
     json.null().end_object();
     return;
@@ -95,11 +134,12 @@ void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& t
 }
 
 std::string text_of_measure(const std::string& image, const workflow::MeasureReport& report) {
-  std::string text = fmt::format("{}: {} by {}; theory in parentheses\n  {:<8}{:>18}  {:>18}  {:>18}\n", image,
-                                 counted(report.targets.size(), "target"), report.origin.algorithm, "",
-                                 "-3 dB width (m)", "PSLR (dB)", "ISLR (dB)");
+  std::string text = fmt::format(
+      "{}: {} by {}; theory in parentheses, signed numbers are found less theory\n  {:<8}{:>18}  {:>18}  {:>18}\n",
+      image, counted(report.targets.size(), "target"), report.origin.algorithm, "", "-3 dB width (m)", "PSLR (dB)",
+      "ISLR (dB)");
   for (const workflow::MeasuredTarget& target : report.targets) text += text_of(target);
-  return text;
+  return text + summary_text(report);
 }
 
 std::string json_of_measure(const std::string& image, const workflow::MeasureReport& report) {
@@ -108,7 +148,9 @@ std::string json_of_measure(const std::string& image, const workflow::MeasureRep
   json.member("source", report.origin.source).member("algorithm", report.origin.algorithm);
   json.key("targets").begin_array();
   for (const workflow::MeasuredTarget& target : report.targets) write_target_json(json, target);
-  json.end_array().end_object();
+  const workflow::MeasureSummary sum = workflow::summary_of(report);
+  json.end_array().member("false_alarm", report.false_alarm);
+  json.member("expected_targets", sum.expected).member("found_targets", sum.found).end_object();
   return json.text();
 }
 
@@ -130,6 +172,7 @@ workflow::MeasureRequest measure_request_of(const MeasureArguments& arguments) {
   request.image = arguments.image;
   request.input = arguments.input;
   request.search_m = arguments.search_m;
+  if (arguments.false_alarm) request.false_alarm = *arguments.false_alarm;
   if (arguments.target) request.target = static_cast<std::size_t>(*arguments.target);
   request.pictures = arguments.cuts;
   request.force = arguments.force;
@@ -140,11 +183,13 @@ workflow::MeasureRequest measure_request_of(const MeasureArguments& arguments) {
 ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
   Watch watch(streams, false);
   const workflow::MeasureReport report = workflow::measure(measure_request_of(arguments), watch.observer());
-  write_out(streams,
-            arguments.json ? json_of_measure(arguments.image, report) : text_of_measure(arguments.image, report));
+  write_out(streams, arguments.json  ? json_of_measure(arguments.image, report)
+                     : arguments.csv ? workflow::csv_of(report)
+                                     : text_of_measure(arguments.image, report));
   flush_out(streams);
   draw_cuts(arguments, report, streams.stop);
-  return exit_done;
+  const workflow::MeasureSummary sum = workflow::summary_of(report);
+  return sum.expected > 0 && sum.found == 0 ? exit_failed : exit_done;
 }
 
 }  // namespace
@@ -155,15 +200,19 @@ Action add_measure(CLI::App& app) {
   add_recording_arguments(app, arguments->input);
   add_real(app, "--search", arguments->search_m, "M",
            "how far from its place a target's peak may be (default: 3 cells, or half way to the next target)");
+  add_real(app, "--pfa", arguments->false_alarm, "P",
+           "probability that noise alone counts as a target (default: 1e-3)");
   add_integer(app, "--target", arguments->target, 1, std::numeric_limits<std::int64_t>::max(),
               "one target only, by its number in the script");
   add_text(app, "--cuts", arguments->cuts, "DIR", "draw the cuts through each target: DIR/target-1.png and so on");
   app.add_flag("--dark", arguments->dark, "the pictures in dark colours");
   app.add_flag("--force", arguments->force, "replace pictures that exist");
   add_integer(app, "--threads", arguments->threads, 0, 4096, "threads; 0 for one per core (default)");
-  app.add_flag("--json", arguments->json, "as JSON");
+  CLI::Option* const csv = app.add_flag("--csv", arguments->csv, "a table with commas, a line for each target");
+  app.add_flag("--json", arguments->json, "as JSON")->excludes(csv);
   add_examples(app, {{"sarsim measure sar_r.img", "the targets of the script that was focused"},
                      {"sarsim measure sar_r.npy --json", "for programs"},
+                     {"sarsim measure sar_r.npy --csv", "for a table"},
                      {"sarsim measure sar_r.img --target 5 --cuts pictures", "with a picture of the response"}});
   return [arguments](Streams& streams) { return run_measure(*arguments, streams); };
 }

@@ -1,12 +1,14 @@
 #include "workflow/focus/focus.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <string>
 
 #include <gmock/gmock.h>
 
+#include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "raster/format/envi.hpp"
 #include "scene/script/writer.hpp"
@@ -100,6 +102,56 @@ TEST_F(FocusWorkflow, WhatIsWrittenCanBeMeasuredAgainstTheory) {
   EXPECT_FALSE(target.cuts.azimuth.values.empty());
   EXPECT_FALSE(target.cuts.range.values.empty());
   EXPECT_TRUE(target.picture.empty());
+}
+
+// The mean over all pulses of matched filters leaves k T/Tp over their number of the noise, and no image less. (More
+// where the band of Doppler frequencies that is focused is wider than the flight fills, as here.)
+TEST_F(FocusWorkflow, MeasuringTellsNoiseFromTargets) {
+  request_.output = folder_ / "a.img";
+  request_.force = true;
+  const auto measured = [&](double temperature_k) {
+    scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25);
+    scene.radars[0].noise_temperature_k = temperature_k;
+    std::ofstream(folder_ / "sar.scr") << scene::write_script(scene);
+    static_cast<void>(focus(request_, {}));
+    return measure(of_image(), {}).targets.front();
+  };
+  const MeasuredTarget quiet = measured(0.0);
+  ASSERT_TRUE(quiet.found);
+  const scene::Radar radar = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25).radars[0];
+  const double cells = radar.pulse_width_s * 620.0 * 0.5;
+  const double temperature_k = quiet.theory.amplitude * quiet.theory.amplitude * cells / core::boltzmann_j_per_k;
+  const MeasuredTarget clear = measured(1e-3 * temperature_k);
+  ASSERT_TRUE(clear.found);
+  EXPECT_LT(clear.expected_snr_db(), 31.0);
+  EXPECT_GT(clear.expected_snr_db(), 20.0);
+  EXPECT_NEAR(clear.snr_db(), clear.expected_snr_db(), 1.5);
+  const MeasuredTarget lost = measured(10.0 * temperature_k);
+  EXPECT_FALSE(lost.found);
+  EXPECT_NEAR(lost.expected_snr_db(), clear.expected_snr_db() - 40.0, 1.0);
+  EXPECT_GT(lost.peak_v, 0.0);
+  EXPECT_LT(lost.snr_db(), 10.0 * std::log10(lost.threshold));
+  EXPECT_GT(lost.threshold, 5.0);
+}
+
+TEST_F(FocusWorkflow, MeasuringSumsUpAndWritesTables) {
+  request_.output = folder_ / "a.img";
+  static_cast<void>(focus(request_, {}));
+  const MeasureReport report = measure(of_image(), {});
+  const MeasureSummary sum = summary_of(report);
+  EXPECT_EQ(sum.expected, 1U);
+  EXPECT_EQ(sum.found, 1U);
+  EXPECT_EQ(sum.lowest_amplitude_db, report.targets[0].amplitude_error_db());
+  EXPECT_EQ(sum.highest_phase_rad, report.targets[0].phase_error_rad());
+  const std::string table = csv_of(report);
+  EXPECT_EQ(std::ranges::count(table, '\n'), 2);
+  const std::string names = table.substr(0, table.find('\n'));
+  const std::string line = table.substr(names.size() + 1);
+  EXPECT_EQ(std::ranges::count(names, ','), std::ranges::count(line, ','));
+  EXPECT_THAT(line, testing::StartsWith("1,1,"));
+  MeasureRequest wrong = of_image();
+  wrong.false_alarm = 0.0;
+  EXPECT_THROW(static_cast<void>(measure(wrong, {})), core::Refused);
 }
 
 TEST_F(FocusWorkflow, MeasuringRefusesTargetsThatAreNotThereAndPicturesThatAre) {

@@ -9,11 +9,10 @@
 
 #include <fmt/format.h>
 
-#include "core/maths/constants.hpp"
-#include "core/maths/decibels.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/envi.hpp"
+#include "signal/measure/noise_floor.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/focus_input.hpp"
@@ -131,6 +130,28 @@ void expect_free_pictures(const MeasureRequest& request, const std::vector<Targe
                           "name another folder, or --force");
 }
 
+// The peak near the target's place, and whether noise would make one as large.
+void measure_target(const MeasuredImage& opened, const signal::ImageReader& reader, const MeasureRequest& request,
+                    bool cuts, MeasuredTarget& target) {
+  constexpr double noise_cells = 32.0;
+  const TargetTheory& theory = target.theory;
+  const auto null_m = [](const auto& figures) { return figures ? figures->null : 1.0; };
+  // 0.886 over the bandwidth is the width of an even spectrum, and by little that of a window's noise.
+  const auto cells = [&](const auto& figures) {
+    return 2.0 * target.search_m / (figures ? figures->width / 0.886 : 1.0);
+  };
+  target.noise_v = std::sqrt(signal::noise_power_near(
+      opened.image, reader, theory.place, noise_cells * null_m(theory.azimuth), noise_cells * null_m(theory.range)));
+  target.threshold = signal::peak_threshold(request.false_alarm, cells(theory.azimuth), cells(theory.range));
+  target.found =
+      signal::measure_point(opened.image, reader, theory.place, target.search_m, cuts ? &target.cuts : nullptr);
+  if (!target.found) return;
+  target.peak_v = target.found->amplitude;
+  if (target.peak_v * target.peak_v > target.threshold * target.noise_v * target.noise_v) return;
+  target.found.reset();
+  target.cuts = {};
+}
+
 std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const std::vector<TargetTheory>& theories,
                                              const MeasureRequest& request, const core::WorkControl& control) {
   const signal::ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
@@ -143,9 +164,8 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
       targets[t].theory = theories[t];
       targets[t].picture = picture_of(request, theories[t]);
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
-      const double search_m = request.search_m.value_or(search_of(theories, theories[t]));
-      targets[t].found =
-          signal::measure_point(opened.image, reader, theories[t].place, search_m, cuts ? &targets[t].cuts : nullptr);
+      targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
+      measure_target(opened, reader, request, cuts, targets[t]);
     }
   });
   std::erase_if(targets, [&](const MeasuredTarget& target) { return !is_asked_for(request, target.theory); });
@@ -157,14 +177,10 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
 
 }  // namespace
 
-double MeasuredTarget::phase_error_rad() const {
-  return std::remainder(found->phase_rad - theory.phase_rad, 2.0 * core::pi);
-}
-
-double MeasuredTarget::amplitude_error_db() const { return core::amplitude_db(found->amplitude / theory.amplitude); }
-
 MeasureReport measure(const MeasureRequest& request, const core::Observer& observer) {
   if (request.search_m && !(*request.search_m > 0.0)) throw core::Refused("--search must be above 0");
+  if (!(request.false_alarm >= 1e-15 && request.false_alarm <= 0.1))
+    throw core::Refused(fmt::format("--pfa is out of range; found {:g}, expected 1e-15 to 0.1", request.false_alarm));
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
   const MeasuredImage opened = opened_image(request.image.string());
   expect_folder(request.pictures);
@@ -176,7 +192,8 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
   observer.remarks(movers);
   std::ranges::move(movers, std::back_inserter(way.problems));
-  return {opened.origin, measured_targets(opened, theories, request, control), std::move(way.problems)};
+  return {opened.origin, measured_targets(opened, theories, request, control), request.false_alarm,
+          std::move(way.problems)};
 }
 
 }  // namespace sarsim::workflow

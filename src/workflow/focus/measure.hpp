@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/task/observer.hpp"
@@ -20,6 +21,7 @@ struct MeasureRequest {
   RecordingArguments input;
   std::optional<double> search_m;     ///< How far from its place a peak may be; nothing: three cells, or half way to
                                       ///< the next target.
+  double false_alarm = 1e-3;          ///< Probability that noise alone counts as a target, 1e-15 to 0.1.
   std::optional<std::size_t> target;  ///< Its number in the script, from 1; nothing: all.
   bool cuts = false;                  ///< Also the cuts through each target.
   std::filesystem::path pictures;     ///< Folder that pictures of the cuts will be in; empty: there will be none.
@@ -30,25 +32,55 @@ struct MeasureRequest {
 /// A target as it should be and as it is.
 struct MeasuredTarget {
   TargetTheory theory;
-  std::optional<signal::PointResponse> found;
-  signal::PointCuts cuts;         ///< Where they are wanted and the target was found.
+  std::optional<signal::PointResponse> found;  ///< A peak above the threshold.
+  double noise_v = 0.0;    ///< Root mean square of what the image shows beside its points, near this place; 0: nothing.
+  double threshold = 0.0;  ///< Power over that of the noise that a peak in the area searched has to exceed.
+  double search_m = 0.0;   ///< How far from its place, in both coordinates, it was looked for.
+  double peak_v = 0.0;     ///< The largest peak there, found or not.
+  signal::PointCuts cuts;  ///< Where they are wanted and the target was found.
   std::filesystem::path picture;  ///< Where it will be, where one is wanted.
 
   /// Found phase less that of theory, in (-pi, pi]. Only of a target that was found.
   [[nodiscard]] double phase_error_rad() const;
   /// Found amplitude over that of theory, dB. Only of a target that was found.
   [[nodiscard]] double amplitude_error_db() const;
+  /// Power of the largest peak over that of the noise, dB; infinite without noise.
+  [[nodiscard]] double snr_db() const;
+  /// The same of the peak that theory has.
+  [[nodiscard]] double expected_snr_db() const;
+  /// Whether theory has echoes of it.
+  [[nodiscard]] bool expected() const { return theory.amplitude > 0.0; }
+};
+
+/// Many targets in a few numbers: those found, their errors least and largest.
+struct MeasureSummary {
+  std::size_t expected = 0;  ///< Targets that theory has echoes of.
+  std::size_t found = 0;
+  double farthest_m = 0.0;  ///< Largest distance from its place.
+  double lowest_amplitude_db = 0.0, highest_amplitude_db = 0.0;
+  double lowest_phase_rad = 0.0, highest_phase_rad = 0.0;
+  double lowest_snr_db = 0.0, highest_snr_db = 0.0;
 };
 
 /// The targets of an image.
 struct MeasureReport {
   ImageOrigin origin;                   ///< As the image's header has it.
   std::vector<MeasuredTarget> targets;  ///< In the order of the script.
+  double false_alarm = 0.0;             ///< Probability that noise alone counts as a target.
   core::Problems problems;              ///< Of the way from the image to its script; they were handed to the observer.
 };
 
-/// Measures the point targets of a focused image against theory (docs/theory/focusing.md). Throws core::Refused where
-/// the image is none of `focus`, its source cannot be read, the target is not there, or a picture exists; Interrupted.
+/// The figures over all targets of a report; those of targets that were found are 0 where none was.
+[[nodiscard]] MeasureSummary summary_of(const MeasureReport& report);
+
+/// A line of names, then one of numbers for each target, with commas: places and errors by axis in metres, figures and
+/// theory beside each other. What does not exist is empty.
+[[nodiscard]] std::string csv_of(const MeasureReport& report);
+
+/// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts as found where
+/// it is as far above the image's noise as noise alone reaches within the area searched with `false_alarm`. Throws
+/// core::Refused where the image is none of `focus`, its source cannot be read, the target is not there, or a picture
+/// exists; Interrupted.
 [[nodiscard]] MeasureReport measure(const MeasureRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

@@ -1,0 +1,99 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
+#include "workflow/focus/measure.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+double ratio_db(double amplitude_v, double noise_v) {
+  return noise_v > 0.0 ? core::amplitude_db(amplitude_v / noise_v) : std::numeric_limits<double>::infinity();
+}
+
+// Empty where it is no number.
+void add_cell(std::string& line, double value) {
+  line += std::isfinite(value) ? fmt::format(",{:.10g}", value) : std::string(",");
+}
+
+void add_figures(std::string& line, const std::optional<signal::ResponseFigures>& figures) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const auto member :
+       {&signal::ResponseFigures::width, &signal::ResponseFigures::pslr_db, &signal::ResponseFigures::islr_db})
+    add_cell(line, figures ? (*figures).*member : none);
+}
+
+std::string csv_line(const MeasuredTarget& target) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const TargetTheory& theory = target.theory;
+  const bool found = target.found.has_value();
+  std::string line = fmt::format("{},{}", theory.target + 1, found ? 1 : 0);
+  add_cell(line, theory.place.azimuth_m);
+  add_cell(line, theory.place.range_m);
+  add_cell(line, found ? target.found->place.azimuth_m - theory.place.azimuth_m : none);
+  add_cell(line, found ? target.found->place.range_m - theory.place.range_m : none);
+  add_cell(line, theory.amplitude);
+  add_cell(line, found ? target.found->amplitude : none);
+  add_cell(line, found ? target.amplitude_error_db() : none);
+  add_cell(line, target.expected() ? theory.phase_rad : none);
+  add_cell(line, found ? target.found->phase_rad : none);
+  add_cell(line, found ? target.phase_error_rad() : none);
+  add_cell(line, target.expected() ? target.noise_v : none);
+  add_cell(line, target.peak_v > 0.0 ? target.snr_db() : none);
+  add_cell(line, target.expected() ? core::power_db(target.threshold) : none);
+  add_figures(line, found ? std::optional(target.found->azimuth) : std::nullopt);
+  add_figures(line, theory.azimuth);
+  add_figures(line, found ? std::optional(target.found->range) : std::nullopt);
+  add_figures(line, theory.range);
+  return line + "\n";
+}
+
+}  // namespace
+
+double MeasuredTarget::phase_error_rad() const {
+  return std::remainder(found->phase_rad - theory.phase_rad, 2.0 * core::pi);
+}
+
+double MeasuredTarget::amplitude_error_db() const { return core::amplitude_db(found->amplitude / theory.amplitude); }
+
+double MeasuredTarget::snr_db() const { return ratio_db(peak_v, noise_v); }
+
+double MeasuredTarget::expected_snr_db() const { return ratio_db(theory.amplitude, noise_v); }
+
+MeasureSummary summary_of(const MeasureReport& report) {
+  MeasureSummary summary;
+  const auto span = [&](double& lowest, double& highest, double value) {
+    lowest = summary.found == 1 ? value : std::min(lowest, value);
+    highest = summary.found == 1 ? value : std::max(highest, value);
+  };
+  for (const MeasuredTarget& target : report.targets) {
+    if (target.expected()) ++summary.expected;
+    if (!target.found) continue;
+    ++summary.found;
+    const signal::ImagePlace& place = target.found->place;
+    summary.farthest_m = std::max(summary.farthest_m, std::hypot(place.azimuth_m - target.theory.place.azimuth_m,
+                                                                 place.range_m - target.theory.place.range_m));
+    span(summary.lowest_amplitude_db, summary.highest_amplitude_db, target.amplitude_error_db());
+    span(summary.lowest_phase_rad, summary.highest_phase_rad, target.phase_error_rad());
+    span(summary.lowest_snr_db, summary.highest_snr_db, target.snr_db());
+  }
+  return summary;
+}
+
+std::string csv_of(const MeasureReport& report) {
+  std::string text =
+      "target,found,theory_azimuth_m,theory_range_m,azimuth_error_m,range_error_m,theory_amplitude_v,amplitude_v,"
+      "amplitude_error_db,theory_phase_rad,phase_rad,phase_error_rad,noise_v,snr_db,threshold_db,azimuth_width_m,"
+      "azimuth_pslr_db,azimuth_islr_db,theory_azimuth_width_m,theory_azimuth_pslr_db,theory_azimuth_islr_db,"
+      "range_width_m,range_pslr_db,range_islr_db,theory_range_width_m,theory_range_pslr_db,theory_range_islr_db\n";
+  for (const MeasuredTarget& target : report.targets) text += csv_line(target);
+  return text;
+}
+
+}  // namespace sarsim::workflow
