@@ -9,6 +9,7 @@
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
 #include "radar/echo/direct_kernel.hpp"
+#include "radar/echo/doppler_terms.hpp"
 #include "radar/echo/pulse_body.hpp"
 #include "radar/echo/spreading.hpp"
 #include "radar/echo/strengths.hpp"
@@ -34,65 +35,6 @@ struct Settings {
         edge_samples(single_precision ? 8 : 12),
         beta(std::log(4.0 / share)) {}
 };
-
-// Terms of the interpolation in D that make exp(-j z x), |x| <= 1, to `error`: the remainder of Chebyshev interpolation
-// is below 2 (z/2)^R/R! for R nodes.
-std::size_t terms_for(double z, double error) {
-  double bound = 2.0;
-  for (std::size_t terms = 1;; ++terms) {
-    bound *= 0.5 * z / static_cast<double>(terms);
-    if (bound < error || terms > most_doppler_terms) return terms;
-  }
-}
-
-// Largest Doppler phase per unit of D over the pulse [rad].
-double largest_doppler_rad(const PulseBody& body, double carrier_hz) {
-  return 2.0 * core::pi * body.largest_doppler_turns(carrier_hz);
-}
-
-// Largest phase per unit of a over the pulse [rad].
-double largest_bend_rad(const PulseBody& body, double carrier_hz) {
-  const double farthest_s =
-      std::max(std::abs(body.from_middle_s(body.first())), std::abs(body.from_middle_s(body.last())));
-  return core::pi * std::abs(carrier_hz) * farthest_s * farthest_s;
-}
-
-// How far motion may stretch an echo, samples: two-way Doppler of 16 km/s.
-double stretch_room(const EchoPulse& pulse, double interval_s) {
-  constexpr double most_doppler = 1.1e-4;
-  return pulse.doppler_rule == DopplerRule::thesis ? 0.0
-                                                   : most_doppler * (pulse.last_s() - pulse.first_s()) / interval_s;
-}
-
-// A span on a fixed ladder of spans, so that neighbouring pulses share spectra.
-DopplerSpan span_covering(double lowest, double highest) {
-  if (lowest == highest) return {lowest, 0.0};
-  // Half spans are powers of two; middles are multiples of half of that.
-  double half = std::exp2(std::ceil(std::log2(0.5 * (highest - lowest))));
-  for (;; half *= 2.0) {
-    const double step = 0.5 * half;
-    const double middle = std::round(0.5 * (lowest + highest) / step) * step;
-    if (middle - half <= lowest && middle + half >= highest) return {middle, half};
-  }
-}
-
-// The span of a for bends that turn the ends of the pulse by up to `rad_per_bend` times them: none where that is less
-// than a quarter of `error`, and on multiples of that, so that pulse after pulse has the same spectra.
-DopplerSpan bends_covering(double lowest, double highest, double rad_per_bend, double error) {
-  if (std::max(std::abs(lowest), std::abs(highest)) * rad_per_bend <= 0.25 * error) return {};
-  const double step = 0.25 * error / rad_per_bend;
-  const double half = 0.5 * (highest - lowest);
-  if (half <= step) return {std::round(0.5 * (lowest + highest) / step) * step, 0.0};
-  return span_covering(lowest, highest);
-}
-
-// What a body's band is widened by for Doppler shifts of up to `shift` cycles per sample: nothing where it is too small
-// to move more than a trifle over the edge, otherwise a power of two, so that few widths occur. It depends on the
-// pulse's own echoes alone, so that a kernel gives the same samples whatever it did before.
-double allowance_for(double shift) {
-  constexpr double trifle = 1.0 / 4096.0;
-  return shift <= trifle ? 0.0 : std::exp2(std::ceil(std::log2(shift)));
-}
 
 }  // namespace
 

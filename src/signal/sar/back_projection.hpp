@@ -56,7 +56,8 @@ struct BackProjectionOptions {
 
 /// Focuses echoes by back-projection in the time domain, exact for any track, attitude and squint: for each point x
 ///
-///     (1/sum of w) sum over pulses of w s(tau - fd/K) exp(+j 2 pi (f tau + fd^2/(2 K))),  tau = 2 (d - r.V/c)/(c (1 - V^2/c^2)),
+///     (1/sum of w) sum over pulses of w s(tau - fd/K) exp(+j 2 pi (f tau + fd^2/(2 K))),  tau = 2 (d - r.V/c)/(c (1 -
+///     V^2/c^2)),
 ///
 /// d the point's distance from the antenna, v the speed at which it recedes, f the carrier of the pulse, fd = -2 v f/c,
 /// K the chirp rate (Cumming and Wong 2005, ch. 2 and 10; docs/theory/back-projection.md). A resting target has the

@@ -210,8 +210,8 @@ class Focuser {
       const auto size = static_cast<float>(band ? scale / spread : scale * spread);
       for (std::size_t k = 0; k < column.size(); ++k) {
         if (rows[k].weight == 0.0F) continue;
-        const double turns = focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns +
-                             flown * range_m / rows[k].cosine;
+        const double turns =
+            focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns + flown * range_m / rows[k].cosine;
         column[k] = size * rows[k].weight * core::product(column[k], core::turned(turns));
       }
       image_fft_.inverse(column);

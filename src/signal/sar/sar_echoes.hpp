@@ -29,8 +29,8 @@ struct SarWaveform {
 
 /// Range-compressed echoes of a train of pulses and the path the antenna took: what every focusing algorithm begins
 /// with. Sample (p, n) is the compressed baseband echo of pulse p at the delay first_delay_s + n/sample_rate_hz; a
-/// target has its peak at its light time tau with the phase -2 pi carrier_hz tau (docs/theory/echo-model.md); that of a chirp of the rate K, whose Doppler frequency is fd, fd/K earlier, and turned
-/// by -pi fd^2/K more.
+/// target has its peak at its light time tau with the phase -2 pi carrier_hz tau (docs/theory/echo-model.md); that of a
+/// chirp of the rate K, whose Doppler frequency is fd, fd/K earlier, and turned by -pi fd^2/K more.
 struct SarEchoes {
   SarWaveform waveform;
   std::vector<TrackPoint> track;  ///< One for each pulse.

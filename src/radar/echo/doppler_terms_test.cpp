@@ -1,0 +1,54 @@
+#include "radar/echo/doppler_terms.hpp"
+
+#include <cmath>
+#include <random>
+
+#include <gtest/gtest.h>
+
+namespace sarsim::radar {
+namespace doppler_terms_test {
+
+TEST(TermsFor, KeepTheRemainderOfChebyshevInterpolation) {
+  EXPECT_EQ(terms_for(0.0, 1e-9), 1u);
+  for (const double z : {1e-6, 0.1, 1.0, 5.0})
+    for (const double error : {1e-3, 1e-7}) {
+      const std::size_t terms = terms_for(z, error);
+      ASSERT_LE(terms, most_doppler_terms);
+      const auto remainder = [z](std::size_t r) {
+        return 2.0 * std::pow(0.5 * z, static_cast<double>(r)) / std::tgamma(static_cast<double>(r) + 1.0);
+      };
+      EXPECT_LT(remainder(terms), error);
+      if (terms > 1) {
+        EXPECT_GE(remainder(terms - 1), error);
+      }
+    }
+  EXPECT_GT(terms_for(1e3, 1e-7), most_doppler_terms);
+}
+
+TEST(SpanCovering, HoldsItsEndsOnFewRungs) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  for (int i = 0; i < 1000; ++i) {
+    const double a = 1e-5 * unit(random), b = 1e-5 * unit(random);
+    const DopplerSpan span = span_covering(std::min(a, b), std::max(a, b));
+    EXPECT_LE(span.middle - span.half, std::min(a, b));
+    EXPECT_GE(span.middle + span.half, std::max(a, b));
+    EXPECT_EQ(std::exp2(std::round(std::log2(span.half))), span.half);
+  }
+}
+
+// Bends of 1e6 rad per unit that change by a thousandth from pulse to pulse share spectra; none are made for a trifle.
+TEST(BendsCovering, AreNoneForATrifleAndSharedByNeighbours) {
+  constexpr double rad = 1e6, error = 1e-6;
+  EXPECT_EQ(bends_covering(-2e-13, 2e-13, rad, error), DopplerSpan{});
+  const DopplerSpan one = bends_covering(1.0000e-10, 1.0001e-10, rad, error);
+  EXPECT_EQ(bends_covering(1.0002e-10, 1.0003e-10, rad, error), one);
+  EXPECT_NEAR(one.middle, 1e-10, 0.5 * error / rad);
+  EXPECT_EQ(one.half, 0.0);
+  const DopplerSpan wide = bends_covering(-3e-10, 5e-10, rad, error);
+  EXPECT_LE(wide.middle - wide.half, -3e-10);
+  EXPECT_GE(wide.middle + wide.half, 5e-10);
+}
+
+}  // namespace doppler_terms_test
+}  // namespace sarsim::radar
