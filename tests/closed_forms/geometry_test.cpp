@@ -138,14 +138,14 @@ TEST(Doppler, WithinAPulseIsTheSameShift) {
     scene::Scene scene = moving_target({1000.0, 0.0, 0.0}, {sign * speed_mps, 0.0, 0.0}, carrier_hz);
     test::set_window(scene, 1010.0, 2400.0, 100e6);
     const double shift_hz = turn_per_sample_rad(recorded(scene).samples) * 100e6 / (2.0 * core::pi);
-    // A hundred thousandth of the shift of 200 kHz over 9.3 us is a phase of 1e-4 rad.
-    const double expected_hz = -sign * 2.0 * speed_mps / light_speed_mps * carrier_hz;
-    EXPECT_NEAR(shift_hz, expected_hz, 1e-5 * std::abs(expected_hz));
+    // A ten millionth of the shift of 200 kHz over 9.3 us is a phase of 1e-6 rad.
+    const double expected_hz = -sign * 2.0 * speed_mps / (light_speed_mps + sign * speed_mps) * carrier_hz;
+    EXPECT_NEAR(shift_hz, expected_hz, 1e-7 * std::abs(expected_hz));
   }
 }
 
 TEST(Doppler, StretchesTheSweepOfAChirp) {
-  // (6.22) in full: K u^2/2 - f tau - (2v/c)(f u + K u^2/2); at 3 km/s the last term reaches 0.0125 cycles.
+  // K e^2/2 - f tau - f D u, e = (1 - D) u, D = 2v/(c + v); at 3 km/s the sweep loses 0.0125 cycles twice.
   const double width_s = 100e-6;
   const double rate_hz_per_s = 50e6 / width_s;
   for (const double speed_mps : {-3000.0, 3000.0}) {
@@ -159,7 +159,8 @@ TEST(Doppler, StretchesTheSweepOfAChirp) {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const double u = 2200.0 / light_speed_mps + static_cast<double>(i) * 1e-6 - delay_s - 0.5 * width_s;
       const double modulation = 0.5 * rate_hz_per_s * u * u;
-      const double cycles = modulation - 1e9 * delay_s - 2.0 * speed_mps / light_speed_mps * (1e9 * u + modulation);
+      const double stretch = 2.0 * speed_mps / (light_speed_mps + speed_mps);
+      const double cycles = (1.0 - stretch) * (1.0 - stretch) * modulation - 1e9 * delay_s - stretch * 1e9 * u;
       // 7000 cycles in doubles: 1e-12 cycles each.
       EXPECT_NEAR(test::wrapped_rad(std::arg(samples[i]) - 2.0 * core::pi * cycles), 0.0, 1e-10)
           << speed_mps << ' ' << i;
@@ -177,7 +178,9 @@ TEST(Doppler, OfASquintedLookIsTwoVSinOverLambda) {
   const simulate::Plan plan = simulate::make_plan(scene, 0);
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   geometry.set_pulse(0);
-  EXPECT_NEAR(geometry.view(0).speed_mps, -150.0 * std::sin(squint_rad), 1e-12);
+  // The radar flies on until the echo is back: V^2 cos^2/c more, 2 f V^2/c^2 of Doppler shift abeam.
+  const double flown_mps = std::pow(150.0 * std::cos(squint_rad), 2) / light_speed_mps;
+  EXPECT_NEAR(geometry.view(0).speed_mps, -150.0 * std::sin(squint_rad) + flown_mps, 1e-10);
 }
 
 TEST(Speed, OfATurningPlatformsPointIsTheArmTimesTheRate) {
@@ -191,7 +194,11 @@ TEST(Speed, OfATurningPlatformsPointIsTheArmTimesTheRate) {
   geometry.set_pulse(0);
   // Positive rotation about z turns +y towards +x: away from the radar. The line of sight is 20 m off over 1 km.
   const double arm_rate_mps = 20.0 * 36.0 * core::pi / 180.0;
-  EXPECT_NEAR(geometry.view(0).speed_mps, arm_rate_mps * 1000.0 / std::hypot(1000.0, 20.0), 1e-11);
+  // The pulse meets the point 3.3 us later: turned by 2.1e-6 rad, which takes 20 m/1 km of that from the speed.
+  const double met_rad = 36.0 * core::pi / 180.0 * std::hypot(1000.0, 20.0) / light_speed_mps;
+  const core::Vec3 met_m{1000.0 + 20.0 * std::sin(met_rad), 20.0 * std::cos(met_rad), 0.0};
+  const core::Vec3 velocity_mps{arm_rate_mps * std::cos(met_rad), -arm_rate_mps * std::sin(met_rad), 0.0};
+  EXPECT_NEAR(geometry.view(0).speed_mps, core::dot(met_m, velocity_mps) / core::norm(met_m), 1e-10);
 }
 
 }  // namespace geometry_test

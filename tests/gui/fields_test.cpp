@@ -326,7 +326,8 @@ class FieldsTest : public QObject {
     const std::map<std::string, std::vector<QString>> values{{"profile", {"Classic", "Physical"}},
                                                              {"seed", {"18446744073709551615", "42", "0"}},
                                                              {"pulse", {"Band-limited", "Ideal"}},
-                                                             {"tolerance", {"1e-3", "0.1", "1e-9"}}};
+                                                             {"tolerance", {"1e-3", "0.1", "1e-9"}},
+                                                             {"cubic_ends", {"Not a knot", "Chords"}}};
     QCOMPARE(values.size(), scene::option_fields().size());
     for (const scene::Field& field : scene::option_fields()) {
       QVERIFY2(values.contains(field.id), field.id.c_str());

@@ -138,7 +138,7 @@ Order<RunOptions> script_order() {
 
 std::string option_key(const FieldSpec& spec) {
   std::string key(spec.id);
-  std::ranges::transform(key, key.begin(), [](char c) { return static_cast<char>(c - 'a' + 'A'); });
+  std::ranges::transform(key, key.begin(), [](char c) { return c == '_' ? c : static_cast<char>(c - 'a' + 'A'); });
   return key;
 }
 

@@ -143,7 +143,7 @@ PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::V
   radar::FlightMotion motion{velocity_mps, frame.anchor_s, frame.radar_mps, frame.radar_slope_mps, {}, {}, 0.0};
   sight.flight = radar::flight_of(look_m, motion, frame.light_speed_mps);
   if (sight.flight.path.out_m == 0.0) sight.flight.doppler = 0.0;
-  if (!frame.bends) return sight;
+  if (sight.flight.path.out_m == 0.0 || !frame.bends) return sight;
   motion.point_mps2 = frame.acceleration_mps2 + frame.world_from_platform_acceleration * undisturbed_m;
   motion.radar_mps2 = frame.radar_mps2;
   motion.back_s = frame.back_s;

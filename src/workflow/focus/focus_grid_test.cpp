@@ -67,9 +67,10 @@ TEST_P(FocusGridOf, HoldsASquintedSpectrumAndSaysWhichSpacingItTook) {
   EXPECT_NEAR(20.0 * std::log10(std::abs(value) / targets.at(0).amplitude), 0.0, 0.1);
   const double turns = 2.0 * 3000.0 * 9.6e9 / core::exact_light_speed_mps;
   EXPECT_NEAR(std::remainder(std::arg(value) + 2.0 * core::pi * turns, 2.0 * core::pi), 0.0, 0.01);
-  ASSERT_EQ(report.problems.size(), 1U);
-  EXPECT_THAT(report.problems[0].message,
-              HasSubstr(fmt::format("columns {:.4g} m apart instead of 0.9", image.range.step_m)));
+  const std::string spacing = fmt::format("columns {:.4g} m apart instead of 0.9", image.range.step_m);
+  EXPECT_TRUE(std::ranges::any_of(report.problems, [&](const core::Problem& problem) {
+    return problem.message.find(spacing) != std::string::npos;
+  })) << spacing;
 }
 
 TEST(FocusGridSteps, StayThoseOfTheRecordingWhereTheyHoldTheSpectrum) {

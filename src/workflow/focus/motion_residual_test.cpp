@@ -89,9 +89,10 @@ TEST_F(MotionResidualOfASquint, MakesAutoTakeBackProjection) {
   const std::complex<double> found = response(report, 0.0);
   EXPECT_NEAR(20.0 * std::log10(std::abs(found)), 0.0, 0.1);
   EXPECT_NEAR(std::arg(found), 0.0, 0.01);
-  ASSERT_FALSE(report.problems.empty());
-  EXPECT_THAT(report.problems[0].message,
-              HasSubstr("back-projection instead of omega-k: motion compensation would leave"));
+  EXPECT_TRUE(std::ranges::any_of(report.problems, [](const core::Problem& problem) {
+    return problem.message.find("back-projection instead of omega-k: motion compensation would leave") !=
+           std::string::npos;
+  }));
 }
 
 }  // namespace motion_residual_test

@@ -30,6 +30,15 @@ double peak_gain_of(const simulate::Plan& plan) {
   return keeps_peak ? 1.0 : simulate::processing_gain(plan);
 }
 
+// d|r|/dt as the pulse leaves: without what the antenna's own flight adds to the Doppler shift until the echo is back,
+// which focusing takes out.
+double receding_mps(const radar::Pose& radar, const radar::Pose& platform, const core::Vec3& point_m) {
+  const core::Vec3 sight_m = radar::world_position_m(platform, point_m) - radar.position_world_m;
+  const core::Vec3 velocity_mps = radar::world_velocity_mps(platform, point_m) - radar.velocity_world_mps;
+  const double distance_m = core::norm(sight_m);
+  return distance_m > 0.0 ? core::dot(sight_m, velocity_mps) / distance_m : 0.0;
+}
+
 }  // namespace
 
 SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight,
@@ -67,15 +76,16 @@ SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const simulate:
                           const radar::Pointing& pointing) const {
   const double per_speed = radar::turns_per_m(carrier_hz_, plan_.scene->conventions.light_speed_mps);
   const simulate::ScattererView view = geometry.view(target, pointing);
+  const simulate::Scatterer& scatterer = plan_.scene->scatterers[target];
+  const radar::Pose& platform = geometry.pose(scatterer.platform);
   const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
                      .distance_m = view.distance_m,
-                     .doppler_hz = -per_speed * view.speed_mps,
+                     .doppler_hz = -per_speed * receding_mps(geometry.radar_pose(), platform, scatterer.position_m),
                      .delay_s = view.delay_s,
                      .amplitude = std::abs(view.amplitude_sqrt_w * gain_.gain(view.delay_s)) * peak_gain_,
                      .share = gain_.share(view.delay_s)};
   if (!compensated_) return look;
-  const simulate::Scatterer& scatterer = plan_.scene->scatterers[target];
-  return from_line(look, geometry.radar_pose(), geometry.pose(scatterer.platform), scatterer.position_m);
+  return from_line(look, geometry.radar_pose(), platform, scatterer.position_m);
 }
 
 SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar::Pose& platform,
