@@ -18,7 +18,7 @@ TOLERANCE = {
     "spectral": 3e-6,
 }
 # What the engines leave out of the light time of both ways, as a phase [rad]; docs/theory/echo-model.md, 6.
-LIGHT_TIME = 5e-5
+LIGHT_TIME = 5e-7
 VANISHING_V = 1e-30  # Far from where single precision ends, 1e-38: filters in between still have digits to lose.
 
 
