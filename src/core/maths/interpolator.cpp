@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "core/maths/constants.hpp"
@@ -82,6 +83,21 @@ double Interpolator::third_derivative(double x) const {
   }
   const double half = 1e-3 * step_;
   return (jet(x + half).curvature - jet(x - half).curvature) / (2.0 * half);
+}
+
+// The curvature of a cubic is straight between knots.
+double Interpolator::curvature_bound() const {
+  if (knots_.size() < 2 || method_ == Interpolation::linear) return 0.0;
+  if (method_ == Interpolation::low_pass) return std::numeric_limits<double>::infinity();
+  double bound = 0.0;
+  for (std::size_t i = 0; i + 1 < knots_.size(); ++i) {
+    const double h = knots_[i + 1].x - knots_[i].x;
+    const double chord = (knots_[i + 1].y - knots_[i].y) / h;
+    const double left = 6.0 * chord - 4.0 * slopes_[i] - 2.0 * slopes_[i + 1];
+    const double right = 2.0 * slopes_[i] + 4.0 * slopes_[i + 1] - 6.0 * chord;
+    bound = std::max({bound, std::abs(left / h), std::abs(right / h)});
+  }
+  return bound;
 }
 
 // Index of the segment [i, i + 1] that holds x; a knot, within rounding, belongs to the segment on its right.

@@ -53,6 +53,8 @@ class Interpolator {
   /// Third derivative, to the right where it jumps. Exact for straight lines and cubics; for low pass the quotient of
   /// curvatures 1/500 of a step apart, to a relative 1e-5 of the largest one.
   [[nodiscard]] double third_derivative(double x) const;
+  /// No second derivative exceeds this, in magnitude: exact for straight lines (0) and cubics; infinity for low pass.
+  [[nodiscard]] double curvature_bound() const;
   /// Value and derivatives with respect to x; where the function bends, the derivatives to the right.
   [[nodiscard]] Jet jet(double x) const;
   [[nodiscard]] bool empty() const { return knots_.empty(); }

@@ -265,6 +265,23 @@ TEST(Interpolator, DerivativesAgreeWithCentralDifferences) {
     }
 }
 
+// Knots 1 apart and points 1/200 apart: the curvature of a cubic is largest at a knot, which is among the points.
+TEST(Interpolator, CurvatureBoundIsReachedByCubicsAndPassedByNone) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> y(-1.0, 1.0);
+  for (const CubicEnds ends : {CubicEnds::chords, CubicEnds::not_a_knot}) {
+    SampledFunction function{Interpolation::cubic, {}};
+    for (int i = 0; i < 6; ++i) function.knots.push_back({static_cast<double>(i), y(random)});
+    const Interpolator f(function, InterpolationRules(LowPassRule::first_knot, ends));
+    double largest = 0.0;
+    for (int i = 0; i <= 1000; ++i) largest = std::max(largest, std::abs(f.jet(0.005 * i).curvature));
+    EXPECT_NEAR(f.curvature_bound(), largest, 1e-12 * largest);
+  }
+  EXPECT_EQ(Interpolator({Interpolation::linear, {{0, 0}, {1, 5}, {2, 0}}}).curvature_bound(), 0.0);
+  EXPECT_EQ(Interpolator({Interpolation::cubic, {{0, 7}}}).curvature_bound(), 0.0);
+  EXPECT_TRUE(std::isinf(Interpolator({Interpolation::low_pass, {{0, 0}, {1, 5}, {2, 0}}}).curvature_bound()));
+}
+
 // The quotient of curvatures 2e-4 apart errs by 2e-8/6 of the fifth derivative (below 1e5) and rounding as above.
 TEST(Interpolator, ThirdDerivativeIsThatOfTheCurvature) {
   constexpr double h = 1e-4;

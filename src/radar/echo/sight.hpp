@@ -72,7 +72,7 @@ struct SightFrame {
   bool moves = false;            ///< Whether any point of the platform has a velocity; LightTime::exact.
   bool bends = false;            ///< Whether bends are asked for; LightTime::exact.
   core::Vec3 acceleration_mps2;  ///< Of the platform at the anchor, for bends,
-  core::Mat3 world_from_platform_acceleration;
+  core::Mat3 world_from_platform_acceleration{{core::Vec3{}, core::Vec3{}, core::Vec3{}}};
   core::Vec3 radar_mps2;          ///< and of the radar.
   double back_s = 0.0;            ///< After sending: when about the echo is back, to where `radar_mps` is the mean.
   core::Mat3 antenna_from_world;  ///< AntennaSight::Offsets::antenna_frame.

@@ -51,9 +51,20 @@ ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::Rando
 }
 
 core::Jet ErrorProcess::at(double time_s) const {
+  Step step;
+  return at(time_s, step);
+}
+
+core::Jet ErrorProcess::at(double time_s, Step& step) const {
   if (!active()) return {};
   const double position = time_s / step_s_;
   const double below = std::floor(position + 1e-9);
+  if (step.below != below) step = step_from(below);
+  const double rise = step.right - step.left;
+  return {step.left + rise * (position - below), differentiable_ ? rise / step_s_ : 0.0, 0.0};
+}
+
+ErrorProcess::Step ErrorProcess::step_from(double below) const {
   const std::int64_t newest = static_cast<std::int64_t>(below) + 1 - first_lag_;
   // White noise of the cells newest, newest - 1, ...; two neighbouring cells share one pair of normal numbers.
   std::array<double, steps_over_support + 2> noise;
@@ -70,7 +81,7 @@ core::Jet ErrorProcess::at(double time_s) const {
     right += weights_[k] * noise[k];
     left += weights_[k] * noise[k + 1];
   }
-  return {left + (right - left) * (position - below), differentiable_ ? (right - left) / step_s_ : 0.0, 0.0};
+  return {below, left, right};
 }
 
 }  // namespace sarsim::radar

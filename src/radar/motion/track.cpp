@@ -8,32 +8,27 @@ namespace sarsim::radar {
 
 namespace {
 
-// Elementary right-handed rotations about x, y, z and their derivatives with respect to the angle.
-std::array<core::Mat3, 3> elementary(const std::array<double, 3>& a) {
-  const double s1 = std::sin(a[0]), c1 = std::cos(a[0]);
-  const double s2 = std::sin(a[1]), c2 = std::cos(a[1]);
-  const double s3 = std::sin(a[2]), c3 = std::cos(a[2]);
-  return {core::Mat3{{core::Vec3{1, 0, 0}, core::Vec3{0, c1, -s1}, core::Vec3{0, s1, c1}}},
-          core::Mat3{{core::Vec3{c2, 0, s2}, core::Vec3{0, 1, 0}, core::Vec3{-s2, 0, c2}}},
-          core::Mat3{{core::Vec3{c3, -s3, 0}, core::Vec3{s3, c3, 0}, core::Vec3{0, 0, 1}}}};
+// [w]x m: what each column of m gains per second as it turns with the angular velocity w.
+core::Mat3 turned(const core::Vec3& w, const core::Mat3& m) {
+  return {{w.y * m.row[2] - w.z * m.row[1], w.z * m.row[0] - w.x * m.row[2], w.x * m.row[1] - w.y * m.row[0]}};
 }
 
-std::array<core::Mat3, 3> elementary_slopes(const std::array<double, 3>& a) {
-  const double s1 = std::sin(a[0]), c1 = std::cos(a[0]);
-  const double s2 = std::sin(a[1]), c2 = std::cos(a[1]);
-  const double s3 = std::sin(a[2]), c3 = std::cos(a[2]);
-  return {core::Mat3{{core::Vec3{}, core::Vec3{0, -s1, -c1}, core::Vec3{0, c1, -s1}}},
-          core::Mat3{{core::Vec3{-s2, 0, c2}, core::Vec3{}, core::Vec3{-c2, 0, -s2}}},
-          core::Mat3{{core::Vec3{-s3, -c3, 0}, core::Vec3{c3, -s3, 0}, core::Vec3{}}}};
+// The axes about which roll, pitch and yaw turn a platform, world axes, as seen along them: Rz(-c) Ry(-b) x, Rz(-c) y,
+// z.
+std::array<core::Vec3, 3> turning_axes(const std::array<double, 3>& angle) {
+  const double sb = std::sin(angle[1]), cb = std::cos(angle[1]);
+  const double sc = std::sin(angle[2]), cc = std::cos(angle[2]);
+  return {core::Vec3{cc * cb, -sc * cb, sb}, core::Vec3{sc, cc, 0.0}, core::Vec3{0.0, 0.0, 1.0}};
 }
 
-// Second derivatives with respect to the angle: the entries that turn, negated; the axis does not turn.
-std::array<core::Mat3, 3> elementary_curvatures(const std::array<double, 3>& a) {
-  std::array<core::Mat3, 3> r = elementary(a);
-  r[0].row[0].x = r[1].row[1].y = r[2].row[2].z = 0.0;
-  for (core::Mat3& m : r) m = -1.0 * m;
-  return r;
+// Sum of speeds about the axes; angles turn clockwise.
+core::Vec3 about(const std::array<core::Vec3, 3>& axes, const std::array<double, 3>& speed) {
+  return -(speed[0] * axes[0] + speed[1] * axes[1] + speed[2] * axes[2]);
 }
+
+bool still(const std::array<double, 3>& rate) { return rate[0] == 0.0 && rate[1] == 0.0 && rate[2] == 0.0; }
+
+constexpr core::Mat3 nothing{{core::Vec3{}, core::Vec3{}, core::Vec3{}}};
 
 bool moves(const core::Interpolator& function) { return function.knots().size() > 1; }
 
@@ -73,6 +68,10 @@ std::array<double, 2> aligned_accelerations(const core::Vec3& v, const core::Vec
           (v.y * j.x - v.x * j.y - 2.0 * azimuth_rate * level * level_rate) / (level * level)};
 }
 
+std::array<core::Jet, 3> jets(const std::array<core::Interpolator, 3>& path, double time_s) {
+  return {path[0].jet(time_s), path[1].jet(time_s), path[2].jet(time_s)};
+}
+
 core::Vec3 third_derivative(const std::array<core::Interpolator, 3>& path, double time_s) {
   return {path[0].third_derivative(time_s), path[1].third_derivative(time_s), path[2].third_derivative(time_s)};
 }
@@ -80,31 +79,33 @@ core::Vec3 third_derivative(const std::array<core::Interpolator, 3>& path, doubl
 }  // namespace
 
 core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
-  const auto r = elementary(rotation_rad);
-  return core::transposed(r[0] * r[1] * r[2]);
+  const double sa = std::sin(rotation_rad[0]), ca = std::cos(rotation_rad[0]);
+  const double sb = std::sin(rotation_rad[1]), cb = std::cos(rotation_rad[1]);
+  const double sc = std::sin(rotation_rad[2]), cc = std::cos(rotation_rad[2]);
+  const core::Vec3 x{cb, sb * sa, -sb * ca};  // rows of Ry(-b) Rx(-a)
+  const core::Vec3 y{0.0, ca, sa};
+  return {{cc * x + sc * y, cc * y - sc * x, core::Vec3{sb, -cb * sa, cb * ca}}};
 }
 
 core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
                                     const std::array<double, 3>& rate_rad_per_s) {
-  const auto r = elementary(rotation_rad);
-  const auto d = elementary_slopes(rotation_rad);
-  return core::transposed(rate_rad_per_s[0] * (d[0] * r[1] * r[2]) + rate_rad_per_s[1] * (r[0] * d[1] * r[2]) +
-                          rate_rad_per_s[2] * (r[0] * r[1] * d[2]));
+  if (still(rate_rad_per_s)) return nothing;
+  return turned(about(turning_axes(rotation_rad), rate_rad_per_s), world_from_platform(rotation_rad));
 }
 
 core::Mat3 world_from_platform_acceleration(const std::array<double, 3>& rotation_rad,
                                             const std::array<double, 3>& rate_rad_per_s,
                                             const std::array<double, 3>& acceleration_rad_per_s2) {
-  const auto r = elementary(rotation_rad);
-  auto first = elementary_slopes(rotation_rad);
-  auto second = elementary_curvatures(rotation_rad);
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double rate = rate_rad_per_s[i];
-    second[i] = (rate * rate) * second[i] + acceleration_rad_per_s2[i] * first[i];
-    first[i] = rate * first[i];
-  }
-  const core::Mat3 crossed = first[0] * first[1] * r[2] + first[0] * r[1] * first[2] + r[0] * first[1] * first[2];
-  return core::transposed(second[0] * r[1] * r[2] + r[0] * second[1] * r[2] + r[0] * r[1] * second[2] + 2.0 * crossed);
+  if (still(rate_rad_per_s) && still(acceleration_rad_per_s2)) return nothing;
+  const auto axes = turning_axes(rotation_rad);
+  const core::Vec3 w = about(axes, rate_rad_per_s);
+  // Yaw turns the pitch axis, yaw and pitch the roll axis.
+  const core::Vec3 yaw = -rate_rad_per_s[2] * axes[2];
+  const core::Vec3 yaw_and_pitch = yaw - rate_rad_per_s[1] * axes[1];
+  const core::Vec3 w_rate = about(axes, acceleration_rad_per_s2) - rate_rad_per_s[1] * core::cross(yaw, axes[1]) -
+                            rate_rad_per_s[0] * core::cross(yaw_and_pitch, axes[0]);
+  const core::Mat3 m = world_from_platform(rotation_rad);
+  return turned(w_rate, m) + turned(w, turned(w, m));
 }
 
 Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
@@ -117,16 +118,34 @@ Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
   for (std::size_t i = 0; i < 3; ++i) {
     position_process_[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i));
     rotation_process_[i] = ErrorProcess(motion_.rotation_envelope[i], rotation, static_cast<int>(i));
+    turns_ = turns_ || moves(motion_.rotation_rad[i]) || motion_.rotation_rate_rad_per_s[i] != 0.0 ||
+             rotation_process_[i].active();
   }
+  const auto& path = motion_.position_m;
+  acceleration_bound_mps2_ =
+      core::norm({path[0].curvature_bound(), path[1].curvature_bound(), path[2].curvature_bound()});
+  for (const core::Interpolator& way : path) turns_ = turns_ || (motion_.aligned && way.knots().size() > 2);
 }
 
 Pose Track::at(double time_s, std::int64_t pulse) const {
+  ErrorSteps steps;
+  return at(time_s, pulse, steps);
+}
+
+Pose Track::at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
+  const std::array<core::Jet, 3> path = jets(motion_.position_m, time_s);
+  const Travel travel = travel_along(path, time_s, pulse, steps);
   Pose pose;
-  add_path(pose, time_s);
-  add_errors(pose, time_s, pulse);
+  pose.position_world_m = travel.position_world_m;
+  pose.velocity_world_mps = travel.velocity_world_mps;
+  add_rotation(pose, path, time_s, pulse, steps);
   pose.world_from_platform = world_from_platform(pose.rotation_rad);
   pose.world_from_platform_rate = world_from_platform_rate(pose.rotation_rad, pose.rotation_rate_rad_per_s);
   return pose;
+}
+
+Travel Track::travel_at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
+  return travel_along(jets(motion_.position_m, time_s), time_s, pulse, steps);
 }
 
 PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse) const {
@@ -134,9 +153,7 @@ PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse) const
 }
 
 PoseAcceleration Track::acceleration_at(double time_s, const Pose& pose) const {
-  const core::Jet x = motion_.position_m[0].jet(time_s);
-  const core::Jet y = motion_.position_m[1].jet(time_s);
-  const core::Jet z = motion_.position_m[2].jet(time_s);
+  const auto [x, y, z] = jets(motion_.position_m, time_s);
   PoseAcceleration result;
   result.acceleration_world_mps2 = {x.curvature, y.curvature, z.curvature};
   std::array<double, 3> turning{};
@@ -152,42 +169,42 @@ PoseAcceleration Track::acceleration_at(double time_s, const Pose& pose) const {
   return result;
 }
 
-void Track::add_path(Pose& pose, double time_s) const {
-  const core::Jet x = motion_.position_m[0].jet(time_s);
-  const core::Jet y = motion_.position_m[1].jet(time_s);
-  const core::Jet z = motion_.position_m[2].jet(time_s);
-  pose.position_world_m = {x.value, y.value, z.value};
-  pose.velocity_world_mps = {x.slope, y.slope, z.slope};
+// The angles, which follow the nominal path where the platform is aligned, and their errors.
+void Track::add_rotation(Pose& pose, const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
+                         ErrorSteps& steps) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const core::Jet angle = motion_.rotation_rad[i].jet(time_s);
     pose.rotation_rad[i] = angle.value + motion_.rotation_rate_rad_per_s[i] * time_s;
     pose.rotation_rate_rad_per_s[i] = angle.slope + motion_.rotation_rate_rad_per_s[i];
   }
-  if (motion_.aligned) align(pose, pose.velocity_world_mps, {x.curvature, y.curvature, z.curvature});
+  if (motion_.aligned)
+    align(pose, {path[0].slope, path[1].slope, path[2].slope},
+          {path[0].curvature, path[1].curvature, path[2].curvature});
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (motion_.rotation_stddev_rad[i] != 0.0)
+      pose.rotation_rad[i] +=
+          motion_.rotation_stddev_rad[i] * rotation_noise_.normals(pulse, static_cast<std::int64_t>(i))[0];
+    if (!rotation_process_[i].active()) continue;
+    const core::Jet deviation = rotation_process_[i].at(time_s, steps.rotation[i]);
+    pose.rotation_rad[i] += deviation.value;
+    pose.rotation_rate_rad_per_s[i] += deviation.slope;
+  }
 }
 
-void Track::add_errors(Pose& pose, double time_s, std::int64_t pulse) const {
+Travel Track::travel_along(const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
+                           ErrorSteps& steps) const {
   std::array<double, 3> shift{};
   std::array<double, 3> speed{};
   for (std::size_t i = 0; i < 3; ++i) {
-    const auto axis = static_cast<std::int64_t>(i);
     if (motion_.position_stddev_m[i] != 0.0)
-      shift[i] += motion_.position_stddev_m[i] * position_noise_.normals(pulse, axis)[0];
-    if (motion_.rotation_stddev_rad[i] != 0.0)
-      pose.rotation_rad[i] += motion_.rotation_stddev_rad[i] * rotation_noise_.normals(pulse, axis)[0];
-    if (position_process_[i].active()) {
-      const core::Jet deviation = position_process_[i].at(time_s);
-      shift[i] += deviation.value;
-      speed[i] += deviation.slope;
-    }
-    if (rotation_process_[i].active()) {
-      const core::Jet deviation = rotation_process_[i].at(time_s);
-      pose.rotation_rad[i] += deviation.value;
-      pose.rotation_rate_rad_per_s[i] += deviation.slope;
-    }
+      shift[i] += motion_.position_stddev_m[i] * position_noise_.normals(pulse, static_cast<std::int64_t>(i))[0];
+    if (!position_process_[i].active()) continue;
+    const core::Jet deviation = position_process_[i].at(time_s, steps.position[i]);
+    shift[i] += deviation.value;
+    speed[i] += deviation.slope;
   }
-  pose.position_world_m = pose.position_world_m + core::Vec3{shift[0], shift[1], shift[2]};
-  pose.velocity_world_mps = pose.velocity_world_mps + core::Vec3{speed[0], speed[1], speed[2]};
+  return {{path[0].value + shift[0], path[1].value + shift[1], path[2].value + shift[2]},
+          {path[0].slope + speed[0], path[1].slope + speed[1], path[2].slope + speed[2]}};
 }
 
 }  // namespace sarsim::radar

@@ -72,6 +72,12 @@ struct Motion {
   std::array<core::Interpolator, 3> rotation_envelope;
 };
 
+/// Where a platform's origin is and how it moves, at one time.
+struct Travel {
+  core::Vec3 position_world_m;
+  core::Vec3 velocity_world_mps;
+};
+
 /// A platform's motion, ready to be evaluated. Const members are safe to call from many threads.
 class Track {
  public:
@@ -82,24 +88,42 @@ class Track {
   /// velocity is the analytic derivative; where a path bends it is the one to the right (decision 4).
   [[nodiscard]] Pose at(double time_s, std::int64_t pulse) const;
 
+  /// Steps of the motion errors that were last in use: calls near in time share them. One for each thread and track.
+  struct ErrorSteps {
+    std::array<ErrorProcess::Step, 3> position;
+    std::array<ErrorProcess::Step, 3> rotation;
+  };
+  /// The same, and faster where motion errors have envelopes.
+  [[nodiscard]] Pose at(double time_s, std::int64_t pulse, ErrorSteps& steps) const;
+  /// Position and velocity of `at` alone: much faster.
+  [[nodiscard]] Travel travel_at(double time_s, std::int64_t pulse, ErrorSteps& steps) const;
+
   /// How the pose of `at` changes its motion: its analytic second derivatives, to the right where a path bends. 0 from
   /// straight lines, motion errors among them. The jitter of pulse `pulse` turns the platform and so its derivatives.
   [[nodiscard]] PoseAcceleration acceleration_at(double time_s, std::int64_t pulse) const;
   /// The same where the pose at that time is known: faster.
   [[nodiscard]] PoseAcceleration acceleration_at(double time_s, const Pose& pose) const;
 
+  /// No acceleration of the origin in `acceleration_at` exceeds this; infinity where it is not known beforehand.
+  [[nodiscard]] double acceleration_bound_mps2() const { return acceleration_bound_mps2_; }
+  /// True where the platform may turn as time passes.
+  [[nodiscard]] bool turns() const { return turns_; }
   /// True where the pose is the same at every time and for every pulse.
   [[nodiscard]] bool fixed() const { return fixed_; }
 
  private:
-  void add_path(Pose& pose, double time_s) const;
-  void add_errors(Pose& pose, double time_s, std::int64_t pulse) const;
+  [[nodiscard]] Travel travel_along(const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
+                                    ErrorSteps& steps) const;
+  void add_rotation(Pose& pose, const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
+                    ErrorSteps& steps) const;
 
   Motion motion_;
   core::RandomStream position_noise_;
   core::RandomStream rotation_noise_;
   std::array<ErrorProcess, 3> position_process_;
   std::array<ErrorProcess, 3> rotation_process_;
+  double acceleration_bound_mps2_ = 0.0;
+  bool turns_ = false;
   bool fixed_ = false;
 };
 

@@ -262,6 +262,46 @@ TEST(Track, EnvelopeErrorsMoveThePositionAndTheSpeed) {
   EXPECT_NE(a.rotation_rad[2], a.position_world_m.y);  // position and rotation have noises of their own
 }
 
+// Times that come and go between the 512 steps of the deviations.
+TEST(Track, ErrorStepsAndTravelsChangeNoBit) {
+  Motion motion = winding();
+  motion.aligned = true;
+  motion.position_stddev_m = {0.1, 0.2, 0.3};
+  motion.rotation_stddev_rad = {0.01, 0.02, 0.03};
+  for (std::size_t i = 0; i < 3; ++i)
+    motion.position_envelope[i] = motion.rotation_envelope[i] = smooth({{0, 0}, {1, 1}, {2, 0}});
+  const Track track(motion, 3, "A");
+  Track::ErrorSteps steps, travel_steps;
+  for (const double t : {0.1, 0.1001, 0.2, 0.1, 2.5, -1.0}) {
+    const Pose pose = track.at(t, 4);
+    const Pose again = track.at(t, 4, steps);
+    const Travel travel = track.travel_at(t, 4, travel_steps);
+    EXPECT_EQ(again.position_world_m, pose.position_world_m);
+    EXPECT_EQ(again.velocity_world_mps, pose.velocity_world_mps);
+    EXPECT_EQ(again.world_from_platform, pose.world_from_platform);
+    EXPECT_EQ(again.world_from_platform_rate, pose.world_from_platform_rate);
+    EXPECT_EQ(travel.position_world_m, pose.position_world_m);
+    EXPECT_EQ(travel.velocity_world_mps, pose.velocity_world_mps);
+  }
+}
+
+TEST(Track, BoundsItsAccelerationAndSaysWhetherItTurns) {
+  Motion motion;
+  motion.position_m = winding().position_m;
+  const Track track(motion, 1, "A");
+  EXPECT_FALSE(track.turns());
+  for (int i = -10; i <= 40; ++i)
+    EXPECT_LE(core::norm(track.acceleration_at(0.1 * i, 0).acceleration_world_mps2), track.acceleration_bound_mps2());
+  EXPECT_GT(track.acceleration_bound_mps2(), 0.0);
+  motion.aligned = true;
+  EXPECT_TRUE(Track(motion, 1, "A").turns());
+  motion.position_m = {smooth({{0, 0}, {1, 30}}), constant(0), constant(0)};
+  EXPECT_FALSE(Track(motion, 1, "A").turns());
+  EXPECT_EQ(Track(motion, 1, "A").acceleration_bound_mps2(), 0.0);
+  motion.rotation_rate_rad_per_s[1] = 0.1;
+  EXPECT_TRUE(Track(motion, 1, "A").turns());
+}
+
 // White noise has no speed: what the grid makes of it must not reach the Doppler shift.
 TEST(Track, ErrorsWithABoxEnvelopeMoveThePositionAndTheRotationAlone) {
   Motion motion;

@@ -69,6 +69,23 @@ struct Flight {
   return flight;
 }
 
+/// `flight_of` to a point that rests, b = 0: the same to rounding, and faster.
+[[nodiscard]] inline Flight flight_to_resting(const core::Vec3& look_m, const core::Vec3& radar_mps,
+                                              const core::Vec3& radar_slope_mps, double light_speed_mps) {
+  const double per_light = 1.0 / light_speed_mps;
+  const core::Vec3 way = per_light * radar_mps;
+  Flight flight;
+  flight.look_m = look_m;
+  flight.path.out_m = core::norm(look_m);
+  const double length_m = 2.0 * (flight.path.out_m - core::dot(look_m, way)) / (1.0 - core::dot(way, way));
+  flight.path.back_m = length_m - flight.path.out_m;
+  flight.delay_s = length_m / light_speed_mps;
+  const double out_w = per_light * core::dot(look_m, radar_slope_mps) / flight.path.out_m;
+  const double home_w = per_light * core::dot(length_m * way - look_m, radar_slope_mps) / flight.path.back_m;
+  flight.doppler = (home_w - out_w) / (1.0 - out_w);
+  return flight;
+}
+
 /// The flight of the thesis (6.9), as the programs of 1998 had it: everything counts where it is when the pulse leaves,
 /// tau = 2 d/(c - v), D = 2 v/c.
 /// @param velocity_mps  of the point relative to the radar

@@ -75,6 +75,21 @@ TEST(FlightOf, ResetsToTwiceTheDistanceOverCWhereNothingMoves) {
 }
 
 // Closed forms of radial motion: tau = 2 d/(c - v), D = 2 v/(c + v).
+TEST(FlightToResting, IsTheFlightToAPointWithoutVelocity) {
+  std::mt19937 random(7);
+  for (int trial = 0; trial < 500; ++trial) {
+    const core::Vec3 look = random_vector(random, 1e6);
+    const core::Vec3 way = random_vector(random, std::pow(10.0, trial % 8)), slope = 1.01 * way;
+    const Flight general = flight_of(look, {{}, 1e-3, way, slope}, c);
+    const Flight found = flight_to_resting(look, way, slope, c);
+    EXPECT_NEAR(found.delay_s, general.delay_s, 4e-16 * general.delay_s);
+    EXPECT_NEAR(found.path.back_m, general.path.back_m, 1e-15 * general.delay_s * c);
+    EXPECT_EQ(found.path.out_m, core::norm(look));
+    EXPECT_EQ(found.look_m, look);
+    EXPECT_NEAR(found.doppler, general.doppler, 4e-16 + 4e-16 * std::abs(general.doppler));
+  }
+}
+
 TEST(FlightOf, AlongTheLineOfSightHasTheClosedForms) {
   for (const double v : {-7000.0, -30.0, 2.0, 15'000.0}) {
     const Flight flight = flight_of({0.0, 1e5, 0.0}, {{0.0, v, 0.0}, 0.0, {}}, c);

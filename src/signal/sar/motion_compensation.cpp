@@ -24,9 +24,7 @@ constexpr std::size_t shift_guard_samples =
 // The light time to a point at rest and back to the antenna as it flies on.
 double delay_of(const core::Vec3& point_m, const core::Vec3& antenna_m, const core::Vec3& velocity_mps,
                 double light_speed_mps) {
-  radar::FlightMotion motion;
-  motion.radar_mps = motion.radar_slope_mps = velocity_mps;
-  return radar::flight_of(point_m - antenna_m, motion, light_speed_mps).delay_s;
+  return radar::flight_to_resting(point_m - antenna_m, velocity_mps, velocity_mps, light_speed_mps).delay_s;
 }
 
 // One pulse's way from its antenna to the reference track.

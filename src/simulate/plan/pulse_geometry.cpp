@@ -20,17 +20,29 @@ struct PulseGeometry::Sight {
   double distance_m = 0.0;  // as the pulse leaves
 };
 
+namespace {
+
+// No vector of unit length is turned into a longer one than this.
+double turning_of(const core::Mat3& m) {
+  return core::norm({core::norm(m.row[0]), core::norm(m.row[1]), core::norm(m.row[2])});
+}
+
+}  // namespace
+
 PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
     : scene_(&scene),
       radar_(&radar),
       poses_(scene.platforms.size()),
       used_(scene.platforms.size(), false),
-      frames_(scene.platforms.size()) {
+      reflects_(scene.platforms.size(), false),
+      frames_(scene.platforms.size()),
+      error_steps_(scene.platforms.size()) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);
+  for (const Scatterer& s : scene.scatterers) reflects_[s.platform] = true;
+  for (const ScattererSheet& sheet : scene.sheets) reflects_[sheet.platform] = true;
+  used_ = reflects_;
   used_[radar.platform] = true;
-  for (const Scatterer& s : scene.scatterers) used_[s.platform] = true;
-  for (const ScattererSheet& sheet : scene.sheets) used_[sheet.platform] = true;
   for (std::size_t i = 0; i < poses_.size(); ++i) poses_[i] = scene.platforms[i].track.at(0.0, 0);
   spreading_ = !(radar.stc != scene::Radar::Stc::none && scene.conventions.stc == Conventions::Stc::no_spreading);
   set_pulse(0);
@@ -41,10 +53,11 @@ void PulseGeometry::set_pulse(std::int64_t pulse) {
   time_s_ = radar_->repetition.send_time_s(pulse);
   carrier_hz_ = radar_->carrier.carrier_hz(pulse);
   for (std::size_t i = 0; i < poses_.size(); ++i)
-    if (used_[i] && !scene_->platforms[i].track.fixed()) poses_[i] = scene_->platforms[i].track.at(time_s_, pulse);
+    if (used_[i] && !scene_->platforms[i].track.fixed())
+      poses_[i] = scene_->platforms[i].track.at(time_s_, pulse, error_steps_[i]);
   bends_ = false;
   for (std::size_t i = 0; i < poses_.size(); ++i)
-    if (used_[i]) set_frame(i);
+    if (reflects_[i]) set_frame(i);
   const double wavelength_m = radar::wavelength_of(carrier_hz_, scene_->conventions.light_speed_mps);
   amplitude_scale_ = std::sqrt(radar_->radiated_w) * wavelength_m / std::pow(4.0 * core::pi, 1.5);
 }
@@ -62,13 +75,13 @@ void PulseGeometry::set_frame(std::size_t platform) {
   frame.velocity_mps = pose.velocity_world_mps - radar_pose().velocity_world_mps;
   if (frame.light_time == radar::LightTime::thesis) return;
   set_flight(platform, frame);
-  frame.bends = bend_counts(platform, frame);
+  set_bend(platform, frame);
   bends_ = bends_ || frame.bends;
 }
 
 // The platform is taken where the pulse meets its middle, the radar's velocity from where it is as that echo comes
 // back.
-void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) const {
+void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
   const core::Vec3 middle_m = frame.origin_m + frame.world_from_platform * carrier.middle_m;
@@ -76,7 +89,7 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) c
   frame.velocity_mps = {};
   frame.moves = !carrier.track.fixed();
   if (frame.moves) {
-    const radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_);
+    const radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_, error_steps_[platform]);
     frame.world_from_platform = met.world_from_platform;
     frame.world_from_platform_rate = met.world_from_platform_rate;
     frame.origin_m = met.position_world_m - radar_pose().position_world_m;
@@ -85,39 +98,50 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) c
   }
   frame.back_s = 2.0 * out_s;
   if (own.track.fixed()) return;
-  const radar::Pose back = own.track.at(time_s_ + frame.back_s, pulse_);
+  const radar::Travel back = own.track.travel_at(time_s_ + frame.back_s, pulse_, error_steps_[radar_->platform]);
   frame.radar_slope_mps = 0.5 * (radar_pose().velocity_world_mps + back.velocity_world_mps);
   frame.radar_mps = out_s > 0.0 ? (1.0 / frame.back_s) * (back.position_world_m - radar_pose().position_world_m)
                                 : frame.radar_slope_mps;
 }
 
-// Whether accelerations count: turn the ends of the pulse, or the echoes of points beside the platform's middle, by
-// more than a twentieth of the tolerance, at most.
-bool PulseGeometry::bend_counts(std::size_t platform, radar::SightFrame& frame) const {
+// Accelerations are computed where their bounds say that they may count.
+void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) const {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
-  if (carrier.track.fixed() && own.track.fixed()) return false;
-  const radar::PoseAcceleration of_carrier = carrier.track.acceleration_at(time_s_ + frame.anchor_s, pulse_);
-  frame.acceleration_mps2 = of_carrier.acceleration_world_mps2;
-  frame.world_from_platform_acceleration = of_carrier.world_from_platform_acceleration;
-  frame.radar_mps2 = own.track.acceleration_at(time_s_, radar_pose()).acceleration_world_mps2;
   const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
-  const auto most = [reach_m](const core::Vec3& origin, const core::Mat3& matrix) {
-    const double rows = core::norm({core::norm(matrix.row[0]), core::norm(matrix.row[1]), core::norm(matrix.row[2])});
-    return core::norm(origin) + rows * reach_m;
-  };
-  const double speed_mps = most(frame.velocity_mps - frame.radar_slope_mps, frame.world_from_platform_rate);
-  const double acceleration_mps2 =
-      most(frame.acceleration_mps2 - frame.radar_mps2, frame.world_from_platform_acceleration);
+  const bool turns = carrier.track.turns() && reach_m > 0.0;
+  if (!turns &&
+      !bend_counts(platform, frame, carrier.track.acceleration_bound_mps2(), own.track.acceleration_bound_mps2()))
+    return;
+  if (!carrier.track.fixed()) {
+    const radar::PoseAcceleration of_carrier = carrier.track.acceleration_at(time_s_ + frame.anchor_s, pulse_);
+    frame.acceleration_mps2 = of_carrier.acceleration_world_mps2;
+    frame.world_from_platform_acceleration = of_carrier.world_from_platform_acceleration;
+  }
+  if (!own.track.fixed()) frame.radar_mps2 = own.track.acceleration_at(time_s_, radar_pose()).acceleration_world_mps2;
+  frame.bends =
+      bend_counts(platform, frame,
+                  core::norm(frame.acceleration_mps2) + turning_of(frame.world_from_platform_acceleration) * reach_m,
+                  core::norm(frame.radar_mps2));
+}
+
+// Whether accelerations up to those given turn the ends of the pulse, or the echoes of points beside the platform's
+// middle, by more than a twentieth of the tolerance.
+bool PulseGeometry::bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
+                                double radar_mps2) const {
+  const ResolvedPlatform& carrier = scene_->platforms[platform];
+  if (carrier.track.fixed() && scene_->platforms[radar_->platform].track.fixed()) return false;
+  const double light_mps = frame.light_speed_mps;
+  const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
+  const double speed_mps =
+      core::norm(frame.velocity_mps - frame.radar_slope_mps) + turning_of(frame.world_from_platform_rate) * reach_m;
   const double middle_m = core::norm(frame.origin_m + frame.world_from_platform * carrier.middle_m);
   const double nearest_m = std::max(middle_m - carrier.radius_m, 0.0);
   const double half_s = 0.5 * radar_->pulse.width_s;
-  const double bend_per_s =
-      radar::delay_of(speed_mps * speed_mps / nearest_m + acceleration_mps2, frame.light_speed_mps);
-  const double beside_s = radar::delay_of(carrier.radius_m, frame.light_speed_mps);
-  const double off_m = beside_s * (most(frame.acceleration_mps2, frame.world_from_platform_acceleration) * beside_s +
-                                   core::norm(frame.radar_mps2) * (frame.back_s + beside_s));
-  const double turn_rad = core::pi * carrier_hz_ * (bend_per_s * half_s * half_s + off_m / frame.light_speed_mps);
+  const double bend_per_s = radar::delay_of(speed_mps * speed_mps / nearest_m + platform_mps2 + radar_mps2, light_mps);
+  const double beside_s = radar::delay_of(carrier.radius_m, light_mps);
+  const double off_m = beside_s * (platform_mps2 * beside_s + radar_mps2 * (frame.back_s + beside_s));
+  const double turn_rad = core::pi * carrier_hz_ * (bend_per_s * half_s * half_s + off_m / light_mps);
   return !(turn_rad <= 0.05 * scene_->options.tolerance);
 }
 
@@ -130,18 +154,29 @@ radar::Pointing PulseGeometry::pointing() const {
 PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::Vec3& point_m,
                                              const core::Vec3& undisturbed_m) const {
   const radar::SightFrame& frame = frames_[platform];
-  // Jitter moves positions, never speeds (decision 4): the velocity is that of the undisturbed point.
-  const core::Vec3 velocity_mps = frame.velocity_mps + frame.world_from_platform_rate * undisturbed_m;
   const core::Vec3 look_m = frame.origin_m + frame.world_from_platform * point_m;
+  // Jitter moves positions, never speeds (decision 4): the velocity is that of the undisturbed point.
+  const auto velocity_mps = [&] { return frame.velocity_mps + frame.world_from_platform_rate * undisturbed_m; };
+  const auto distance_m = [&] {
+    return core::norm(radar::world_position_m(poses_[platform], point_m) - radar_pose().position_world_m);
+  };
   Sight sight;
-  sight.distance_m = core::norm(radar::world_position_m(poses_[platform], point_m) - radar_pose().position_world_m);
   if (frame.light_time == radar::LightTime::thesis) {
-    sight.flight = radar::thesis_flight_of(look_m, velocity_mps, frame.light_speed_mps);
+    sight.flight = radar::thesis_flight_of(look_m, velocity_mps(), frame.light_speed_mps);
+    sight.distance_m = distance_m();
     return sight;
   }
-  sight.speed_mps = std::max(core::norm(velocity_mps), core::norm(frame.radar_mps));
-  radar::FlightMotion motion{velocity_mps, frame.anchor_s, frame.radar_mps, frame.radar_slope_mps, {}, {}, 0.0};
-  sight.flight = radar::flight_of(look_m, motion, frame.light_speed_mps);
+  sight.speed_mps = core::norm(frame.radar_mps);
+  radar::FlightMotion motion{{}, frame.anchor_s, frame.radar_mps, frame.radar_slope_mps, {}, {}, 0.0};
+  if (frame.moves) {
+    motion.point_mps = velocity_mps();
+    sight.speed_mps = std::max(core::norm(motion.point_mps), sight.speed_mps);
+    sight.flight = radar::flight_of(look_m, motion, frame.light_speed_mps);
+    sight.distance_m = distance_m();
+  } else {
+    sight.flight = radar::flight_to_resting(look_m, frame.radar_mps, frame.radar_slope_mps, frame.light_speed_mps);
+    sight.distance_m = sight.flight.path.out_m;
+  }
   if (sight.flight.path.out_m == 0.0) sight.flight.doppler = 0.0;
   if (sight.flight.path.out_m == 0.0 || !frame.bends) return sight;
   motion.point_mps2 = frame.acceleration_mps2 + frame.world_from_platform_acceleration * undisturbed_m;

@@ -35,7 +35,7 @@ class PulseGeometry {
   [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[radar_->platform]; }
   /// Where a platform stands as the pulse leaves.
   [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[platform]; }
-  /// How a platform moves while the current pulse is under way; without antenna.
+  /// How a platform with targets or surfaces moves while the current pulse is under way; without antenna.
   [[nodiscard]] const radar::SightFrame& frame(std::size_t platform) const { return frames_[platform]; }
   /// Whether the bend of any echo of the current pulse counts, against the scene's tolerance.
   [[nodiscard]] bool bends() const { return bends_; }
@@ -66,8 +66,10 @@ class PulseGeometry {
  private:
   struct Sight;  // the way to a point and home
   void set_frame(std::size_t platform);
-  void set_flight(std::size_t platform, radar::SightFrame& frame) const;
-  [[nodiscard]] bool bend_counts(std::size_t platform, radar::SightFrame& frame) const;
+  void set_flight(std::size_t platform, radar::SightFrame& frame);
+  void set_bend(std::size_t platform, radar::SightFrame& frame) const;
+  [[nodiscard]] bool bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
+                                 double radar_mps2) const;
   [[nodiscard]] Sight sight_of(std::size_t platform, const core::Vec3& point_m, const core::Vec3& undisturbed_m) const;
   [[nodiscard]] ScattererView seen(const Sight& sight, double rcs_m2, const radar::Pointing& pointing) const;
   [[nodiscard]] core::Vec3 normal_at(const radar::SightFrame& frame, const core::Vec3& normal_platform,
@@ -80,8 +82,10 @@ class PulseGeometry {
   const ResolvedScene* scene_;
   const ResolvedRadar* radar_;
   std::vector<radar::Pose> poses_;
-  std::vector<bool> used_;
+  std::vector<bool> used_;      // platforms of scatterers and the radar's
+  std::vector<bool> reflects_;  // platforms of scatterers
   std::vector<radar::SightFrame> frames_;
+  std::vector<radar::Track::ErrorSteps> error_steps_;
   bool bends_ = false;
   std::int64_t pulse_ = 0;
   double time_s_ = 0.0;
