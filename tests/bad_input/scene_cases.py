@@ -5,6 +5,7 @@ from harness import SCRIPT, Case
 
 STEPS = ("SINGLE 1\n", "STEPPED 1 0.001 4 1\n")
 ZERO_LIST = "CONSTANT 1000\nSINGLE 1\n"
+OWN_PULSES = ("! a target that passes a radar\n", "$OPTIONS AMBIGUOUS_ECHOES NONE\n")
 
 
 def window(text):
@@ -130,7 +131,7 @@ def recording_cases():
         Case(
             "far_window_strict",
             "window beyond five pulse intervals, --strict",
-            script(window("900 @750000\n0 0.019"), ("RAW", "RAW")),
+            script(window("900 @750000\n0 0.019"), ("RAW", "RAW"), OWN_PULSES),
             ("run", SCRIPT, "--strict"),
             severity="warning",
             message=["unambiguous range"],
@@ -273,7 +274,7 @@ def radar_cases():
         Case(
             "long_pulse_strict",
             "pulse longer than the pulse interval, --strict",
-            script(("0.05\n1000", "0.05\n@2e6")),
+            script(("0.05\n1000", "0.05\n@2e6"), OWN_PULSES),
             ("run", SCRIPT, "--strict"),
             severity="warning",
             message=["longer than the interval"],

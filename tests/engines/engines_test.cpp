@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "scene/script/reader.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/run/run.hpp"
 #include "support/ascii_samples.hpp"
 #include "support/folders.hpp"

@@ -323,11 +323,11 @@ class FieldsTest : public QObject {
 
   void options_go_to_the_script_and_back() {
     Bench bench;
-    const std::map<std::string, std::vector<QString>> values{{"profile", {"Classic", "Physical"}},
-                                                             {"seed", {"18446744073709551615", "42", "0"}},
-                                                             {"pulse", {"Band-limited", "Ideal"}},
-                                                             {"tolerance", {"1e-3", "0.1", "1e-9"}},
-                                                             {"cubic_ends", {"Not a knot", "Chords"}}};
+    const std::map<std::string, std::vector<QString>> values{
+        {"profile", {"Classic", "Physical"}},     {"seed", {"18446744073709551615", "42", "0"}},
+        {"pulse", {"Band-limited", "Ideal"}},     {"tolerance", {"1e-3", "0.1", "1e-9"}},
+        {"cubic_ends", {"Not a knot", "Chords"}}, {"ambiguous_echoes", {"All", "None", "Strong"}},
+        {"eclipsing", {"Blanked", "None"}}};
     QCOMPARE(values.size(), scene::option_fields().size());
     for (const scene::Field& field : scene::option_fields()) {
       QVERIFY2(values.contains(field.id), field.id.c_str());

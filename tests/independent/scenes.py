@@ -235,6 +235,8 @@ def script(scene, file="samples.npy"):
     simulation = f"$SIMULATION Radar {window} 16 {numbers(recording.sampling_ghz)} 0 NPY {recording.processing} {file}"
     factors = f"{recording.pulse_position} {numbers(pulse.oversampling, pulse.kept_width)}"
     options = f"$OPTIONS PROFILE {scene.profile} PULSE {'BAND_LIMITED' if pulse.band_limited else 'IDEAL'}"
+    options += f" AMBIGUOUS_ECHOES {'ALL' if recording.other_pulses else 'NONE'}"
+    options += f" ECLIPSING {'BLANKED' if recording.eclipsing else 'NONE'}"
     parts = [platform_text(platform) for platform in scene.platforms] + [
         target_text(target) for target in scene.targets
     ]

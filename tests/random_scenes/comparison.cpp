@@ -16,6 +16,7 @@
 #include "scene/check/check.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "simulate/run/run.hpp"

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/maths/constants.hpp"
+#include "simulate/plan/row_maker.hpp"
 
 namespace sarsim::test {
 
@@ -94,13 +95,21 @@ class Allowance {
   // The promise for one pulse, and the rounding of its phases: f tau turns in double precision. An echo that begins or
   // ends just outside the row counts as well: an engine's error need not end where the echo does.
   double of_pulse(std::int64_t pulse) {
-    geometry_.set_pulse(pulse);
+    double sum = of_echoes(pulse, pulse);
+    for (const simulate::OtherPulse& other : plan_.other_pulses.pulses) sum += of_echoes(pulse, pulse - other.back);
+    return sum;
+  }
+
+  // Of what the row of `pulse` receives of a pulse that was sent.
+  double of_echoes(std::int64_t pulse, std::int64_t sent) {
+    geometry_.set_pulse(sent);
     geometry_.echoes(echoes_);
+    const double since_s = plan_.radar.repetition.send_time_s(pulse) - geometry_.send_time_s();
     double squares = 0.0;
     double longest_s = 0.0;
     for (std::size_t k = 0; k < echoes_.size(); ++k) {
       const radar::SampleSpan on =
-          radar::touched_samples(plan_.pulse, longer_, echoes_.delay_s[k], plan_.pulse.clock_of(echoes_, k));
+          radar::touched_samples(plan_.pulse, longer_, echoes_.delay_s[k] - since_s, plan_.pulse.clock_of(echoes_, k));
       if (on.begin >= on.end) continue;
       squares += echoes_.amplitude_sqrt_w[k] * echoes_.amplitude_sqrt_w[k];
       longest_s = std::max(longest_s, std::abs(echoes_.delay_s[k]));

@@ -322,7 +322,7 @@ scene::DataFileLoader loader_of(const scene::Scene& scene) {
 }
 
 std::string spelled_otherwise(const std::string& script) {
-  std::string text = "$options Profile Physical pulse ideal cubic_ends Chords\n";
+  std::string text = "$options Profile Physical pulse ideal cubic_ends Chords ambiguous_echoes Strong eclipsing None\n";
   std::istringstream lines(script);
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("SINX ", 0) == 0) line.replace(0, 4, "SIMPLE");

@@ -9,6 +9,7 @@
 #include "scene/check/check.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/run/run.hpp"
 #include "simulate/survey/survey.hpp"
 #include "support/discarding_sink.hpp"

@@ -46,6 +46,10 @@ double Repetition::send_time_s(std::int64_t pulse) const {
   return static_cast<double>(cycle) * cycle_s_ + start_in_cycle_s_[static_cast<std::size_t>(wrapped(pulse, length))];
 }
 
+std::int64_t Repetition::cycle_pulses() const {
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(start_in_cycle_s_.size()));
+}
+
 std::int64_t Repetition::first_at_or_after(double time_s) const {
   const auto length = static_cast<std::int64_t>(start_in_cycle_s_.size());
   std::int64_t low = to_pulse((std::floor(time_s / cycle_s_) - 1.0) * static_cast<double>(length));

@@ -27,6 +27,8 @@ class Repetition {
   /// Pulses with start <= t(n) <= end, each end widened by 1e-9 of an interval (decision 19).
   [[nodiscard]] PulseRange pulses_in(double start_s, double end_s) const;
 
+  /// After so many pulses the intervals begin anew: 1 where all are the same.
+  [[nodiscard]] std::int64_t cycle_pulses() const;
   /// The shortest time between two pulses.
   [[nodiscard]] double shortest_interval_s() const;
   /// The mean time between pulses.

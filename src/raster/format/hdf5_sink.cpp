@@ -31,12 +31,6 @@ const char* name_of(scene::Processing processing) {
   return "raw";
 }
 
-const char* name_of(scene::Profile profile) { return profile == scene::Profile::classic ? "classic" : "physical"; }
-
-const char* name_of(scene::PulseDefinition pulse) {
-  return pulse == scene::PulseDefinition::band_limited ? "band_limited" : "ideal";
-}
-
 // Complex numbers as h5py, MATLAB scripts and others expect them: a compound of r and i.
 Hdf5Handle complex_type(hid_t part) {
   const std::size_t size = H5Tget_size(part);
@@ -114,9 +108,14 @@ bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
 
 }  // namespace
 
-Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
-                   bool replace)
-    : product_(product), encoding_(encoding), file_(path, replace), order_(product.rows), output_(file_) {
+Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, FileAttributes option_words,
+                   const Encoding& encoding, bool replace)
+    : product_(product),
+      option_words_(std::move(option_words)),
+      encoding_(encoding),
+      file_(path, replace),
+      order_(product.rows),
+      output_(file_) {
   if (!file_.seekable())
     throw std::system_error(ESPIPE, std::generic_category(), "cannot write HDF5 into a pipe: " + path.string());
   const Hdf5Use use;
@@ -156,12 +155,11 @@ void Hdf5Sink::write_attributes() {
          write_attribute(root, "program_version", std::string(core::program_version)) &&
          put("script", product_.script) && put("radar", product_.radar) &&
          put("processing", std::string(name_of(product_.processing))) &&
-         put("profile", std::string(name_of(options.profile))) && put("pulse", std::string(name_of(options.pulse))) &&
+         std::ranges::all_of(option_words_,
+                             [&](const auto& option) { return put(option.first.c_str(), option.second); }) &&
          put("seed", H5T_STD_U64LE, static_cast<const void*>(&options.seed)) && put("engine", product_.engine) &&
-         put("tolerance", options.tolerance) &&
-         put("cubic_ends", std::string(options.cubic_ends == core::CubicEnds::not_a_knot ? "not_a_knot" : "chords")) &&
-         put("sample_rate_hz", product_.sample_rate_hz) && put("bits", static_cast<std::int32_t>(product_.bits)) &&
-         put("lsb_v", product_.lsb_v));
+         put("tolerance", options.tolerance) && put("sample_rate_hz", product_.sample_rate_hz) &&
+         put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v));
 }
 
 void Hdf5Sink::create_datasets() {

@@ -6,6 +6,7 @@
 #include "raster/format/encoder.hpp"
 #include "raster/format/hdf5_library.hpp"
 #include "raster/format/hdf5_output.hpp"
+#include "raster/table/product_attributes.hpp"
 #include "raster/table/row_order.hpp"
 #include "simulate/plan/sink.hpp"
 
@@ -17,7 +18,9 @@ namespace sarsim::raster {
 class Hdf5Sink final : public simulate::Sink {
  public:
   /// Begins the file; an existing one is refused unless `replace`.
-  Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding, bool replace);
+  /// @param option_words  of the product's options, each a root attribute
+  Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, FileAttributes option_words,
+           const Encoding& encoding, bool replace);
   ~Hdf5Sink() override;
 
   [[nodiscard]] bool wants_counts() const override { return encoding_.counts; }
@@ -41,6 +44,7 @@ class Hdf5Sink final : public simulate::Sink {
   void write_row_axes(std::size_t first_row, std::size_t rows);
 
   simulate::Product product_;
+  FileAttributes option_words_;
   Encoding encoding_;
   core::OutputFile file_;
   RowOrder order_;

@@ -134,8 +134,8 @@ TEST(ExportWindow, SaysNothingThatTheSourceDoesNotSay) {
   EXPECT_EQ(stored->info().bits, 0);
   simulate::Product back;
   take_origin(stored->info().attributes, back);
-  EXPECT_EQ(back.unknown,
-            (std::vector<std::string>{"radar", "processing", "profile", "pulse", "seed", "tolerance", "cubic_ends"}));
+  EXPECT_EQ(back.unknown, (std::vector<std::string>{"radar", "processing", "profile", "pulse", "cubic_ends",
+                                                    "ambiguous_echoes", "eclipsing", "seed", "tolerance"}));
   EXPECT_EQ(back.engine, "selection of a.raw");
 }
 

@@ -6,6 +6,7 @@
 
 #include "raster/format/encoder.hpp"
 #include "raster/format/open_raster.hpp"
+#include "raster/table/product_attributes.hpp"
 #include "raster/table/row_places.hpp"
 #include "simulate/plan/sink.hpp"
 
@@ -16,15 +17,16 @@ namespace sarsim::raster {
 struct Hdf5Module {
   /// Opens a file of so many bytes for reading, see open_hdf5.
   OpenedRaster (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints);
-  /// Begins a file, see Hdf5Sink.
+  /// Begins a file, see Hdf5Sink. The words are those of `scene::option_words`, which the module has not.
   std::unique_ptr<simulate::Sink> (*make_sink)(const std::filesystem::path& path, const simulate::Product& product,
-                                               const Encoding& encoding, bool replace);
+                                               const FileAttributes& option_words, const Encoding& encoding,
+                                               bool replace);
   /// Where the samples of such a file stand. `scratch` names a file that is begun and thrown away.
   RowPlaces (*row_places)(const std::filesystem::path& scratch, const simulate::Product& product,
-                          const Encoding& encoding);
+                          const FileAttributes& option_words, const Encoding& encoding);
   /// Makes a whole file but for its samples, which are left as a hole.
-  void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
-                      const simulate::RunReport& report);
+  void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product,
+                      const FileAttributes& option_words, const Encoding& encoding, const simulate::RunReport& report);
 };
 
 /// The module, which the first call loads and which then stays. May be called from many threads at once.

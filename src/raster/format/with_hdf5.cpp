@@ -10,6 +10,7 @@
 #include "raster/format/format_writer.hpp"
 #include "raster/format/load_hdf5.hpp"
 #include "raster/table/file_problem.hpp"
+#include "scene/schema/option_words.hpp"
 
 namespace sarsim::raster {
 
@@ -27,8 +28,10 @@ class Hdf5Frame {
  public:
   Hdf5Frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
             const simulate::RunReport& report)
-      : path_(path), places_(hdf5_module(path).row_places(path, product, encoding)), rows_(product.rows) {
-    hdf5_module(path).write_frame(path, product, encoding, report);
+      : path_(path),
+        places_(hdf5_module(path).row_places(path, product, scene::option_words(product.options), encoding)),
+        rows_(product.rows) {
+    hdf5_module(path).write_frame(path, product, scene::option_words(product.options), encoding, report);
   }
   Hdf5Frame(const Hdf5Frame&) = delete;
   Hdf5Frame& operator=(const Hdf5Frame&) = delete;
@@ -67,12 +70,12 @@ double hdf5_bytes(const simulate::Product& product, const Encoding& encoding, bo
 
 std::unique_ptr<simulate::Sink> hdf5_sink(const std::filesystem::path& path, const simulate::Product& product,
                                           const Encoding& encoding, bool replace) {
-  return hdf5_module(path).make_sink(path, product, encoding, replace);
+  return hdf5_module(path).make_sink(path, product, scene::option_words(product.options), encoding, replace);
 }
 
 RowPlaces hdf5_places(const std::filesystem::path& scratch, const simulate::Product& product,
                       const Encoding& encoding) {
-  return hdf5_module(scratch).row_places(scratch, product, encoding);
+  return hdf5_module(scratch).row_places(scratch, product, scene::option_words(product.options), encoding);
 }
 
 void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,

@@ -12,6 +12,7 @@
 #include "core/hash/checksum.hpp"
 #include "core/os/raw_file.hpp"
 #include "raster/table/formats.hpp"
+#include "scene/schema/option_words.hpp"
 
 namespace sarsim::raster {
 
@@ -114,11 +115,9 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
   packer.put_real(product.sample_rate_hz);
   packer.put(static_cast<std::uint64_t>(product.bits));
   packer.put_real(product.lsb_v);
-  packer.put(static_cast<std::uint64_t>(product.options.profile));
   packer.put(product.options.seed);
-  packer.put(static_cast<std::uint64_t>(product.options.pulse));
   packer.put_real(product.options.tolerance);
-  packer.put(static_cast<std::uint64_t>(product.options.cubic_ends));
+  for (const auto& [id, word] : scene::option_words(product.options)) packer.put_text(word);
   packer.put_text(product.engine);
   packer.put_text(product.script);
   packer.put(static_cast<std::uint64_t>(stored.options.format));
@@ -148,11 +147,10 @@ StoredProduct load_product(const std::filesystem::path& path) {
   product.sample_rate_hz = from.real();
   product.bits = static_cast<int>(from.word());
   product.lsb_v = from.real();
-  product.options.profile = static_cast<scene::Profile>(from.word());
   product.options.seed = from.word();
-  product.options.pulse = static_cast<scene::PulseDefinition>(from.word());
   product.options.tolerance = from.real();
-  product.options.cubic_ends = static_cast<core::CubicEnds>(from.word());
+  for (const auto& [id, word] : scene::option_words(product.options))
+    if (!scene::take_option_word(product.options, id, from.text())) from.fail();
   product.engine = from.text();
   product.script = from.text();
   stored.options.format = static_cast<scene::FileFormat>(from.word());

@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "core/text/number_text.hpp"
+#include "scene/schema/option_words.hpp"
 
 namespace sarsim::raster {
 
@@ -63,21 +64,10 @@ void take_origin(const FileAttributes& attributes, simulate::Product& product) {
                       {"srp", scene::Processing::srp}},
                      product.processing);
   });
-  take("profile", [&](const std::string& text) {
-    return take_word(text, {{"physical", scene::Profile::physical}, {"classic", scene::Profile::classic}},
-                     options.profile);
-  });
-  take("pulse", [&](const std::string& text) {
-    return take_word(text,
-                     {{"ideal", scene::PulseDefinition::ideal}, {"band_limited", scene::PulseDefinition::band_limited}},
-                     options.pulse);
-  });
+  for (const auto& [id, word] : scene::option_words(options))
+    take(id.c_str(), [&](const std::string& text) { return scene::take_option_word(options, id, text); });
   take("seed", [&](const std::string& text) { return take_whole(text, options.seed); });
   take("tolerance", [&](const std::string& text) { return take_number(text, options.tolerance); });
-  take("cubic_ends", [&](const std::string& text) {
-    return take_word(text, {{"chords", core::CubicEnds::chords}, {"not_a_knot", core::CubicEnds::not_a_knot}},
-                     options.cubic_ends);
-  });
 }
 
 }  // namespace sarsim::raster

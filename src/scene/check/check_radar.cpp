@@ -98,7 +98,7 @@ void check_repetition(Findings& findings, const Radar& radar) {
                     .found = fmt::format("{} in an interval of {}", value_text(radar.pulse_width_s, "s"),
                                          value_text(repetition->shortest_interval_s(), "s")),
                     .expected = "a pulse that ends before the next begins",
-                    .hint = "A row holds the echoes of its own pulse only, as if the others were not sent."});
+                    .hint = "Echoes of successive pulses overlap. Shorten the pulse or lower the PRF."});
 }
 
 void check_steps(Findings& findings, const Radar& radar) {

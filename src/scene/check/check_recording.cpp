@@ -211,12 +211,13 @@ void check_ranges(Findings& findings, const Simulation& simulation, const radar:
                       .hint = {}});
   const double unambiguous_m = radar::range_of(repetition.shortest_interval_s(), core::exact_light_speed_mps);
   if (simulation.range_end_m <= unambiguous_m) return;
-  findings.warning(Consequence::lost_signal, "range_end_m",
-                   {.message = "the slant range window reaches beyond the unambiguous range",
-                    .found = value_text(simulation.range_end_m, "m"),
-                    .expected = fmt::format("up to {:.6g} m, c/2 times the shortest pulse interval", unambiguous_m),
-                    .hint = "Echoes from there come back after the next pulse has left; a row holds only the echoes of "
-                            "its own pulse. From orbit that is usual."});
+  findings.warning(
+      Consequence::lost_signal, "range_end_m",
+      {.message = "the slant range window reaches beyond the unambiguous range",
+       .found = value_text(simulation.range_end_m, "m"),
+       .expected = fmt::format("up to {:.6g} m, c/2 times the shortest pulse interval", unambiguous_m),
+       .hint = "Echoes from there come back after the next pulse has left, among the echoes of that one. From "
+               "orbit that is usual."});
 }
 
 void check_burst(Findings& findings, const Radar& radar, const radar::PulseRange& pulses) {

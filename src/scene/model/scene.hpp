@@ -216,6 +216,19 @@ enum class Profile { physical, classic };
 /// What the pulse of a simulation is (decision 7): hard-edged, or confined to a band.
 enum class PulseDefinition { ideal, band_limited };
 
+/// Which echoes of pulses other than its own a row receives; never any by the conventions of 1998.
+enum class AmbiguousEchoes {
+  strong,  ///< Those that may exceed -60 dB of the strongest echo, antennas aside.
+  all,
+  none,
+};
+
+/// What a receiver does while its radar sends.
+enum class Eclipsing {
+  none,     ///< It goes on receiving.
+  blanked,  ///< It is off: samples are 0.
+};
+
 /// Choices that hold for every product of a scene (script `$OPTIONS`; the command line overrides).
 struct RunOptions {
   Profile profile = Profile::physical;
@@ -223,6 +236,8 @@ struct RunOptions {
   PulseDefinition pulse = PulseDefinition::ideal;
   double tolerance = 1e-6;
   core::CubicEnds cubic_ends = core::CubicEnds::chords;  ///< Of every function given by points, CUBIC (decision 17).
+  AmbiguousEchoes ambiguous_echoes = AmbiguousEchoes::strong;
+  Eclipsing eclipsing = Eclipsing::none;
 
   friend bool operator==(const RunOptions&, const RunOptions&) = default;
 };

@@ -45,6 +45,22 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
                       "one cubic through the first three points and one through the last three"}},
          .tip = "What CUBIC functions do at their first and last point: the slope of a chord, or what the next points "
                 "say, which orbits and other bent paths need."});
+    table.add<&RunOptions::ambiguous_echoes>(
+        {.id = "ambiguous_echoes",
+         .label = "Ambiguous echoes",
+         .words = "echoes of other pulses that a row receives",
+         .choices = {{"STRONG", AmbiguousEchoes::strong, "Strong", "those above -60 dB of the strongest echo"},
+                     {"ALL", AmbiguousEchoes::all, "All", "all that reach the window"},
+                     {"NONE", AmbiguousEchoes::none, "None", "a row holds the echoes of its own pulse"}},
+         .tip = "Echoes of pulses sent earlier or later that arrive within the range window. The classic profile never "
+                "has them."});
+    table.add<&RunOptions::eclipsing>(
+        {.id = "eclipsing",
+         .label = "Eclipsing",
+         .words = "what the receiver does while the radar sends",
+         .choices = {{"NONE", Eclipsing::none, "None", "the receiver goes on while the radar sends"},
+                     {"BLANKED", Eclipsing::blanked, "Blanked", "samples are 0 while the radar sends"}},
+         .tip = "Whether samples that fall on a pulse being sent are received or are 0."});
     return table;
   }();
   return made;

@@ -133,7 +133,7 @@ Order<GeometryTable> script_order() {
 template <>
 Order<RunOptions> script_order() {
   return order<&RunOptions::profile, &RunOptions::seed, &RunOptions::pulse, &RunOptions::tolerance,
-               &RunOptions::cubic_ends>();
+               &RunOptions::cubic_ends, &RunOptions::ambiguous_echoes, &RunOptions::eclipsing>();
 }
 
 std::string option_key(const FieldSpec& spec) {

@@ -73,10 +73,11 @@ Cost estimated_cost(const Plan& plan, unsigned threads) {
   const double echoes_s = 1e-9 * engine_ns(plan);
   const double sight_s = plan.engine.engine == Engine::reference ? 0.0 : per_sight_s * scatterers;
   Cost cost;
-  cost.echoes = scatterers * pulses;
+  const double heard = static_cast<double>(1 + plan.other_pulses.pulses.size());
+  cost.echoes = scatterers * pulses * heard;
   cost.echo_samples = cost.echoes * pulse_samples;
   cost.samples = static_cast<double>(plan.rows) * static_cast<double>(plan.columns);
-  cost.seconds_one_thread = pulses * (share_in_sight(plan) * (echoes_s + sight_s) +
+  cost.seconds_one_thread = pulses * (heard * share_in_sight(plan) * (echoes_s + sight_s) +
                                       static_cast<double>(plan.raw_grid.count) * seconds_per_raw_sample(plan));
   const double row_bytes = 16.0 * static_cast<double>(plan.raw_grid.count + 2 * plan.columns);
   cost.memory_bytes = 16e6 + 200.0 * scatterers + threads * (4.0 * std::max(row_bytes, 4e6) + 24.0 * scatterers);

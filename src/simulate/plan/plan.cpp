@@ -9,7 +9,6 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
-#include "radar/receiver/noise.hpp"
 
 namespace sarsim::simulate {
 
@@ -181,6 +180,8 @@ Plan make_plan(const scene::Scene& scene, std::size_t index, std::shared_ptr<con
   plan.noise_stddev_v = noise_stddev(plan.radar, plan.simulation, plan.scene->conventions);
   plan.noise_first_sample = first_sample_number(plan.raw_grid);
   plan.stc_gain = stc_gains(plan);
+  plan.other_pulses = asked_for(heard_pulses(*plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses, stop),
+                                plan.scene->options.ambiguous_echoes);
   plan.engine = choose_engine(engine, *plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.pulses,
                               plan.scene->options.tolerance);
   if (plan.engine.engine != Engine::reference)
@@ -215,96 +216,6 @@ Product product_of(const Plan& plan, std::string script) {
   product.engine = name_of(plan.engine.engine);
   product.script = std::move(script);
   return product;
-}
-
-RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
-  CORE_EXPECT(plan.scene != nullptr);
-  CORE_EXPECT(plan.stc_gain.empty() || plan.stc_gain.size() == plan.raw_grid.count);
-  if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
-  if (plan.profiler) scratch_.resize(plan.columns);
-  const double tolerance = plan.scene->options.tolerance;
-  if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
-  if (plan.engine.engine != Engine::spectral) return;
-  radar::RowFilter filter;
-  if (plan.filters_spectra()) filter = {plan.compressor->filter().taps, plan.compressor->output_index()};
-  spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
-}
-
-void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
-  CORE_EXPECT(row < plan_->rows);
-  CORE_EXPECT(out.size() == plan_->columns);
-  const Plan& plan = *plan_;
-  switch (plan.simulation.processing) {
-    case scene::Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
-    case scene::Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
-    case scene::Processing::srp: make_profile(row, out); return;
-  }
-}
-
-void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double>> out) {
-  const Plan& plan = *plan_;
-  raw_.resize(plan.raw_grid.count);
-  if (!plan.filters_spectra()) {
-    make_raw(pulse, raw_);
-    plan.compressor->compress(raw_, out, scratch_);
-    return;
-  }
-  std::ranges::fill(out, std::complex<double>());
-  if (plan.noise_stddev_v > 0.0) {
-    std::ranges::fill(raw_, std::complex<double>());
-    add_receiver_noise(pulse, raw_);
-    plan.compressor->compress(raw_, out, scratch_);
-  }
-  geometry_.set_pulse(pulse);
-  fast_echoes(*plan.points, geometry_, echoes_);
-  spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
-}
-
-void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw) {
-  const Plan& plan = *plan_;
-  std::ranges::fill(raw, std::complex<double>());
-  geometry_.set_pulse(pulse);
-  add_row(raw);
-  if (plan.noise_stddev_v > 0.0) add_receiver_noise(pulse, raw);
-  for (std::size_t i = 0; i < plan.stc_gain.size(); ++i) raw[i] *= plan.stc_gain[i];
-}
-
-void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
-  const Plan& plan = *plan_;
-  const core::RandomStream stream(plan.scene->options.seed, core::RandomKind::receiver_noise,
-                                  core::name_key(plan.radar.name));
-  radar::add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
-}
-
-// The echoes of the current pulse.
-void RowMaker::add_row(std::span<std::complex<double>> raw) {
-  const Plan& plan = *plan_;
-  if (plan.engine.engine == Engine::reference) {
-    geometry_.echoes(echoes_);
-    radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
-    return;
-  }
-  fast_echoes(*plan.points, geometry_, echoes_);
-  if (spectral_)
-    spectral_->add(raw, geometry_.carrier_hz(), echoes_);
-  else
-    direct_->add(raw, geometry_.carrier_hz(), echoes_);
-}
-
-void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out) {
-  const Plan& plan = *plan_;
-  const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
-  const int per_step = plan.radar.carrier.pulses_per_step();
-  const std::size_t gates = plan.raw_grid.count;
-  raw_.resize(gates);
-  std::ranges::fill(scratch_, std::complex<double>());
-  std::int64_t pulse = plan.first_pulse_of_row(row);
-  for (std::size_t n = 0; n < steps; ++n)
-    for (int p = 0; p < per_step; ++p, ++pulse) {
-      make_raw(pulse, raw_);
-      for (std::size_t g = 0; g < gates; ++g) scratch_[n * gates + g] += raw_[g] / static_cast<double>(per_step);
-    }
-  plan.profiler->profile(scratch_, out);
 }
 
 }  // namespace sarsim::simulate

@@ -11,12 +11,11 @@
 
 #include "core/task/progress.hpp"
 #include "core/task/stop.hpp"
-#include "radar/echo/direct_kernel.hpp"
 #include "radar/echo/reference_kernel.hpp"
-#include "radar/echo/spectral_kernel.hpp"
 #include "signal/compress/range_compression.hpp"
 #include "signal/stepped/range_profile.hpp"
 #include "simulate/plan/engine.hpp"
+#include "simulate/plan/other_pulses.hpp"
 #include "simulate/plan/point_groups.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/plan/sink.hpp"
@@ -33,6 +32,7 @@ struct Plan {
   radar::EchoPulse pulse;
   EngineChoice engine;
   std::shared_ptr<const PointGroups> points;  ///< For the fast engines.
+  OtherPulses other_pulses;                   ///< Whose echoes each row receives besides those of its own.
 
   radar::PulseRange pulses;         ///< All pulses of the window.
   std::int64_t first_burst = 0;     ///< Synthetic range profiles: bursts [first_burst, first_burst + rows).
@@ -53,9 +53,11 @@ struct Plan {
     return std::int64_t{radar.carrier.steps()} * radar.carrier.pulses_per_step();
   }
   /// Whether the matched filter is one more factor of the spectral kernel's spectra. A gain over time (STC) comes
-  /// between echoes and filter and keeps them apart.
+  /// between echoes and filter and keeps them apart; so do echoes of other pulses, each with its own phase, and
+  /// samples without reception.
   [[nodiscard]] bool filters_spectra() const {
-    return engine.engine == Engine::spectral && compressor && stc_gain.empty();
+    return engine.engine == Engine::spectral && compressor && stc_gain.empty() && other_pulses.pulses.empty() &&
+           scene->options.eclipsing == scene::Eclipsing::none;
   }
   /// First (or only) pulse of a product row.
   [[nodiscard]] std::int64_t first_pulse_of_row(std::size_t row) const;
@@ -75,32 +77,6 @@ struct Plan {
 /// The description of a plan's product that goes into its file.
 /// @param script  text of the scene as understood
 [[nodiscard]] Product product_of(const Plan& plan, std::string script);
-
-/// Computes rows of a plan's product, one at a time; each thread has its own.
-class RowMaker {
- public:
-  /// Keeps a reference to the plan.
-  explicit RowMaker(const Plan& plan);
-
-  /// @param[out] out  plan.columns samples in volts
-  void make_row(std::size_t row, std::span<std::complex<double>> out);
-
- private:
-  void make_raw(std::int64_t pulse, std::span<std::complex<double>> raw);
-  void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
-  void make_profile(std::size_t row, std::span<std::complex<double>> out);
-
-  void add_row(std::span<std::complex<double>> raw);
-  void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;
-
-  const Plan* plan_;
-  PulseGeometry geometry_;
-  std::optional<radar::DirectKernel> direct_;
-  std::optional<radar::SpectralKernel> spectral_;
-  radar::EchoBatch echoes_;
-  std::vector<std::complex<double>> raw_;
-  std::vector<std::complex<double>> scratch_;
-};
 
 /// Rough cost of a plan, for people who want to know before it runs.
 struct Cost {

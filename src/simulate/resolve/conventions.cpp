@@ -20,6 +20,7 @@ Conventions conventions_of(scene::Profile profile) {
   conventions.compression = Conventions::Compression::pulse_energy;
   conventions.noise = Conventions::Noise::per_bandwidth;
   conventions.stc = Conventions::Stc::no_spreading;
+  conventions.reception = Conventions::Reception::own_pulse;
   return conventions;
 }
 

@@ -17,6 +17,8 @@ struct Conventions {
   enum class Noise { per_sample, per_bandwidth };  ///< kT fs in all; sqrt(kTB) in I and in Q (thesis 4.1-4.3).
   enum class Stc { receiver_gain, no_spreading };  ///< Gain at the sample's range; 1/d^2 left out of the amplitude.
 
+  enum class Reception { every_pulse, own_pulse };  ///< A row hears echoes of all pulses, or of its own alone.
+
   double light_speed_mps = 0.0;
   double boltzmann_j_per_k = 0.0;
   radar::PatternRule pattern = radar::PatternRule::amplitude;
@@ -28,6 +30,7 @@ struct Conventions {
   Compression compression = Compression::keeps_peak;
   Noise noise = Noise::per_sample;
   Stc stc = Stc::receiver_gain;
+  Reception reception = Reception::every_pulse;
 };
 
 /// What a profile stands for.

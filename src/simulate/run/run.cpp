@@ -11,6 +11,7 @@
 
 #include "core/report/expect.hpp"
 #include "core/task/parallel.hpp"
+#include "simulate/plan/row_maker.hpp"
 
 namespace sarsim::simulate {
 

@@ -13,6 +13,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "radar/receiver/converter.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/run/memory_sink.hpp"
 
 namespace sarsim::simulate {

@@ -9,6 +9,7 @@
 #include "core/task/parallel.hpp"
 #include "core/task/stop.hpp"
 #include "simulate/plan/plan.hpp"
+#include "simulate/plan/row_maker.hpp"
 
 namespace sarsim::simulate {
 

@@ -12,6 +12,7 @@
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
 #include "scene/model/format_values.hpp"
+#include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/sight_rules.hpp"
 
@@ -44,7 +45,7 @@ class Surveyor {
     check_window(survey, plan);
     check_doppler(survey, plan);
     check_lsb(survey, plan);
-    check_ambiguity(survey, plan);
+    check_other_pulses(plan, survey, index_, scope_, problems_);
     check_sights(survey, plan, control);
   }
 
@@ -170,7 +171,7 @@ class Surveyor {
             "", "", "add a $TARGET");
       return;
     }
-    if (survey.totals.any_in_window || !plan.scene->sheets.empty()) return;
+    if (survey.totals.any_in_window || !plan.scene->sheets.empty() || !plan.other_pulses.pulses.empty()) return;
     const double nearest = survey.totals.nearest_m;
     const double farthest = survey.totals.farthest_m;
     const double reach_m =
@@ -224,25 +225,6 @@ class Surveyor {
               scope_,
           millivolts(simulation_.lsb_v), "about " + rounded(most_v / radar::full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
-  }
-
-  // From orbit, where many pulses are under way at once, a lower PRF is no advice: a real receiver listens between
-  // pulses sent later.
-  void check_ambiguity(const EchoSurvey& survey, const Plan& plan) {
-    if (survey.totals.late == 0) return;
-    const double under_way = std::floor(survey.totals.latest_m / unambiguous_range_m(plan));
-    const bool from_afar = under_way >= 3.0;
-    add(from_afar ? core::Severity::note : core::Severity::warning, "radar",
-        fmt::format("echoes of {} of {} targets arrive after the next pulse has left; a row holds the echoes of its "
-                    "own pulse only",
-                    survey.totals.late, survey.targets.size()) +
-            scope_,
-        fmt::format("range {:.6g} m", survey.totals.latest_m),
-        fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(plan)),
-        from_afar ? fmt::format("{:.0f} pulses are under way at once, as is usual from orbit: a real receiver listens "
-                                "between later pulses; choose the PRF so that no pulse leaves while echoes arrive",
-                                under_way)
-                  : "lower the PRF if a real receiver is meant");
   }
 
   const scene::Scene& scene_;

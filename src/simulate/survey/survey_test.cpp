@@ -157,10 +157,39 @@ TEST(Survey, WarnsOfEchoesThatComeAfterTheNextPulse) {
   scene::Scene scene = sound_scene();
   scene.radars[0].prf_hz = 200e3;  // 749 m
   const core::Problems problems = survey(scene);
-  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar", "arrive after the next pulse")));
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar", "arrive after the next pulse"),
+                                    problem(core::Severity::warning, "radar", "rows hold echoes of"),
+                                    problem(core::Severity::note, "radar", "arrive while the radar sends")));
   EXPECT_THAT(problems[0].expected, HasSubstr("749.48"));
   scene.radars[0].prf_hz = 149e3;  // 1006 m
-  EXPECT_THAT(survey(scene), IsEmpty());
+  EXPECT_THAT(survey(scene),
+              testing::Not(testing::Contains(problem(core::Severity::warning, "radar", "the next pulse"))));
+}
+
+TEST(Survey, SaysWhichOtherPulsesAreHeardAndWhatThePulseCovers) {
+  scene::Scene scene = sound_scene();
+  scene.targets.push_back(target_on("Earth", {1000.0 + 749.48, 0.0, 0.0}));  // a pulse interval beyond the first
+  scene.radars[0].prf_hz = 200e3;
+  scene.simulations[0].range_start_m = 800.0;
+  scene.simulations[0].range_end_m = 1900.0;
+  scene.radars[0].pulse_width_s = 1e-6;
+  const auto late = problem(core::Severity::warning, "radar", "of 2 of 2 targets arrive after the next pulse");
+  const core::Problems heard = survey(scene);
+  ASSERT_THAT(heard, ElementsAre(late, problem(core::Severity::warning, "radar",
+                                               "rows hold echoes of the pulse before and the pulse after theirs")));
+  EXPECT_EQ(heard[1].found, "the strongest echo is one of theirs, antennas aside");
+  scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
+  EXPECT_THAT(survey(scene), ElementsAre(late, problem(core::Severity::note, "radar", "rows hold echoes of")));
+  scene.options.ambiguous_echoes = scene::AmbiguousEchoes::none;
+  EXPECT_THAT(survey(scene), ElementsAre(late, problem(core::Severity::note, "radar", "are left out")));
+  scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
+  scene.targets.pop_back();
+  scene.targets[0].position_m.x = 800.0;  // 0.33 us after the next pulse
+  EXPECT_THAT(survey(scene), testing::Contains(problem(core::Severity::note, "radar",
+                                                       "echoes of 1 of 1 targets arrive while the radar sends; the "
+                                                       "receiver is taken to go on")));
+  scene.options.eclipsing = scene::Eclipsing::blanked;
+  EXPECT_THAT(survey(scene), testing::Contains(problem(core::Severity::note, "radar", "sends and are cut")));
 }
 
 TEST(Survey, ReportsBurstsThatAreMissingOrCut) {

@@ -8,6 +8,7 @@
 
 #include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/plan/row_space.hpp"
 #include "simulate/run/sampled_views.hpp"
 

@@ -2,6 +2,7 @@
 
 #include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/schema/option_words.hpp"
 #include "simulate/resolve/simd_level.hpp"
 #include "workflow/input/scene_words.hpp"
 #include "workflow/input/script_sum.hpp"
@@ -12,7 +13,7 @@ raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, 
                              const raster::StoredProduct& stored) {
   const simulate::Product& product = stored.product;
   const scene::RunOptions& options = product.options;
-  return {
+  raster::Identity identity{
       {"program", core::program_version},
       {"simulation", std::to_string(simulation + 1)},
       {"rows", std::to_string(product.rows)},
@@ -22,15 +23,14 @@ raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, 
       {"--double", stored.options.doubles ? "on" : "off"},
       {"--header", stored.options.header ? "on" : "off"},
       {"seed", std::to_string(options.seed)},
-      {"profile", profile_word(options.profile)},
-      {"pulse", pulse_word(options.pulse)},
       {"tolerance", core::format_number(options.tolerance)},
-      {"cubic_ends", options.cubic_ends == core::CubicEnds::not_a_knot ? "not_a_knot" : "chords"},
       {"engine", product.engine},
       {"--simd", simulate::simd_level()},
       {"LSB", product.lsb_v > 0.0 ? core::format_number(product.lsb_v) + " V" : "estimated"},
       {"script", script_sum(scene, script)},
   };
+  for (auto& option : scene::option_words(options)) identity.push_back(std::move(option));
+  return identity;
 }
 
 }  // namespace sarsim::workflow

@@ -7,6 +7,7 @@
 
 #include "radar/receiver/converter.hpp"
 #include "raster/format/sinks.hpp"
+#include "simulate/plan/row_maker.hpp"
 
 namespace sarsim::workflow {
 

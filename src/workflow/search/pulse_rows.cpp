@@ -6,6 +6,7 @@
 #include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
 #include "signal/search/cfar_calibration.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/plan/row_space.hpp"
 #include "simulate/survey/derived.hpp"
 

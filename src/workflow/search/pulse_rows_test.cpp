@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "simulate/plan/row_maker.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {

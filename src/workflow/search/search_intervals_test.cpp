@@ -99,6 +99,7 @@ TEST(SearchIntervals, FindSteadyTargetsAsOftenAsTheClosedFormSays) {
   constexpr int targets = 16;
   constexpr int pulses = 1500;
   scene::Scene scene = noise_scene(pulses, 24 * targets);
+  scene.options.ambiguous_echoes = scene::AmbiguousEchoes::none;
   const double step_m = 0.5 * core::exact_light_speed_mps / 1e6;
   const double first_m = scene.simulations[0].range_start_m;
   // A pulse covers one sample, the one half a sample behind its range. 24 cells apart, all equally strong.

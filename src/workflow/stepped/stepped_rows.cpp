@@ -7,6 +7,7 @@
 #include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
+#include "simulate/plan/row_maker.hpp"
 
 namespace sarsim::workflow {
 

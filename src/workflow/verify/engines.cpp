@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/resolve/simd_level.hpp"
 #include "workflow/verify/groups.hpp"
 #include "workflow/verify/scenes.hpp"

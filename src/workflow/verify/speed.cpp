@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/task/clock.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/resolve/simd_level.hpp"
 #include "workflow/verify/groups.hpp"
 #include "workflow/verify/scenes.hpp"

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/task/stop.hpp"
+#include "radar/echo/echo_batch.hpp"
+#include "radar/echo/reference_kernel.hpp"
+#include "radar/waveform/schedule.hpp"
+#include "simulate/resolve/resolved.hpp"
+
+namespace sarsim::simulate {
+
+/// A pulse whose echoes a row receives besides those of its own.
+struct OtherPulse {
+  std::int64_t back = 0;  ///< Sent so many pulses before that of the row; negative: after it.
+  double strength = 0.0;  ///< Amplitude of its strongest echo against the strongest of all in a row, antennas aside.
+
+  friend bool operator==(const OtherPulse&, const OtherPulse&) = default;
+};
+
+/// The pulses whose echoes rows receive besides those of their own, ascending.
+struct OtherPulses {
+  std::vector<OtherPulse> pulses;
+  bool more = false;  ///< Others, more than `most_pulses_away` before or after a row's own, are left out.
+};
+inline constexpr std::int64_t most_pulses_away = 1000;
+
+/// Which other pulses are heard while a row is received, those of whose echoes one may touch a row.
+///
+/// Looks at at most 65 pulses (17 where there are very many scatterers), evenly spread. Ranges are widened by what they
+/// may change by between two looks, and by a thousandth for motion during the flight, so that a pulse may be named of
+/// which no echo is heard, but none is left out. Strengths are those of cross-section and range at these looks: a beam
+/// may meet its target between two of them. Empty where the conventions let a row hear its own pulse alone.
+///
+/// @param pulse  of the simulation
+/// @param grid   times of a row's samples after its own pulse is sent
+/// @param stop   asked now and then; a requested stop throws Interrupted
+[[nodiscard]] OtherPulses heard_pulses(const ResolvedScene& scene, const ResolvedRadar& radar,
+                                       const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
+                                       const radar::PulseRange& pulses, const core::StopFlag* stop = nullptr);
+
+/// Of them those that the scene's options ask for: all, none, or those above -60 dB.
+[[nodiscard]] OtherPulses asked_for(OtherPulses heard, scene::AmbiguousEchoes which);
+
+/// Turns the echoes of a pulse into those of a row whose own pulse left `since_s` later, and leaves out those that
+/// cannot touch it. Times then count from the row's pulse.
+void keep_heard(radar::EchoBatch& echoes, double since_s, const radar::EchoPulse& pulse, const radar::SampleGrid& grid);
+
+}  // namespace sarsim::simulate

@@ -1,0 +1,152 @@
+#include "simulate/plan/row_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/maths/turns.hpp"
+#include "core/report/expect.hpp"
+#include "radar/receiver/noise.hpp"
+
+namespace sarsim::simulate {
+
+RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
+  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(plan.stc_gain.empty() || plan.stc_gain.size() == plan.raw_grid.count);
+  if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
+  if (plan.profiler) scratch_.resize(plan.columns);
+  const double tolerance = plan.scene->options.tolerance;
+  if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
+  if (plan.engine.engine != Engine::spectral) return;
+  radar::RowFilter filter;
+  if (plan.filters_spectra()) filter = {plan.compressor->filter().taps, plan.compressor->output_index()};
+  spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
+}
+
+void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
+  CORE_EXPECT(row < plan_->rows);
+  CORE_EXPECT(out.size() == plan_->columns);
+  const Plan& plan = *plan_;
+  switch (plan.simulation.processing) {
+    case scene::Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
+    case scene::Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
+    case scene::Processing::srp: make_profile(row, out); return;
+  }
+}
+
+void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double>> out) {
+  const Plan& plan = *plan_;
+  raw_.resize(plan.raw_grid.count);
+  if (!plan.filters_spectra()) {
+    make_raw(pulse, raw_);
+    plan.compressor->compress(raw_, out, scratch_);
+    return;
+  }
+  std::ranges::fill(out, std::complex<double>());
+  if (plan.noise_stddev_v > 0.0) {
+    std::ranges::fill(raw_, std::complex<double>());
+    add_receiver_noise(pulse, raw_);
+    plan.compressor->compress(raw_, out, scratch_);
+  }
+  geometry_.set_pulse(pulse);
+  take_echoes();
+  spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
+}
+
+void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw) {
+  const Plan& plan = *plan_;
+  std::ranges::fill(raw, std::complex<double>());
+  geometry_.set_pulse(pulse);
+  take_echoes();
+  add_row(raw);
+  add_other_pulses(pulse, raw);
+  if (plan.noise_stddev_v > 0.0) add_receiver_noise(pulse, raw);
+  if (plan.scene->options.eclipsing == scene::Eclipsing::blanked) blank_while_sending(pulse, raw);
+  for (std::size_t i = 0; i < plan.stc_gain.size(); ++i) raw[i] *= plan.stc_gain[i];
+}
+
+void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
+  const Plan& plan = *plan_;
+  const core::RandomStream stream(plan.scene->options.seed, core::RandomKind::receiver_noise,
+                                  core::name_key(plan.radar.name));
+  radar::add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
+}
+
+// The echoes of the geometry's pulse.
+void RowMaker::take_echoes() {
+  if (plan_->engine.engine == Engine::reference)
+    geometry_.echoes(echoes_);
+  else
+    fast_echoes(*plan_->points, geometry_, echoes_);
+}
+
+// Adds the echoes that were taken.
+void RowMaker::add_row(std::span<std::complex<double>> raw) {
+  const Plan& plan = *plan_;
+  if (spectral_)
+    spectral_->add(raw, geometry_.carrier_hz(), echoes_);
+  else if (direct_)
+    direct_->add(raw, geometry_.carrier_hz(), echoes_);
+  else
+    radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+}
+
+// An echo of another pulse is one of the row's pulse that comes by so much earlier as that pulse left before: its phase
+// is that of its own delay, and it beats with the row's carrier where its own is another (docs/theory/echo-model.md).
+void RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw) {
+  const Plan& plan = *plan_;
+  const double sent_s = plan.radar.repetition.send_time_s(pulse);
+  const double carrier_hz = plan.radar.carrier.carrier_hz(pulse);
+  for (const OtherPulse& other : plan.other_pulses.pulses) {
+    const double beat_hz = plan.radar.carrier.carrier_hz(pulse - other.back) - carrier_hz;
+    if (std::abs(beat_hz) > plan.simulation.sample_rate_hz) continue;
+    geometry_.set_pulse(pulse - other.back);
+    take_echoes();
+    const double since_s = sent_s - geometry_.send_time_s();
+    keep_heard(echoes_, since_s, plan.pulse, plan.raw_grid);
+    if (echoes_.size() == 0) continue;
+    other_.assign(raw.size(), {});
+    add_row(other_);
+    const std::complex<double> turn = core::turned_exactly(-geometry_.carrier_hz() * since_s);
+    for (std::size_t i = 0; i < raw.size(); ++i) {
+      std::complex<double> sample = turn * other_[i];
+      if (beat_hz != 0.0) sample *= core::turned_exactly(beat_hz * plan.pulse.from_middle_s(plan.raw_grid.time_s(i)));
+      raw[i] += sample;
+    }
+  }
+}
+
+// By the edge rule of the ideal pulse.
+void RowMaker::blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const {
+  const Plan& plan = *plan_;
+  const radar::Repetition& repetition = plan.radar.repetition;
+  const radar::SampleGrid& grid = plan.raw_grid;
+  const double width_s = plan.radar.pulse.width_s;
+  const double sent_s = repetition.send_time_s(pulse);
+  const double begin_s = sent_s + plan.pulse.from_middle_s(grid.time_s(0));
+  const double end_s = sent_s + plan.pulse.from_middle_s(grid.time_s(grid.count));
+  const radar::PulseRange sending = repetition.pulses_in(begin_s - width_s, end_s + width_s);
+  radar::EchoPulse sent = plan.pulse;
+  sent.band_limited.reset();
+  for (std::int64_t m = sending.first; m <= sending.last; ++m) {
+    const radar::SampleSpan on = radar::touched_samples(sent, grid, repetition.send_time_s(m) - sent_s, {});
+    for (std::size_t i = on.begin; i < on.end; ++i) raw[i] = 0.0;
+  }
+}
+
+void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out) {
+  const Plan& plan = *plan_;
+  const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
+  const int per_step = plan.radar.carrier.pulses_per_step();
+  const std::size_t gates = plan.raw_grid.count;
+  raw_.resize(gates);
+  std::ranges::fill(scratch_, std::complex<double>());
+  std::int64_t pulse = plan.first_pulse_of_row(row);
+  for (std::size_t n = 0; n < steps; ++n)
+    for (int p = 0; p < per_step; ++p, ++pulse) {
+      make_raw(pulse, raw_);
+      for (std::size_t g = 0; g < gates; ++g) scratch_[n * gates + g] += raw_[g] / static_cast<double>(per_step);
+    }
+  plan.profiler->profile(scratch_, out);
+}
+
+}  // namespace sarsim::simulate

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <complex>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "radar/echo/direct_kernel.hpp"
+#include "radar/echo/spectral_kernel.hpp"
+#include "simulate/plan/plan.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
+
+namespace sarsim::simulate {
+
+/// Computes rows of a plan's product, one at a time; each thread has its own.
+class RowMaker {
+ public:
+  /// Keeps a reference to the plan.
+  explicit RowMaker(const Plan& plan);
+
+  /// @param[out] out  plan.columns samples in volts
+  void make_row(std::size_t row, std::span<std::complex<double>> out);
+
+ private:
+  void make_raw(std::int64_t pulse, std::span<std::complex<double>> raw);
+  void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
+  void make_profile(std::size_t row, std::span<std::complex<double>> out);
+
+  void take_echoes();
+  void add_row(std::span<std::complex<double>> raw);
+  void add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
+  void blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const;
+  void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;
+
+  const Plan* plan_;
+  PulseGeometry geometry_;
+  std::optional<radar::DirectKernel> direct_;
+  std::optional<radar::SpectralKernel> spectral_;
+  radar::EchoBatch echoes_;
+  std::vector<std::complex<double>> raw_;
+  std::vector<std::complex<double>> other_;  // the echoes of one other pulse
+  std::vector<std::complex<double>> scratch_;
+};
+
+}  // namespace sarsim::simulate
