@@ -3,8 +3,8 @@
 
     SARSIM_PROGRAM=build/dev/src/sarsim tests/bad_input/mistakes.py [--check]
 
-Without --check the table of docs/guide/bad-input.md is written. Each mistake has to be said in words that are given here,
-with the exit status that is given here, whatever the table holds. Exit status 1 where that, or the table, is not so.
+Without --check the table of docs/guide/bad-input.md is written. Each mistake must be reported in the words and with the exit
+status that are given here, whatever the table holds. Exit status 1 if it is not, or if the table differs.
 """
 
 import pathlib
@@ -72,13 +72,13 @@ def carelessly(number, what, changes, words, command=CHECK, status=0):
 
 
 MISTAKES = [
-    carelessly(1, "carrier 3000 for 3 GHz", [("SINGLE 3\n", "SINGLE 3000\n")], "GHz: 3 GHz is 3"),
-    carelessly(2, "pulse of 2 for 2 us", [("\n2000\n", "\n2\n")], "ns: 2 us is 2000"),
+    carelessly(1, "carrier 3000 for 3 GHz", [("SINGLE 3\n", "SINGLE 3000\n")], "GHz: write 3 for 3 GHz"),
+    carelessly(2, "pulse of 2 for 2 us", [("\n2000\n", "\n2\n")], "ns: write 2000 for 2 us"),
     carelessly(3, "PRF of 1 for 1 kHz", [("CONSTANT 500", "CONSTANT 1"), ("-0.999 1", "-0.4 0.4")], "single pulse"),
     carelessly(4, "power too small for the noise", [("\n1000\n30 30", "\n0.0000001\n30 30")], "drown in noise"),
     carelessly(5, "sampling frequency of 120 for 120 MHz", [("8 0.12 0", "8 120 0")], "far above the bandwidth"),
     carelessly(6, "bandwidth of 100 for 100 MHz", [("CHIRP 0.1", "CHIRP 100")], "below the bandwidth"),
-    carelessly(7, "ranges in km", [("8450 8950", "8.45 8.95")], "Scripts have ranges in metres", status=2),
+    carelessly(7, "ranges in km", [("8450 8950", "8.45 8.95")], "Scripts give ranges in metres", status=2),
     carelessly(8, "times in ms", [("-0.999 1", "-999 1000")], "Times are in seconds"),
     carelessly(9, "ranges swapped", [("8450 8950", "8950 8450")], "end beyond the start", status=2),
     carelessly(10, "azimuth and elevation of the beam swapped", [("FIXED -20.6 0", "FIXED 0 -20.6")], "exchanged"),
@@ -89,14 +89,14 @@ MISTAKES = [
     carelessly(15, "number with its unit", [("CHIRP 0.1", "CHIRP 100MHz")], r"\(GHz\): write 0.1", status=2),
     carelessly(16, "keyword misspelt", [("CHIRP 0.1", "CHRIP 0.1")], "did you mean CHIRP", status=2),
     carelessly(17, "target outside the window", [("8450 8950", "9450 9950")], "set the slant range window to about 85"),
-    carelessly(18, "platform that there is not", [("$RADAR R Plane", "$RADAR R Jet")], "Ground, Plane", status=2),
+    carelessly(18, "platform that does not exist", [("$RADAR R Plane", "$RADAR R Jet")], "Ground, Plane", status=2),
     carelessly(19, "radar called by another name", [("$SIMULATION R\n", "$SIMULATION Radar1\n")], "Write the whole name"),
     carelessly(20, "noise temperature left out", [("30 30 0 300", "30 30 0")], "2 .*or 4", status=2),
     carelessly(
         21,
         "trajectory as rows of t x y z",
         [("2 -1, -100 1, 100\n1 0, -8000\n1 0, 3000", "2\n-1 -100 -8000 3000\n1 100 -8000 3000")],
-        "points of each coordinate stand together",
+        "points of each coordinate in a list of their own",
         status=2,
     ),
     carelessly(22, "no $SIMULATION", [(SCENE[SCENE.index("$SIMULATION") :], "")], "asks for nothing.*add a .SIMULATION"),
@@ -107,7 +107,7 @@ MISTAKES = [
     carelessly(27, "option misspelt", [], "did you mean .--format", "run scene.scr --fromat npy", 2),
     carelessly(28, "--set without a unit", [], "counts in Hz", "info scene.scr --set R.bandwidth=50"),
     carelessly(29, "RCS in dBsm", [("0 0 0\n1 0\nISOTROPIC\n$R", "0 0 0\n-10 0\nISOTROPIC\n$R")], "negative.*dBsm"),
-    carelessly(30, "picture asked of focus", [], "sarsim plot x.img", "focus scene.scr --out x.png", 2),
+    carelessly(30, "picture asked from focus", [], "sarsim plot x.img", "focus scene.scr --out x.png", 2),
     carelessly(31, "script of another file", [], "rows", "focus base.h5 --script other.scr --out x.img", 2),
     carelessly(32, "radar that does not move", [("2 -1, -100 1, 100\n", "1 0, 0\n")], "does not move", "focus scene.scr --out x.img", 2),
     carelessly(33, "A/D converter of 3 bits, HDF5", [("8 0.12 0", "3 0.12 0")], "not quantised", "run scene.scr --out made"),
@@ -119,7 +119,7 @@ MISTAKES = [
     ),
     carelessly(35, "milliwatts in small letters", [], "mW or MW", "run scene.scr --set R.power=1mw", 2),
     carelessly(36, "chirp of more than twice the carrier", [("SINGLE 3\n", "SINGLE 0.04\n")], "below 0 Hz"),
-    carelessly(37, "Hanning window of constant 1", [("RECT NO_STC", "HANNING 1 NO_STC")], "no window"),
+    carelessly(37, "Hanning window of constant 1", [("RECT NO_STC", "HANNING 1 NO_STC")], "has no effect"),
     carelessly(38, "beam too wide for sin(x)/x", [("SINX 10 3", "SINX 10 90")], "104.5 degrees"),
 ]
 
@@ -189,7 +189,7 @@ def main():
     elif made != old:
         faults.append("docs/guide/bad-input.md and the program disagree; tests/bad_input/mistakes.py writes it anew")
         faults += [line for line in lines if line not in old]
-    print("\n".join(faults) or f"{len(MISTAKES)} mistakes, all of them said")
+    print("\n".join(faults) or f"{len(MISTAKES)} mistakes, all of them reported")
     return 1 if faults else 0
 
 

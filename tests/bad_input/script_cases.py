@@ -93,7 +93,7 @@ def word_cases():
     return [
         Case(
             "unknown_command",
-            "command that there is not",
+            "command that does not exist",
             script(("$TARGET", "@$TRAGET")),
             message=["unknown command", r"did you mean \$TARGET\?"],
         ),
@@ -109,22 +109,22 @@ def word_cases():
             script(("$RADAR", "@$RADRA")),
             message=["unknown command", r"did you mean \$RADAR\?"],
         ),
-        Case("unknown_pulse", "keyword that there is not", script(("CHIRP", "@CHRIP")), message=["did you mean CHIRP"]),
+        Case("unknown_pulse", "keyword that does not exist", script(("CHIRP", "@CHRIP")), message=["did you mean CHIRP"]),
         Case(
             "unknown_format",
-            "file format that there is not",
+            "file format that does not exist",
             script(("BINARY", "@BNIARY")),
             message=["did you mean BINARY"],
         ),
         Case(
             "unknown_option",
-            "option that there is not",
+            "option that does not exist",
             script(("$PLATFORM Ground", "$OPTIONS @SPEED 1\n$PLATFORM Ground")),
             message=["none of the possible", "SEED"],
         ),
         Case(
             "unknown_profile",
-            "profile that there is not",
+            "profile that does not exist",
             script(("$PLATFORM Ground", "$OPTIONS PROFILE @MODERN\n$PLATFORM Ground")),
             message=["CLASSIC or PHYSICAL"],
         ),
@@ -157,7 +157,7 @@ def word_cases():
             "decimal_comma",
             "comma as decimal mark",
             script(("CHIRP 0.05\n1000", "CHIRP 0,05\n@1000")),
-            message=["a number too many before it"],
+            message=["one number too many before it"],
         ),
         Case(
             "hexadecimal",
@@ -391,7 +391,7 @@ def data_file_cases():
         ),
         Case(
             "no_interpolation",
-            "interpolation that there is not",
+            "interpolation that does not exist",
             script(("LINEAR LINEAR LINEAR", "LINEAR @SPLINE LINEAR")),
             message=["CUBIC, MFILTER or LINEAR"],
         ),

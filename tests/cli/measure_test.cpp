@@ -37,7 +37,7 @@ TEST_F(Measure, TakesOneTargetAlone) {
 TEST_F(Measure, SaysThatNoiseIsNoTargetAndEndsWithAStatus) {
   const Finished clear = sarsim({"measure", "sar_r.img"});
   EXPECT_THAT(clear.out, HasSubstr("24 of 24 targets found, within "));
-  EXPECT_THAT(clear.out, HasSubstr("theory in parentheses, signed numbers are found less theory"));
+  EXPECT_THAT(clear.out, HasSubstr("theory in parentheses, signed numbers are found minus theory"));
   EXPECT_THAT(clear.out, HasSubstr(" m in azimuth, "));
   std::string script = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr");
   const std::size_t noise = script.find("! (K) noise temperature");

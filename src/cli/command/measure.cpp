@@ -135,7 +135,7 @@ void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& t
 
 std::string text_of_measure(const std::string& image, const workflow::MeasureReport& report) {
   std::string text = fmt::format(
-      "{}: {} by {}; theory in parentheses, signed numbers are found less theory\n  {:<8}{:>18}  {:>18}  {:>18}\n",
+      "{}: {} by {}; theory in parentheses, signed numbers are found minus theory\n  {:<8}{:>18}  {:>18}  {:>18}\n",
       image, counted(report.targets.size(), "target"), report.origin.algorithm, "", "-3 dB width (m)", "PSLR (dB)",
       "ISLR (dB)");
   for (const workflow::MeasuredTarget& target : report.targets) text += text_of(target);

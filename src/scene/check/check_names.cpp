@@ -49,7 +49,7 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   if (result.match == NameTable::Match::prefix) {
     findings.warning(
         Consequence::other_object, field,
-        {.message = fmt::format("no {} has exactly this name; the only one that begins alike is used", kind_),
+        {.message = fmt::format("no {} has exactly this name; the only one that begins like it is used", kind_),
          .found = std::string(name),
          .expected = std::string(table_->names()[result.index]),
          .hint = "Write the whole name."});
@@ -70,7 +70,7 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   return not_found;
 }
 
-// The names that there are, where they are few.
+// The names that exist, or the first few of them.
 std::string NameCheck::expected_name() const {
   constexpr std::size_t most_listed = 8;
   std::string text;

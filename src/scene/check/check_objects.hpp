@@ -17,14 +17,14 @@ void check_surface(Findings& findings, NameCheck& platforms, const Surface& surf
 void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar);
 void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene, const Simulation& simulation);
 void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& scene, const GeometryTable& table);
-/// Warns of paths that may miss what their points are taken from, between them, by more than a sixteenth of the
-/// wavelength of a radar that looks: a quarter of pi in the phase of an echo.
+/// Warns of paths that may deviate, between their points, from the smooth path the points were taken from by more than
+/// a sixteenth of the wavelength of a radar that looks: a quarter of pi in the phase of an echo.
 void check_paths_between_points(Findings& findings, const Scene& scene);
 void check_options(Findings& findings, const RunOptions& options);
 
-/// Warns of values of a radar that can be simulated and that nobody is likely to mean.
+/// Warns of values of a radar that can be simulated but are probably mistakes.
 void check_plausible_radar(Findings& findings, const Radar& radar);
-/// The same of a simulation by this radar. @param pulses  of its window; none where it is not sound
+/// The same of a simulation by this radar. @param pulses  of its window; none if that is not sound
 void check_plausible_simulation(Findings& findings, const Scene& scene, const Simulation& simulation,
                                 const Radar& radar, const radar::PulseRange& pulses);
 

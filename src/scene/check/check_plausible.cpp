@@ -15,12 +15,12 @@
 #include "scene/model/limits.hpp"
 #include "scene/model/scene_index.hpp"
 
-/// Values that can be simulated and that nobody is likely to mean.
+/// Values that can be simulated but are probably mistakes.
 namespace sarsim::scene {
 
 namespace {
 
-constexpr double least_time_bandwidth = 10.0;  // below it a chirp is no chirp: its spectrum has no band
+constexpr double least_time_bandwidth = 10.0;  // below it the spectrum of a chirp has no band
 constexpr double most_oversampling = 20.0;
 constexpr double least_oversampling = 1.05;
 constexpr double widest_beam_deg = 40.0;
@@ -46,21 +46,23 @@ void check_carrier_band(Findings& findings, const Radar& radar) {
     const bool high = carrier_hz > highest_hz;
     findings.warning(
         Consequence::surprise, "carrier_hz",
-        {.message = fmt::format("the carrier frequency is {} those of radars", high ? "above" : "below"),
+        {.message = fmt::format("the carrier frequency is {} those that radars use", high ? "above" : "below"),
          .found = value_text(carrier_hz, "Hz"),
          .expected = "3 MHz to 1 THz",
-         .hint = high ? fmt::format("Scripts have it in GHz: {} is {}.", value_text(1e-3 * carrier_hz, "Hz"),
-                                    core::format_number(core::tidy(1e-12 * carrier_hz)))
-                      : "Scripts have it in GHz."});
+         .hint = high ? fmt::format("Scripts give it in GHz: write {} for {}.",
+                                    core::format_number(core::tidy(1e-12 * carrier_hz)),
+                                    value_text(1e-3 * carrier_hz, "Hz"))
+                      : "Scripts give it in GHz."});
   }
   const auto lowest = lowest_carrier_hz(radar);
   if (!has_band(radar) || !lowest || !(*lowest > 0.0) || *lowest >= 0.5 * std::abs(radar.bandwidth_hz)) return;
-  findings.warning(Consequence::false_signal, "bandwidth_hz",
-                   {.message = "the chirp's band reaches below 0 Hz, where no radar transmits",
-                    .found = fmt::format("{} around a carrier of {}", value_text(std::abs(radar.bandwidth_hz), "Hz"),
-                                         value_text(*lowest, "Hz")),
-                    .expected = fmt::format("a bandwidth up to {}, twice the carrier", value_text(2.0 * *lowest, "Hz")),
-                    .hint = "What is computed is the formula, no wave: half of the band has no meaning."});
+  findings.warning(
+      Consequence::false_signal, "bandwidth_hz",
+      {.message = "the chirp's band reaches below 0 Hz, where no radar transmits",
+       .found = fmt::format("{} around a carrier of {}", value_text(std::abs(radar.bandwidth_hz), "Hz"),
+                            value_text(*lowest, "Hz")),
+       .expected = fmt::format("a bandwidth up to {}, twice the carrier", value_text(2.0 * *lowest, "Hz")),
+       .hint = "The samples follow the formula all the same; frequencies below 0 Hz have no physical meaning."});
 }
 
 void check_time_bandwidth(Findings& findings, const Radar& radar) {
@@ -76,9 +78,9 @@ void check_time_bandwidth(Findings& findings, const Radar& radar) {
        .found = fmt::format("{:.3g}: {} in {}", product, value_text(std::abs(radar.bandwidth_hz), "Hz"),
                             value_text(radar.pulse_width_s, "s")),
        .expected = fmt::format("{:.0f} or more", least_time_bandwidth),
-       .hint = short_unit ? fmt::format("Scripts have the pulse width in ns: {} is {}.",
-                                        value_text(1e3 * radar.pulse_width_s, "s"),
-                                        core::format_number(core::tidy(1e12 * radar.pulse_width_s)))
+       .hint = short_unit ? fmt::format("Scripts give the pulse width in ns: write {} for {}.",
+                                        core::format_number(core::tidy(1e12 * radar.pulse_width_s)),
+                                        value_text(1e3 * radar.pulse_width_s, "s"))
                           : "Range resolution is that of the pulse, not c/(2 B). MONO is a pulse without a sweep."});
 }
 
@@ -91,7 +93,7 @@ void check_beamwidth(Findings& findings, std::string_view field, std::string_vie
       {.message = fmt::format("the {} beamwidth is too wide for a sin(x)/x beam", cut),
        .found = value_text(width_deg, "deg"),
        .expected = fmt::format("{:.0f} deg or less", widest_beam_deg),
-       .hint = half < 1.0 ? fmt::format("The beam's half-power width comes out as {:.1f} degrees, and nothing is "
+       .hint = half < 1.0 ? fmt::format("The beam's half-power width would be {:.1f} degrees, and nothing is "
                                         "radiated beyond 90 degrees. Give such a beam by points (OTHER).",
                                         2.0 * std::asin(half) * 180.0 / core::pi)
                           : fmt::format("The beam never falls to half power: it ends at 90 degrees, {:.1f} dB below "
@@ -108,10 +110,10 @@ void check_beams(Findings& findings, std::string_view field, const Antenna& ante
 void check_hanning(Findings& findings, const Radar& radar) {
   if (radar.window != Radar::Window::hanning || radar.hanning_pedestal != 1.0) return;
   findings.warning(Consequence::surprise, "hanning_pedestal",
-                   {.message = "a Hanning window with the constant 1 is no window: all of its weights are 1",
+                   {.message = "a Hanning window with the constant 1 has no effect: all of its weights are 1",
                     .found = "1",
                     .expected = "0, the Hann window (side lobes of -31.5 dB), to 0.5",
-                    .hint = "Write RECT where no weighting is meant."});
+                    .hint = "Write RECT if no weighting is wanted."});
 }
 
 void check_oversampling(Findings& findings, const Simulation& simulation, const Radar& radar) {
@@ -125,12 +127,12 @@ void check_oversampling(Findings& findings, const Simulation& simulation, const 
                      {.message = "the sampling frequency is far above the bandwidth of the pulse",
                       .found = found,
                       .expected = fmt::format("about {}", value_text(1.25 * bandwidth_hz, "Hz")),
-                      .hint = "Scripts have bandwidths and sampling frequencies in GHz. The file grows with the ratio "
-                              "and holds nothing more."});
+                      .hint = "Scripts give bandwidths and sampling frequencies in GHz. The file grows with the ratio "
+                              "and holds no more information."});
   else if (ratio < least_oversampling && ratio >= 1.0 - 1e-9)
     findings.note("sample_rate_hz",
                   {.message = "the sampling frequency hardly exceeds the bandwidth of the pulse: the skirts of its "
-                              "spectrum fold, and interpolation in range (focus, measure) errs by some per cent",
+                              "spectrum fold, and interpolation in range (focus, measure) is off by a few per cent",
                    .found = found,
                    .expected = fmt::format("{} or more", value_text(1.2 * bandwidth_hz, "Hz")),
                    .hint = {}});
@@ -145,11 +147,11 @@ void check_kept_length(Findings& findings, const Simulation& simulation, const R
   if (simulation.width_factor >= wanted || !(simulation.width_factor >= 1.0)) return;
   findings.warning(
       Consequence::false_signal, "width_factor",
-      {.message = "the kept length cuts the band-limited pulse hard, and it is band-limited no more",
+      {.message = "the kept length cuts the band-limited pulse off, which is then no longer band-limited",
        .found = value_text(simulation.width_factor, ""),
        .expected = fmt::format("{:.1f}, which keeps all of it, or an over-sampling factor of 1", wanted),
        .hint =
-           "Cut to its own length a chirp has -26 dB of its energy beyond its band; whole it has -120 dB or less."});
+           "Cut to its own length, a chirp has -26 dB of its energy outside its band; kept whole, -120 dB or less."});
 }
 
 void check_single_precision(Findings& findings, const Simulation& simulation, const RunOptions& options) {
@@ -161,7 +163,7 @@ void check_single_precision(Findings& findings, const Simulation& simulation, co
                              .expected = fmt::format("{:.0e} or more", of_a_float),
                              .hint = "'sarsim run --double' writes double precision."});
   if (simulation.bits < 8)
-    findings.note("bits", {.message = "volts are not quantised: the A/D converter takes no part in this format",
+    findings.note("bits", {.message = "volts are not quantised: this format does not use the A/D converter",
                            .found = fmt::format("{} bits", simulation.bits),
                            .expected = "a format of counts (BINARY, ASCII, BRACKET, CSV)",
                            .hint = "'sarsim run --quantise' writes the converter's counts into HDF5 and NPY."});
@@ -170,7 +172,7 @@ void check_single_precision(Findings& findings, const Simulation& simulation, co
 void check_single_pulse(Findings& findings, const Simulation& simulation, const radar::Repetition& repetition,
                         const radar::PulseRange& pulses) {
   const double window_s = simulation.time_end_s - simulation.time_start_s;
-  // A hundredth of a second is no window for many pulses.
+  // A window of up to a hundredth of a second may well be meant for one pulse.
   if (pulses.count() != 1 || !(window_s > 0.01)) return;
   findings.warning(
       Consequence::lost_signal, "time_end_s",
@@ -178,7 +180,7 @@ void check_single_pulse(Findings& findings, const Simulation& simulation, const 
        .found = fmt::format("{} at a PRF of {}", value_text(window_s, "s"),
                             value_text(1.0 / repetition.mean_interval_s(), "Hz")),
        .expected = "many pulses, or a window of no length for one",
-       .hint = "Scripts have the PRF in Hz and times in s."});
+       .hint = "Scripts give the PRF in Hz and times in s."});
 }
 
 // Straight lines through two points go on for ever, but hardly for hours where the points are seconds apart.
@@ -193,12 +195,13 @@ void check_extrapolation(Findings& findings, const Simulation& simulation, const
   }
   const double window_s = simulation.time_end_s - simulation.time_start_s;
   if (!(last_s > first_s) || !(window_s > longest_extrapolation * (last_s - first_s))) return;
-  findings.warning(Consequence::surprise, "time_end_s",
-                   {.message = "the azimuth window is much longer than the points of the radar's trajectory reach",
-                    .found = fmt::format("{} of {}, in which the trajectory has points for {}",
-                                         value_text(window_s, "s"), platform.name, value_text(last_s - first_s, "s")),
-                    .expected = "a window about as long as the trajectory",
-                    .hint = "Times are in seconds. Beyond its points the trajectory is continued by its formula."});
+  findings.warning(
+      Consequence::surprise, "time_end_s",
+      {.message = "the azimuth window is much longer than the time for which the radar's trajectory has points",
+       .found = fmt::format("{}, with points of {} for {}", value_text(window_s, "s"), platform.name,
+                            value_text(last_s - first_s, "s")),
+       .expected = "a window about as long as the trajectory",
+       .hint = "Times are in seconds. Beyond its points the trajectory is extrapolated."});
 }
 
 struct Extension {
@@ -213,10 +216,10 @@ void check_extension(Findings& findings, const Simulation& simulation) {
   for (const Extension& known : extensions) {
     if (!core::equal_ignoring_case(extension, known.extension) || known.format == simulation.format) continue;
     findings.warning(Consequence::surprise, "file",
-                     {.message = "the file's name is that of another format",
+                     {.message = "the file name has the extension of another format",
                       .found = simulation.file,
                       .expected = "an extension that fits the format of the simulation",
-                      .hint = "Programs that go by the name will not read it: change the name or the format."});
+                      .hint = "Programs that go by the extension will not read it: change the name or the format."});
   }
 }
 

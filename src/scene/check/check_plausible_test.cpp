@@ -20,13 +20,13 @@ TEST(CheckPlausible, WarnsOfAChirpOfFewCyclesAndGuessesTheUnit) {
   const core::Problem unit =
       expect_warning(with([](Radar& r, Simulation&) { r.pulse_width_s = 2e-9; }), radar_field("pulse_width_s"));
   EXPECT_THAT(unit.found, HasSubstr("0.2: 100 MHz in 2 ns"));
-  EXPECT_THAT(unit.hint, HasSubstr("2 us is 2000"));
+  EXPECT_THAT(unit.hint, HasSubstr("write 2000 for 2 us"));
   EXPECT_TRUE(check(with([](Radar& r, Simulation&) { r.pulse_width_s = 100e-9; })).empty());
 }
 
 TEST(CheckPlausible, WarnsOfCarriersThatNoRadarHasAndOfBandsBelowZero) {
   EXPECT_THAT(expect_warning(with([](Radar& r, Simulation&) { r.carrier_hz = 3e12; }), radar_field("carrier_hz")).hint,
-              HasSubstr("GHz: 3 GHz is 3"));
+              HasSubstr("GHz: write 3 for 3 GHz"));
   EXPECT_TRUE(check(with([](Radar& r, Simulation&) { r.carrier_hz = 50e6; })).empty());
   EXPECT_THAT(
       expect_warning(with([](Radar& r, Simulation&) { r.carrier_hz = 49e6; }), radar_field("bandwidth_hz")).expected,
@@ -45,7 +45,7 @@ TEST(CheckPlausible, SaysHowWideAWideBeamIs) {
   EXPECT_THAT(expect_warning(beam(120.0), radar_field("transmit_antenna")).hint, HasSubstr("2.7 dB below"));
 }
 
-TEST(CheckPlausible, WarnsOfAHanningWindowThatIsNone) {
+TEST(CheckPlausible, WarnsOfAHanningWindowWithoutEffect) {
   expect_warning(with([](Radar& r, Simulation&) { r.window = Radar::Window::hanning; }),
                  radar_field("hanning_pedestal"));
   EXPECT_TRUE(check(with([](Radar& r, Simulation&) {

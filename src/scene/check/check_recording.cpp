@@ -128,7 +128,7 @@ void check_samples(Findings& findings, const Simulation& simulation, double rows
                         value_text(radar::frequency_of_turns(0.5, simulation.range_end_m - simulation.range_start_m,
                                                              core::exact_light_speed_mps),
                                    "Hz")),
-                    .hint = "Samples lie c/(2 fs) apart. Scripts have ranges in metres."});
+                    .hint = "Samples lie c/(2 fs) apart. Scripts give ranges in metres."});
     return;
   }
   if (std::max(rows, 1.0) * columns > exact_integers)

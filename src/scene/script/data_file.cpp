@@ -89,8 +89,8 @@ void report(const std::optional<Descent>& descent, const FunctionText& text, Rep
   reporter.error(descent->x_token, text.member,
                  {fmt::format("{} of the points of {} must ascend", text.block.x.name, subject_of(text)),
                   shown(descent->x_token.text), fmt::format("more than {}", core::format_number(descent->above)),
-                  text.block.count == 3 ? "the points of each coordinate stand together, with their number "
-                                          "before them: no rows of time, x, y and z"
+                  text.block.count == 3 ? "give the points of each coordinate in a list of their own, after "
+                                          "their number; rows of time, x, y and z are not read"
                                         : ""});
 }
 

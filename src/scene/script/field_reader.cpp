@@ -26,7 +26,8 @@ std::string selection_hint(const Token& token, std::span<const std::string_view>
   const std::string near = core::nearest_word(token.text.substr(0, longest_shown), words);
   if (!near.empty()) return fmt::format("did you mean {}?", near);
   if (begins_like_number(token.text))
-    return "there may be a number too many before it, such as a decimal comma makes (0,1 is two numbers: write 0.1)";
+    return "there may be one number too many before it, as a decimal comma makes (0,1 is read as two numbers: write "
+           "0.1)";
   return {};
 }
 

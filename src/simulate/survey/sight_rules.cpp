@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/scene_index.hpp"
@@ -14,16 +15,13 @@ namespace sarsim::simulate {
 
 namespace {
 
-constexpr double least_pattern = 0.01;  // two-way: what is below it is seen by side lobes alone
+constexpr double least_pattern = 0.01;  // two-way: below it, targets are seen by side lobes alone
 constexpr double good_pattern = 0.25;   // two-way: within the half-power width
 constexpr double least_snr = 10.0;      // 10 dB: below it nobody finds a target
 constexpr double least_recorded = 0.9;  // of an echo
-constexpr double degrees = 180.0 / core::pi;
-
-double decibels_of(double power) { return 10.0 * std::log10(power); }
 
 // Degrees, to a hundredth.
-double shown_deg(double angle_rad) { return std::round(100.0 * degrees * angle_rad) / 100.0 + 0.0; }
+double shown_deg(double angle_rad) { return std::round(100.0 * core::deg_per_rad * angle_rad) / 100.0 + 0.0; }
 
 std::string angles_text(double azimuth_rad, double elevation_rad) {
   return fmt::format("azimuth {:g} deg, elevation {:g} deg", shown_deg(azimuth_rad), shown_deg(elevation_rad));
@@ -73,7 +71,7 @@ class SightRules {
     const double best = best_pattern(sights_);
     const bool silent = sighted_.summary.strongest().amplitude_v == 0.0;
     if (silent && best >= least_pattern) {
-      // A negative cross-section was told of already.
+      // `check` has already warned of negative cross-sections.
       if (std::ranges::all_of(sights_,
                               [&](const TargetSight& s) { return sighted_.scene.targets[s.target].rcs_m2 < 0.0; }))
         return false;
@@ -85,8 +83,9 @@ class SightRules {
     if (best >= least_pattern) return true;
     const std::string what =
         silent ? "no echo is received: the beam points away from all targets"
-               : fmt::format("the beam misses all targets: the best of them is {:.1f} dB below its peak, both ways",
-                             -decibels_of(best));
+               : fmt::format(
+                     "the beam misses all targets: even the best of them is {:.1f} dB below the beam's two-way peak",
+                     -core::power_db(best));
     const radar::Beam& beam = plan_.radar.beam;
     const radar::BeamOffset to = sighted_.survey.direction();
     std::string found = beam.kind == radar::Beam::Kind::fixed
@@ -95,7 +94,7 @@ class SightRules {
                             ? fmt::format("a beam at elevation {:g} deg", shown_deg(beam.elevation_rad))
                             : "";
     add(core::Severity::warning, "radar", "beam_elevation", what + scope_, std::move(found),
-        "a beam on the targets, which stand at " + angles_text(to.azimuth_rad, to.elevation_rad) +
+        "a beam on the targets, which are at " + angles_text(to.azimuth_rad, to.elevation_rad) +
             " from the radar at the middle pulse",
         beam_hint(to));
     return false;
@@ -118,20 +117,21 @@ class SightRules {
     if (meets(other)) return upwards(beam);
     other.azimuth_rad = beam.elevation_rad;
     other.elevation_rad = beam.azimuth_rad;
-    if (meets(other)) return "Azimuth and elevation look exchanged: in a script the elevation stands first.";
+    if (meets(other)) return "Azimuth and elevation look exchanged: in a script the elevation comes first.";
     other = beam;
     other.azimuth_rad = beam.azimuth_rad + core::pi;
     if (meets(other)) return "The beam points the opposite way: add 180 degrees to its azimuth.";
     return fmt::format(
-        "Set the azimuth to {:g} and the elevation to {:g} degrees. Angles count in the platform's frame: azimuth 0 "
+        "Set the azimuth to {:g} and the elevation to {:g} degrees. Angles are measured in the platform's frame: "
+        "azimuth 0 "
         "is +y, 90 is +x, and an elevation below the horizon is negative.",
         shown_deg(to.azimuth_rad), shown_deg(to.elevation_rad));
   }
 
   [[nodiscard]] static std::string upwards(const radar::Beam& beam) {
     return fmt::format(
-        "The sign of the elevation is wrong: write {:g}. Elevation counts upwards; a beam that looks "
-        "down has a negative one.",
+        "The sign of the elevation is wrong: write {:g}. Elevation is positive upwards; a beam that "
+        "looks down has a negative elevation.",
         shown_deg(-beam.elevation_rad));
   }
 
@@ -140,12 +140,12 @@ class SightRules {
     const TargetSight& best = *std::ranges::max_element(sights_, {}, &TargetSight::processed_snr);
     if (best.processed_snr >= least_snr) return;
     add(core::Severity::warning, "simulation", "", "the echoes drown in noise: no processing finds a target" + scope_,
-        fmt::format("SNR {:.1f} dB a pulse, {:.1f} dB with all pulses added, of target {}", decibels_of(best.snr),
-                    decibels_of(best.processed_snr), best.target + 1),
-        fmt::format("{:.0f} dB or more with all pulses added", decibels_of(least_snr)),
+        fmt::format("target {}: SNR {:.1f} dB per pulse, {:.1f} dB with all pulses added", best.target + 1,
+                    core::power_db(best.snr), core::power_db(best.processed_snr)),
+        fmt::format("{:.0f} dB or more with all pulses added", core::power_db(least_snr)),
         fmt::format("Raise power, antenna gains, pulse width or cross-sections by {:.0f} dB, or lower the noise "
                     "temperature (0: no noise).",
-                    std::ceil(decibels_of(least_snr / best.processed_snr))));
+                    std::ceil(core::power_db(least_snr / best.processed_snr))));
   }
 
   struct Extent {

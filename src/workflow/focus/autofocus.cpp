@@ -127,7 +127,7 @@ std::string failure_of(const AutofocusFinding& finding) {
   constexpr double much_rad = 0.5;
   constexpr double least_gain = 0.02;
   const double gain = finding.entropy_before - finding.entropy_after;
-  if (!(gain > 0.0)) return "the image is sharper as it was";
+  if (!(gain > 0.0)) return "the image was sharper before";
   if (!(finding.rms_rad > much_rad)) return {};
   if (gain < least_gain)
     return fmt::format("the entropy of the image hardly changes, from {:.3f} to {:.3f}", finding.entropy_before,
@@ -138,7 +138,7 @@ std::string failure_of(const AutofocusFinding& finding) {
 core::Problems remarks_on_autofocus(const AutofocusFinding& finding) {
   const std::string failure = failure_of(finding);
   if (failure.empty() || !(finding.rms_rad > 0.0)) return {};
-  // What is found in a sharp image is small, and needs no advice.
+  // A small error found in a sharp image needs no advice.
   constexpr double small_rad = 0.1;
   const bool matters = finding.rms_rad > small_rad;
   return {core::problem_of(
@@ -146,7 +146,7 @@ core::Problems remarks_on_autofocus(const AutofocusFinding& finding) {
       fmt::format(
           "autofocus failed: it found {:.3g} rad rms in pieces of {:.4g} m, but {}; the image is left as it was",
           finding.rms_rad, finding.piece_m, failure),
-      {}, {}, matters ? "try another --autofocus-piece, or give focus the track as it was flown with --script" : "")};
+      {}, {}, matters ? "try another --autofocus-piece, or give focus the flown track with --script" : "")};
 }
 
 void write_phase(const AutofocusFinding& finding, const std::filesystem::path& path, bool replace) {

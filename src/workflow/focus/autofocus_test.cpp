@@ -17,7 +17,7 @@ AutofocusFinding finding(double rms_rad, double before, double after) {
 }
 
 TEST(AutofocusFailure, IsAGainThatIsNone) {
-  EXPECT_THAT(failure_of(finding(0.02, 9.0, 9.1)), HasSubstr("sharper as it was"));
+  EXPECT_THAT(failure_of(finding(0.02, 9.0, 9.1)), HasSubstr("sharper before"));
   // 15.8 rad of a wind that it cannot follow: the image stays 22 dB too weak.
   EXPECT_THAT(failure_of(finding(15.8, 16.196, 16.194)), HasSubstr("hardly changes, from 16.196 to 16.194"));
 }

@@ -79,7 +79,8 @@ signal::AxisInterval interval_of(const char* option, const std::string& text) {
   const auto first = core::parse_number(text.substr(0, colon));
   const auto last = colon == std::string::npos ? std::nullopt : core::parse_number(text.substr(colon + 1));
   if (first && last && *first < *last) return {*first, *last};
-  throw core::Refused(fmt::format("{}: '{}' is no interval", option, text), "give FIRST:LAST in metres, as -80:120");
+  throw core::Refused(fmt::format("{}: '{}' is not an interval", option, text),
+                      "give FIRST:LAST in metres, as -80:120");
 }
 
 void add_area(OptionTable<FocusRequest>& table) {

@@ -21,7 +21,7 @@ namespace {
 struct ResidualEcho {
   double weight = 0.0;
   double phase_rad = 0.0;
-  double cycles_per_m = 0.0;  // of azimuth: where in the spectrum it stands
+  double cycles_per_m = 0.0;  // of azimuth: its place in the spectrum
 };
 
 class Residuals {
@@ -127,13 +127,12 @@ core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual
   return {core::problem_of(
       core::Severity::warning,
       fmt::format("motion compensation, made for level ground in the middle of the beam, leaves {:.2g} rad rms in the "
-                  "echoes of "
-                  "target {}: its peak loses {:.2g} dB, its phase is wrong by {:.2g} rad, and it stands "
-                  "{:.2g} m off along the track",
+                  "echoes of target {}: its peak loses {:.2g} dB, its phase is wrong by {:.2g} rad, and it is "
+                  "displaced by {:.2g} m along the track",
                   residual->rms_rad, residual->target + 1, -core::amplitude_db(residual->amplitude),
                   residual->phase_rad, std::abs(residual->azimuth_m)),
       {}, fmt::format("up to {:.1f} rad", most_residual_rad),
-      "use --algorithm back-projection, which takes the track as it is")};
+      "use --algorithm back-projection, which follows the flown track")};
 }
 
 }  // namespace sarsim::workflow

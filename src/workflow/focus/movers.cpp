@@ -56,10 +56,10 @@ void remark_on_rows(const std::vector<SarTarget>& targets, const std::vector<std
       core::Severity::warning,
       fmt::format(
           "the images of moving targets ({}) are displaced to azimuths from {:.0f} to {:.0f} m: the image, from "
-          "{:.0f} to {:.0f} m, does not reach as far",
+          "{:.0f} to {:.0f} m, does not reach that far",
           target_list(outside), nearest_m, farthest_m, first_m, last_m),
       {}, {},
-      fmt::format("ask for it with --azimuth {:.0f}:{:.0f}", std::min(first_m, nearest_m - spare_m),
+      fmt::format("extend it with --azimuth {:.0f}:{:.0f}", std::min(first_m, nearest_m - spare_m),
                   std::max(last_m, farthest_m + spare_m))));
 }
 
@@ -88,8 +88,8 @@ core::Problems remarks_on_movers(const simulate::Plan& plan, const signal::EchoR
   core::Problems problems{core::problem_of(
       core::Severity::note,
       fmt::format(
-          "{} of {} targets ({}) move or turn with their platform, at up to {:.3g} m/s: their images stand up to "
-          "{:.3g} m along the track from where they are, and are blurred",
+          "{} of {} targets ({}) move or turn with their platform, at up to {:.3g} m/s: their images are displaced by "
+          "up to {:.3g} m along the track, and blurred",
           movers.size(), targets.size(), target_list(movers), fastest_mps, farthest_m),
       {}, {}, {})};
   if (image && image->frame.plane == signal::ImagePlane::slant_range)

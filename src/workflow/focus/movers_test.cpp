@@ -18,7 +18,7 @@ namespace movers_test {
 
 using testing::HasSubstr;
 
-constexpr double recession_mps = 3.0;  // along the slant range: the image stands R u/V = 153 m behind
+constexpr double recession_mps = 3.0;  // along the slant range: displaces the image by R u/V = 153 m
 
 // A resting target, and one on a car that recedes.
 class FocusOfMovers : public testing::Test {
@@ -52,7 +52,7 @@ std::string texts_of(const core::Problems& problems) {
 TEST_F(FocusOfMovers, NamesThemAndWhereTheirImagesAre) {
   const std::string said = texts_of(focus(request({}), {}).problems);
   EXPECT_THAT(said, HasSubstr("1 of 2 targets (2) move or turn with their platform, at up to 3.06 m/s"));
-  EXPECT_THAT(said, HasSubstr("stand up to 153 m along the track"));
+  EXPECT_THAT(said, HasSubstr("displaced by up to 153 m along the track"));
   EXPECT_THAT(said, HasSubstr("the images of moving targets (2) are displaced to azimuths from -153 to -153 m"));
   EXPECT_THAT(said, HasSubstr("--azimuth -163:"));
   MeasureRequest measured;
@@ -64,7 +64,7 @@ TEST_F(FocusOfMovers, ReachesAsFarAsTheirImagesWhenAsked) {
   for (const char* algorithm : {"omega-k", "range-doppler", "chirp-scaling", "back-projection"}) {
     const FocusReport report =
         focus(request({{"--algorithm", algorithm}, {"--azimuth", "-170:-130"}, {"--range", "10180:10220"}}), {});
-    EXPECT_THAT(texts_of(report.problems), testing::Not(HasSubstr("does not reach as far")));
+    EXPECT_THAT(texts_of(report.problems), testing::Not(HasSubstr("does not reach that far")));
     const signal::ImageAxis& rows = report.image.image.azimuth;
     EXPECT_GE(rows.first_m, -170.0 - 1e-6);
     EXPECT_LE(rows.at(static_cast<double>(rows.count) - 1.0), -130.0 + 1e-6);

@@ -129,7 +129,7 @@ core::Problems remarks_on_carriers(const signal::EchoRows& echoes, const signal:
         core::Severity::warning,
         fmt::format(
             "each of {} carriers is sent {:.4g} times a second, but the targets' Doppler frequencies are {:.4g} Hz "
-            "wide: ghosts of each carrier stand at azimuths of their own",
+            "wide: each carrier has ghosts, at azimuths that differ from carrier to carrier",
             carriers_hz.size(), rate_hz, band_hz),
         {}, {}, "send more pulses per second, or fewer carriers"));
   return problems;

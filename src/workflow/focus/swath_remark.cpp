@@ -23,7 +23,7 @@ struct PlaceOfLoss {
   double highest_hz = 0.0;
 };
 
-// Where the middle of the swath is farthest away.
+// The target farthest from the middle of the swath.
 std::optional<PlaceOfLoss> farthest_target(const simulate::Plan& plan, const signal::EchoRows& echoes, double middle_m,
                                            const core::WorkControl& control) {
   std::optional<PlaceOfLoss> farthest;
@@ -45,7 +45,7 @@ PlaceOfLoss edge_of_swath(const signal::FocusedImage& axes, const signal::FocusO
   return edge;
 }
 
-// Of the Doppler frequencies that focusing takes for what they are.
+// Restricts a place to the Doppler frequencies that focusing does not fold.
 void keep_band(PlaceOfLoss& place, const signal::FocusOptions& options, double prf_hz) {
   const double half_hz = 0.5 * (options.doppler_bandwidth_hz > 0.0 ? options.doppler_bandwidth_hz : prf_hz);
   const double centroid_hz = options.doppler_centroid_hz;
@@ -78,12 +78,13 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
   const bool scaled = options.method == signal::FocusMethod::chirp_scaling;
   return {core::problem_of(
       worst < 1.0 ? core::Severity::note : core::Severity::warning,
-      fmt::format("{} compresses all ranges as the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
-                  "dB, its phase is wrong by {:.3g} rad, and it stands {:.2g} m off in range",
-                  scaled ? "chirp scaling" : "range-Doppler", middle_m, place->name, std::abs(loss.from_middle_m),
-                  lost_db, loss.phase_rad, std::abs(loss.shift.range_m)),
+      fmt::format(
+          "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
+          "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
+          scaled ? "chirp scaling" : "range-Doppler", middle_m, place->name, std::abs(loss.from_middle_m), lost_db,
+          loss.phase_rad, std::abs(loss.shift.range_m)),
       {}, worst < 1.0 ? "" : fmt::format("below {:.1f} dB and {:.1f} rad", most_db, most_rad),
-      "use --algorithm omega-k, which compresses each range as it has to be")};
+      "use --algorithm omega-k, which compresses each range correctly")};
 }
 
 }  // namespace sarsim::workflow

@@ -31,7 +31,7 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
   const core::Problems problems = remarks_on_swath_loss(*plan, rows, options);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
-  EXPECT_THAT(problems[0].message, HasSubstr("range-Doppler compresses all ranges as the middle of the swath"));
+  EXPECT_THAT(problems[0].message, HasSubstr("range-Doppler compresses all ranges like the middle of the swath"));
   EXPECT_THAT(problems[0].message, HasSubstr("target 2, 69.3 m off it, loses "));
   const std::size_t at = problems[0].message.find("loses ") + 6;
   const double lost_db = std::stod(problems[0].message.substr(at));

@@ -6,12 +6,11 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
-
-constexpr double degrees = 180.0 / core::pi;
 
 std::string one_echo(const simulate::TargetSight& sight) {
   return fmt::format("{:.4g} V of target {}", sight.amplitude_v, sight.target + 1);
@@ -26,7 +25,7 @@ std::string ratio_range(double low, double high) {
 std::string snr_line(const std::vector<simulate::TargetSight>& sights) {
   const auto [low, high] = std::ranges::minmax(sights, {}, &simulate::TargetSight::snr);
   const auto [weak, strong] = std::ranges::minmax(sights, {}, &simulate::TargetSight::processed_snr);
-  return fmt::format("    SNR {} a pulse, {} with all pulses added\n", ratio_range(low.snr, high.snr),
+  return fmt::format("    SNR {} per pulse, {} with all pulses added\n", ratio_range(low.snr, high.snr),
                      ratio_range(weak.processed_snr, strong.processed_snr));
 }
 
@@ -45,12 +44,12 @@ void write_sight(core::JsonWriter& json, const char* key, const simulate::EchoSu
 }  // namespace
 
 std::string decibel_text(double ratio) {
-  return ratio > 0.0 ? fmt::format("{:.1f} dB", std::round(100.0 * std::log10(ratio)) / 10.0 + 0.0) : "none";
+  return ratio > 0.0 ? fmt::format("{:.1f} dB", std::round(10.0 * core::power_db(ratio)) / 10.0 + 0.0) : "none";
 }
 
 std::string off_beam_text(const simulate::TargetSight& sight) {
   // A thousandth of a degree is finer than any beam.
-  const auto angle = [](double rad) { return std::round(1e3 * degrees * std::abs(rad)) / 1e3; };
+  const auto angle = [](double rad) { return std::round(1e3 * core::deg_per_rad * std::abs(rad)) / 1e3; };
   return fmt::format("{:.4g} deg in azimuth and {:.4g} deg in elevation off the beam ({})",
                      angle(sight.off_azimuth_rad), angle(sight.off_elevation_rad), decibel_text(sight.pattern));
 }
