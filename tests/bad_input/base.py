@@ -43,9 +43,8 @@ BEGIN 1 1
 """
 
 
-def spoiled(*changes):
-    """The script with passages replaced, each of which has to be there exactly once."""
-    text = SCENE
+def spoiled(*changes, text=SCENE):
+    """A script with passages replaced, each of which has to be there exactly once."""
     for old, new in changes:
         if text.count(old) != 1:
             raise ValueError(f"{old!r} stands {text.count(old)} times in the script")

@@ -13,6 +13,7 @@ import subprocess
 import sys
 import tempfile
 
+from base import spoiled
 from harness import program
 
 GUIDE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs/guide/bad-input.md"
@@ -124,18 +125,9 @@ MISTAKES = [
 ]
 
 
-def spoiled(changes):
-    text = SCENE
-    for old, new in changes:
-        if text.count(old) != 1:
-            raise ValueError(f"{old!r} stands {text.count(old)} times in the script")
-        text = text.replace(old, new)
-    return text
-
-
 def said(mistake, folder):
     """Exit status and all that a user sees."""
-    pathlib.Path(folder, "scene.scr").write_text(spoiled(mistake["changes"]), encoding="ascii")
+    pathlib.Path(folder, "scene.scr").write_text(spoiled(*mistake["changes"], text=SCENE), encoding="ascii")
     if mistake["number"] == 31:
         subprocess.run([program(), "run", "scene.scr", "--quiet"], cwd=folder, check=True, capture_output=True)
         pathlib.Path(folder, "other.scr").write_text(SCENE.replace("-0.999 1", "-0.5 0.5"), encoding="ascii")

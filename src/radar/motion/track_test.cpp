@@ -87,51 +87,58 @@ TEST(WorldFromPlatformRate, IsTheDerivativeOfTheRotation) {
   expect_near(world_from_platform_rate(a, rate), quotient, h * h / 6.0 * 27.0 + 4.0 * epsilon / h);
 }
 
-// Speeds below 60 m/s with third derivatives of the path below 500 m/s^3; numbers up to 200 m lose 200 epsilon/h. The
-// rotation's entries have third derivatives below 1000.
-TEST(Track, VelocityAndTurningAreDerivativesOfPositionAndRotation) {
-  constexpr double h = 1e-4;
+constexpr core::Vec3 wing{3.0, -4.0, 12.0};
+
+// A time of a track, with its poses a step before and after.
+struct Neighbourhood {
+  static constexpr double step_s = 1e-4;
+  const Track& track;
+  double time_s;
+  Pose before;
+  Pose after;
+};
+
+// Calls `body` with times of the winding track, aligned and not.
+template <class Body>
+void each_neighbourhood(const Body& body) {
   for (const bool aligned : {false, true}) {
     Motion motion = winding();
     motion.aligned = aligned;
     const Track track(motion, 1, "A");
-    for (const double t : {0.3, 0.75, 1.4, 2.2, 2.9}) {
-      const Pose pose = track.at(t, 0);
-      const Pose before = track.at(t - h, 0);
-      const Pose after = track.at(t + h, 0);
-      const double bound = h * h / 6.0 * 1e3 + 200.0 * epsilon / h;
-      expect_near(pose.velocity_world_mps, (0.5 / h) * (after.position_world_m - before.position_world_m), bound);
-      expect_near(pose.world_from_platform_rate,
-                  (0.5 / h) * (after.world_from_platform + -1.0 * before.world_from_platform), bound);
-      const core::Vec3 wing{3.0, -4.0, 12.0};
-      expect_near(world_velocity_mps(pose, wing),
-                  (0.5 / h) * (world_position_m(after, wing) - world_position_m(before, wing)), 20.0 * bound);
-    }
+    for (const double t : {0.3, 0.75, 1.4, 2.2, 2.9})
+      body(Neighbourhood{track, t, track.at(t - Neighbourhood::step_s, 0), track.at(t + Neighbourhood::step_s, 0)});
   }
+}
+
+// Speeds below 60 m/s with third derivatives of the path below 500 m/s^3; numbers up to 200 m lose 200 epsilon/h. The
+// rotation's entries have third derivatives below 1000.
+TEST(Track, VelocityAndTurningAreDerivativesOfPositionAndRotation) {
+  each_neighbourhood([](const Neighbourhood& n) {
+    constexpr double h = Neighbourhood::step_s;
+    const double bound = h * h / 6.0 * 1e3 + 200.0 * epsilon / h;
+    const Pose pose = n.track.at(n.time_s, 0);
+    expect_near(pose.velocity_world_mps, (0.5 / h) * (n.after.position_world_m - n.before.position_world_m), bound);
+    expect_near(pose.world_from_platform_rate,
+                (0.5 / h) * (n.after.world_from_platform + -1.0 * n.before.world_from_platform), bound);
+    expect_near(world_velocity_mps(pose, wing),
+                (0.5 / h) * (world_position_m(n.after, wing) - world_position_m(n.before, wing)), 20.0 * bound);
+  });
 }
 
 // The same with second derivatives of a cubic path (third derivatives below 500 m/s^3, those of rotations below 1000
 // 1/s^3 and fourth ones below 1e5 1/s^4, aligned ones among them).
 TEST(Track, AccelerationsAreDerivativesOfVelocityAndTurning) {
-  constexpr double h = 1e-4;
-  for (const bool aligned : {false, true}) {
-    Motion motion = winding();
-    motion.aligned = aligned;
-    const Track track(motion, 1, "A");
-    for (const double t : {0.3, 0.75, 1.4, 2.2, 2.9}) {
-      const PoseAcceleration found = track.acceleration_at(t, 0);
-      const Pose before = track.at(t - h, 0);
-      const Pose after = track.at(t + h, 0);
-      const double bound = h * h / 6.0 * 1e5 + 200.0 * epsilon / h;
-      expect_near(found.acceleration_world_mps2, (0.5 / h) * (after.velocity_world_mps - before.velocity_world_mps),
-                  bound);
-      expect_near(found.world_from_platform_acceleration,
-                  (0.5 / h) * (after.world_from_platform_rate + -1.0 * before.world_from_platform_rate), bound);
-      const core::Vec3 wing{3.0, -4.0, 12.0};
-      expect_near(world_acceleration_mps2(found, wing),
-                  (0.5 / h) * (world_velocity_mps(after, wing) - world_velocity_mps(before, wing)), 20.0 * bound);
-    }
-  }
+  each_neighbourhood([](const Neighbourhood& n) {
+    constexpr double h = Neighbourhood::step_s;
+    const double bound = h * h / 6.0 * 1e5 + 200.0 * epsilon / h;
+    const PoseAcceleration found = n.track.acceleration_at(n.time_s, 0);
+    expect_near(found.acceleration_world_mps2, (0.5 / h) * (n.after.velocity_world_mps - n.before.velocity_world_mps),
+                bound);
+    expect_near(found.world_from_platform_acceleration,
+                (0.5 / h) * (n.after.world_from_platform_rate + -1.0 * n.before.world_from_platform_rate), bound);
+    expect_near(world_acceleration_mps2(found, wing),
+                (0.5 / h) * (world_velocity_mps(n.after, wing) - world_velocity_mps(n.before, wing)), 20.0 * bound);
+  });
 }
 
 // On a turntable of w rad/s a point r from the axis is drawn inwards by w^2 r.

@@ -11,8 +11,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "raster/format/envi.hpp"
-#include "scene/script/writer.hpp"
-#include "support/test_folder.hpp"
+#include "workflow/focus/focus_test_script.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
 
@@ -23,13 +22,9 @@ namespace fs = std::filesystem;
 using testing::HasSubstr;
 
 // A script with one target in the middle of half a second of flight, as a program without a command line has it.
-class FocusWorkflow : public testing::Test {
+class FocusWorkflow : public FocusOfScript {
  protected:
-  void SetUp() override {
-    std::ofstream(folder_ / "sar.scr") << scene::write_script(sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25));
-    request_.input.path = (folder_ / "sar.scr").string();
-    request_.threads = 2;
-  }
+  FocusWorkflow() : FocusOfScript(sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25)) {}
 
   [[nodiscard]] std::string refusal() const {
     try {
@@ -46,9 +41,6 @@ class FocusWorkflow : public testing::Test {
     request.threads = 2;
     return request;
   }
-
-  test::TestFolder folder_;
-  FocusRequest request_;
 };
 
 TEST_F(FocusWorkflow, WithoutAnOutputTheImageStaysInMemory) {
@@ -112,7 +104,7 @@ TEST_F(FocusWorkflow, MeasuringTellsNoiseFromTargets) {
   const auto measured = [&](double temperature_k) {
     scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25);
     scene.radars[0].noise_temperature_k = temperature_k;
-    std::ofstream(folder_ / "sar.scr") << scene::write_script(scene);
+    write(scene);
     static_cast<void>(focus(request_, {}));
     return measure(of_image(), {}).targets.front();
   };

@@ -3,14 +3,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "core/maths/constants.hpp"
-#include "scene/script/writer.hpp"
 #include "signal/sar/image_test_value.hpp"
 #include "signal/sar/reference_track.hpp"
-#include "support/test_folder.hpp"
 #include "workflow/focus/focus.hpp"
+#include "workflow/focus/focus_test_script.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
@@ -34,16 +32,11 @@ scene::Scene swaying_scene() {
   return scene;
 }
 
-class MotionResidualOfASquint : public testing::Test {
+class MotionResidualOfASquint : public FocusOfScript {
  protected:
-  void SetUp() override {
-    std::ofstream(folder_ / "sar.scr") << scene::write_script(swaying_scene());
-    request_.input.path = (folder_ / "sar.scr").string();
-    request_.ground_m = 0.0;
-    request_.threads = 2;
-  }
+  MotionResidualOfASquint() : FocusOfScript(swaying_scene()) { request_.ground_m = 0.0; }
 
-  // Of the second target, in parts of what it should be.
+  // Of the second target, relative to the ideal one.
   [[nodiscard]] static std::complex<double> response(const FocusReport& report, double azimuth_m) {
     const auto [plan, rows] = sar_recording(swaying_scene());
     const signal::FocusedImage image = signal::in_memory(report.image);
@@ -53,9 +46,6 @@ class MotionResidualOfASquint : public testing::Test {
     return signal::test::value_at(image, place) *
            std::polar(1.0 / sar_targets(*plan, rows).at(1).amplitude, 2.0 * core::pi * turns);
   }
-
-  test::TestFolder folder_;
-  FocusRequest request_;
 };
 
 TEST_F(MotionResidualOfASquint, IsWhatTheImageLoses) {

@@ -1,14 +1,12 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
-#include "scene/script/writer.hpp"
 #include "signal/sar/image_test_value.hpp"
-#include "support/test_folder.hpp"
 #include "workflow/focus/focus.hpp"
+#include "workflow/focus/focus_test_script.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
 
@@ -29,15 +27,9 @@ scene::Scene stepped_scene() {
   return scene;
 }
 
-class SteppedSar : public testing::Test {
+class SteppedSar : public FocusOfScript {
  protected:
-  void SetUp() override {
-    std::ofstream(folder_ / "stepped.scr") << scene::write_script(stepped_scene());
-    request_.input.path = (folder_ / "stepped.scr").string();
-    request_.threads = 2;
-  }
-  test::TestFolder folder_;
-  FocusRequest request_;
+  SteppedSar() : FocusOfScript(stepped_scene()) {}
 };
 
 TEST_F(SteppedSar, FocusesToTheBandOfAllCarriers) {
