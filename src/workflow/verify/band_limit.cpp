@@ -77,7 +77,7 @@ std::complex<double> filtered(const Coded& coded, double t, double band_hz) {
   return sum;
 }
 
-// The largest deviation of every so many-th sample of an echo from the filtered pulse, over the echo's amplitude.
+// The largest deviation of every `step`-th sample of an echo from the filtered pulse, over the echo's amplitude.
 double worst_sample(const Coded& coded, double oversampling, std::size_t step) {
   constexpr double range_m = 1000.0;
   scene::Scene scene = radar_at_origin();

@@ -15,7 +15,6 @@ namespace {
 
 constexpr double width_deg = 10.0;
 constexpr core::Vec3 seen_m{300.0, 950.0, 90.0};
-constexpr double seen_range_m = 1000.2499687578;
 
 double deg(long double rad) { return static_cast<double>(rad) * core::deg_per_rad; }
 
@@ -54,7 +53,8 @@ scene::Scene beam_scene(bool user) {
   antenna.gain_db.part = {core::SampledFunction{Interpolation::linear, {{0.0, 0.0}, {180.0, -90.0}}},
                           core::SampledFunction{Interpolation::linear, {{0.0, -1.0}, {180.0, -46.0}}}};
   add_target(scene, seen_m);
-  set_window(scene, seen_range_m + 200.0, seen_range_m + 300.0, 4e6);
+  const double range_m = core::norm(seen_m);
+  set_window(scene, range_m + 200.0, range_m + 300.0, 4e6);
   return scene;
 }
 
@@ -154,9 +154,7 @@ void measure_stc(Record& record) {
 }  // namespace
 
 void measure_beams_and_targets(Record& record) {
-  measure_beams(record);
-  measure_reflectivity(record);
-  measure_stc(record);
+  for (const auto measure : {measure_beams, measure_reflectivity, measure_stc}) measure(record);
 }
 
 }  // namespace sarsim::workflow::verify

@@ -157,9 +157,7 @@ void measure_paths(Record& record) {
 }  // namespace
 
 void measure_geometry(Record& record) {
-  measure_frames(record);
-  measure_alignment(record);
-  measure_paths(record);
+  for (const auto measure : {measure_frames, measure_alignment, measure_paths}) measure(record);
 }
 
 }  // namespace sarsim::workflow::verify

@@ -15,7 +15,10 @@ Record verify_all(const Rules& rules) {
   record.group("Engines", measure_engines);
   record.group("Statistics", measure_statistics);
   record.group("Focusing", measure_focusing);
-  record.group("Detection and profiles", measure_search);
+  record.group("Detection and profiles", [](Record& part) {
+    measure_detection(part);
+    measure_stepped(part);
+  });
   if (!rules.quick) record.group("Speed", measure_speed);
   return record;
 }

@@ -8,17 +8,17 @@ namespace sarsim::workflow::verify {
 /// Radar equation, phase, Doppler, pulses and their compression, antenna, converter: each against its formula.
 void measure_closed_forms(Record& record);
 
-/// Frames, rotations and paths: the phase of echoes against the light time of their own evaluation.
+/// Frames, rotations and paths: the phase of echoes compared with the light time of `own_path.hpp`.
 void measure_geometry(Record& record);
 
-/// Echoes of satellites, missiles and cars against the light-time equation of every sample.
+/// Echoes of satellites, missiles and cars compared with the light-time equation of every sample.
 void measure_light_time(Record& record);
 
 /// Beams held on points, turning, on platforms that roll; antennas and targets given by points; sensitivity-time
 /// control.
 void measure_beams_and_targets(Record& record);
 
-/// Samples of band-limited pulses against the integral that defines them.
+/// Samples of band-limited pulses compared with the integral that defines them.
 void measure_band_limit(Record& record);
 
 /// The numbers that the thesis prints, in both profiles.
@@ -34,8 +34,11 @@ void measure_statistics(Record& record);
 /// A point focused to an image by synthetic aperture: place, phase, amplitude, widths and side lobes.
 void measure_focusing(Record& record);
 
-/// Thresholds and false alarms of detectors, range profiles, images of a turning target.
-void measure_search(Record& record);
+/// Thresholds and false alarms of detectors.
+void measure_detection(Record& record);
+
+/// Stepped frequencies: range profiles, images of a turning target.
+void measure_stepped(Record& record);
 
 /// The time of the engines against that of a textbook's loop on one thread.
 void measure_speed(Record& record);

@@ -6,7 +6,7 @@
 
 #include "core/maths/vector.hpp"
 
-/// The way of a pulse, worked out here and not by what is verified: in long double, from where things are at any time.
+/// The path of a pulse, computed independently of what is verified: in long double, from the places at each time.
 namespace sarsim::workflow::verify {
 
 /// A place [m] in long double.
@@ -45,12 +45,12 @@ using Motion = std::function<Place(long double)>;
   return [start, velocity](long double t) { return start + t * velocity; };
 }
 
-/// Seconds from sending at `sent_s` to receiving: |P(t1) - X(t0)| = c (t1 - t0), |X(t2) - P(t1)| = c (t2 - t1), found
-/// by repeated insertion, all motions at their own times.
+/// Seconds from sending at `sent_s` to receiving: |P(t1) - X(t0)| = c (t1 - t0), |X(t2) - P(t1)| = c (t2 - t1), by
+/// fixed-point iteration, all motions at their own times.
 [[nodiscard]] long double two_way_s(const Motion& radar, const Motion& point, long double sent_s);
 
-/// What a receiver that mixes with exp(-j 2 pi f t) gets `after_send_s` after t(n) = `middle_s`, when the middle of a
-/// pulse exp(j 2 pi f t + j pi K t^2) left: of amplitude 1. Found by solving for the time at which it was sent.
+/// What a receiver that mixes with exp(-j 2 pi f t) gets `after_send_s` after t(n) = `middle_s`, at which the middle of
+/// a pulse exp(j 2 pi f t + j pi K t^2) left. Of amplitude 1, by solving for the time at which it was sent.
 [[nodiscard]] std::complex<double> echo_received(const Motion& radar, const Motion& point, double middle_s,
                                                  double after_send_s, double carrier_hz, double rate_hz_per_s = 0.0);
 

@@ -6,7 +6,7 @@
 
 #include "core/task/stop.hpp"
 
-/// The simulator held against what must come out, on the machine where it stands.
+/// The simulator compared with the expected results, on the machine on which it runs.
 namespace sarsim::workflow::verify {
 
 /// How a measured value is judged.
