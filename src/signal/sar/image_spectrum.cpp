@@ -12,53 +12,49 @@ namespace {
 
 // Wave numbers that one direction fills evenly.
 struct FilledBand {
-  double least = 0.0;
-  double most = 0.0;
+  SpectrumExtent extent;
   double weight = 0.0;
 };
-
-// The share of the weights below a wave number.
-double weight_below(std::span<const FilledBand> bands, double per_m) {
-  double sum = 0.0;
-  for (const FilledBand& band : bands) {
-    const double width = band.most - band.least;
-    const double part = width > 0.0 ? std::clamp((per_m - band.least) / width, 0.0, 1.0) : per_m >= band.least;
-    sum += band.weight * part;
-  }
-  return sum;
-}
-
-// Where that much of the weights lies below.
-double quantile_of(std::span<const FilledBand> bands, double weight, double least, double most) {
-  constexpr int halvings = 40;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = 0.5 * (least + most);
-    (weight_below(bands, middle) < weight ? least : most) = middle;
-  }
-  return 0.5 * (least + most);
-}
-
-std::optional<SpectrumExtent> extent_of_bands(std::span<const FilledBand> bands, double beyond) {
-  double all = 0.0;
-  double least = INFINITY;
-  double most = -INFINITY;
-  for (const FilledBand& band : bands) {
-    if (!(band.weight > 0.0)) continue;
-    all += band.weight;
-    least = std::min(least, band.least);
-    most = std::max(most, band.most);
-  }
-  if (!(all > 0.0)) return std::nullopt;
-  if (beyond == 0.0) return SpectrumExtent{least, most};
-  return SpectrumExtent{quantile_of(bands, beyond * all, least, most),
-                        quantile_of(bands, (1.0 - beyond) * all, least, most)};
-}
-
-FilledBand ordered(double a, double b, double weight) { return {std::min(a, b), std::max(a, b), weight}; }
 
 SpectrumExtent joined_extent(const SpectrumExtent& a, const SpectrumExtent& b) {
   return {std::min(a.least_per_m, b.least_per_m), std::max(a.most_per_m, b.most_per_m)};
 }
+
+// The sum of the weights below a wave number.
+double weight_below(std::span<const FilledBand> bands, double per_m) {
+  double sum = 0.0;
+  for (const FilledBand& band : bands) {
+    const double width = band.extent.width_per_m();
+    const double above = per_m - band.extent.least_per_m;
+    sum += band.weight * (width > 0.0 ? std::clamp(above / width, 0.0, 1.0) : above >= 0.0);
+  }
+  return sum;
+}
+
+// The wave number below which the weights add up to `weight`.
+double quantile_of(std::span<const FilledBand> bands, double weight, SpectrumExtent within) {
+  constexpr int halvings = 40;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = within.middle_per_m();
+    (weight_below(bands, middle) < weight ? within.least_per_m : within.most_per_m) = middle;
+  }
+  return within.middle_per_m();
+}
+
+std::optional<SpectrumExtent> extent_of_bands(std::span<const FilledBand> bands, double beyond) {
+  double all = 0.0;
+  SpectrumExtent whole{INFINITY, -INFINITY};
+  for (const FilledBand& band : bands) {
+    if (!(band.weight > 0.0)) continue;
+    all += band.weight;
+    whole = joined_extent(whole, band.extent);
+  }
+  if (!(all > 0.0)) return std::nullopt;
+  if (beyond == 0.0) return whole;
+  return SpectrumExtent{quantile_of(bands, beyond * all, whole), quantile_of(bands, (1.0 - beyond) * all, whole)};
+}
+
+FilledBand filled_band(double a, double b, double weight) { return {{std::min(a, b), std::max(a, b)}, weight}; }
 
 }  // namespace
 
@@ -75,8 +71,8 @@ std::optional<ImageSpectrum> spectrum_of(std::span<const SeenDirection> seen, co
   std::vector<FilledBand> range;
   for (const SeenDirection& direction : seen) {
     const double cosine = std::sqrt(std::max(0.0, 1.0 - direction.sine * direction.sine));
-    azimuth.push_back(ordered(low * direction.sine, high * direction.sine, direction.weight));
-    range.push_back(ordered(low * cosine - middle, high * cosine - middle, direction.weight));
+    azimuth.push_back(filled_band(low * direction.sine, high * direction.sine, direction.weight));
+    range.push_back(filled_band(low * cosine - middle, high * cosine - middle, direction.weight));
   }
   const auto azimuth_extent = extent_of_bands(azimuth, beyond);
   const auto range_extent = extent_of_bands(range, beyond);

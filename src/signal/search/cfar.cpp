@@ -9,6 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "signal/search/cfar_calibration.hpp"
+#include "signal/search/cfar_factor.hpp"
 
 namespace sarsim::signal {
 
@@ -99,19 +100,6 @@ double log_statistic_probability(double cells, double rank, double factor) {
   return log_gamma(cells + 1.0) - log_gamma(rest) + log_gamma(rest + factor) - log_gamma(cells + 1.0 + factor);
 }
 
-// The factor at which a probability that falls from 1 towards 0 is so small: doubling finds an upper end, halving it.
-template <class LogProbability>
-double factor_where(const LogProbability& log_probability, double log_false_alarm) {
-  double high = 1.0;
-  while (log_probability(high) > log_false_alarm) high *= 2.0;
-  double low = 0.0;
-  for (int i = 0; i < 200 && high - low > 1e-15 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (log_probability(middle) > log_false_alarm ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
 // Correlation of two numbers' exceeding the same value, the numbers being powers of correlated noise.
 double exceedance_correlation(double power_correlation, double value) {
   double before = 1.0;
@@ -138,7 +126,7 @@ double independent_factor(std::size_t cells, const CfarOptions& options) {
   // The middle of the cells' rank keeps its place among fewer.
   const double among = 0.5 + worth * (static_cast<double>(rank) - 0.5) / static_cast<double>(cells);
   return factor_where([&](double factor) { return log_statistic_probability(worth, among, factor); },
-                      std::log(options.false_alarm));
+                      std::log(options.false_alarm), 1e-15);
 }
 
 }  // namespace
@@ -236,7 +224,7 @@ double ordered_statistic_factor(std::size_t cells, std::size_t rank, double fals
   CORE_EXPECT(rank >= 1 && rank <= cells);
   CORE_EXPECT(false_alarm > 0.0 && false_alarm <= 1.0);
   return factor_where([&](double factor) { return std::log(ordered_statistic_probability(cells, rank, factor, 0.0)); },
-                      std::log(false_alarm));
+                      std::log(false_alarm), 1e-15);
 }
 
 std::vector<CfarDetection> detect_cfar(std::span<const float> power, std::size_t columns, const CfarOptions& options,

@@ -31,8 +31,7 @@ struct CfarOptions {
   /// (see `independence`). The factors are then those for so many cells fewer: exact no more, but a mean's variance is
   /// right.
   double independence = 1.0;
-  /// What those factors are multiplied by, above 0: what makes them exact where neighbours are correlated (see
-  /// `cfar_calibration`).
+  /// Multiplies those factors, above 0: makes them exact where neighbours are correlated (`cfar_calibration`).
   double calibration = 1.0;
 };
 

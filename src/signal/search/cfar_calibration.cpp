@@ -7,6 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
+#include "signal/search/cfar_factor.hpp"
 
 namespace sarsim::signal {
 
@@ -44,21 +45,8 @@ double reduce_column(std::vector<Complex>& matrix, std::size_t size, std::size_t
   return energy;
 }
 
-// The factor at which ln P, which falls from 0, is so small.
-template <class LogProbability>
-double factor_of(const LogProbability& log_probability, double log_false_alarm) {
-  double high = 1.0;
-  while (log_probability(high) > log_false_alarm && high < 1e15) high *= 2.0;
-  double low = 0.0;
-  for (int i = 0; i < 60 && high - low > 1e-6 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (log_probability(middle) > log_false_alarm ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-// ln of det(I + step T) of the reference's three diagonals, what remains of its first pivot and its derivative by s,
-// step being s times `rate`.
+// For the tridiagonal matrix T of the reference and step = s rate: ln det(I + step T), the last pivot of the
+// elimination from the end, which is that of the first row, and its derivative with respect to s.
 struct Determinant {
   double log_all = 0.0;
   double pivot = 1.0;
@@ -84,8 +72,8 @@ Determinant determinant_of(const std::vector<double>& diagonal, const std::vecto
   return d;
 }
 
-// Columns of a factor L of a correlation matrix, R = L L^H to within 1/1000 of its trace; by the largest pivots first,
-// of which the first cell is none: its row says what is known of it by the others.
+// Columns of a factor L of a correlation matrix, R = L L^H to within 1/1000 of its trace, in the order of the largest
+// pivots. The first cell is never a pivot: its row of L is its regression on the others.
 std::vector<std::vector<Complex>> main_columns(const std::vector<Complex>& matrix, std::size_t size) {
   std::vector<std::vector<Complex>> columns;
   std::vector<double> left(size, 1.0);
@@ -108,8 +96,8 @@ std::vector<std::vector<Complex>> main_columns(const std::vector<Complex>& matri
   return columns;
 }
 
-// A draw of the reference whose energy over all dimensions is 1: its statistic, and the power that it lets the cell be
-// expected to have, both over what remains uncertain of the cell's.
+// A draw of the reference whose energy over all dimensions is 1: its statistic, and the power of the cell that it
+// predicts, both over the power of the cell that stays unpredictable.
 struct Draw {
   double statistic = 0.0;
   double known = 0.0;
@@ -144,8 +132,8 @@ std::vector<Draw> draws_of(const std::vector<std::vector<Complex>>& columns, std
 }
 
 // Probability that a cell exceeds t times the draw's energy E, gamma distributed of `dimensions`, where E m of its
-// power is known: Marcum's function is that of J <= K, J and K Poisson of means E t and E m, and E turns these into
-// negative binomial numbers: J, and K for a J.
+// power is known: Marcum's function is the probability of J <= K, J and K Poisson of means E t and E m, which the
+// distribution of E turns into negative binomial numbers: J, and K given J.
 double exceedance(double t, double m, double dimensions) {
   double chance_of_j = std::pow(1.0 + t, -dimensions);
   double sum = chance_of_j;
@@ -173,12 +161,11 @@ struct Place {
   std::ptrdiff_t row, column;
 };
 
-// The cell in the middle of a map and, behind it, its reference, as distances from it.
+// The cell in the middle of a map, followed by its reference cells, as offsets from it.
 std::vector<Place> places_of(const CfarOptions& options, std::size_t rows, std::size_t columns) {
-  const auto within = [](std::ptrdiff_t off, std::size_t reach, std::size_t count) {
+  const auto on_map = [](std::ptrdiff_t off, std::size_t count) {
     const auto middle = static_cast<std::ptrdiff_t>(count / 2);
-    return std::abs(off) <= static_cast<std::ptrdiff_t>(reach) && middle + off >= 0 &&
-           middle + off < static_cast<std::ptrdiff_t>(count);
+    return middle + off >= 0 && middle + off < static_cast<std::ptrdiff_t>(count);
   };
   const auto row_reach = static_cast<std::ptrdiff_t>(std::min(options.reference_rows, rows));
   const auto column_reach = static_cast<std::ptrdiff_t>(std::min(options.reference_columns, columns));
@@ -187,8 +174,7 @@ std::vector<Place> places_of(const CfarOptions& options, std::size_t rows, std::
     for (std::ptrdiff_t c = -column_reach; c <= column_reach; ++c) {
       const bool guarded = std::abs(r) <= static_cast<std::ptrdiff_t>(options.guard_rows) &&
                            std::abs(c) <= static_cast<std::ptrdiff_t>(options.guard_columns);
-      if (!guarded && within(r, options.reference_rows, rows) && within(c, options.reference_columns, columns))
-        places.push_back({r, c});
+      if (!guarded && on_map(r, rows) && on_map(c, columns)) places.push_back({r, c});
     }
   return places;
 }
@@ -247,6 +233,7 @@ CorrelatedMean::CorrelatedMean(std::vector<Complex> matrix, std::size_t size) {
 // The eigenvalue: the root s >= 1 of f(s) = 1 - s + s^2 a/N b^2/pivot(s), which is convex and falls there; Newton's
 // steps come to it from the left. The product without it is -s f'(s) times the determinant.
 double CorrelatedMean::log_false_alarm(double factor) const {
+  CORE_EXPECT(factor >= 0.0);
   const double rate = factor / static_cast<double>(diagonal_.size());
   double s = 1.0;
   for (int i = 0;; ++i) {
@@ -262,13 +249,15 @@ double CorrelatedMean::log_false_alarm(double factor) const {
 }
 
 double CorrelatedMean::factor(double false_alarm) const {
-  return factor_of([&](double factor) { return log_false_alarm(factor); }, std::log(false_alarm));
+  CORE_EXPECT(false_alarm > 0.0 && false_alarm < 1.0);
+  return factor_where([&](double factor) { return log_false_alarm(factor); }, std::log(false_alarm), 1e-6);
 }
 
 double correlated_statistic_factor(const std::vector<Complex>& matrix, std::size_t size, std::size_t rank,
                                    double false_alarm) {
   CORE_EXPECT(size > 1 && matrix.size() == size * size);
   CORE_EXPECT(rank > 0 && rank < size);
+  CORE_EXPECT(false_alarm > 0.0 && false_alarm < 1.0);
   const auto columns = main_columns(matrix, size);
   const std::vector<Draw> draws = draws_of(columns, size, rank);
   const auto dimensions = static_cast<double>(columns.size());

@@ -9,14 +9,16 @@
 
 namespace sarsim::signal {
 
-/// Correlation of the complex noise of a map's cells, of power 1: the product of that along a row and that across rows.
+/// Correlation of the complex noise of a map's cells, normalised to power 1: the product of that along a row and that
+/// across rows.
 struct NoiseCorrelation {
   std::vector<std::complex<double>> along_columns{1.0};  ///< At distances 0, 1 ... to the right; 0 beyond.
   /// At distances 0, 1 ... all the way round; 1 alone for references in the cell's own row.
   std::vector<std::complex<double>> along_rows{1.0};
 };
 
-/// rho[m], m = 0, 1 ...: the correlation of white noise that passed a filter.
+/// rho[m], m = 0 ... taps - 1: the correlation of white noise that passed a filter, rho[0] = 1. {1} for a filter
+/// without energy.
 [[nodiscard]] std::vector<std::complex<double>> noise_correlation(std::span<const std::complex<double>> filter);
 
 /// Probability that a cell of noise exceeds `factor` times the mean of its reference cells, exact for complex normal
@@ -33,9 +35,9 @@ class CorrelatedMean {
   /// @param matrix  R by rows, the cell itself first; Hermitian, 1 on its diagonal
   explicit CorrelatedMean(std::vector<std::complex<double>> matrix, std::size_t size);
 
-  /// ln P.
+  /// ln P for a factor of at least 0.
   [[nodiscard]] double log_false_alarm(double factor) const;
-  /// The factor for a P.
+  /// The factor for a P between 0 and 1, to a relative 1e-6.
   [[nodiscard]] double factor(double false_alarm) const;
 
  private:
@@ -43,18 +45,18 @@ class CorrelatedMean {
   std::vector<double> squares_;   // |off-diagonal|^2, the first between the cell and its reference
 };
 
-/// Factor on the `rank`-th smallest of correlated reference cells for a P: that at which the mean of the probability
-/// given the reference is P. The mean is over draws of the reference from fixed random numbers; a draw's energy is
-/// integrated in closed form. Where the cell is independent of its reference exp(-a x) so becomes (1 + a y)^-d, for d
-/// dimensions that carry all but 1/1000 of the noise and y that of a draw of energy 1. Right to about 2 % for P down to
-/// 1e-4.
+/// Factor on the `rank`-th smallest of correlated reference cells for a P between 0 and 1: that at which the mean of
+/// the probability given the reference is P. The mean is over draws of the reference from fixed random numbers; the
+/// energy of a draw is integrated in closed form. If the cell is independent of its reference, exp(-a x) then becomes
+/// (1 + a y)^-d, for d dimensions that carry all but 1/1000 of the noise and y that of a draw of energy 1. Right to
+/// about 2 % for P down to 1e-4.
 /// @param matrix  R by rows, the cell itself first; Hermitian, 1 on its diagonal
 [[nodiscard]] double correlated_statistic_factor(const std::vector<std::complex<double>>& matrix, std::size_t size,
                                                  std::size_t rank, double false_alarm);
 
 /// What the factors of independent cells are to be multiplied by, for `CfarOptions::calibration`: the factor for a cell
 /// in the middle of a map with its correlated reference over that of `cfar_factor`. 1 for white noise, for references
-/// without cells and for those of more than 400, whose mean says all but the same as that of independent ones.
+/// without cells and for those of more than 400, whose mean is all but that of independent ones.
 [[nodiscard]] double cfar_calibration(const NoiseCorrelation& correlation, const CfarOptions& options, std::size_t rows,
                                       std::size_t columns);
 

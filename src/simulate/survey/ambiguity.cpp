@@ -20,8 +20,8 @@ class OtherPulseRules {
                   core::Problems& problems)
       : plan_(plan), survey_(survey), index_(index), scope_(scope), problems_(problems) {}
 
-  // From orbit, where many pulses are under way at once, a lower PRF is no advice: a real receiver listens between
-  // pulses sent later.
+  // From orbit, where many pulses are under way at once, a lower PRF is not useful advice: a real receiver listens
+  // between later pulses.
   void check_late() {
     if (survey_.totals.late == 0) return;
     const double unambiguous_m = unambiguous_range_m(plan_);
@@ -111,14 +111,10 @@ class OtherPulseRules {
   }
 
   void add(core::Severity severity, std::string message, std::string found, std::string expected, std::string hint) {
-    problems_.push_back({severity,
-                         std::move(message),
-                         std::move(found),
-                         std::move(expected),
-                         std::move(hint),
-                         {},
-                         {"simulation", index_, "radar"},
-                         1});
+    core::Problem problem =
+        core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
+    problem.subject = {"simulation", index_, "radar"};
+    problems_.push_back(std::move(problem));
   }
 
   const Plan& plan_;

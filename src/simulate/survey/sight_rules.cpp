@@ -50,14 +50,10 @@ class SightRules {
            std::string expected, std::string hint) {
     const std::size_t index =
         kind == "radar" ? scene::find_radar(sighted_.scene, plan_.simulation.radar) : sighted_.simulation;
-    problems_.push_back({severity,
-                         std::move(message),
-                         std::move(found),
-                         std::move(expected),
-                         std::move(hint),
-                         {},
-                         {std::string(kind), index, field},
-                         1});
+    core::Problem problem =
+        core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
+    problem.subject = {std::string(kind), index, field};
+    problems_.push_back(std::move(problem));
   }
 
   [[nodiscard]] static double best_pattern(const std::vector<TargetSight>& sights) {

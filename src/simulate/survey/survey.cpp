@@ -66,14 +66,10 @@ class Surveyor {
 
   void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,
            std::string hint) {
-    problems_.push_back({severity,
-                         std::move(message),
-                         std::move(found),
-                         std::move(expected),
-                         std::move(hint),
-                         {},
-                         {"simulation", index_, field},
-                         1});
+    core::Problem problem =
+        core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
+    problem.subject = {"simulation", index_, field};
+    problems_.push_back(std::move(problem));
   }
 
   struct Weights {

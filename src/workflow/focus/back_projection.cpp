@@ -76,8 +76,8 @@ signal::BackProjectionOptions options_of(const signal::FocusOptions& options, co
   return back;
 }
 
-// Whether the antenna leaves its line by so much that the height of the points counts: the plane of the line and the
-// scene is as good otherwise.
+// Whether the antenna strays so far from its line that the height of the points matters; otherwise the plane of the
+// line and the scene is good enough.
 bool strays(const signal::EchoRows& echoes) {
   constexpr double least_wavelengths = 1e-3;
   return signal::fit_straight(echoes.track).worst_position_m >
@@ -119,6 +119,11 @@ std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& i
 
 }  // namespace
 
+void expect_samples(const signal::FocusedImage& axes) {
+  if (axes.azimuth.count == 0 || axes.range.count == 0)
+    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
+}
+
 signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes, const std::vector<SarTarget>& targets,
                                           const signal::FocusOptions& options) {
   signal::FocusOptions plain = options;
@@ -142,8 +147,7 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
   back.ground_m = place_axes(axes, input, choice);
   if (options.azimuth_area) signal::cut_axis(axes.azimuth, *options.azimuth_area);
   if (options.range_area) signal::cut_axis(axes.range, *options.range_area);
-  if (axes.azimuth.count == 0 || axes.range.count == 0)
-    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
+  expect_samples(axes);
   const double bytes =
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.columns) +
              static_cast<double>(axes.azimuth.count) * static_cast<double>(axes.range.count));

@@ -18,6 +18,9 @@ struct BackProjectionChoice {
   bool start_stop = false;         ///< As if the antenna rested while a pulse travels.
 };
 
+/// Refuses an image that the area asked for leaves without samples.
+void expect_samples(const signal::FocusedImage& axes);
+
 /// The axes and the frame of the image of slant range that `back_projected` makes, without values.
 /// @param targets  from the line of the track (`targets_from_line`)
 [[nodiscard]] signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes,

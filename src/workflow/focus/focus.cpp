@@ -116,7 +116,7 @@ struct FocusWork {
 // Samples of the image times pulses beyond which back projection is proposed, not chosen: some ten minutes of a core.
 constexpr double most_projections = 2e11;
 
-// Whether back projection is in reach without being asked for.
+// Whether back projection is affordable where the user has not asked for it.
 bool affords_projection(const FocusRequest& request, const FocusWork& work) {
   if (request.motion || request.autofocus || work.input.echoes.columns < 2) return false;
   const signal::FocusedImage image = signal::image_of(work.input.echoes, work.options);
@@ -127,7 +127,7 @@ bool affords_projection(const FocusRequest& request, const FocusWork& work) {
   return samples * pulses <= most_projections && (memory == 0.0 || bytes <= memory);
 }
 
-// Compensation that leaves too much is remarked on, or, where the algorithm is free, given up for back projection.
+// Remarks on compensation that leaves too much, or, if the algorithm is free, replaces it by back projection.
 void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkControl& control) {
   const bool free = request.algorithm == FocusAlgorithm::automatic;
   if (free) request.algorithm = FocusAlgorithm::omega_k;
@@ -149,7 +149,7 @@ void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkCo
   std::ranges::move(problems, std::back_inserter(work.input.problems));
 }
 
-// `request.algorithm` is what will be done.
+// @param[in,out] request  its algorithm becomes the one that will be used
 FocusWork opened_work(FocusRequest& request, const core::WorkControl& control) {
   FocusWork work{.input = open_focus_input(request.input, control), .options = options_of(request), .problems = {}};
   if (request.algorithm == FocusAlgorithm::automatic && !work.input.echoes.carriers_hz.empty())
@@ -188,16 +188,15 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   return core::ranked(std::move(problems));
 }
 
-// Axes and frame of the image of slant range that is to be made; what its grid differs in from that of the recording is
-// remarked on.
+// Axes and frame of the image of slant range that is to be made. Adds remarks on a grid that differs from that of the
+// recording.
 signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, const std::vector<SarTarget>& targets) {
   const auto axes_for = [&](const signal::FocusOptions& options) {
     return in_time(request) ? back_projection_axes(work.input.echoes, targets, options)
                             : signal::image_of(work.input.echoes, options);
   };
   signal::FocusedImage axes = axes_for(work.options);
-  if (axes.azimuth.count == 0 || axes.range.count == 0)
-    throw core::Refused("no sample of the image lies in the area of --azimuth and --range", "give a larger area");
+  expect_samples(axes);
   if (!work.options.spectrum) return axes;
   signal::FocusOptions coarse = work.options;
   coarse.spectrum.reset();
