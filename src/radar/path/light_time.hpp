@@ -7,26 +7,26 @@
 
 namespace sarsim::radar {
 
-/// How the way of an echo is reckoned.
+/// How the path of an echo is computed.
 enum class LightTime {
-  exact,   ///< Points where the pulse meets them, the radar where it hears of them: `flight_of`.
-  thesis,  ///< Everything where it is when the pulse leaves: `thesis_flight_of`.
+  exact,   ///< Points at the time at which the pulse meets them, the radar at reception: `flight_of`.
+  thesis,  ///< Everything at the time at which the pulse leaves: `thesis_flight_of`.
 };
 
-/// How a point and a radar move while a pulse is under way. World axes; times count from the sending of the pulse's
-/// middle.
+/// How a point and a radar move while a pulse is under way. World axes; times are measured from the sending of the
+/// pulse's middle.
 struct FlightMotion {
   core::Vec3 point_mps = {};  ///< Velocity of the point where the pulse meets it.
-  double anchor_s = 0.0;      ///< When the point is where the look vector says: near the moment at which it is met.
-  core::Vec3 radar_mps = {};  ///< Of the radar, its way from sending to about reception over that time,
-  core::Vec3 radar_slope_mps = {};  ///< and the mean of its velocities then: another one where it jumps or jerks.
+  double anchor_s = 0.0;      ///< When the point is at the end of the look vector: near the time at which it is met.
+  core::Vec3 radar_mps = {};  ///< Mean velocity of the radar from sending to about reception,
+  core::Vec3 radar_slope_mps = {};  ///< and the mean of its velocities at both; differs if it jumps or jerks.
   // For `bend_of` and `bend` alone:
   core::Vec3 point_mps2 = {};  ///< Acceleration of the point,
   core::Vec3 radar_mps2 = {};  ///< and of the radar.
-  double back_s = 0.0;         ///< About when the echo is back, to where `radar_mps` is the mean.
+  double back_s = 0.0;         ///< About when the echo is back: the end of the time of `radar_mps`.
 };
 
-/// A pulse's way to a point and home.
+/// A pulse's path to a point and back.
 struct Flight {
   core::Vec3 look_m;     ///< From the radar as it sends to the point as it is met.
   Path path;             ///< c (t1 - t0) and c (t2 - t1).
@@ -36,16 +36,15 @@ struct Flight {
 };
 
 /// Solves the two-way light-time equation, |P(t1) - X(t0)| = c (t1 - t0) and |X(t2) - P(t1)| = c (t2 - t1), for a point
-/// and a radar that move evenly around the times at which they count. In closed form, so that only rounding is lost:
-/// with b = V/c, w = W/c and the look r to the point's place at t0,
+/// and a radar that move evenly around these times. In closed form, exact to rounding: with b = V/c, w = W/c and the
+/// look r to the point's place at t0,
 ///
 ///     d1 = [r.b + sqrt((r.b)^2 + r^2 (1 - b^2))]/(1 - b^2)     r1 = r + d1 b      c tau = 2 (d1 - r1.w)/(1 - w^2)
 ///     1 - D = (1 - u1.b)(1 - u2.w)/[(1 - u1.w)(1 - u2.b)]      u1 = r1/d1         u2 = (c tau w - r1)/d2
 ///
-/// w of the delay from `radar_mps`, of the stretch from `radar_slope_mps`.
-///
-/// @param look_m  from the radar as it sends to the point as it is at the anchor
-/// Speeds must be below that of light; a look of no length gives a path of none and D = 0/0.
+/// The delay takes w from `radar_mps`, the stretch takes it from `radar_slope_mps`. Speeds must be below that of light;
+/// a look of length 0 gives a path of length 0 and D = 0/0.
+/// @param look_m  from the radar at sending to the point at its anchor time
 [[nodiscard]] inline Flight flight_of(const core::Vec3& look_m, const FlightMotion& motion, double light_speed_mps) {
   const core::Vec3 b = (1.0 / light_speed_mps) * motion.point_mps;
   const core::Vec3 way = (1.0 / light_speed_mps) * motion.radar_mps;
@@ -114,8 +113,8 @@ struct Flight {
   return delay_of((curvature + by_motion) / std::sqrt(distance2), light_speed_mps);
 }
 
-/// What accelerations add to a flight whose times are not those that its motion holds for: with e = t1 less the anchor
-/// and g = tau less `back_s`,
+/// Adds what accelerations contribute to a flight whose times differ from those of its motion: with e = t1 minus the
+/// anchor time and g = tau minus `back_s`,
 ///
 ///     c tau:  u.a_P e^2 - u.a_R tau g/2        D:  (2 u.a_P e - u.a_R g)/c
 ///

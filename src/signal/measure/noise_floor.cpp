@@ -18,7 +18,7 @@ struct Stretch {
   std::size_t end = 0;
 };
 
-// Samples of an axis within so much of a place; none where all are elsewhere.
+// The samples of an axis within `half_m` of a place; empty if there are none.
 Stretch stretch_of(const ImageAxis& axis, double place_m, double half_m) {
   const double middle = axis.index_of(place_m);
   const double half = std::abs(half_m / axis.step_m);

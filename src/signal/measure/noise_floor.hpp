@@ -4,9 +4,9 @@
 
 namespace sarsim::signal {
 
-/// Mean power of what an image shows about a place beside its points: the lower quartile of the powers of up to 65 x 65
-/// samples spread over a rectangle, over that of noise of power 1, ln(4/3). Points in less than a quarter of the
-/// samples raise it little. Samples that are exactly 0 do not count; 0 where no others are.
+/// Mean power [V^2] of the noise of an image around a place: the lower quartile of the powers of up to 65 x 65 samples
+/// spread over a rectangle, divided by that of noise of power 1, ln(4/3). Points in less than a quarter of the samples
+/// raise it little. Samples that are exactly 0 do not count; 0 if there are no others.
 /// @param half_azimuth_m, half_range_m  the rectangle to either side of the place, cut at the image's edges; above 0
 [[nodiscard]] double noise_power_near(const FocusedImage& image, const ImageReader& reader, const ImagePlace& place,
                                       double half_azimuth_m, double half_range_m);
@@ -21,7 +21,7 @@ namespace sarsim::signal {
 /// @param azimuth_cells, range_cells  the rectangle's sides a and b in resolution cells, 1 over the bandwidth
 [[nodiscard]] double peak_false_alarm(double ratio, double azimuth_cells, double range_cells);
 
-/// The ratio whose `peak_false_alarm` is that probability, between 0 and 0.5.
+/// The ratio of powers, 0.5 to 1000, at which `peak_false_alarm` is `false_alarm`, which must lie between 0 and 0.5.
 [[nodiscard]] double peak_threshold(double false_alarm, double azimuth_cells, double range_cells);
 
 }  // namespace sarsim::signal

@@ -72,8 +72,8 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   return aperture;
 }
 
-// The cubic in the column, and the line in the row, through points of a curved grid; in its plane where they bend so
-// sharply, straight below a track, that they would be missed by 1 in 50 000 of a column.
+// Fits a tile to a curved grid, by a cubic over columns and a line over rows; puts it into the plane of the grid if the
+// fit is off by more than 1 in 50 000 of a column, as straight below a track, where the surface bends sharply.
 void bend_tile(const PointGrid& grid, double row, double column, ProjectionTile& tile) {
   constexpr double third = static_cast<double>(ProjectionTile::columns - 1) / 3.0;
   constexpr double last_row = static_cast<double>(ProjectionTile::rows - 1);

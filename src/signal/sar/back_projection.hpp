@@ -21,8 +21,8 @@ struct PointGrid {
   core::Vec3 column_step_m;
   std::size_t rows = 0;
   std::size_t columns = 0;
-  /// Where not empty: the place of a row and a column, smooth in both. Steps are then those of the plane that it
-  /// replaces where it bends too sharply.
+  /// If not empty: the place of a row and a column, smooth in both. The steps are then those of the plane that is used
+  /// instead where the surface bends too sharply.
   std::function<core::Vec3(double row, double column)> curved{};
 
   [[nodiscard]] core::Vec3 at(double row, double column) const {
@@ -56,14 +56,14 @@ struct BackProjectionOptions {
 
 /// Focuses echoes by back-projection in the time domain, exact for any track, attitude and squint: for each point x
 ///
-///     (1/sum of w) sum over pulses of w s(tau - fd/K) exp(+j 2 pi (f tau + fd^2/(2 K))),  tau = 2 (d - r.V/c)/(c (1 -
-///     V^2/c^2)),
+///     (1/sum of w) sum over pulses of w s(tau - fd/K) exp(+j 2 pi (f tau + fd^2/(2 K))),  tau as below,
+///     tau = 2 (d - r.V/c)/(c (1 - V^2/c^2)),
 ///
-/// d the point's distance from the antenna, v the speed at which it recedes, f the carrier of the pulse, fd = -2 v f/c,
-/// K the chirp rate (Cumming and Wong 2005, ch. 2 and 10; docs/theory/back-projection.md). A resting target has the
-/// phase of its reflectivity and the weighted mean of its echoes' amplitudes. Points beyond the recorded delays count
-/// as 0; points without pulses are 0. The same bytes for any number of threads; between instruction sets they differ by
-/// less than 2e-6 of the largest value.
+/// r the point as seen from the antenna, d its distance, V the antenna's velocity, v the speed at which the point
+/// recedes, f the carrier of the pulse, fd = -2 v f/c, K the chirp rate (Cumming and Wong 2005, ch. 2 and 10;
+/// docs/theory/back-projection.md). A resting target has the phase of its reflectivity and the weighted mean of its
+/// echoes' amplitudes. Points beyond the recorded delays count as 0; points without pulses are 0. The same bytes for
+/// any number of threads; between instruction sets they differ by less than 2e-6 of the largest value.
 ///
 /// @return rows * columns values
 /// @throw  std::invalid_argument where the echoes contradict themselves or an option is out of range; Interrupted

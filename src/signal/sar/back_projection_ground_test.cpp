@@ -49,7 +49,7 @@ FocusedImage image_of_slant(const SarEchoes& echoes, std::optional<double> groun
   return back_project(echoes, frame, azimuth, range, options, {.threads = 2});
 }
 
-// In parts of what it should be: amplitude 1, phase -4 pi f R0/c.
+// Relative to the ideal one of amplitude 1 and phase -4 pi f R0/c.
 std::complex<double> response(const FocusedImage& image, const core::Vec3& point) {
   const ImagePlace place = place_of(image.frame, point);
   return test::value_at(image, place) *

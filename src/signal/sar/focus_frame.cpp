@@ -52,7 +52,7 @@ double half_aperture_pulses(const FocusFrame& frame) {
   return std::min(0.5 * band_hz / rate_hzps * frame.prf_hz(), static_cast<double>(frame.pulses));
 }
 
-// Rows besides, so that the image holds an area.
+// Adds rows so that the image covers an area.
 void reach_area(FocusFrame& frame, const AxisInterval& area) {
   const auto row_at = [&](double azimuth_m) {
     return azimuth_m / frame.azimuth.step_m + static_cast<double>(frame.track.middle_pulse);
@@ -79,14 +79,14 @@ void set_azimuth_axis(FocusFrame& frame) {
   frame.doppler_middle_hz = frame.options.doppler_centroid_hz;
 }
 
-// A size that makes the samples of an axis so close, those of `size` being `step_m` apart.
+// The size of a transform back that gives samples `wanted_m` apart, or closer, if `size` gives `step_m`.
 std::size_t finer_size(std::size_t size, double step_m, double wanted_m) {
   return wanted_m < step_m
              ? core::good_fft_size(static_cast<std::size_t>(std::ceil(static_cast<double>(size) * step_m / wanted_m)))
              : size;
 }
 
-// The axis with its samples that much closer.
+// Makes the samples of an axis closer by a factor.
 void divide(ImageAxis& axis, double by) {
   axis.step_m /= by;
   axis.count = static_cast<std::size_t>(std::ceil(static_cast<double>(axis.count) * by));
@@ -114,7 +114,7 @@ void fit_azimuth(FocusFrame& frame, const SpectrumExtent& extent) {
   frame.doppler_middle_hz = axis.spectrum_centre_per_m * frame.track.speed_mps;
 }
 
-// The wanted part of an axis; what lies beyond the axis is not there.
+// The part of an axis that lies in the area.
 ImageAxis part_of(const ImageAxis& axis, const std::optional<AxisInterval>& area, std::size_t& hidden) {
   if (!area) return axis;
   const double last_m = axis.at(static_cast<double>(axis.count) - 1.0);
@@ -124,7 +124,7 @@ ImageAxis part_of(const ImageAxis& axis, const std::optional<AxisInterval>& area
   return part;
 }
 
-// Bins of a transform from its first one on, those of the second half below it.
+// Frequency of a transform's bin in steps: the second half is negative.
 double signed_bin(std::size_t bin, std::size_t size) {
   const auto number = static_cast<double>(bin);
   return 2 * bin < size ? number : number - static_cast<double>(size);

@@ -13,7 +13,7 @@ namespace sarsim::signal {
 
 namespace {
 
-// A piece of the spectrum of a point: its wave numbers, and the turns of phase that it has too many.
+// A piece of the spectrum of a point: its wave numbers, and the error of its phase in turns.
 struct SpectrumPiece {
   double azimuth_per_m = 0.0;
   double range_per_m = 0.0;
@@ -48,7 +48,7 @@ std::complex<double> mean_at(const std::vector<SpectrumPiece>& pieces, const Ima
   return sum / static_cast<double>(pieces.size());
 }
 
-// Uphill in steps that are halved where none leads on.
+// Climbs from the ideal place, in steps that are halved when none of them leads higher.
 ImagePlace peak_of_pieces(const std::vector<SpectrumPiece>& pieces, double azimuth_step_m, double range_step_m) {
   constexpr int halvings = 8;
   ImagePlace peak;

@@ -7,9 +7,9 @@ namespace sarsim::signal {
 /// What range-Doppler and chirp scaling do to a point off the middle of the swath.
 struct SwathLoss {
   double from_middle_m = 0.0;  ///< Of its closest distance, from that of the middle of the swath.
-  double amplitude = 1.0;      ///< Of its peak, in parts of what it should be.
-  double phase_rad = 0.0;      ///< Of the peak, in (-pi, pi], from what it should be.
-  ImagePlace shift{};          ///< Of the peak.
+  double amplitude = 1.0;      ///< Of its peak, relative to that of a point in the middle.
+  double phase_rad = 0.0;      ///< Error of the peak's phase, in (-pi, pi].
+  ImagePlace shift{};          ///< Displacement of the peak.
 };
 
 /// The loss of a point at a closest distance R, from the phase that these methods leave in its spectrum: they take out

@@ -29,7 +29,7 @@ Setting wide_band(double squint_deg) {
 
 struct Found {
   SwathLoss loss;
-  std::complex<double> value;  // where the loss says that the peak is, in parts of what it should be
+  std::complex<double> value;  // at the place of the peak that the loss predicts, relative to the ideal one
 };
 
 Found found_at(double squint_deg, FocusMethod method, double from_middle_m) {

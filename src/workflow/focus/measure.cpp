@@ -130,7 +130,7 @@ void expect_free_pictures(const MeasureRequest& request, const std::vector<Targe
                           "name another folder, or --force");
 }
 
-// The peak near the target's place, and whether noise would make one as large.
+// The peak near the target's place, unless noise alone may make one as large.
 void measure_target(const MeasuredImage& opened, const signal::ImageReader& reader, const MeasureRequest& request,
                     bool cuts, MeasuredTarget& target) {
   constexpr double noise_cells = 32.0;

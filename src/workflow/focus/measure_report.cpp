@@ -17,7 +17,7 @@ double ratio_db(double amplitude_v, double noise_v) {
   return noise_v > 0.0 ? core::amplitude_db(amplitude_v / noise_v) : std::numeric_limits<double>::infinity();
 }
 
-// Empty where it is no number.
+// Empty if it is not a number.
 void add_cell(std::string& line, double value) {
   line += std::isfinite(value) ? fmt::format(",{:.10g}", value) : std::string(",");
 }

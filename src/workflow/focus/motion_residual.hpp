@@ -14,9 +14,9 @@ namespace sarsim::workflow {
 struct MotionResidual {
   std::size_t target = 0;  ///< Position in the scene's list, from 0.
   double rms_rad = 0.0;    ///< Of the phase that is left, over its echoes by their amplitudes.
-  double amplitude = 1.0;  ///< Of its peak, in parts of what it should be.
-  double phase_rad = 0.0;  ///< Of its peak, from what it should be.
-  double azimuth_m = 0.0;  ///< Of its peak, from where it should be.
+  double amplitude = 1.0;  ///< Of its peak, relative to the ideal one.
+  double phase_rad = 0.0;  ///< Error of its peak's phase.
+  double azimuth_m = 0.0;  ///< Displacement of its peak.
 };
 
 /// Phases above it make back-projection the better choice, rad.
@@ -28,8 +28,9 @@ inline constexpr double most_residual_rad = 0.1;
 ///
 ///     4 pi/lambda (|P - x| - |Q - x| - |P - X| + |Q - X|)
 ///
-/// remains of a target at x, to the first order the distance of the scene in the place of X's.
-/// @param track  of the pulses, as it was flown
+/// remains of a target at x. To the first order, X is at the distance of the middle of the scene.
+/// @param echoes  their track as it was flown, and waveform; no rows are read
+/// @param how     what they are compensated to (`compensation_of`)
 /// @throw  Interrupted
 [[nodiscard]] std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan,
                                                                   const signal::EchoRows& echoes,

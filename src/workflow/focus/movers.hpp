@@ -8,11 +8,11 @@
 
 namespace sarsim::workflow {
 
-/// Names targets that move or turn with their platform: an image shows them R u/V beside where they are, u the speed at
-/// which they recede, and blurs them. A warning where one of them stands outside the rows of an image. Of more than
+/// Names targets that move or turn with their platform: an image displaces them by R u/V along the track, u the
+/// speed at which they recede, and blurs them. A warning if one of them lies outside the rows of an image. Of more than
 /// 4096 targets nothing is said.
 /// @param echoes  their track, waveform and window; no rows are read
-/// @param image   axes and frame; nothing: whatever the image holds
+/// @param image   axes and frame; nothing: rows are not checked
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_movers(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                                const std::optional<signal::FocusedImage>& image,

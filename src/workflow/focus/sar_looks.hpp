@@ -43,8 +43,8 @@ class SarLooks {
   /// Pulse of the echoes that look number i is at.
   [[nodiscard]] std::size_t pulse(std::size_t i) const { return i * step_; }
 
-  /// Calls `body` with each target, counted from 0, or with one of `every` so many, and `count()` looks at it, from
-  /// many threads at once.
+  /// Calls `body` with each target, counted from 0, or each `every`-th one, and `count()` looks at it, from many
+  /// threads at once.
   /// @throw  Interrupted
   void each(const core::WorkControl& control,
             const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body,

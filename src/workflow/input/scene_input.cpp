@@ -70,7 +70,8 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
     for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
 
-// A number without a unit counts in the base unit; where that is far from what the script says, another one was meant.
+// A number without a unit counts in the base unit; if the result is far from the script's value, another unit was
+// probably meant.
 std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, const scene::NamedField& field,
                                                    const std::string& setting, const std::string& value) {
   constexpr double far = 1e4;
@@ -93,7 +94,7 @@ std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, co
 }
 
 // One field after the other, so that a later one may need what an earlier one chose.
-// @param[out] remarks  what is allowed and likely not meant
+// @param[out] remarks  what is allowed but probably not meant
 core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene,
                                    core::Problems& remarks) {
   core::Problems problems;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// The detector of as many independent cells as have the factor of the correlated ones: what probabilities follow.
+// The detector whose number of independent cells gives the factor of the correlated ones; probabilities follow it.
 signal::CfarOptions equivalent_detector(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns) {
   const std::size_t all = signal::reference_cells(cfar, rows, columns);
   if (cfar.calibration == 1.0 || all == 0) return cfar;

@@ -86,7 +86,7 @@ class SearchTargets {
 };
 
 /// Probability of detecting a steady target of that ratio in a cell in the middle of a map; correlated reference cells
-/// count as those independent ones that have their factor, between two whole numbers by a straight line, and of the
+/// count as the number of independent ones that gives the same factor, interpolated between whole numbers, and of the
 /// ordered statistic no more than 4096, whose probability is that of more to 0.003.
 [[nodiscard]] double steady_probability(const signal::CfarOptions& cfar, std::size_t rows, std::size_t columns,
                                         double snr);
