@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
+#include <cstdint>
 
-#include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/maths/random.hpp"
 #include "core/report/expect.hpp"
 #include "signal/search/cfar_factor.hpp"
 
@@ -110,23 +110,22 @@ std::vector<Draw> draws_of(const std::vector<std::vector<Complex>>& columns, std
   const std::size_t work = size * columns.size();
   std::vector<Draw> draws(
       std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(work, 1), 4000, 65536));
-  std::mt19937_64 random(1);
-  const auto uniform = [&] { return (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53; };
+  const core::RandomStream random(1, core::RandomKind::receiver_noise, core::name_key("cfar calibration"));
   std::vector<double> power(size);
   std::vector<Complex> cells(size);
-  for (Draw& draw : draws) {
+  for (std::size_t d = 0; d < draws.size(); ++d) {
     std::ranges::fill(cells, Complex());
     double energy = 0.0;
-    for (const auto& column : columns) {
-      const double drawn = -std::log(uniform());
-      const Complex w = std::polar(std::sqrt(drawn), 2.0 * core::pi * uniform());
-      energy += drawn;
-      for (std::size_t i = 0; i < size; ++i) cells[i] += w * column[i];
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+      const auto [re, im] = random.normals(static_cast<std::int64_t>(d), static_cast<std::int64_t>(c));
+      const Complex w = std::sqrt(0.5) * Complex(re, im);
+      energy += std::norm(w);
+      for (std::size_t i = 0; i < size; ++i) cells[i] += w * columns[c][i];
     }
     for (std::size_t i = 0; i < size; ++i) power[i] = std::norm(cells[i]);
     const auto at = power.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(power.begin() + 1, at, power.end());
-    draw = {*at / (energy * uncertain), power[0] / (energy * uncertain)};
+    draws[d] = {*at / (energy * uncertain), power[0] / (energy * uncertain)};
   }
   return draws;
 }
