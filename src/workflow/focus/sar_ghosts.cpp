@@ -234,10 +234,9 @@ std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoR
 
 core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
                               const core::WorkControl& control) {
-  constexpr std::size_t most_targets = 4096;
   core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
-  if (plan.scene->scatterers.size() > most_targets) return problems;
+  if (plan.scene->scatterers.size() > most_examined_targets) return problems;
   const SarLooks looks(plan, echoes);
   std::vector<SarTarget> targets(looks.targets());
   std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());

@@ -9,6 +9,9 @@
 
 namespace sarsim::workflow {
 
+/// Scenes of more targets are not examined target by target before they are focused.
+inline constexpr std::size_t most_examined_targets = 4096;
+
 /// The Doppler frequencies that focusing keeps.
 struct DopplerBand {
   double centroid_hz = 0.0;
@@ -62,7 +65,8 @@ struct SarTarget {
 
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
-/// the pulses sample, ranges sampled more coarsely than the band allows. Of more than 4096 targets nothing is said.
+/// the pulses sample, ranges sampled more coarsely than the band allows. Nothing is said of more
+/// than `most_examined_targets`.
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                             const DopplerBand& kept, const core::WorkControl& control = {});

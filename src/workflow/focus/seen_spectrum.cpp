@@ -61,7 +61,6 @@ std::string text_of_axis(const char* what, const signal::ImageAxis& coarse, cons
 std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
                                                    const DopplerBand& kept, SeenPulses pulses,
                                                    const core::WorkControl& control) {
-  constexpr std::size_t most_targets = 4096;
   constexpr std::size_t most_looks = 257;
   constexpr double weakest = 0.01;
   echoes.compensated = true;
@@ -73,7 +72,7 @@ std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, s
   const double prf_hz = 1.0 / looks.track().interval_s;
   double band_hz = pulses == SeenPulses::all ? std::numeric_limits<double>::infinity() : prf_hz;
   if (kept.width_hz > 0.0) band_hz = std::min(band_hz, kept.width_hz);
-  const std::size_t every = (looks.targets() + most_targets - 1) / most_targets;
+  const std::size_t every = (looks.targets() + most_examined_targets - 1) / most_examined_targets;
   std::vector<TargetSpectrum> targets(looks.targets());
   looks.each(
       control,

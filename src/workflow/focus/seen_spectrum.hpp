@@ -17,7 +17,7 @@ enum class SeenPulses {
 
 /// The wave numbers that the images of a scene's targets fill, but for 0.3 % of each target's echoes at either end:
 /// what is left out changes a peak by less than 0.06 dB. Targets whose echoes are 40 dB below the strongest do not
-/// count, of more than 4096 targets some are looked at. Nothing where there are no echoes.
+/// count, of more than `most_examined_targets` some are looked at. Nothing where there are no echoes.
 /// @param echoes  their waveform, track and window; no rows are read. Directions are those from the track's line
 /// @throw  Interrupted
 [[nodiscard]] std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,

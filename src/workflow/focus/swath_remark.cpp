@@ -57,14 +57,13 @@ void keep_band(PlaceOfLoss& place, const signal::FocusOptions& options, double p
 
 core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                      const signal::FocusOptions& options, const core::WorkControl& control) {
-  constexpr std::size_t most_targets = 4096;
   constexpr double most_db = 0.1;
   constexpr double most_rad = 0.1;
   if (options.method == signal::FocusMethod::omega_k) return {};
   const signal::FocusedImage axes = signal::image_of(echoes, options);
   const double middle_m = axes.range.at(0.5 * static_cast<double>(axes.range.count));
   std::optional<PlaceOfLoss> place;
-  if (plan.scene->scatterers.size() <= most_targets)
+  if (plan.scene->scatterers.size() <= most_examined_targets)
     place = farthest_target(plan, echoes, middle_m, control);
   else
     place = edge_of_swath(axes, options);

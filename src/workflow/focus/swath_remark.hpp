@@ -7,8 +7,8 @@
 namespace sarsim::workflow {
 
 /// What range-Doppler and chirp scaling lose off the middle of the swath, at the target that loses most; of more than
-/// 4096 targets, at the farther edge of the swath. A warning from 0.1 dB or 0.1 rad on, a note from a tenth of that
-/// on. None for omega-k.
+/// `most_examined_targets`, at the farther edge of the swath. A warning from 0.1 dB or 0.1 rad on, a note from a tenth
+/// of that on. None for omega-k.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
