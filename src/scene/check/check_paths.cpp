@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
+#include "scene/check/carrier_span.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/path_error.hpp"
 
@@ -24,23 +25,14 @@ struct Look {
   double to_s = 0.0;
 };
 
-double highest_carrier_hz(const Radar& radar) {
-  double highest_hz = radar.carrier_hz;
-  if (radar.carrier == Radar::Carrier::stepped)
-    highest_hz = std::max(highest_hz, highest_hz + radar.carrier_step_hz * (radar.carrier_steps - 1));
-  if (radar.carrier == Radar::Carrier::user && !radar.carrier_list_hz.part[0].knots.empty())
-    highest_hz = std::ranges::max(radar.carrier_list_hz.part[0].knots, {}, &core::Knot::y).y;
-  return highest_hz;
-}
-
 std::vector<Look> looks_of(const Scene& scene) {
   std::vector<Look> looks;
   for (const Simulation& simulation : scene.simulations) {
     const std::size_t radar = find_radar(scene, simulation.radar);
     if (radar == not_found) continue;
-    const double carrier_hz = highest_carrier_hz(scene.radars[radar]);
-    if (!(carrier_hz > 0.0) || !std::isfinite(carrier_hz)) continue;
-    looks.push_back({scene.radars[radar].name, radar::wavelength_of(carrier_hz, core::exact_light_speed_mps),
+    const auto carriers = carrier_span(scene.radars[radar]);
+    if (!carriers || !(carriers->highest_hz > 0.0) || !std::isfinite(carriers->highest_hz)) continue;
+    looks.push_back({scene.radars[radar].name, radar::wavelength_of(carriers->highest_hz, core::exact_light_speed_mps),
                      simulation.time_start_s, simulation.time_end_s});
   }
   return looks;

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
+#include "scene/check/carrier_span.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/check_values.hpp"
 #include "scene/model/format_values.hpp"
@@ -28,16 +28,7 @@ constexpr double longest_extrapolation = 200.0;  // times the points of a trajec
 
 bool has_band(const Radar& radar) { return radar.pulse == Radar::Pulse::chirp && radar.bandwidth_hz != 0.0; }
 
-std::optional<double> lowest_carrier_hz(const Radar& radar) {
-  if (radar.carrier == Radar::Carrier::single) return radar.carrier_hz;
-  if (radar.carrier == Radar::Carrier::stepped)
-    return std::min(radar.carrier_hz, radar.carrier_hz + radar.carrier_step_hz * (radar.carrier_steps - 1));
-  const auto& knots = radar.carrier_list_hz.part[0].knots;
-  if (knots.empty()) return std::nullopt;
-  return std::ranges::min_element(knots, {}, &core::Knot::y)->y;
-}
-
-void check_carrier_band(Findings& findings, const Radar& radar) {
+void check_usual_carrier(Findings& findings, const Radar& radar) {
   constexpr double highest_hz = 1e12;
   constexpr double lowest_hz = 1e5;
   const double carrier_hz = radar.carrier_hz;
@@ -48,20 +39,25 @@ void check_carrier_band(Findings& findings, const Radar& radar) {
         Consequence::surprise, "carrier_hz",
         {.message = fmt::format("the carrier frequency is {} those that radars use", high ? "above" : "below"),
          .found = value_text(carrier_hz, "Hz"),
-         .expected = "3 MHz to 1 THz",
+         .expected = "100 kHz to 1 THz",
          .hint = high ? fmt::format("Scripts give it in GHz: write {} for {}.",
                                     core::format_number(core::tidy(1e-12 * carrier_hz)),
                                     value_text(1e-3 * carrier_hz, "Hz"))
                       : "Scripts give it in GHz."});
   }
-  const auto lowest = lowest_carrier_hz(radar);
-  if (!has_band(radar) || !lowest || !(*lowest > 0.0) || *lowest >= 0.5 * std::abs(radar.bandwidth_hz)) return;
+}
+
+void check_band_above_zero(Findings& findings, const Radar& radar) {
+  const auto carriers = carrier_span(radar);
+  if (!has_band(radar) || !carriers) return;
+  const double lowest_hz = carriers->lowest_hz;
+  if (!(lowest_hz > 0.0) || lowest_hz >= 0.5 * std::abs(radar.bandwidth_hz)) return;
   findings.warning(
       Consequence::false_signal, "bandwidth_hz",
       {.message = "the chirp's band reaches below 0 Hz, where no radar transmits",
        .found = fmt::format("{} around a carrier of {}", value_text(std::abs(radar.bandwidth_hz), "Hz"),
-                            value_text(*lowest, "Hz")),
-       .expected = fmt::format("a bandwidth up to {}, twice the carrier", value_text(2.0 * *lowest, "Hz")),
+                            value_text(lowest_hz, "Hz")),
+       .expected = fmt::format("a bandwidth up to {}, twice the carrier", value_text(2.0 * lowest_hz, "Hz")),
        .hint = "The samples follow the formula all the same; frequencies below 0 Hz have no physical meaning."});
 }
 
@@ -226,7 +222,8 @@ void check_extension(Findings& findings, const Simulation& simulation) {
 }  // namespace
 
 void check_plausible_radar(Findings& findings, const Radar& radar) {
-  check_carrier_band(findings, radar);
+  check_usual_carrier(findings, radar);
+  check_band_above_zero(findings, radar);
   check_time_bandwidth(findings, radar);
   check_beams(findings, "transmit_antenna", radar.transmit_antenna);
   if (!radar.same_antenna) check_beams(findings, "receive_antenna", radar.receive_antenna);
