@@ -33,7 +33,7 @@ TEST_F(Measure, TakesOneTargetAlone) {
   EXPECT_THAT(none.err, HasSubstr("the script has 24"));
 }
 
-// So much noise that what is found near each place is noise.
+// With noise so strong that every peak near a target's place is noise.
 TEST_F(Measure, SaysThatNoiseIsNoTargetAndEndsWithAStatus) {
   const Finished clear = sarsim({"measure", "sar_r.img"});
   EXPECT_THAT(clear.out, HasSubstr("24 of 24 targets found, within "));

@@ -16,7 +16,7 @@ from curves import Curve
 from model import Model
 from running import simulated
 
-HALF_PULSES = 1.01  # What is farther from an echo's middle than so many half pulses is not looked at.
+HALF_PULSES = 1.01  # Samples farther from an echo's middle, in half pulses, are left out.
 
 
 class EmissionModel(Model):

@@ -33,7 +33,7 @@ bool cannot_err(const core::SampledFunction& part) {
   return part.knots.size() < 2 || (part.knots.size() == 2 && part.method != core::Interpolation::low_pass);
 }
 
-// Four places in each segment that reaches into the time, in no more than so many segments.
+// Four places in each segment that overlaps the time, in at most `most_segments` evenly chosen ones.
 void add_places(const std::vector<Knot>& knots, double from_s, double to_s, std::vector<double>& places_s) {
   const auto first = std::ranges::lower_bound(knots, from_s, {}, &Knot::x) - knots.begin();
   const auto last = std::ranges::upper_bound(knots, to_s, {}, &Knot::x) - knots.begin();

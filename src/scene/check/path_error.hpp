@@ -15,9 +15,9 @@ struct PathError {
 
 /// Largest distance within a time between a path and the polynomials of degree five through the six points next to each
 /// place: an estimate of what the method loses between the points (a h^2/8 with straight lines, 0.08 a h^2 at the chord
-/// ends of a spline, h^4/384 times the fourth derivative inside it; a is the acceleration, h the spacing). Fewer than
-/// six points give a polynomial of what there is; places outside the points are passed over. Looks at no more than a
-/// thousand segments of each coordinate.
+/// ends of a spline, h^4/384 times the fourth derivative inside it; a is the acceleration, h the spacing). With
+/// fewer than six points, the polynomial is the one through all of them; places outside the points do not count. At
+/// most a thousand segments of each coordinate are examined.
 /// @param path  points against time in seconds, ascending, in metres
 /// @return      nothing where no coordinate has points within the time
 [[nodiscard]] std::optional<PathError> path_error(const std::array<core::SampledFunction, 3>& path,

@@ -329,7 +329,7 @@ void check_track(const EchoRows& echoes, const StraightTrack& track, core::Probl
   problems.push_back(problem);
 }
 
-// What stands against any method; the track where there is a line to fit to it.
+// What prevents any method; the track, if a line can be fitted to it.
 std::pair<core::Problems, std::optional<StraightTrack>> common_problems(const EchoRows& echoes,
                                                                         const FocusOptions& options) {
   core::Problems problems;

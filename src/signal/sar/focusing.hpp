@@ -33,8 +33,8 @@ struct FocusOptions {
   SarWindow azimuth_window{};  ///< Over the band that is kept, or, where all of it is, over the pulses.
   double doppler_centroid_hz = 0.0;         ///< True one: not modulo the pulse repetition frequency.
   double doppler_bandwidth_hz = 0.0;        ///< Kept about the centroid; 0: all.
-  std::optional<ImageSpectrum> spectrum{};  ///< That the image has to hold: where the samples of the recording are too
-                                            ///< far apart for it, those of the image are closer. Nothing: unknown.
+  std::optional<ImageSpectrum> spectrum{};  ///< That the image must hold: if the samples of the recording are too far
+                                            ///< apart for it, those of the image are closer. Nothing: unknown.
   std::optional<AxisInterval>
       azimuth_area{};                        ///< Rows to make; also beyond what the record's middle sees. Nothing: all.
   std::optional<AxisInterval> range_area{};  ///< Columns to keep. Nothing: all.
@@ -56,13 +56,13 @@ struct FocusedRows : core::SampleRows<float> {
 
 inline constexpr const char* track_field = "track";
 
-/// What stands against focusing these echoes in the frequency domain, all at once: no speed, pulses that are not evenly
-/// spaced (by more than 1 % of the interval), a band beyond the sampling rates, options out of range (errors); a track
-/// that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's shape
-/// have the field `track_field`.
+/// What prevents or limits focusing these echoes in the frequency domain, all at once: no speed, pulses that are not
+/// evenly spaced (by more than 1 % of the interval), a band beyond the sampling rates, options out of range (errors); a
+/// track that leaves the straight line by more than a sixteenth of the wavelength (a warning). Problems of the track's
+/// shape have the field `track_field`.
 [[nodiscard]] core::Problems problems_of_focusing(const EchoRows& echoes, const FocusOptions& options);
 
-/// What stands against focusing them by back projection: of these the errors that concern neither the track's shape nor
+/// What prevents focusing them by back projection: of these the errors that concern neither the track's shape nor
 /// the Fourier transforms, and rows of a single sample.
 [[nodiscard]] core::Problems problems_of_focusing_in_time(const EchoRows& echoes, const FocusOptions& options);
 

@@ -56,7 +56,7 @@ struct StoredRecording {
 
 /// Opens the file of the arguments; its script is the one that it carries or that they name, its simulation the one
 /// that they name or that writes a file of that name. Throws core::Refused where script and file do not fit each other.
-/// @param problems_of  what stands against the plan, asked before the samples are opened; errors end it
+/// @param problems_of  what prevents the plan, asked before the samples are opened; errors end it
 [[nodiscard]] StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
                                              const std::function<core::Problems(const simulate::Plan&)>& problems_of);
 

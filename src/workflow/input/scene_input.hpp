@@ -56,7 +56,7 @@ using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
 
 /// Reads and checks a script. Settings that cannot be made are core::Refused, all at once. Where the text holds errors,
 /// objects that have one are not checked further.
-/// @param choose  what stands against other products is no problem; nothing: all are looked at
+/// @param choose  problems of other products do not count; nothing: all are looked at
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
                                     const core::WorkControl& control = {}, const ChooseProducts& choose = {});
 

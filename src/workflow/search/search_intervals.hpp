@@ -43,9 +43,9 @@ struct SearchOptions {
 /// The interval as range_doppler_maps takes it.
 [[nodiscard]] signal::CoherentInterval coherent_interval(const SearchOptions& options);
 
-/// The detector for maps of those pulses: `options.cfar` with what a reference cell is worth and the calibration of its
-/// factors. Samples of range are correlated by the matched filter, Doppler rows, where the reference has more than one,
-/// by window and zeros.
+/// The detector for maps of those pulses: `options.cfar` with the independence of its reference cells and the
+/// calibration of its factors. Samples of range are correlated by the matched filter, Doppler rows, where the reference
+/// has more than one, by window and zeros.
 [[nodiscard]] signal::CfarOptions detector_of(const PulseRows& rows, const SearchOptions& options);
 
 /// Something that stands out of the noise.

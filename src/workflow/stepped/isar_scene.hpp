@@ -58,7 +58,7 @@ struct IsarImage {
   core::Problems problems;                 ///< What limits this image.
 };
 
-/// The directions, times and sizes of an image, without values; `problems` says what stands against it (errors) and
+/// The directions, times and sizes of an image, without values; `problems` says what prevents it (errors) and
 /// what limits it (warnings).
 /// @param first, count  bursts of the recording
 [[nodiscard]] IsarImage plan_isar_image(const SteppedRows& rows, std::size_t first, std::size_t count,
