@@ -14,6 +14,7 @@
 #include "core/maths/constants.hpp"
 #include "scene/script/reader.hpp"
 #include "simulate/plan/plan.hpp"
+#include "simulate/plan/row_maker.hpp"
 #include "simulate/resolve/simd_level.hpp"
 
 namespace {
@@ -26,6 +27,10 @@ using Row = std::vector<std::complex<double>>;
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+SampleSpan touched_by(const Plan& plan, const EchoBatch& echoes, std::size_t k) {
+  return touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k], plan.pulse.clock_of(echoes, k));
+}
+
 // What a textbook's listing does: for every echo and sample one sine and one cosine in double precision.
 void textbook_row(const Plan& plan, double carrier_hz, const EchoBatch& echoes, Row& row) {
   const double rate = plan.pulse.pulse.sweep_rate_hz_per_s();
@@ -33,8 +38,8 @@ void textbook_row(const Plan& plan, double carrier_hz, const EchoBatch& echoes, 
   for (std::size_t k = 0; k < echoes.size(); ++k) {
     const double tau = echoes.delay_s[k];
     const double a = echoes.amplitude_sqrt_w[k];
-    const double doppler = 2.0 * echoes.speed_mps[k] / plan.pulse.light_speed_mps;
-    const SampleSpan on = touched_samples(plan.pulse, plan.raw_grid, tau);
+    const double doppler = echoes.doppler[k];
+    const SampleSpan on = touched_by(plan, echoes, k);
     for (std::size_t n = on.begin; n < on.end; ++n) {
       const double u = plan.raw_grid.time_s(n) - tau + plan.pulse.lead_s - 0.5 * width;
       const double mod = 0.5 * rate * u * u;
@@ -59,7 +64,7 @@ double error_against_reference(const Plan& plan, const Plan& reference, std::siz
     geometry.echoes(echoes);
     double strength = 0.0;
     for (std::size_t k = 0; k < echoes.size(); ++k) {
-      const SampleSpan on = touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k]);
+      const SampleSpan on = touched_by(plan, echoes, k);
       if (on.begin < on.end) strength += echoes.amplitude_sqrt_w[k] * echoes.amplitude_sqrt_w[k];
     }
     double error = 0.0;
@@ -118,8 +123,8 @@ int main(int argc, char** argv) {
   geometry.echoes(echoes);
   double touching = 0.0;
   double echo_samples = 0.0;
-  for (const double delay : echoes.delay_s) {
-    const SampleSpan on = touched_samples(plan.pulse, plan.raw_grid, delay);
+  for (std::size_t k = 0; k < echoes.size(); ++k) {
+    const SampleSpan on = touched_by(plan, echoes, k);
     touching += on.begin < on.end ? 1.0 : 0.0;
     echo_samples += static_cast<double>(on.end - on.begin);
   }
@@ -129,8 +134,8 @@ int main(int argc, char** argv) {
   const std::size_t stride = echoes.size() / 2000 + 1;
   double part_samples = 0.0;
   for (std::size_t k = 0; k < echoes.size(); k += stride) {
-    part.add(echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.speed_mps[k]);
-    const SampleSpan on = touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k]);
+    part.add(echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.doppler[k]);
+    const SampleSpan on = touched_by(plan, echoes, k);
     part_samples += static_cast<double>(on.end - on.begin);
   }
   const double textbook_s = best_of(3, [&] { textbook_row(plan, geometry.carrier_hz(), part, textbook); });
