@@ -84,6 +84,8 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
   f.push_back(figure("sampling/bandwidth", "sampling_ratio", s.sampling_ratio));
   f.push_back(
       figure("noise power of a sample", "noise_power_w", s.noise_power_w, fmt::format("{:.4g} W", s.noise_power_w)));
+  f.push_back(figure("motion left in a pulse", "pulse_motion_rad", s.pulse_motion_rad,
+                     fmt::format("{:.2g} rad", s.pulse_motion_rad)));
   f.push_back(figure("Doppler band", "lowest_doppler_hz", survey.lowest_doppler_hz,
                      between(survey.lowest_doppler_hz, survey.highest_doppler_hz, "Hz")));
   f.push_back({"", "", "highest_doppler_hz", survey.highest_doppler_hz, {}});

@@ -40,6 +40,7 @@ struct SimulationFigures {
   double column_spacing_m = 0.0;  ///< One way, between columns.
   double sampling_ratio = 0.0;    ///< Sampling rate over the pulse's bandwidth; below 1 the echoes alias.
   double noise_power_w = 0.0;     ///< Of a raw sample, before STC: 2 sigma^2.
+  double pulse_motion_rad = 0.0;  ///< What echoes leave out of the motion within a pulse (`motion_left_in_pulse`).
   double largest_echo_v = 0.0;    ///< Strongest single echo in the product: a lower estimate of the largest magnitude.
   double largest_sum_v = 0.0;     ///< All echoes of a pulse in phase, with 3 sigma of noise: an upper estimate.
   double suggested_lsb_v =

@@ -14,6 +14,7 @@
 #include "scene/model/format_values.hpp"
 #include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/pulse_motion.hpp"
 #include "simulate/survey/sight_rules.hpp"
 
 namespace sarsim::simulate {
@@ -46,6 +47,7 @@ class Surveyor {
     check_doppler(survey, plan);
     check_lsb(survey, plan);
     check_other_pulses(plan, survey, index_, scope_, problems_);
+    check_pulse_motion(survey, plan, control);
     check_sights(survey, plan, control);
   }
 
@@ -62,6 +64,18 @@ class Surveyor {
     summary.noise = plan.scene->conventions.boltzmann_j_per_k * plan.radar.noise_temperature_k > 0.0;
     simulate::check_sights({scene_, index_, plan, looked, summary, control}, problems_);
     report_.summaries.push_back(std::move(summary));
+  }
+
+  void check_pulse_motion(const EchoSurvey& survey, const Plan& plan, const core::WorkControl& control) {
+    constexpr std::size_t most_targets = 4096;
+    const PulseMotion left = motion_left_in_pulse(plan, targets_in_window(survey, most_targets), control);
+    if (left.phase_rad < noted_motion_rad) return;
+    add(left.phase_rad < warned_motion_rad ? core::Severity::note : core::Severity::warning, "radar",
+        fmt::format("echoes follow the motion within a pulse to its second order: what is left turns the ends of the "
+                    "pulse by up to {:.2g} rad, for target {} at {:.6g} s",
+                    left.phase_rad, left.target + 1, plan.radar.repetition.send_time_s(left.pulse)),
+        "", fmt::format("below {:g} rad", noted_motion_rad),
+        "shorten the pulse: this phase grows with the third power of its width");
   }
 
   void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,

@@ -99,8 +99,9 @@ struct SurveyReport {
 /// Warnings and errors that need the echoes of every simulation in the scene: all echoes outside the window (and where
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets whose echo is
 /// impossible (at the radar's position, faster than light, too strong), echoes beyond the PRI, surfaces that show their
-/// back or are filled too thinly for the wavelength, a window function without weight, no echo at all, a beam that
-/// misses its targets, echoes below the noise, echoes that the window cuts. The scene must have passed `check`.
+/// back or are filled too thinly for the wavelength, motion within a pulse that echoes leave out, a window function
+/// without weight, no echo at all, a beam that misses its targets, echoes below the noise, echoes that the window cuts.
+/// The scene must have passed `check`.
 /// @param resolved  what `resolve` gives for the scene; made where it is missing and needed
 [[nodiscard]] core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved = nullptr,
                                     const core::WorkControl& control = {});

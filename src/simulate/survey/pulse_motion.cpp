@@ -1,0 +1,119 @@
+#include "simulate/survey/pulse_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
+#include "radar/path/path.hpp"
+
+namespace sarsim::simulate {
+
+namespace {
+
+constexpr std::size_t most_motion_looks = 400'000;  // pulses times targets
+constexpr std::int64_t most_motion_pulses = 1025;
+constexpr std::int64_t least_motion_pulses = 65;
+constexpr std::int64_t finer_looks = 16;
+
+// Of a platform at one end of a pulse.
+struct Moved {
+  radar::Pose pose;
+  radar::PoseAcceleration acceleration;
+};
+
+// d'' of the distance to a point: (v^2 - (u.v)^2)/d + u.a.
+double bend_mps2(const Moved& radar, const Moved& platform, const core::Vec3& point_m) {
+  const core::Vec3 way_m = radar::world_position_m(platform.pose, point_m) - radar.pose.position_world_m;
+  const core::Vec3 velocity_mps = radar::world_velocity_mps(platform.pose, point_m) - radar.pose.velocity_world_mps;
+  const core::Vec3 acceleration_mps2 =
+      radar::world_acceleration_mps2(platform.acceleration, point_m) - radar.acceleration.acceleration_world_mps2;
+  const double distance_m = core::norm(way_m);
+  if (!(distance_m > 0.0)) return 0.0;
+  const double radial_mps = core::dot(way_m, velocity_mps) / distance_m;
+  return (core::dot(velocity_mps, velocity_mps) - radial_mps * radial_mps + core::dot(way_m, acceleration_mps2)) /
+         distance_m;
+}
+
+class MotionLook {
+ public:
+  MotionLook(const Plan& plan, std::span<const std::size_t> targets, const core::WorkControl& control)
+      : plan_(plan), targets_(targets), control_(control), used_(plan.scene->platforms.size(), false) {
+    used_[plan.radar.platform] = true;
+    for (const std::size_t t : targets) used_[plan.scene->scatterers[t].platform] = true;
+  }
+
+  PulseMotion worst() {
+    const std::int64_t count = plan_.pulses.count();
+    const auto affordable = static_cast<std::int64_t>(most_motion_looks / targets_.size());
+    const std::int64_t looks = std::min(count, std::clamp(affordable, least_motion_pulses, most_motion_pulses));
+    const std::int64_t spacing = looks > 1 ? (count - 1) / (looks - 1) + 1 : 1;
+    look(plan_.pulses.first, plan_.pulses.last, looks);
+    if (spacing > 1)
+      look(std::max(plan_.pulses.first, worst_.pulse - spacing), std::min(plan_.pulses.last, worst_.pulse + spacing),
+           finer_looks);
+    return worst_;
+  }
+
+ private:
+  // An even choice of so many pulses from the first to the last.
+  void look(std::int64_t first, std::int64_t last, std::int64_t looks) {
+    std::vector<PulseMotion> found(static_cast<std::size_t>(looks));
+    core::parallel_ranges(found.size(), 1, control_, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const double share = looks > 1 ? static_cast<double>(i) / static_cast<double>(looks - 1) : 0.0;
+        found[i] = worst_at(first + std::llround(share * static_cast<double>(last - first)));
+      }
+    });
+    for (const PulseMotion& at : found)
+      if (at.phase_rad > worst_.phase_rad) worst_ = at;
+  }
+
+  [[nodiscard]] std::vector<Moved> platforms_at(double time_s, std::int64_t pulse) const {
+    std::vector<Moved> moved(used_.size());
+    for (std::size_t p = 0; p < used_.size(); ++p) {
+      if (!used_[p]) continue;
+      const radar::Track& track = plan_.scene->platforms[p].track;
+      moved[p].pose = track.at(time_s, pulse);
+      moved[p].acceleration = track.acceleration_at(time_s, moved[p].pose);
+    }
+    return moved;
+  }
+
+  [[nodiscard]] PulseMotion worst_at(std::int64_t pulse) const {
+    const double width_s = plan_.radar.pulse.width_s;
+    const double time_s = plan_.radar.repetition.send_time_s(pulse);
+    const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse);
+    const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse);
+    const std::size_t own = plan_.radar.platform;
+    PulseMotion worst{0.0, 0, pulse};
+    const double scale = core::pi / 24.0 * plan_.radar.carrier.carrier_hz(pulse) * width_s * width_s;
+    for (const std::size_t t : targets_) {
+      const Scatterer& s = plan_.scene->scatterers[t];
+      const double change_mps2 = bend_mps2(after[own], after[s.platform], s.position_m) -
+                                 bend_mps2(before[own], before[s.platform], s.position_m);
+      const double phase_rad = scale * std::abs(radar::delay_of(change_mps2, plan_.scene->conventions.light_speed_mps));
+      if (phase_rad > worst.phase_rad) worst = {phase_rad, t, pulse};
+    }
+    return worst;
+  }
+
+  const Plan& plan_;
+  std::span<const std::size_t> targets_;
+  const core::WorkControl& control_;
+  std::vector<bool> used_;
+  PulseMotion worst_;
+};
+
+}  // namespace
+
+PulseMotion motion_left_in_pulse(const Plan& plan, std::span<const std::size_t> targets,
+                                 const core::WorkControl& control) {
+  CORE_EXPECT(plan.scene != nullptr);
+  for (const std::size_t t : targets) CORE_EXPECT(t < plan.scene->scatterers.size());
+  if (targets.empty() || plan.scene->conventions.light_time == radar::LightTime::thesis) return {};
+  return MotionLook(plan, targets, control).worst();
+}
+
+}  // namespace sarsim::simulate
