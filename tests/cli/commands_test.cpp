@@ -121,6 +121,14 @@ TEST_F(Commands, CheckCountsProblemsOfEveryScript) {
   EXPECT_EQ(sarsim({"check", "scene.scr", "--strict"}).status, 2);
 }
 
+TEST_F(Commands, CheckSaysWhatLaterCommandsWillSay) {
+  const Finished check = sarsim({"check", SARSIM_SOURCE_DIR "/examples/search_radar.scr"});
+  EXPECT_EQ(check.status, 0);
+  EXPECT_THAT(check.out, HasSubstr("warning: sarsim search: 1 of 2 targets move faster than the PRF tells apart"));
+  EXPECT_THAT(sarsim({"check", SARSIM_SOURCE_DIR "/examples/search_radar.scr", "--json"}).out,
+              HasSubstr("sarsim search: 1 of 2 targets"));
+}
+
 TEST_F(Commands, CheckSpeaksJson) {
   SceneText scene;
   scene.target_m = 5000.0;

@@ -11,6 +11,7 @@
 #include "core/build/version.hpp"
 #include "core/text/json.hpp"
 #include "scene/script/reader.hpp"
+#include "workflow/check/command_remarks.hpp"
 #include "workflow/input/echo_words.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
@@ -35,9 +36,11 @@ std::size_t count_of(const core::Problems& problems, core::Severity severity) {
 
 workflow::SceneInput looked_at(const std::string& path, const workflow::SceneOverrides& overrides,
                                const core::StopFlag* stop) {
-  workflow::SceneInput input =
-      workflow::read_scene(path, overrides, workflow::Scrutiny::echoes, {core::thread_count(0), stop});
+  const core::WorkControl control{core::thread_count(0), stop};
+  workflow::SceneInput input = workflow::read_scene(path, overrides, workflow::Scrutiny::echoes, control);
   core::Problems names = workflow::output_names(input.scene, {}).problems;
+  if (input.resolved && !core::has_errors(input.problems))
+    std::ranges::move(workflow::remarks_of_commands(input.scene, input.resolved, control), std::back_inserter(names));
   scene::locate(names, input.places);
   std::ranges::move(names, std::back_inserter(input.problems));
   input.problems = core::ranked(std::move(input.problems));

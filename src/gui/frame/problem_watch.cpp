@@ -5,6 +5,7 @@
 
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/check/command_remarks.hpp"
 #include "workflow/input/echo_words.hpp"
 
 namespace sarsim::gui {
@@ -54,8 +55,12 @@ void ProblemWatch::look_at_echoes() {
   auto scene = session_.shared_scene();
   found_ = std::make_shared<Found>();
   survey_.run([scene = std::move(scene), found = found_](const core::StopFlag& stop, const BackgroundJob::Report&) {
-    simulate::SurveyReport report = simulate::survey_report(*scene, nullptr, core::WorkControl{1, &stop});
+    const core::WorkControl control{1, &stop};
+    const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(*scene, control));
+    simulate::SurveyReport report = simulate::survey_report(*scene, resolved, control);
     found->problems = std::move(report.problems);
+    if (!core::has_errors(found->problems))
+      std::ranges::move(workflow::remarks_of_commands(*scene, resolved, control), std::back_inserter(found->problems));
     for (const simulate::EchoSummary& summary : report.summaries) found->echoes += workflow::echo_text(*scene, summary);
   });
 }

@@ -150,8 +150,8 @@ void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkCo
 }
 
 // @param[in,out] request  its algorithm becomes the one that will be used
-FocusWork opened_work(FocusRequest& request, const core::WorkControl& control) {
-  FocusWork work{.input = open_focus_input(request.input, control), .options = options_of(request), .problems = {}};
+FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkControl& control) {
+  FocusWork work{.input = std::move(input), .options = options_of(request), .problems = {}};
   if (request.algorithm == FocusAlgorithm::automatic && !work.input.echoes.carriers_hz.empty())
     request.algorithm = FocusAlgorithm::back_projection;
   work.options.doppler_centroid_hz = first_centroid_hz(request, work.input, control);
@@ -240,12 +240,30 @@ void write_outputs(const FocusReport& report, const FocusWork& work, const Focus
 
 }  // namespace
 
+core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& control) {
+  FocusRequest request;
+  request.memory_bytes = 0;  // The same on all machines.
+  const FocusWork work = work_on(std::move(input), request, control);
+  core::Problems problems = work.input.problems;
+  std::ranges::copy_if(work.problems, std::back_inserter(problems), [&](const core::Problem& problem) {
+    return work.motion == MotionOrder::none || problem.subject.field != signal::track_field;
+  });
+  const simulate::Plan& plan = *work.input.plan;
+  const signal::EchoRows& echoes = work.input.echoes;
+  if (work.options.spectrum)
+    std::ranges::move(remarks_on_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
+  std::ranges::move(remarks_on_movers(plan, echoes, std::nullopt, control), std::back_inserter(problems));
+  const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
+  std::ranges::move(remarks_on_ghosts(plan, echoes, kept, control), std::back_inserter(problems));
+  return core::ranked(std::move(problems));
+}
+
 FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   const double begin_s = core::now_s();
   expect_sense(asked);
   FocusRequest request = asked;
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  FocusWork work = opened_work(request, control);
+  FocusWork work = work_on(open_focus_input(request.input, control), request, control);
   const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
   std::vector<SarTarget> targets;
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };

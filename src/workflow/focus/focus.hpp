@@ -7,6 +7,7 @@
 #include "core/task/observer.hpp"
 #include "signal/sar/focusing.hpp"
 #include "workflow/focus/autofocus.hpp"
+#include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/focus_request.hpp"
 
 namespace sarsim::workflow {
@@ -25,6 +26,12 @@ struct FocusReport {
   core::Problems problems;  ///< Warnings and notes, ranked; all were handed to the observer.
   double seconds = 0.0;
 };
+
+/// What `focus` with its usual options will say of an input, but for what the survey of the scene says itself (echoes
+/// that the window cuts, the band of the beam, the rate of samples) and what it tells of its choice of a grid: motion
+/// that compensation leaves, carriers that leave ambiguities, targets that move, ghosts. Reads no echoes.
+/// @throw  core::Refused where the input cannot be focused so; Interrupted
+[[nodiscard]] core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& control = {});
 
 /// Focuses the echoes of a script or of a recording (docs/theory/focusing.md), and writes the image where the request
 /// names an output. Throws core::Refused with all problems where that cannot be done, Interrupted, and like the sinks.

@@ -16,6 +16,11 @@ struct FocusInput {
   core::Problems problems;     ///< Warnings about script and file.
 };
 
+/// Simulation number `simulation` of a sound scene, which becomes what focusing wants recorded (`recorded_for_sar`).
+/// Where `problems` holds an error, there is nothing else.
+[[nodiscard]] FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
+                                        const std::shared_ptr<const simulate::ResolvedScene>& resolved);
+
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
 [[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control);
 

@@ -232,6 +232,13 @@ std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoR
   return in_order(ghosts_of);
 }
 
+core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
+                                 const core::WorkControl& control) {
+  core::Problems problems;
+  remark_on_wrapping(SarLooks(plan, echoes), sar_ghosts(plan, echoes, kept, control), problems);
+  return problems;
+}
+
 core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
                               const core::WorkControl& control) {
   core::Problems problems;

@@ -63,6 +63,11 @@ struct SarTarget {
 /// Numbers of targets as messages list them, from 1: "1, 2, 3 and 5 more".
 [[nodiscard]] std::string target_list(const std::vector<std::size_t>& targets);
 
+/// A warning where echoes of targets wrap around, and where their ghosts appear.
+/// @throw  Interrupted
+[[nodiscard]] core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                               const DopplerBand& kept, const core::WorkControl& control = {});
+
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
 /// the pulses sample, ranges sampled more coarsely than the band allows. Nothing is said of more

@@ -132,16 +132,17 @@ class DopplerImage {
 
 }  // namespace
 
+std::size_t doppler_pulses(const simulate::Plan& plan, std::int64_t canceller) {
+  return std::min(usual_doppler_pulses,
+                  static_cast<std::size_t>(std::max<std::int64_t>(plan.pulses.count() - canceller, 1)));
+}
+
 DopplerReport doppler(const DopplerRequest& request, const core::Observer& observer) {
   PulseWork work(request, observer, "-doppler");
   // The canceller takes its pulses from those that there are.
   const auto order = static_cast<std::int64_t>(request.canceller);
-  work.open(
-      [order](const simulate::Plan& plan) {
-        return std::min(usual_doppler_pulses,
-                        static_cast<std::size_t>(std::max<std::int64_t>(plan.pulses.count() - order, 1)));
-      },
-      [](const PulseRows&) { return 0.0; });
+  work.open([order](const simulate::Plan& plan) { return doppler_pulses(plan, order); },
+            [](const PulseRows&) { return 0.0; });
   DopplerImage image(work, request.replace);
   if (request.image) image.begin();
   work.detect({}, [&](const SearchInterval& interval) { image.append(interval); });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
 #include "core/task/observer.hpp"
 #include "workflow/search/pulse_report.hpp"
@@ -10,6 +11,10 @@ namespace sarsim::workflow {
 
 /// Pulses of an interval, where nobody says how many, if there are that many.
 inline constexpr std::size_t usual_doppler_pulses = 64;
+
+/// Pulses of an interval of a plan, where nobody says how many.
+/// @param canceller  its order: the pulses that it takes are no part of the interval
+[[nodiscard]] std::size_t doppler_pulses(const simulate::Plan& plan, std::int64_t canceller = 0);
 
 /// What is asked of `doppler`.
 struct DopplerRequest : PulseRequest {};

@@ -15,11 +15,8 @@ void expect_pulses(const scene::Simulation& simulation) {
 
 PulseInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {
   auto [input, number] = open_script(arguments, records_pulses, control);
-  scene::Simulation& simulation = input.scene.simulations[number];
-  expect_pulses(simulation);
-  simulation = compressed_simulation(simulation);
-  auto plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(input.scene, number, input.resolved, simulate::Engine::automatic, control.stop));
+  expect_pulses(input.scene.simulations[number]);
+  auto plan = plan_of_pulses(input.scene, number, input.resolved, control.stop);
   return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
 }
 
@@ -33,6 +30,14 @@ PulseInput of_file(const RecordingArguments& arguments) {
 }
 
 }  // namespace
+
+std::shared_ptr<const simulate::Plan> plan_of_pulses(scene::Scene& scene, std::size_t number,
+                                                     const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+                                                     const core::StopFlag* stop) {
+  scene.simulations[number] = compressed_simulation(scene.simulations[number]);
+  return std::make_shared<const simulate::Plan>(
+      simulate::make_plan(scene, number, resolved, simulate::Engine::automatic, stop));
+}
 
 PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control) {
   PulseInput input = names_script(arguments) ? of_script(arguments, control) : of_file(arguments);

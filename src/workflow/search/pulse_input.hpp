@@ -13,6 +13,11 @@ struct PulseInput {
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
+/// The plan of simulation number `number` of a sound scene, RAW or MATCHED_FILTER, which becomes a compressed one.
+[[nodiscard]] std::shared_ptr<const simulate::Plan> plan_of_pulses(
+    scene::Scene& scene, std::size_t number, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+    const core::StopFlag* stop = nullptr);
+
 /// Opens what the arguments name; throws core::Refused with all problems where it has no pulses.
 [[nodiscard]] PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control);
 

@@ -95,7 +95,7 @@ core::Problems problems_of_request(const PulseRequest& request) {
   return problems;
 }
 
-SearchOptions search_options(const PulseRequest& request, const PulseRows& rows, std::size_t usual_pulses) {
+SearchOptions search_options(const PulseRequest& request, const simulate::Plan& plan, std::size_t usual_pulses) {
   if (core::Problems problems = problems_of_request(request); !problems.empty())
     throw core::Refused(std::move(problems));
   SearchOptions options;
@@ -105,7 +105,7 @@ SearchOptions search_options(const PulseRequest& request, const PulseRows& rows,
   options.canceller = request.canceller;
   options.window = request.window;
   options.detect = request.detect;
-  options.cfar = detector_asked_for(request, *rows.plan);
+  options.cfar = detector_asked_for(request, plan);
   options.all_cells = request.all_cells;
   return options;
 }

@@ -64,7 +64,7 @@ void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& us
   expect_free_files(named_sources(request_.input));
   input_ = open_pulse_input(request_.input, control_);
   expect_free_files(input_.sources);
-  options_ = search_options(request_, rows(), usual_pulses(plan()));
+  options_ = search_options(request_, plan(), usual_pulses(plan()));
   find_problems(more_bytes(rows()));
   for (const fs::path& path : files())
     if (path.has_parent_path()) fs::create_directories(path.parent_path());

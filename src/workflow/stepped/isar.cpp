@@ -132,11 +132,7 @@ class IsarRun {
 
   void find_problems() {
     core::Problems& problems = input_.problems;
-    for (const std::size_t first : firsts_) {
-      if (observer_.stop != nullptr && observer_.stop->requested()) throw core::Interrupted();
-      std::ranges::move(plan_isar_image(input_.rows, first, count_, options_).problems, std::back_inserter(problems));
-    }
-    std::ranges::move(remarks_on_stepped(input_.rows, SteppedUse::isar, {}), std::back_inserter(problems));
+    std::ranges::move(remarks_on_isar(input_.rows, firsts_, count_, options_, control_), std::back_inserter(problems));
     problems = core::ranked(std::move(problems));
     if (core::has_errors(problems)) throw core::Refused(problems);
     observer_.remarks(problems);
@@ -178,6 +174,17 @@ class IsarRun {
 };
 
 }  // namespace
+
+core::Problems remarks_on_isar(const SteppedRows& rows, const std::vector<std::size_t>& firsts, std::size_t count,
+                               const IsarOptions& options, const core::WorkControl& control) {
+  core::Problems problems;
+  for (const std::size_t first : firsts) {
+    if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
+    std::ranges::move(plan_isar_image(rows, first, count, options).problems, std::back_inserter(problems));
+  }
+  std::ranges::move(remarks_on_stepped(rows, SteppedUse::isar, {}), std::back_inserter(problems));
+  return problems;
+}
 
 IsarReport isar(const IsarRequest& request, const core::Observer& observer) { return IsarRun(request, observer).run(); }
 

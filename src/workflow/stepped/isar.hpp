@@ -44,6 +44,14 @@ struct IsarReport {
   double seconds = 0.0;       ///< That the work took.
 };
 
+/// What `isar` says before it makes images of `count` bursts each, and what keeps it from that (errors).
+/// @param firsts   first burst of each image
+/// @param options  with the platform of the target
+/// @throw Interrupted
+[[nodiscard]] core::Problems remarks_on_isar(const SteppedRows& rows, const std::vector<std::size_t>& firsts,
+                                             std::size_t count, const IsarOptions& options,
+                                             const core::WorkControl& control = {});
+
 /// Images of a turning target, in cross-range and range (docs/theory/stepped-frequency.md). Throws core::Refused with
 /// what keeps it from being done, before anything is written; Interrupted; failures of files as the sinks tell them.
 [[nodiscard]] IsarReport isar(const IsarRequest& request, const core::Observer& observer = {});

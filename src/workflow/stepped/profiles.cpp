@@ -91,11 +91,8 @@ void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
 }
 
 void find_problems(SteppedInput& input, const SeriesOptions& options) {
-  std::optional<double> speed;
-  if (options.velocity == SeriesOptions::Velocity::given) speed = options.speed_mps;
-  if (options.velocity == SeriesOptions::Velocity::scene || options.velocity == SeriesOptions::Velocity::estimated)
-    speed = mean_speed_mps(input.rows, input.rows.bursts / 2, 1);
-  std::ranges::move(remarks_on_stepped(input.rows, SteppedUse::profiles, speed), std::back_inserter(input.problems));
+  std::ranges::move(remarks_on_profiles(input.rows, {options.velocity, options.speed_mps}),
+                    std::back_inserter(input.problems));
   input.problems = core::ranked(std::move(input.problems));
 }
 
@@ -152,6 +149,14 @@ const char* word_of(ProfileGrouping grouping) {
     case ProfileGrouping::bursts: break;
   }
   return "bursts";
+}
+
+core::Problems remarks_on_profiles(const SteppedRows& rows, const VelocityChoice& velocity) {
+  std::optional<double> speed_mps;
+  if (velocity.velocity == SeriesOptions::Velocity::given) speed_mps = velocity.speed_mps;
+  if (velocity.velocity == SeriesOptions::Velocity::scene || velocity.velocity == SeriesOptions::Velocity::estimated)
+    speed_mps = mean_speed_mps(rows, rows.bursts / 2, 1);
+  return remarks_on_stepped(rows, SteppedUse::profiles, speed_mps);
 }
 
 ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& observer) {

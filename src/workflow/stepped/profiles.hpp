@@ -56,6 +56,9 @@ struct ProfilesReport {
   double seconds = 0.0;                      ///< That the work took.
 };
 
+/// What `profiles` says of the bursts before it works, for a choice of the speed that is compensated.
+[[nodiscard]] core::Problems remarks_on_profiles(const SteppedRows& rows, const VelocityChoice& velocity);
+
 /// Range profiles of a stepped carrier (docs/theory/stepped-frequency.md), written in the format of the output's
 /// extension. Throws core::Refused with what keeps it from being done, before anything is written; Interrupted;
 /// failures of files as the sinks tell them.

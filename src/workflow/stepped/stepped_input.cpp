@@ -9,35 +9,14 @@ namespace sarsim::workflow {
 
 namespace {
 
-// Whether the radar of a simulation steps its carrier, or at least modulates its pulse.
-Suits suits_use(SteppedUse use) {
-  return [use](const scene::Scene& scene, const scene::Simulation& simulation) {
-    const std::size_t index = scene::find_radar(scene, simulation.radar);
-    if (index == scene::not_found) return false;
-    const scene::Radar& radar = scene.radars[index];
-    if (radar.carrier == scene::Radar::Carrier::stepped && radar.carrier_steps > 1) return true;
-    return use == SteppedUse::isar && radar.pulse != scene::Radar::Pulse::mono &&
-           radar.carrier == scene::Radar::Carrier::single;
-  };
-}
-
 SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
   auto [input, number] = open_script(arguments, suits_use(use), control);
-  SteppedInput stepped;
-  stepped.simulation = number;
-  scene::Simulation& simulation = input.scene.simulations[number];
-  // Bursts are cut here, and profiles made of sub-bands too: what `check` says of SRP does not concern them.
-  simulation.processing = scene::Processing::raw;
-  const simulate::Plan window = simulate::make_plan(input.scene, number, input.resolved);
-  stepped.problems = std::move(input.problems);
+  SteppedInput stepped = stepped_input_of(input.scene, number, input.resolved, use);
+  // What `check` says of SRP does not concern bursts that are cut here.
+  std::erase_if(input.problems, [](const core::Problem& p) { return p.subject.field == "processing"; });
+  std::ranges::move(input.problems, std::back_inserter(stepped.problems));
   stepped.sources = std::move(input.sources);
-  std::erase_if(stepped.problems, [](const core::Problem& p) { return p.subject.field == "processing"; });
-  std::ranges::move(problems_of_stepped(window, use, false), std::back_inserter(stepped.problems));
   if (core::has_errors(stepped.problems)) throw core::Refused(core::ranked(std::move(stepped.problems)));
-  simulation = recorded_for_stepped(simulation, window);
-  const auto plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(input.scene, number, input.resolved, simulate::Engine::automatic));
-  stepped.rows = stepped_rows_of_scene(plan, window);
   return stepped;
 }
 
@@ -49,6 +28,33 @@ SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use) {
 }
 
 }  // namespace
+
+Suits suits_use(SteppedUse use) {
+  return [use](const scene::Scene& scene, const scene::Simulation& simulation) {
+    const std::size_t index = scene::find_radar(scene, simulation.radar);
+    if (index == scene::not_found) return false;
+    const scene::Radar& radar = scene.radars[index];
+    if (radar.carrier == scene::Radar::Carrier::stepped && radar.carrier_steps > 1) return true;
+    return use == SteppedUse::isar && radar.pulse != scene::Radar::Pulse::mono &&
+           radar.carrier == scene::Radar::Carrier::single;
+  };
+}
+
+SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
+                              const std::shared_ptr<const simulate::ResolvedScene>& resolved, SteppedUse use) {
+  SteppedInput stepped;
+  stepped.simulation = number;
+  scene::Simulation& simulation = scene.simulations[number];
+  simulation.processing = scene::Processing::raw;
+  const simulate::Plan window = simulate::make_plan(scene, number, resolved);
+  stepped.problems = problems_of_stepped(window, use, false);
+  if (core::has_errors(stepped.problems)) return stepped;
+  simulation = recorded_for_stepped(simulation, window);
+  const auto plan =
+      std::make_shared<const simulate::Plan>(simulate::make_plan(scene, number, resolved, simulate::Engine::automatic));
+  stepped.rows = stepped_rows_of_scene(plan, window);
+  return stepped;
+}
 
 SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
   SteppedInput stepped = names_script(arguments) ? of_script(arguments, use, control) : of_file(arguments, use);

@@ -13,6 +13,15 @@ struct SteppedInput {
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
+/// Whether the radar of a simulation steps its carrier, or, for images, at least modulates its pulse.
+[[nodiscard]] Suits suits_use(SteppedUse use);
+
+/// Simulation number `number` of a sound scene, which becomes what is wanted recorded (`recorded_for_stepped`): bursts
+/// are cut here, and profiles made of sub-bands too. Where `problems` holds an error, there are no rows.
+[[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
+                                            const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+                                            SteppedUse use);
+
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be used.
 [[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use,
                                               const core::WorkControl& control);

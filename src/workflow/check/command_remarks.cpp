@@ -1,0 +1,205 @@
+#include "workflow/check/command_remarks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "core/report/refused.hpp"
+#include "radar/path/path.hpp"
+#include "simulate/plan/plan.hpp"
+#include "simulate/survey/beam_passes.hpp"
+#include "workflow/focus/focus.hpp"
+#include "workflow/search/doppler.hpp"
+#include "workflow/search/pulse_input.hpp"
+#include "workflow/search/search_checks.hpp"
+#include "workflow/stepped/isar.hpp"
+#include "workflow/stepped/profiles.hpp"
+#include "workflow/stepped/stepped_input.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+constexpr double rest_mps = 1e-6;
+constexpr std::size_t most_focused_targets = 2000;
+constexpr std::int64_t least_pulses = 8;  // with fewer nobody makes maps or images
+
+// How radar and targets move at the middle pulse.
+struct Movement {
+  bool radar = false;
+  bool targets = false;   // some of them move ...
+  bool resting = false;   // ... or rest
+  bool turning = false;   // the platform of the strongest targets turns ...
+  bool moving = false;    // ... or moves
+  bool aperture = false;  // the radar flies far enough past targets that rest to focus them
+};
+
+bool rotates(const radar::Pose& pose) {
+  const core::Mat3& rate = pose.world_from_platform_rate;
+  return std::ranges::any_of(rate.row, [](const core::Vec3& row) { return core::norm(row) > 0.0; });
+}
+
+// Whether a flight shows a point under angles that differ by more than what a wavelength resolves over it.
+bool makes_aperture(const core::Vec3& flown_m, const core::Vec3& sight_m, double wavelength_m) {
+  const double distance_m = core::norm(sight_m);
+  if (!(distance_m > 0.0)) return false;
+  const core::Vec3 across_m = flown_m - core::dot(flown_m, sight_m) / (distance_m * distance_m) * sight_m;
+  return 2.0 * core::dot(across_m, across_m) > wavelength_m * distance_m;
+}
+
+Movement movement_of(const simulate::Plan& plan) {
+  Movement movement;
+  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  geometry.set_pulse(plan.pulses.first);
+  const core::Vec3 first_m = geometry.radar_pose().position_world_m;
+  geometry.set_pulse(plan.pulses.last);
+  const core::Vec3 flown_m = geometry.radar_pose().position_world_m - first_m;
+  geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
+  movement.radar = core::norm(geometry.radar_pose().velocity_world_mps) > rest_mps;
+  const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), plan.scene->conventions.light_speed_mps);
+  for (const simulate::Scatterer& s : plan.scene->scatterers) {
+    if (s.platform == plan.radar.platform) continue;
+    const radar::Pose& pose = geometry.pose(s.platform);
+    const bool moves = core::norm(radar::world_velocity_mps(pose, s.position_m)) > rest_mps;
+    movement.targets = movement.targets || moves;
+    movement.resting = movement.resting || !moves;
+    if (moves || movement.aperture) continue;
+    const core::Vec3 sight_m = radar::world_position_m(pose, s.position_m) - geometry.radar_pose().position_world_m;
+    movement.aperture = makes_aperture(flown_m, sight_m, wavelength_m);
+  }
+  if (const auto platform = platform_of_targets(plan)) {
+    movement.turning = rotates(geometry.pose(*platform));
+    movement.moving = core::norm(geometry.pose(*platform).velocity_world_mps) > rest_mps;
+  }
+  return movement;
+}
+
+core::Problems remarks_on_pulses(const simulate::Plan& plan, std::size_t pulses, const core::WorkControl& control) {
+  const SearchOptions options = search_options({}, plan, pulses);
+  return problems_of_search(plan, options).empty() ? remarks_on_search(plan, options, control) : core::Problems{};
+}
+
+// Asks the commands about the simulations of one scene.
+class Asking {
+ public:
+  Asking(const scene::Scene& scene, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+         const core::WorkControl& control)
+      : scene_(scene), resolved_(resolved), control_(control) {}
+
+  core::Problems all() {
+    for (std::size_t i = 0; i < scene_.simulations.size(); ++i) ask(i);
+    core::Problems problems;
+    for (Said& said : said_) {
+      said.remark.message = "sarsim " + said.commands + ": " + said.remark.message;
+      problems.push_back(std::move(said.remark));
+    }
+    return problems;
+  }
+
+ private:
+  using Answer = std::function<core::Problems()>;
+
+  // By all that say the same.
+  struct Said {
+    std::string commands;
+    core::Problem remark;
+  };
+
+  void ask(std::size_t index) {
+    const scene::Simulation asked = scene_.simulations[index];
+    const simulate::Plan plan =
+        simulate::make_plan(scene_, index, resolved_, simulate::Engine::reference, control_.stop);
+    const Movement movement = movement_of(plan);
+    const bool pulses = records_pulses(scene_, asked) && plan.pulses.count() >= least_pulses;
+    const bool detects = pulses && plan.noise_stddev_v > 0.0;
+    const bool sweeps = beam_turns(plan);
+    const auto take = [&](const char* command, bool suits, const Answer& answer) {
+      if (!suits || !asked_.insert({command, asked.radar}).second) return;
+      add(command, index, answer);
+      scene_.simulations[index] = asked;
+    };
+    take("search", detects && (simulate::turns(plan.radar.beam) || (sweeps && !movement.radar)),
+         [&] { return search(index); });
+    take("doppler", detects && !sweeps && !movement.radar && movement.targets && !movement.turning,
+         [&] { return doppler(index); });
+    take("profiles", suits_use(SteppedUse::profiles)(scene_, asked) && (movement.targets || !movement.radar),
+         [&] { return profiles(index); });
+    const bool steps = suits_use(SteppedUse::profiles)(scene_, asked);
+    take("isar", suits_use(SteppedUse::isar)(scene_, asked) && (movement.turning || (steps && movement.moving)),
+         [&] { return isar(index); });
+    take("focus",
+         pulses && movement.radar && movement.aperture && !simulate::turns(plan.radar.beam) &&
+             plan.scene->scatterers.size() <= most_focused_targets,
+         [&] { return focus(index); });
+  }
+
+  // What a command refuses it does not suit.
+  void add(const char* command, std::size_t index, const Answer& answer) {
+    core::Problems remarks;
+    try {
+      remarks = answer();
+    } catch (const core::Refused&) {
+      return;
+    }
+    if (core::has_errors(remarks)) return;
+    for (core::Problem& remark : remarks) {
+      remark.subject = {"simulation", index, ""};
+      const auto same = std::ranges::find_if(said_, [&](const Said& other) {
+        return other.remark.subject == remark.subject && other.remark.message == remark.message &&
+               other.remark.found == remark.found;
+      });
+      if (same == said_.end())
+        said_.push_back({command, std::move(remark)});
+      else
+        same->commands += std::string(" and ") + command;
+    }
+  }
+
+  [[nodiscard]] core::Problems search(std::size_t index) {
+    const auto plan = plan_of_pulses(scene_, index, resolved_, control_.stop);
+    return remarks_on_pulses(*plan, dwell_pulses(*plan), control_);
+  }
+
+  [[nodiscard]] core::Problems doppler(std::size_t index) {
+    const auto plan = plan_of_pulses(scene_, index, resolved_, control_.stop);
+    return remarks_on_pulses(*plan, doppler_pulses(*plan), control_);
+  }
+
+  [[nodiscard]] core::Problems profiles(std::size_t index) {
+    const SteppedInput input = stepped_input_of(scene_, index, resolved_, SteppedUse::profiles);
+    return core::has_errors(input.problems) ? core::Problems{} : remarks_on_profiles(input.rows, {});
+  }
+
+  [[nodiscard]] core::Problems isar(std::size_t index) {
+    const SteppedInput input = stepped_input_of(scene_, index, resolved_, SteppedUse::isar);
+    if (core::has_errors(input.problems) || input.rows.bursts < 2) return {};
+    IsarOptions options;
+    options.platform = platform_of_targets(*input.rows.plan).value();
+    return remarks_on_isar(input.rows, {0}, input.rows.bursts, options, control_);
+  }
+
+  [[nodiscard]] core::Problems focus(std::size_t index) {
+    FocusInput input = focus_input_of(scene_, index, resolved_);
+    return core::has_errors(input.problems) ? core::Problems{} : remarks_of_focus(std::move(input), control_);
+  }
+
+  scene::Scene scene_;
+  const std::shared_ptr<const simulate::ResolvedScene>& resolved_;
+  const core::WorkControl& control_;
+  std::set<std::pair<std::string, std::string>> asked_;  // command, radar
+  std::vector<Said> said_;
+};
+
+}  // namespace
+
+core::Problems remarks_of_commands(const scene::Scene& scene,
+                                   const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+                                   const core::WorkControl& control) {
+  return Asking(scene, resolved, control).all();
+}
+
+}  // namespace sarsim::workflow
