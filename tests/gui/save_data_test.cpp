@@ -38,12 +38,13 @@ namespace fs = std::filesystem;
 constexpr int patience_ms = 60'000;
 
 // What `sarsim run` writes for a stored simulation.
-std::string run_by_hand(const scene::Scene& scene, std::size_t index, const fs::path& path) {
+std::string run_by_hand(const scene::Scene& scene, std::size_t index, const fs::path& path,
+                        raster::SinkOptions options = {.replace = true}) {
   const simulate::Plan plan = simulate::make_plan(scene, index, nullptr, simulate::Engine::automatic);
+  options.format = plan.simulation.format;
   const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
-  const std::unique_ptr<simulate::Sink> sink =
-      raster::make_sink(path, simulate::product_of(plan, with_script ? scene::write_script(scene) : std::string()),
-                        {plan.simulation.format, true});
+  const std::unique_ptr<simulate::Sink> sink = raster::make_sink(
+      path, simulate::product_of(plan, with_script ? scene::write_script(scene) : std::string()), options);
   simulate::run(plan, simulate::resolved_lsb_v(plan, {}), *sink, {});
   return file_text(path);
 }
@@ -215,6 +216,42 @@ class SaveDataTest : public QObject {
       QVERIFY(!file_text(file).empty());
       QVERIFY2(file_text(file) == run_by_hand(again, again.simulations.size() - 1, bench.in_folder("by_hand")),
                qPrintable(QString::fromStdString(file.string())));
+    }
+  }
+
+  void the_list_of_samples_follows_the_format() {
+    Bench bench;
+    gui::SaveDataDialog& dialog = *bench.ask();
+    auto* const samples = dialog.findChild<QComboBox*>("save_samples");
+    QVERIFY(!samples->isEnabled());  // BINARY holds counts.
+    QCOMPARE(samples->currentIndex(), static_cast<int>(workflow::SampleChoice::counts));
+    Bench::choose(dialog, "save_format", 4);  // NPY
+    QVERIFY(samples->isEnabled());
+    QCOMPARE(samples->currentIndex(), static_cast<int>(workflow::SampleChoice::volts));
+    Bench::choose(dialog, "save_samples", static_cast<int>(workflow::SampleChoice::doubles));
+    Bench::choose(dialog, "save_format", 1);
+    QCOMPARE(samples->currentIndex(), static_cast<int>(workflow::SampleChoice::counts));
+    Bench::choose(dialog, "save_format", 5);  // HDF5: the choice is kept.
+    QCOMPARE(samples->currentIndex(), static_cast<int>(workflow::SampleChoice::doubles));
+    QVERIFY(dialog.choice()->samples == workflow::SampleChoice::doubles);
+  }
+
+  void counts_and_doubles_are_saved_as_sarsim_run_writes_them() {
+    for (const auto samples : {workflow::SampleChoice::counts, workflow::SampleChoice::doubles}) {
+      Bench bench;
+      gui::SaveDataDialog& dialog = *bench.ask();
+      Bench::choose(dialog, "save_format", 4);
+      Bench::choose(dialog, "save_target", 2);
+      Bench::choose(dialog, "save_samples", static_cast<int>(samples));
+      const fs::path file = dialog.choice()->file;
+      dialog.accept();
+      QCOMPARE(bench.wait_for(0), gui::SaveState::done);
+      const scene::Scene& scene = bench.main.session().scene();
+      const raster::SinkOptions options{.format = scene::FileFormat::npy,
+                                        .replace = true,
+                                        .counts = samples == workflow::SampleChoice::counts,
+                                        .doubles = samples == workflow::SampleChoice::doubles};
+      QVERIFY(file_text(file) == run_by_hand(scene, scene.simulations.size() - 1, bench.in_folder("by_hand"), options));
     }
   }
 

@@ -64,7 +64,8 @@ void DataSaver::take(const SaveDataDialog& dialog) {
   if (choice->target == workflow::SaveTarget::script) return;
   QSettings().setValue(folder_key, QString::fromStdString(choice->file.parent_path().string()));
   const std::size_t last = scene.simulations.size() - 1;
-  queue_->add({std::move(scene), last, choice->file, dialog.replace()});
+  const raster::SinkOptions options = workflow::sink_options_of(*choice, dialog.replace());
+  queue_->add({std::move(scene), last, choice->file, options.replace, options.counts, options.doubles});
   queue_->show();
   queue_->raise();
 }

@@ -82,15 +82,16 @@ void RunJob::wait_for_leave(const core::StopFlag& stop) {
 }
 
 void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& report) {
-  const workflow::PreparedRecording prepared =
-      workflow::prepare_recording(request_.scene, request_.simulation, request_.file, request_.replace);
+  const workflow::PreparedRecording prepared = workflow::prepare_recording(
+      request_.scene, request_.simulation, request_.file,
+      {.replace = request_.replace, .counts = request_.counts, .doubles = request_.doubles});
   const RunEstimate estimate = estimate_of(prepared);
   QMetaObject::invokeMethod(
       this, [this, estimate] { emit estimated(estimate); }, Qt::QueuedConnection);
   wait_for_leave(stop);
 
-  const workflow::RecordingReport made =
-      workflow::make_recording(prepared, observer_of(stop, report, workflow::seeks_lsb(prepared.plan.simulation)));
+  const workflow::RecordingReport made = workflow::make_recording(
+      prepared, observer_of(stop, report, workflow::seeks_lsb(prepared.plan.simulation, request_.counts)));
   summary_.report = made.run;
   summary_.counts = made.counts;
   summary_.simulation = prepared.plan.simulation;

@@ -21,6 +21,8 @@ struct RunRequest {
   std::size_t simulation = 0;
   std::filesystem::path file;
   bool replace = false;  ///< An existing file may be replaced.
+  bool counts = false;   ///< Counts of the converter instead of volts in HDF5 and NPY.
+  bool doubles = false;  ///< Volts of HDF5 and NPY in double precision.
 };
 
 /// What a run will take, known before its first pulse.

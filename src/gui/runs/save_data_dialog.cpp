@@ -157,6 +157,12 @@ void SaveDataDialog::make_converter_group(QFormLayout* form) {
 void SaveDataDialog::make_file_group(QFormLayout* form) {
   format_ = add_choice(form, tr("Type"), "save_format", choices(), tr("The extension of the file follows"));
   show_format(choice_.recording.format);
+  samples_ =
+      add_choice(form, tr("Samples"), "save_samples",
+                 {tr("Volts, not quantised"), tr("Counts of the A/D converter"), tr("Volts in double precision")},
+                 tr("HDF5 and NPY hold what is chosen; the other types hold counts. Single precision keeps "
+                    "6e-8 of a sample."));
+  show_samples();
   file_ = new QLineEdit(text_of(choice_.file.string()), this);
   file_->setObjectName("save_file");
   file_->setAccessibleName(tr("Name of the file"));
@@ -173,6 +179,10 @@ void SaveDataDialog::make_file_group(QFormLayout* form) {
                        {tr("Data to disk only"), tr("Settings to script only"), tr("To both")},
                        tr("The settings in the script can be shown and run again"));
   connect(format_, &QComboBox::currentIndexChanged, this, &SaveDataDialog::follow_format);
+  connect(samples_, &QComboBox::currentIndexChanged, this, [this](int index) {
+    choice_.samples = static_cast<workflow::SampleChoice>(index);
+    refresh();
+  });
   connect(file_, &QLineEdit::textChanged, this, &SaveDataDialog::take_rest);
   connect(target_, &QComboBox::currentIndexChanged, this, &SaveDataDialog::take_rest);
   connect(select, &QPushButton::clicked, this, &SaveDataDialog::select_file);
@@ -252,12 +262,20 @@ void SaveDataDialog::show_lsb() {
 
 void SaveDataDialog::follow_format() {
   choice_.recording.format = kinds().at(static_cast<std::size_t>(format_->currentIndex()))->recording.value();
+  show_samples();
   const fs::path typed = file_->text().trimmed().toStdString();
   const QString following = text_of(workflow::following_format(typed, choice_.recording.format).string());
   if (following == file_->text())
     refresh();
   else
     file_->setText(following);
+}
+
+// Where the format decides, the list shows what it holds.
+void SaveDataDialog::show_samples() {
+  const QSignalBlocker quiet(samples_);
+  samples_->setCurrentIndex(static_cast<int>(workflow::chosen_samples(choice_)));
+  samples_->setEnabled(!raster::holds_counts(choice_.recording.format));
 }
 
 void SaveDataDialog::show_format(scene::FileFormat format) {

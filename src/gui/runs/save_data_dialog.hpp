@@ -72,6 +72,7 @@ class SaveDataDialog : public QDialog {
   void select_file();
   void show_format(scene::FileFormat format);
   void follow_format();
+  void show_samples();
   [[nodiscard]] QStringList objections() const;
   void refresh();
   void plan();
@@ -91,6 +92,7 @@ class SaveDataDialog : public QDialog {
   QComboBox* lsb_from_ = nullptr;
   QLineEdit* lsb_ = nullptr;
   QComboBox* format_ = nullptr;
+  QComboBox* samples_ = nullptr;
   QLineEdit* file_ = nullptr;
   QComboBox* target_ = nullptr;
   QLabel* estimate_ = nullptr;

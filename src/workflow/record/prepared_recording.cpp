@@ -24,32 +24,33 @@ scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
   return one;
 }
 
-RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes) {
+RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes, bool counts) {
   const unsigned threads = core::thread_count(0);
   const simulate::Cost cost = simulate::estimated_cost(plan, threads);
-  return {plan.rows, plan.columns, bytes, cost.seconds_one_thread / threads * passes_of(plan.simulation),
+  return {plan.rows, plan.columns, bytes, cost.seconds_one_thread / threads * passes_of(plan.simulation, counts),
           cost.memory_bytes};
 }
 
 }  // namespace
 
 PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation, std::filesystem::path file,
-                                    bool replace) {
+                                    raster::SinkOptions options) {
   SceneInput input = take_scene(with_only(scene, simulation), {}, {}, Scrutiny::echoes);
   expect_usable(input);
   resolve_once(input, {});
   PreparedRecording prepared{
       .plan = simulate::make_plan(scene, simulation, input.resolved, simulate::Engine::automatic),
       .file = std::move(file),
-      .options = {},
+      .options = options,
       .script = {},
       .estimate = {},
       .problems = std::move(input.problems)};
   const scene::FileFormat format = prepared.plan.simulation.format;
-  prepared.options = {format, replace, false, false};
+  prepared.options.format = format;
   if (raster::format_of(format).carries_script) prepared.script = scene::write_script(scene);
   const simulate::Product product = simulate::product_of(prepared.plan, prepared.script);
-  prepared.estimate = estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options));
+  prepared.estimate =
+      estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options), prepared.options.counts);
   return prepared;
 }
 

@@ -35,10 +35,10 @@ struct PreparedRecording {
 /// Checks, surveys and plans one recording of a scene, on all cores; what is wrong with other recordings does not
 /// matter.
 /// @param simulation  position in the scene's list
-/// @param replace     an existing file may be replaced
+/// @param options     of the file; its format is that of the simulation
 /// @throws core::Refused with all errors of the scene
 [[nodiscard]] PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation,
-                                                  std::filesystem::path file, bool replace);
+                                                  std::filesystem::path file, raster::SinkOptions options);
 
 /// Makes it, on all cores. The file appears when it is complete; stopped or failed, nothing is left behind. The scene's
 /// warnings are not in the report.

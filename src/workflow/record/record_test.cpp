@@ -81,7 +81,7 @@ TEST_F(Record, PreparedIsLookedAtAndThenMadeAlike) {
   scene.simulations.back().bits = 99;  // Another recording's mistake does not matter.
   const fs::path file = folder_ / "prepared.bin";
   fs::create_directories(folder_);
-  const PreparedRecording prepared = prepare_recording(scene, 0, file, false);
+  const PreparedRecording prepared = prepare_recording(scene, 0, file, {});
   EXPECT_FALSE(fs::exists(file));
   EXPECT_GT(prepared.estimate.seconds, 0.0);
   const RecordingReport made = make_recording(prepared, {});
@@ -91,8 +91,31 @@ TEST_F(Record, PreparedIsLookedAtAndThenMadeAlike) {
   EXPECT_EQ(made.engine, simulate::name_of(prepared.plan.engine.engine));
   (void)record(request_, {});
   EXPECT_EQ(bytes_of("prepared.bin"), bytes_of("sim.bin"));
-  EXPECT_THROW((void)prepare_recording(scene, 1, folder_ / "wrong.bin", false), core::Refused);
+  EXPECT_THROW((void)prepare_recording(scene, 1, folder_ / "wrong.bin", {}), core::Refused);
   EXPECT_THROW((void)make_recording(prepared, {}), std::runtime_error) << "the file is there and may not be replaced";
+}
+
+TEST_F(Record, PreparedHoldsWhatIsAskedForLikeARun) {
+  scene::Scene scene = *request_.scene;
+  scene.simulations[0].format = scene::FileFormat::npy;
+  scene.simulations[0].file = "sim.npy";
+  request_.scene = scene;
+  fs::create_directories(folder_);
+  std::string last;
+  for (const bool counts : {true, false}) {
+    const PreparedRecording prepared =
+        prepare_recording(scene, 0, folder_ / "prepared.npy", {.replace = true, .counts = counts, .doubles = !counts});
+    const RecordingReport made = make_recording(prepared, {});
+    EXPECT_EQ(made.counts, counts);
+    EXPECT_EQ(made.bytes, prepared.estimate.bytes);
+    request_.force = true;
+    request_.counts = counts;
+    request_.doubles = !counts;
+    (void)record(request_, {});
+    EXPECT_EQ(bytes_of("prepared.npy"), bytes_of("sim.npy"));
+    EXPECT_NE(bytes_of("sim.npy"), last);
+    last = bytes_of("sim.npy");
+  }
 }
 
 TEST_F(Record, DiscardingWritesNothing) {

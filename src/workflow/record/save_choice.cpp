@@ -5,7 +5,6 @@
 #include <system_error>
 #include <utility>
 
-#include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/script/writer.hpp"
 #include "workflow/record/plan_recording.hpp"
@@ -20,6 +19,18 @@ scene::Simulation chosen_simulation(const SaveChoice& choice, double largest_v) 
   if (choice.lsb == LsbChoice::measured) simulation.lsb_v = 0.0;
   if (choice.lsb == LsbChoice::estimated) simulation.lsb_v = estimated_lsb_v(largest_v, simulation.bits);
   return simulation;
+}
+
+SampleChoice chosen_samples(const SaveChoice& choice) {
+  return raster::holds_counts(choice.recording.format) ? SampleChoice::counts : choice.samples;
+}
+
+raster::SinkOptions sink_options_of(const SaveChoice& choice, bool replace) {
+  const SampleChoice samples = chosen_samples(choice);
+  return {.format = choice.recording.format,
+          .replace = replace,
+          .counts = samples == SampleChoice::counts,
+          .doubles = samples == SampleChoice::doubles};
 }
 
 scene::Scene with_simulation(scene::Scene scene, const scene::Simulation& simulation) {
@@ -54,8 +65,9 @@ SaveForecast forecast(const scene::Scene& scene, const SaveChoice& choice, doubl
   const bool with_script = raster::format_of(simulation.format).carries_script;
   const simulate::Product product = simulate::product_of(
       *planned.plan, with_script ? scene::write_script(with_simulation(scene, simulation)) : std::string());
-  const double bytes = raster::expected_bytes(product, {simulation.format, false, false, false});
-  SaveEstimate estimate = save_estimate(*planned.plan, bytes, largest_v, threads);
+  const double bytes = raster::expected_bytes(product, sink_options_of(choice, false));
+  const bool counts = chosen_samples(choice) == SampleChoice::counts;
+  SaveEstimate estimate = save_estimate(*planned.plan, bytes, largest_v, threads, counts);
   estimate.lsb_estimated = choice.lsb != LsbChoice::given;
   if (choice.lsb == LsbChoice::measured) estimate.lsb_v = 0.0;
   forecast.estimate = estimate;

@@ -5,6 +5,7 @@
 
 #include "core/report/problem.hpp"
 #include "core/task/stop.hpp"
+#include "raster/format/sinks.hpp"
 #include "scene/model/scene.hpp"
 #include "workflow/record/save_estimate.hpp"
 
@@ -17,6 +18,13 @@ enum class LsbChoice {
   given,
 };
 
+/// What a file holds where its format can hold either; the others hold counts.
+enum class SampleChoice {
+  volts,    ///< Not quantised, in single precision.
+  counts,   ///< Of the converter.
+  doubles,  ///< Volts in double precision.
+};
+
 /// Where the settings of a window go (thesis 4.5.2).
 enum class SaveTarget { disk, script, both };
 
@@ -25,6 +33,7 @@ struct SaveChoice {
   scene::Simulation
       recording;  ///< Radar, window, processing, sampling, bits and format; its LSB counts where it is given.
   LsbChoice lsb = LsbChoice::estimated;
+  SampleChoice samples = SampleChoice::volts;
   SaveTarget target = SaveTarget::disk;
   std::filesystem::path file;
 
@@ -35,6 +44,13 @@ struct SaveChoice {
 /// it is stored and run.
 /// @param largest_v  largest magnitude in the picture; 0: unknown
 [[nodiscard]] scene::Simulation chosen_simulation(const SaveChoice& choice, double largest_v);
+
+/// What its file will hold, whatever else is chosen.
+[[nodiscard]] SampleChoice chosen_samples(const SaveChoice& choice);
+
+/// How its file is to be written.
+/// @param replace  an existing file may be replaced
+[[nodiscard]] raster::SinkOptions sink_options_of(const SaveChoice& choice, bool replace);
 
 /// A scene with one more simulation, its last.
 [[nodiscard]] scene::Scene with_simulation(scene::Scene scene, const scene::Simulation& simulation);

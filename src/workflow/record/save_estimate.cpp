@@ -17,7 +17,8 @@ double estimated_lsb_v(double largest_v, int bits) {
   return spare * largest_v / steps;
 }
 
-SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double largest_v, unsigned threads) {
+SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double largest_v, unsigned threads,
+                           bool counts) {
   const simulate::Cost cost = simulate::estimated_cost(plan, std::max(threads, 1U));
   SaveEstimate estimate;
   estimate.rows = static_cast<double>(plan.rows);
@@ -26,7 +27,7 @@ SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double
   estimate.memory_bytes = cost.memory_bytes;
   estimate.lsb_estimated = !(plan.simulation.lsb_v > 0.0);
   // Counts need the largest magnitude before the first of them is written.
-  const double passes = passes_of(plan.simulation);
+  const double passes = passes_of(plan.simulation, counts);
   estimate.seconds = passes * cost.seconds_one_thread / std::max(threads, 1U);
   estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.simulation.bits) : plan.simulation.lsb_v;
   return estimate;

@@ -25,8 +25,9 @@ struct SaveEstimate {
 /// @param file_bytes  of its format
 /// @param largest_v   largest magnitude in the picture; 0: unknown
 /// @param threads     that will compute, at least 1
+/// @param counts      counts are asked for in formats that hold volts otherwise
 [[nodiscard]] SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double largest_v,
-                                         unsigned threads);
+                                         unsigned threads, bool counts = false);
 
 /// "512 x 1024 samples, 1.0 MB, about 3 s, 40 MB of memory; LSB 5.0344e-07 mV (estimated)".
 [[nodiscard]] std::string text_of(const SaveEstimate& estimate);
