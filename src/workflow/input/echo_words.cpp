@@ -12,6 +12,9 @@ namespace sarsim::workflow {
 
 namespace {
 
+// Points of a plane add up in phase to a mirror: they have no mean power of a resolution cell.
+constexpr const char* surfaces_left_out = "the echoes of surfaces, which interfere, are left out here";
+
 std::string one_echo(const simulate::TargetSight& sight) {
   return fmt::format("{:.4g} V of target {}", sight.amplitude_v, sight.target + 1);
 }
@@ -55,11 +58,13 @@ std::string off_beam_text(const simulate::TargetSight& sight) {
 }
 
 std::string echo_text(const scene::Scene& scene, const simulate::EchoSummary& summary) {
-  if (summary.sights.empty()) return {};
+  const std::string begin =
+      fmt::format("  simulation {} ({}): ", summary.simulation + 1, scene.simulations.at(summary.simulation).file);
+  if (summary.sights.empty()) return scene.surfaces.empty() ? "" : begin + surfaces_left_out + "\n";
   const bool all = summary.sights.size() == summary.in_window;
-  std::string text = fmt::format("  simulation {} ({}): {} of {} targets in the window{}\n", summary.simulation + 1,
-                                 scene.simulations.at(summary.simulation).file, summary.in_window, summary.targets,
-                                 all ? "" : fmt::format(", {} of them looked at", summary.sights.size()));
+  std::string text = begin + fmt::format("{} of {} targets in the window{}\n", summary.in_window, summary.targets,
+                                         all ? "" : fmt::format(", {} of them looked at", summary.sights.size()));
+  if (!scene.surfaces.empty()) text += std::string("    ") + surfaces_left_out + "\n";
   const simulate::TargetSight& strongest = summary.strongest();
   const simulate::TargetSight& weakest = summary.weakest();
   text += "    strongest echo " + one_echo(strongest);

@@ -10,7 +10,7 @@
 namespace sarsim::workflow {
 
 /// Lines, each with its end: strongest and weakest echo, SNR of a pulse and with all pulses added, how far targets are
-/// off the beam. Empty where no target is met.
+/// off the beam; that surfaces are left out, where there are some. Empty where there are none and no target is met.
 [[nodiscard]] std::string echo_text(const scene::Scene& scene, const simulate::EchoSummary& summary);
 
 /// The same as members of a JSON object that has been begun: `targets_in_window`, `strongest`, `weakest`.
