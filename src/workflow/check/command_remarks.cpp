@@ -13,6 +13,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "workflow/focus/focus.hpp"
+#include "workflow/focus/sar_looks.hpp"
 #include "workflow/search/doppler.hpp"
 #include "workflow/search/pulse_input.hpp"
 #include "workflow/search/search_checks.hpp"
@@ -25,8 +26,8 @@ namespace sarsim::workflow {
 namespace {
 
 constexpr double rest_mps = 1e-6;
-constexpr std::size_t most_focused_targets = 2000;
-constexpr std::int64_t least_pulses = 8;  // with fewer nobody makes maps or images
+constexpr std::size_t most_focus_looks = 1'000'000;  // half a second of two cores
+constexpr std::int64_t least_pulses = 8;             // with fewer nobody makes maps or images
 
 // How radar and targets move at the middle pulse.
 struct Movement {
@@ -76,6 +77,11 @@ Movement movement_of(const simulate::Plan& plan) {
     movement.moving = core::norm(geometry.pose(*platform).velocity_world_mps) > rest_mps;
   }
   return movement;
+}
+
+// As `SarLooks` takes them.
+std::size_t looks_at_targets(const simulate::Plan& plan) {
+  return std::min(static_cast<std::size_t>(plan.pulses.count()), SarLooks::usual_looks);
 }
 
 core::Problems remarks_on_pulses(const simulate::Plan& plan, std::size_t pulses, const core::WorkControl& control) {
@@ -133,7 +139,7 @@ class Asking {
          [&] { return isar(index); });
     take("focus",
          pulses && movement.radar && movement.aperture && !simulate::turns(plan.radar.beam) &&
-             plan.scene->scatterers.size() <= most_focused_targets,
+             plan.scene->scatterers.size() <= most_focus_looks / looks_at_targets(plan),
          [&] { return focus(index); });
   }
 

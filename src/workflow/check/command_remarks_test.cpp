@@ -109,6 +109,17 @@ TEST(RemarksOfCommands, NameFocusWhereTheRadarFliesPastTargetsThatRest) {
   EXPECT_THAT(said(movers), HasSubstr("note: sarsim focus: 1 of 2 targets (2) move or turn with their platform"));
 }
 
+// Of 1200 pulses and 834 targets nothing is said.
+TEST(RemarksOfCommands, DoNotLookAtMoreThanAMillionEchoesForFocus) {
+  scene::Scene scene = sar_scene(600.0, {{}});
+  scene.platforms.push_back(simulate::moving("Car", {}, {5.0, 0.0, 0.0}));
+  for (int i = 0; i < 832; ++i) scene.targets.push_back(simulate::target_on("Car", {}));
+  ASSERT_EQ(simulate::make_plan(scene, 0).pulses.count(), 1200);
+  EXPECT_THAT(said(scene), HasSubstr("sarsim focus: 832 of 833 targets"));
+  scene.targets.push_back(scene.targets.back());
+  EXPECT_EQ(said(scene), "");
+}
+
 TEST(RemarksOfCommands, AskEachCommandOnceForARadar) {
   scene::Scene scene = noisy(40.0);
   scene.simulations.push_back(scene.simulations[0]);
