@@ -44,12 +44,41 @@ double lead_pulses(const FocusFrame& frame, double range_m) {
   return range_m * tangent / frame.track.speed_mps * frame.prf_hz();
 }
 
-// Pulses over which echoes of a target sweep half the band between two of its images.
-double half_aperture_pulses(const FocusFrame& frame) {
-  const double band_hz = frame.options.doppler_bandwidth_hz > 0.0 ? frame.options.doppler_bandwidth_hz : frame.prf_hz();
+// By how much the Doppler frequency of a far target falls in a second.
+double far_rate_hzps(const FocusFrame& frame) {
   const double far_m = frame.range.at(static_cast<double>(frame.range.count)) / std::pow(frame.centroid_cosine, 3);
-  const double rate_hzps = 2.0 * std::pow(frame.track.speed_mps, 2) / (frame.wavelength_m() * far_m);
-  return std::min(0.5 * band_hz / rate_hzps * frame.prf_hz(), static_cast<double>(frame.pulses));
+  return 2.0 * std::pow(frame.track.speed_mps, 2) / (frame.wavelength_m() * far_m);
+}
+
+// Pulses over which echoes of a target sweep half the band between two of its images.
+double half_band_pulses(const FocusFrame& frame) {
+  const double band_hz = frame.options.doppler_bandwidth_hz > 0.0 ? frame.options.doppler_bandwidth_hz : frame.prf_hz();
+  return 0.5 * band_hz / far_rate_hzps(frame) * frame.prf_hz();
+}
+
+// The part of them that one flight can see.
+double half_aperture_pulses(const FocusFrame& frame) {
+  return std::min(half_band_pulses(frame), static_cast<double>(frame.pulses));
+}
+
+// Largest tangent of a direction in which a pulse meets a point of the image.
+double farthest_tangent(const FocusFrame& frame) {
+  const double last = static_cast<double>(frame.first_row) + static_cast<double>(frame.azimuth.count);
+  const double ahead =
+      std::max(std::abs(last), std::abs(static_cast<double>(frame.first_row) - static_cast<double>(frame.pulses)));
+  return ahead * frame.track.speed_mps * frame.track.interval_s / std::max(frame.range.at(0.0), frame.range.step_m);
+}
+
+// What a target's echoes reach beyond the Doppler frequencies of the directions it is seen in: three Fresnel zones and
+// three cells of resolution, and what the direction of a Doppler frequency changes over the sampled band.
+double blurred_pulses(const FocusFrame& frame) {
+  const double rate_hzps = far_rate_hzps(frame);
+  const double flight_s = static_cast<double>(frame.pulses) * frame.track.interval_s;
+  const double tangent = farthest_tangent(frame);
+  const double far_m = frame.range.at(static_cast<double>(frame.range.count));
+  const double turned_m = frame.half_band_share() * tangent * (1.0 + tangent * tangent) * far_m;
+  return (3.0 / std::sqrt(rate_hzps) + 3.0 / (rate_hzps * flight_s) + turned_m / frame.track.speed_mps) *
+         frame.prf_hz();
 }
 
 // Adds rows so that the image covers an area.
@@ -75,7 +104,11 @@ void set_azimuth_axis(FocusFrame& frame) {
   if (frame.options.azimuth_area) reach_area(frame, *frame.options.azimuth_area);
   frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_row));
   frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
-  frame.azimuth_size = core::good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(half_aperture)));
+  // What lies beyond the image and one flight and a blur more is kept out of it.
+  const double blurred = blurred_pulses(frame);
+  const double beyond = std::min(half_band_pulses(frame), static_cast<double>(frame.pulses) + blurred);
+  frame.azimuth_size = core::good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(beyond)));
+  frame.blur_m = blurred * frame.track.speed_mps * frame.track.interval_s;
   frame.doppler_middle_hz = frame.options.doppler_centroid_hz;
 }
 
@@ -143,6 +176,18 @@ double FocusFrame::doppler_hz(std::size_t row) const {
 // Of the second order in V/c, which the Doppler shift of radar/path does not have.
 double FocusFrame::motion_doppler_hz(double hz) const {
   return 2.0 * hz * std::pow(track.speed_mps / waveform.light_speed_mps, 2);
+}
+
+FocusFrame::Sines FocusFrame::sines_at(double range_m) const {
+  CORE_EXPECT(range_m > 0.0);
+  const double first_m = track.speed_mps * track.time_s(0.0);
+  const double last_m = track.speed_mps * track.time_s(static_cast<double>(pulses) - 1.0);
+  const double low = (azimuth.first_m - last_m - blur_m) / range_m;
+  const double high = (azimuth.at(static_cast<double>(azimuth.count)) - first_m + blur_m) / range_m;
+  const double low_sine = low / std::hypot(1.0, low);
+  const double high_sine = high / std::hypot(1.0, high);
+  const double share = half_band_share();
+  return {low_sine - share * std::abs(low_sine), high_sine + share * std::abs(high_sine)};
 }
 
 double FocusFrame::sine(double doppler_hz) const {

@@ -36,6 +36,7 @@ struct FocusFrame {
   ImageAxis shown_range;           ///< The part of `range` that is.
   std::size_t hidden_rows = 0;     ///< Before it.
   std::size_t hidden_columns = 0;  ///< Before it.
+  double blur_m = 0.0;  ///< By which responses are wider along the track than the directions they are seen in.
   double reference_range_m = 0.0;  ///< Closest distance at the middle of the swath.
   double centroid_cosine = 1.0;    ///< D at the Doppler centroid.
 
@@ -51,6 +52,15 @@ struct FocusFrame {
   [[nodiscard]] double motion_doppler_hz(double hz) const;
   /// sin of the angle between the line of sight and the plane across track: wavelength f/(2 V).
   [[nodiscard]] double sine(double doppler_hz) const;
+  /// Half of the sampled band, in parts of the carrier.
+  [[nodiscard]] double half_band_share() const { return 0.5 * waveform.sample_rate_hz / waveform.carrier_hz; }
+  /// Sines of directions, lowest and highest.
+  struct Sines {
+    double low = -1.0;
+    double high = 1.0;
+  };
+  /// Those in which the pulses see what the image shows at a closest distance, above 0.
+  [[nodiscard]] Sines sines_at(double range_m) const;
   /// Frequency of a bin of a range spectrum, in [-fs/2, fs/2).
   [[nodiscard]] double range_hz(std::size_t bin) const;
   /// The same of the spectrum of the image's rows, from the middle of its range frequencies.

@@ -54,6 +54,7 @@ std::vector<float> range_weights(const FocusFrame& frame) {
 
 // What a row of the azimuth spectrum is multiplied by, apart from what depends on range.
 struct DopplerRow {
+  double sine = 0.0;    ///< Of the direction.
   double cosine = 1.0;  ///< D.
   float weight = 0.0F;  ///< 0 for frequencies that no direction has.
 };
@@ -70,6 +71,7 @@ std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
     const double hz = frame.doppler_hz(k);
     const double sine = frame.sine(hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
     if (!(std::abs(sine) < most_sine)) continue;
+    rows[k].sine = sine;
     rows[k].cosine = std::sqrt(1.0 - sine * sine);
     const double kept = band_hz > 0.0 ? weight((hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
     rows[k].weight = static_cast<float>(kept / std::pow(rows[k].cosine, 1.5));
@@ -208,8 +210,14 @@ class Focuser {
       }
       const double spread = std::sqrt(range_m);
       const auto size = static_cast<float>(band ? scale / spread : scale * spread);
+      // What lies beyond the image would come back on its other side, and noise from there with it.
+      const FocusFrame::Sines seen = frame_.sines_at(range_m);
       for (std::size_t k = 0; k < column.size(); ++k) {
         if (rows[k].weight == 0.0F) continue;
+        if (!(rows[k].sine >= seen.low && rows[k].sine <= seen.high)) {
+          column[k] = {};
+          continue;
+        }
         const double turns =
             focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns + flown * range_m / rows[k].cosine;
         column[k] = size * rows[k].weight * core::product(column[k], core::turned(turns));
