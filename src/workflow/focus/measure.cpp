@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/envi.hpp"
@@ -130,6 +131,14 @@ void expect_free_pictures(const MeasureRequest& request, const std::vector<Targe
                           "name another folder, or --force");
 }
 
+// Of a peak, carried from where it was found to a place near it.
+double phase_at(const signal::FocusedImage& image, const signal::PointResponse& found,
+                const signal::ImagePlace& place) {
+  const double turns = image.azimuth.spectrum_centre_per_m * (place.azimuth_m - found.place.azimuth_m) +
+                       image.range.spectrum_centre_per_m * (place.range_m - found.place.range_m);
+  return std::remainder(found.phase_rad + 2.0 * core::pi * turns, 2.0 * core::pi);
+}
+
 // The peak near the target's place, unless noise alone may make one as large.
 void measure_target(const MeasuredImage& opened, const signal::ImageReader& reader, const MeasureRequest& request,
                     bool cuts, MeasuredTarget& target) {
@@ -147,6 +156,8 @@ void measure_target(const MeasuredImage& opened, const signal::ImageReader& read
       signal::measure_point(opened.image, reader, theory.place, target.search_m, cuts ? &target.cuts : nullptr);
   if (!target.found) return;
   target.peak_v = target.found->amplitude;
+  // A response a little off its place is turned by the image's carrier on the way there, which its place says already.
+  target.found->phase_rad = phase_at(opened.image, *target.found, theory.place);
   if (target.peak_v * target.peak_v > target.threshold * target.noise_v * target.noise_v) return;
   target.found.reset();
   target.cuts = {};

@@ -32,7 +32,8 @@ struct MeasureRequest {
 /// A target as it should be and as it is.
 struct MeasuredTarget {
   TargetTheory theory;
-  std::optional<signal::PointResponse> found;  ///< A peak above the threshold.
+  /// A peak above the threshold; its phase carried by the image's carrier to the place that theory has.
+  std::optional<signal::PointResponse> found;
   double noise_v = 0.0;    ///< Root mean square of what the image shows beside its points, near this place; 0: nothing.
   double threshold = 0.0;  ///< Power over that of the noise that a peak in the area searched has to exceed.
   double search_m = 0.0;   ///< How far from its place, in both coordinates, it was looked for.
