@@ -72,14 +72,14 @@ Determinant determinant_of(const std::vector<double>& diagonal, const std::vecto
   return d;
 }
 
-// Columns of a factor L of a correlation matrix, R = L L^H to within 1/1000 of its trace, in the order of the largest
+// Columns of a factor L of a correlation matrix, R = L L^H to within 1/10000 of its trace, in the order of the largest
 // pivots. The first cell is never a pivot: its row of L is its regression on the others.
 std::vector<std::vector<Complex>> main_columns(const std::vector<Complex>& matrix, std::size_t size) {
   std::vector<std::vector<Complex>> columns;
   std::vector<double> left(size, 1.0);
   left[0] = 0.0;
   double rest = static_cast<double>(size - 1);
-  while (columns.size() + 1 < size && rest > 1e-3 * static_cast<double>(size - 1)) {
+  while (columns.size() + 1 < size && rest > 1e-4 * static_cast<double>(size - 1)) {
     const auto at = static_cast<std::size_t>(std::ranges::max_element(left) - left.begin());
     const double root = std::sqrt(left[at]);
     std::vector<Complex> column(size);
@@ -96,62 +96,108 @@ std::vector<std::vector<Complex>> main_columns(const std::vector<Complex>& matri
   return columns;
 }
 
-// A draw of the reference whose energy over all dimensions is 1: its statistic, and the power of the cell that it
-// predicts, both over the power of the cell that stays unpredictable.
+// The share of the cell's power that its reference does not predict.
+double uncertain_power(const std::vector<std::vector<Complex>>& columns) {
+  double uncertain = 1.0;
+  for (const auto& column : columns) uncertain -= std::norm(column[0]);
+  return std::max(uncertain, 1e-6);
+}
+
+// How much more often than they occur such draws are made as give false alarms: by exp(reference P + cell c), P the
+// power of all reference cells and c that which they predict of the cell.
+struct Tilt {
+  double reference = 0.0;
+  double cell = 0.0;
+};
+
+// By the law of cells whose power exceeds `factor` times the mean of their reference all but always.
+Tilt tilt_of(double factor, std::size_t size, double uncertain) {
+  constexpr double share = 0.95;  // of the tilt at which the law ceases to be one
+  return {-share * factor / static_cast<double>(size - 1), share / (1.0 - share * uncertain)};
+}
+
+// The columns of a factor of the tilted correlation matrix; what their determinant changes.
+struct TiltedColumns {
+  std::vector<std::vector<Complex>> columns;
+  double log_determinant = 0.0;
+};
+
+// With z of the tilted law, z^H (I - tilt) z = |w|^2 for w = C^H z, C C^H = I - tilt by Cholesky: L z = (L C^-H) w.
+TiltedColumns tilted(const std::vector<std::vector<Complex>>& columns, std::size_t size, const Tilt& tilt) {
+  const std::size_t count = columns.size();
+  TiltedColumns made{columns, 0.0};
+  std::vector<std::vector<Complex>> c(count, std::vector<Complex>(count));
+  for (std::size_t a = 0; a < count; ++a) {
+    for (std::size_t b = 0; b <= a; ++b) {
+      Complex sum = a == b ? 1.0 : 0.0;
+      for (std::size_t i = 0; i < size; ++i)
+        sum -= (i == 0 ? tilt.cell : tilt.reference) * std::conj(columns[a][i]) * columns[b][i];
+      for (std::size_t k = 0; k < b; ++k) sum -= c[a][k] * std::conj(c[b][k]);
+      c[a][b] = a == b ? std::sqrt(std::max(sum.real(), 1e-12)) : sum / c[b][b];
+    }
+    made.log_determinant += 2.0 * std::log(c[a][a].real());
+  }
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t a = 0; a < count; ++a) {
+      Complex sum = columns[a][i];
+      for (std::size_t k = 0; k < a; ++k) sum -= std::conj(c[a][k]) * made.columns[k][i];
+      made.columns[a][i] = sum / c[a][a].real();
+    }
+  return made;
+}
+
+// A draw of the reference: its statistic and the power of the cell that it predicts, both over the power of the
+// cell that stays unpredictable, and how often it occurs.
 struct Draw {
   double statistic = 0.0;
   double known = 0.0;
+  double weight = 1.0;
 };
 
-std::vector<Draw> draws_of(const std::vector<std::vector<Complex>>& columns, std::size_t size, std::size_t rank) {
-  double uncertain = 1.0;
-  for (const auto& column : columns) uncertain -= std::norm(column[0]);
-  uncertain = std::max(uncertain, 1e-6);
-  const std::size_t work = size * columns.size();
-  std::vector<Draw> draws(
-      std::clamp<std::size_t>((std::size_t{1} << 25) / std::max<std::size_t>(work, 1), 4000, 65536));
+std::vector<Draw> draws_of(const std::vector<std::vector<Complex>>& columns, std::size_t size, std::size_t rank,
+                           double factor) {
+  const double uncertain = uncertain_power(columns);
+  const Tilt tilt = tilt_of(factor, size, uncertain);
+  const TiltedColumns drawn = tilted(columns, size, tilt);
+  const std::size_t work = std::max<std::size_t>(size * columns.size(), 1);
+  std::vector<Draw> draws(std::clamp<std::size_t>((std::size_t{1} << 25) / work, 4000, 65536));
   const core::RandomStream random(1, core::RandomKind::receiver_noise, core::name_key("cfar calibration"));
   std::vector<double> power(size);
   std::vector<Complex> cells(size);
   for (std::size_t d = 0; d < draws.size(); ++d) {
     std::ranges::fill(cells, Complex());
-    double energy = 0.0;
-    for (std::size_t c = 0; c < columns.size(); ++c) {
+    for (std::size_t c = 0; c < drawn.columns.size(); ++c) {
       const auto [re, im] = random.normals(static_cast<std::int64_t>(d), static_cast<std::int64_t>(c));
       const Complex w = std::sqrt(0.5) * Complex(re, im);
-      energy += std::norm(w);
-      for (std::size_t i = 0; i < size; ++i) cells[i] += w * columns[c][i];
+      for (std::size_t i = 0; i < size; ++i) cells[i] += w * drawn.columns[c][i];
     }
-    for (std::size_t i = 0; i < size; ++i) power[i] = std::norm(cells[i]);
+    double reference = 0.0;
+    for (std::size_t i = 0; i < size; ++i) reference += power[i] = std::norm(cells[i]);
+    reference -= power[0];
     const auto at = power.begin() + static_cast<std::ptrdiff_t>(rank);
     std::nth_element(power.begin() + 1, at, power.end());
-    draws[d] = {*at / (energy * uncertain), power[0] / (energy * uncertain)};
+    const double tilted_by = tilt.reference * reference + tilt.cell * power[0];
+    draws[d] = {*at / uncertain, power[0] / uncertain, std::exp(-tilted_by - drawn.log_determinant)};
   }
   return draws;
 }
 
-// Probability that a cell exceeds t times the draw's energy E, gamma distributed of `dimensions`, where E m of its
-// power is known: Marcum's function is the probability of J <= K, J and K Poisson of means E t and E m, which the
-// distribution of E turns into negative binomial numbers: J, and K given J.
-double exceedance(double t, double m, double dimensions) {
-  double chance_of_j = std::pow(1.0 + t, -dimensions);
-  double sum = chance_of_j;
-  const double p = m / (1.0 + t + m);
-  if (!(p > 1e-9)) return sum;
-  double none = std::pow(1.0 - p, dimensions);
-  for (int j = 1; j < 100; ++j) {
-    chance_of_j *= (dimensions + j - 1.0) / j * t / (1.0 + t);
-    none *= 1.0 - p;
-    double first = 1.0;  // C(d + 2j - 1, j) p^j: the chance of K = j, over that of none
-    for (int i = 1; i <= j; ++i) first *= (dimensions + j + i - 1.0) / i * p;
-    double tail = 0.0, term = first;
-    for (int i = j; i < j + 200 && term > 1e-6 * tail; ++i) {
-      tail += term;
-      term *= (dimensions + j + i) / (i + 1.0) * p;
-    }
-    const double more = chance_of_j * std::min(1.0, none * tail);
+// Probability that a complex normal number of variance 1 about one of the power m has a power above t: Marcum's
+// function, the chance of J <= K for J and K Poisson of means t and m.
+double exceedance(double t, double m) {
+  constexpr double largest = 600.0;  // exp(-m) is a number
+  if (m > largest) return m > t ? 1.0 : 0.0;
+  double chance_of_k = std::exp(-m);
+  double chance_of_j = std::exp(-t);
+  double up_to_k = chance_of_j;
+  double sum = chance_of_k * up_to_k;
+  for (int k = 1; k < 2000; ++k) {
+    chance_of_k *= m / k;
+    chance_of_j *= t / k;
+    up_to_k += chance_of_j;
+    const double more = chance_of_k * up_to_k;
     sum += more;
-    if (more < 1e-5 * sum) break;
+    if (k > m && more < 1e-6 * sum) break;
   }
   return sum;
 }
@@ -257,16 +303,15 @@ double correlated_statistic_factor(const std::vector<Complex>& matrix, std::size
   CORE_EXPECT(size > 1 && matrix.size() == size * size);
   CORE_EXPECT(rank > 0 && rank < size);
   CORE_EXPECT(false_alarm > 0.0 && false_alarm < 1.0);
+  double before = ordered_statistic_factor(size - 1, rank, false_alarm);
   const auto columns = main_columns(matrix, size);
-  const std::vector<Draw> draws = draws_of(columns, size, rank);
-  const auto dimensions = static_cast<double>(columns.size());
+  const std::vector<Draw> draws = draws_of(columns, size, rank, before);
   const auto off = [&](double factor) {
     double sum = 0.0;
-    for (const Draw& draw : draws) sum += exceedance(factor * draw.statistic, draw.known, dimensions);
+    for (const Draw& draw : draws) sum += draw.weight * exceedance(factor * draw.statistic, draw.known);
     return std::log(sum / static_cast<double>(draws.size()) / false_alarm);
   };
   // Secants: ln P is smooth and falls.
-  double before = ordered_statistic_factor(size - 1, rank, false_alarm);
   double factor = 1.1 * before;
   double off_before = off(before);
   for (int i = 0; i < 20; ++i) {
