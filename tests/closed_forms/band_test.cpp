@@ -37,7 +37,6 @@ scene::Scene one_echo(scene::Radar::Pulse pulse, scene::PulseDefinition definiti
   test::add_target(scene, {2001.3, 0.0, 0.0});
   test::set_window(scene, 1000.0, 3500.0, 400e6);
   scene.simulations[0].oversampling = 8.0;
-  scene.simulations[0].width_factor = 100.0;
   return scene;
 }
 
@@ -64,6 +63,20 @@ TEST(BandLimitedEcho, HasLessThanAMillionthOfItsEnergyOutsideItsBand) {
     EXPECT_GT(hard_db, c.hard_db);
     EXPECT_LT(soft_db, -100.0);
   }
+}
+
+// The kept length that nobody chose keeps what the name promises; the classic profile cuts as the programs of 1998 did.
+TEST(BandLimitedEcho, IsCutWhereAScriptOrTheClassicProfileSaysSo) {
+  scene::Scene scene = one_echo(scene::Radar::Pulse::chirp, scene::PulseDefinition::band_limited);
+  EXPECT_LT(energy_outside_db(test::recorded(scene).samples, 400e6, 25e6), -100.0);
+  scene.simulations[0].width_factor = 1.0;
+  const double cut_db = energy_outside_db(test::recorded(scene).samples, 400e6, 25e6);
+  EXPECT_GT(cut_db, -35.0);
+  EXPECT_LT(cut_db, -20.0);
+  scene.options.profile = scene::Profile::classic;
+  const auto said = test::recorded(scene).samples;
+  scene.simulations[0].width_factor = 0.0;
+  EXPECT_EQ(test::recorded(scene).samples, said);
 }
 
 TEST(BandLimitedEcho, BetweenSamplesIsWhatTheSamplesSay) {

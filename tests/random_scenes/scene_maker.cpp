@@ -253,7 +253,7 @@ class SceneMaker {
       s.oversampling = chance_.coin() ? chance_.between(1.0, 4.0) : 1.0;
     };
     draws[field<&S::width_factor>()] = [this](S& s) {
-      s.width_factor = chance_.coin() ? chance_.between(1.0, 3.0) : 1.0;
+      s.width_factor = chance_.coin() ? chance_.between(1.0, 3.0) : 0.0;
     };
     return drawn(chance_, begun, draws);
   }

@@ -135,17 +135,22 @@ void check_oversampling(Findings& findings, const Simulation& simulation, const 
 }
 
 // The filter of a band-limited pulse rings for 28 half bands before and after it (decision 7); what is cut off leaks.
-void check_kept_length(Findings& findings, const Simulation& simulation, const Radar& radar, PulseDefinition pulse) {
+void check_kept_length(Findings& findings, const Simulation& simulation, const Radar& radar,
+                       const RunOptions& options) {
   const auto bandwidth_hz = nominal_bandwidth_hz(radar);
-  if (pulse != PulseDefinition::band_limited || !(simulation.oversampling > 1.0) || !bandwidth_hz) return;
+  if (options.pulse != PulseDefinition::band_limited || !(simulation.oversampling > 1.0) || !bandwidth_hz) return;
   const double whole = 1.0 + 112.0 / std::max(1.0, *bandwidth_hz * radar.pulse_width_s);
   const double wanted = std::min(std::ceil(10.0 * whole) / 10.0, 100.0);
-  if (simulation.width_factor >= wanted || !(simulation.width_factor >= 1.0)) return;
+  // The classic profile takes 0 for 1.
+  const double kept =
+      simulation.width_factor == 0.0 && options.profile == Profile::classic ? 1.0 : simulation.width_factor;
+  if (kept >= wanted || !(kept >= 1.0)) return;
   findings.warning(
       Consequence::false_signal, "width_factor",
       {.message = "the kept length cuts the band-limited pulse off, which is then no longer band-limited",
        .found = value_text(simulation.width_factor, ""),
-       .expected = fmt::format("{:.1f}, which keeps all of it, or an over-sampling factor of 1", wanted),
+       .expected = fmt::format("0 or {:.1f}, which keep all of it{}, or an over-sampling factor of 1", wanted,
+                               options.profile == Profile::classic ? " (0 with the physical profile only)" : ""),
        .hint =
            "Cut to its own length, a chirp has -26 dB of its energy outside its band; kept whole, -120 dB or less."});
 }
@@ -234,7 +239,7 @@ void check_plausible_simulation(Findings& findings, const Scene& scene, const Si
                                 const Radar& radar, const radar::PulseRange& pulses) {
   check_extension(findings, simulation);
   check_single_precision(findings, simulation, scene.options);
-  check_kept_length(findings, simulation, radar, scene.options.pulse);
+  check_kept_length(findings, simulation, radar, scene.options);
   check_oversampling(findings, simulation, radar);
   const auto repetition = repetition_of(radar);
   if (!repetition) return;

@@ -98,11 +98,16 @@ TEST(CheckPlausible, WarnsOfAFileNameOfAnotherFormat) {
 
 // 112/(B Tp) of its width is what the filter adds: 1 + 112/80 = 2.4.
 TEST(CheckPlausible, WarnsOfABandLimitedPulseThatIsCut) {
-  Scene scene = with([](Radar&, Simulation& s) { s.oversampling = 1.5; });
+  Scene scene = with([](Radar&, Simulation& s) { s.oversampling = 1.5, s.width_factor = 1.0; });
   scene.options.pulse = PulseDefinition::band_limited;
-  EXPECT_THAT(expect_warning(scene, simulation_field("width_factor")).expected, HasSubstr("2.4, which keeps all"));
-  scene.simulations[0].width_factor = 2.4;
-  EXPECT_TRUE(check(scene).empty());
+  EXPECT_THAT(expect_warning(scene, simulation_field("width_factor")).expected, HasSubstr("0 or 2.4, which keep all"));
+  for (const double whole : {2.4, 0.0}) {
+    scene.simulations[0].width_factor = whole;
+    EXPECT_TRUE(check(scene).empty()) << whole;
+  }
+  // The classic profile keeps one width where nothing is said.
+  scene.options.profile = Profile::classic;
+  expect_warning(scene, simulation_field("width_factor"));
 }
 
 TEST(CheckPlausible, NotesWhatVoltsInSinglePrecisionCannotHold) {

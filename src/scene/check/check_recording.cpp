@@ -107,7 +107,8 @@ bool check_row_length(Findings& findings, const Simulation& simulation, const Ra
   const auto band_hz = nominal_bandwidth_hz(radar);
   const bool own_band = pulse == PulseDefinition::band_limited && simulation.oversampling > 1.0 && band_hz;
   const double skirts_s = own_band ? 112.0 / std::max(*band_hz, 1.0 / radar.pulse_width_s) : 0.0;
-  const double pulse_samples = (radar.pulse_width_s * simulation.width_factor + skirts_s) * simulation.sample_rate_hz;
+  const double pulse_samples =
+      (radar.pulse_width_s * std::max(simulation.width_factor, 1.0) + skirts_s) * simulation.sample_rate_hz;
   if (!kept || !(pulse_samples > longest_row)) return true;
   report_long_row(
       findings, "sample_rate_hz", "a pulse", pulse_samples,
@@ -150,16 +151,21 @@ void check_file(Findings& findings, std::string_view file) {
 
 // Only a band-limited pulse is shaped by them (decision 7).
 void check_pulse_factors(Findings& findings, const Simulation& simulation, PulseDefinition pulse) {
+  if (simulation.width_factor > 0.0 && simulation.width_factor < 1.0)
+    findings.error("width_factor", {.message = "the kept length of a band-limited pulse is below its nominal length",
+                                    .found = value_text(simulation.width_factor, ""),
+                                    .expected = "0, which keeps all of it, or 1 to 100 pulse widths",
+                                    .hint = {}});
   const bool numbers =
       is_sound<&Simulation::oversampling>(simulation) && is_sound<&Simulation::width_factor>(simulation);
   if (!numbers || pulse != PulseDefinition::ideal) return;
-  if (simulation.oversampling == 1.0 && simulation.width_factor == 1.0) return;
+  if (simulation.oversampling == 1.0 && simulation.width_factor <= 1.0) return;
   findings.note(
       simulation.oversampling == 1.0 ? "width_factor" : "oversampling",
       {.message = "the pulse is ideal: its over-sampling factor and kept length have no effect",
        .found =
            fmt::format("{} and {}", value_text(simulation.oversampling, ""), value_text(simulation.width_factor, "")),
-       .expected = "1 and 1, or a pulse that is limited to its band",
+       .expected = "1 and 0, or a pulse that is limited to its band",
        .hint =
            simulation.oversampling == 1.0
                ? "They take effect with PULSE BAND_LIMITED in $OPTIONS (or --pulse band-limited) and a factor above 1."

@@ -135,7 +135,7 @@ TEST(CheckRecording, HoldsTheBitsBetween1And64AndWarnsAbove53) {
 
 TEST(CheckRecording, RefusesANegativeLsbAndFactorsOutOfRange) {
   expect_error(with_simulation([](Simulation& s) { s.lsb_v = -1e-9; }), simulation_field("lsb_v"));
-  for (const double factor : {0.99, 101.0}) {
+  for (const double factor : {0.99, 1e-300, 101.0}) {
     expect_error(with_simulation([&](Simulation& s) { s.oversampling = factor; }), simulation_field("oversampling"));
     expect_error(with_simulation([&](Simulation& s) { s.width_factor = factor; }), simulation_field("width_factor"));
   }

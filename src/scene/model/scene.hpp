@@ -188,7 +188,8 @@ struct Simulation {
   std::string file = "sim1.bin";
   PulsePosition pulse_position = PulsePosition::begin;
   double oversampling = 1.0;  ///< Above 1 a band-limited pulse keeps only its nominal bandwidth.
-  double width_factor = 1.0;  ///< Kept length of such a pulse, in pulse widths.
+  /// Kept length of such a pulse, in pulse widths. 0: all of it; in the classic profile, its nominal length.
+  double width_factor = 0.0;
 
   friend bool operator==(const Simulation&, const Simulation&) = default;
 };

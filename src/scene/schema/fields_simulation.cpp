@@ -83,8 +83,10 @@ void add_pulse_choices(FieldTable<Simulation>& table) {
                                         .label = "New width",
                                         .words = "kept length of a band-limited pulse in pulse widths",
                                         .noun = "pulse width factor",
-                                        .range = {1.0, 100.0},
-                                        .tip = "Length of a band-limited pulse that is kept, in pulse widths.",
+                                        .range = {0.0, 100.0},
+                                        .tip = "Length of a band-limited pulse that is kept, in pulse widths, 1 or "
+                                               "more; 0 keeps all of it (in the classic profile: 1).",
+                                        .detail = "0 keeps all of it (classic: 1)",
                                         .rare = true});
 }
 

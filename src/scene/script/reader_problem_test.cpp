@@ -80,9 +80,9 @@ TEST(ReaderProblem, RejectsWhatIsOutsideTheLimitsOfTheLanguage) {
 }
 
 TEST(ReaderProblem, RejectsRecordingsOutsideTheLimitsOfTheLanguage) {
-  for (const char* text :
-       {"0 1 0 ASC RAW f BEG", "65 1 0 ASC RAW f BEG", "8 0 0 ASC RAW f BEG", "8 -1 0 ASC RAW f BEG",
-        "8 1 0 ASC RAW f BEG 0.9", "8 1 0 ASC RAW f BEG 101", "8 1 0 ASC RAW f BEG 1 0", "8 1 0 ASC RAW f BEG 1 101"}) {
+  for (const char* text : {"0 1 0 ASC RAW f BEG", "65 1 0 ASC RAW f BEG", "8 0 0 ASC RAW f BEG", "8 -1 0 ASC RAW f BEG",
+                           "8 1 0 ASC RAW f BEG 0.9", "8 1 0 ASC RAW f BEG 101", "8 1 0 ASC RAW f BEG 1 -1",
+                           "8 1 0 ASC RAW f BEG 1 101"}) {
     const core::Problem problem = only_problem("$SIM R 1 2 3 4 " + std::string(text));
     EXPECT_TRUE(holds(problem.message, "out of range")) << text << problem.message;
   }

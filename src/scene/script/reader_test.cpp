@@ -83,11 +83,11 @@ TEST(ReadScript, ReadsAnExampleOfTheCurrentDialect) {
   EXPECT_EQ(simulation.file, "out.bin");
 }
 
-TEST(ReadScript, TakesTheOverSamplingFieldsAsOneWhereTheyAreAbsent) {
-  EXPECT_EQ(read_clean(simulation_with("ASC RAW f BEGIN")).simulations.at(0).width_factor, 1.0);
+TEST(ReadScript, TakesTheirDefaultsWhereTheOverSamplingFieldsAreAbsent) {
+  EXPECT_EQ(read_clean(simulation_with("ASC RAW f BEGIN")).simulations.at(0).width_factor, 0.0);
   const Scene half = read_clean(simulation_with("ASC RAW f BEGIN 3"));
   EXPECT_EQ(half.simulations.at(0).oversampling, 3.0);
-  EXPECT_EQ(half.simulations.at(0).width_factor, 1.0);
+  EXPECT_EQ(half.simulations.at(0).width_factor, 0.0);
 }
 
 TEST(ReadScript, TellsGainsByTheNumberOfValuesBehindThePower) {

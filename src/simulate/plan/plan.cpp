@@ -39,7 +39,9 @@ radar::EchoPulse echo_pulse(const ResolvedRadar& radar, const scene::Simulation&
     // A chirp of less than a cycle is no narrower than a pulse without one.
     const double own_band_hz = std::max(radar::bandwidth_hz(radar.pulse), 1.0 / radar.pulse.width_s);
     const double half_band_hz = 0.5 * (nominal ? own_band_hz : simulation.sample_rate_hz);
-    const double kept_s = nominal ? simulation.width_factor * radar.pulse.width_s : 0.0;
+    const double kept_widths =
+        simulation.width_factor > 0.0 ? simulation.width_factor : scene.conventions.usual_kept_widths;
+    const double kept_s = nominal ? kept_widths * radar.pulse.width_s : 0.0;
     pulse.band_limited.emplace(radar.pulse, half_band_hz, 1.0 / interval_s, kept_s);
   }
   return pulse;

@@ -21,6 +21,7 @@ Conventions conventions_of(scene::Profile profile) {
   conventions.noise = Conventions::Noise::per_bandwidth;
   conventions.stc = Conventions::Stc::no_spreading;
   conventions.reception = Conventions::Reception::own_pulse;
+  conventions.usual_kept_widths = 1.0;
   return conventions;
 }
 

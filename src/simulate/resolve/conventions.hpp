@@ -21,6 +21,8 @@ struct Conventions {
 
   double light_speed_mps = 0.0;
   double boltzmann_j_per_k = 0.0;
+  /// What is kept of a pulse that is limited to its own band where a simulation does not say; 0: all (decision 7).
+  double usual_kept_widths = 0.0;
   radar::PatternRule pattern = radar::PatternRule::amplitude;
   radar::PointingRule pointing = radar::PointingRule::boresight;
   core::LowPassRule low_pass = core::LowPassRule::first_knot;
