@@ -46,9 +46,9 @@ class CorrelatedMean {
 };
 
 /// Factor on the `rank`-th smallest of correlated reference cells for a P between 0 and 1: that at which the mean of
-/// the probability given the reference is P. The mean is over draws of the reference from fixed random numbers, made by a law under
-/// which false alarms are common, and weighted by how common the draws truly are (importance sampling). Right to about
-/// 2 %.
+/// the probability given the reference is P. The mean is over draws of the reference from fixed random numbers, made by
+/// a law under which false alarms are common, and weighted by how common the draws truly are (importance sampling).
+/// Right to about 2 %.
 /// @param matrix  R by rows, the cell itself first; Hermitian, 1 on its diagonal
 [[nodiscard]] double correlated_statistic_factor(const std::vector<std::complex<double>>& matrix, std::size_t size,
                                                  std::size_t rank, double false_alarm);
