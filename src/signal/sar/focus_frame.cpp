@@ -69,7 +69,7 @@ double farthest_tangent(const FocusFrame& frame) {
   return ahead * frame.track.speed_mps * frame.track.interval_s / std::max(frame.range.at(0.0), frame.range.step_m);
 }
 
-// What a target's echoes reach beyond the Doppler frequencies of the directions it is seen in: three Fresnel zones and
+// What a target's echoes reach beyond the Doppler frequencies of the directions it is seen in: four Fresnel zones and
 // three cells of resolution, and what the direction of a Doppler frequency changes over the sampled band.
 double blurred_pulses(const FocusFrame& frame) {
   const double rate_hzps = far_rate_hzps(frame);
@@ -77,7 +77,7 @@ double blurred_pulses(const FocusFrame& frame) {
   const double tangent = farthest_tangent(frame);
   const double far_m = frame.range.at(static_cast<double>(frame.range.count));
   const double turned_m = frame.half_band_share() * tangent * (1.0 + tangent * tangent) * far_m;
-  return (3.0 / std::sqrt(rate_hzps) + 3.0 / (rate_hzps * flight_s) + turned_m / frame.track.speed_mps) *
+  return (4.0 / std::sqrt(rate_hzps) + 3.0 / (rate_hzps * flight_s) + turned_m / frame.track.speed_mps) *
          frame.prf_hz();
 }
 

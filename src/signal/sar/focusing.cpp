@@ -214,18 +214,28 @@ class Focuser {
       const FocusFrame::Sines seen = frame_.sines_at(range_m);
       for (std::size_t k = 0; k < column.size(); ++k) {
         if (rows[k].weight == 0.0F) continue;
-        if (!(rows[k].sine >= seen.low && rows[k].sine <= seen.high)) {
+        const float inside = share_inside(rows[k], seen, range_m);
+        if (inside == 0.0F) {
           column[k] = {};
           continue;
         }
         const double turns =
             focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns + flown * range_m / rows[k].cosine;
-        column[k] = size * rows[k].weight * core::product(column[k], core::turned(turns));
+        column[k] = inside * size * rows[k].weight * core::product(column[k], core::turned(turns));
       }
       image_fft_.inverse(column);
     };
     matrix_.each_column(frame_.hidden_columns, frame_.hidden_columns + frame_.shown_range.count, control_, counter_,
                         focus_column);
+  }
+
+  // 1 within the directions in which the image is seen, falling to 0 over the outer half of what responses are blurred
+  // by.
+  [[nodiscard]] float share_inside(const DopplerRow& row, const FocusFrame::Sines& seen, double range_m) const {
+    const double within = std::min(row.sine - seen.low, seen.high - row.sine);
+    const double fall = 0.5 * frame_.blur_m / range_m * std::pow(row.cosine, 3);
+    if (!(within > 0.0)) return 0.0F;
+    return within < fall ? static_cast<float>(0.5 - 0.5 * std::cos(core::pi * within / fall)) : 1.0F;
   }
 
   // The antenna flies on while an echo is under way: its light time is 2 d/c longer by V^2/c^2 of itself, besides what

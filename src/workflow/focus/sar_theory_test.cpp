@@ -106,7 +106,7 @@ core::Vec3 point_at(double from_start_m) {
 
 TEST(TheoryOfTargets, OfARawRecordingsEndIsThatOfThePartOfTheEchoThatItHolds) {
   // 200 m of raw data, a pulse of 120 m: of an echo from 160 m on, 40 m are left, of one from 60 m on, all.
-  const auto [plan, rows] = stored(sar_scene(600.0, {point_at(160.0), point_at(60.0)}, 0.2));
+  const auto [plan, rows] = stored(sar_scene(600.0, {point_at(160.0), point_at(60.0)}, 0.5));
   const std::vector<TargetTheory> theories = theory_of_targets(*plan, rows, {});
   const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
   EXPECT_NEAR(theories[0].amplitude / simulate::equation_amplitude(10258.0, 1.0, wavelength_m), 1.0 / 3.0, 0.01);
