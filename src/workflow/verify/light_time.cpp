@@ -61,6 +61,34 @@ double worst_phase_rad(const Flight& f, scene::Simulation::PulsePosition positio
   return recording.report.zero < recording.samples.size() ? worst_rad : core::pi;
 }
 
+// The largest error of samples of a target at 203 km, which a window around 53.1 km hears of the pulse 1 ms before;
+// over its amplitude. Infinite where another sample is on.
+double second_time_around_error() {
+  constexpr double range_m = 203e3;
+  constexpr double rcs_m2 = 1e4;
+  scene::Scene scene = radar_at_origin();
+  scene::Radar& radar = scene.radars[0];
+  radar.carrier_hz = 10e9;
+  radar.pulse_width_s = 10e-6;
+  add_target(scene, {0.0, range_m, 0.0}, rcs_m2);
+  set_window(scene, 52e3, 55e3, 4e6);
+  set_pulses(scene, 0, 2);
+  const simulate::Recording recording = recorded(scene);
+  const double lambda_m = core::exact_light_speed_mps / radar.carrier_hz;
+  const double amplitude = std::sqrt(1e3 * rcs_m2) * lambda_m / (std::pow(4.0 * core::pi, 1.5) * range_m * range_m);
+  const std::complex<double> echo =
+      std::polar(amplitude, -4.0 * core::pi * std::fmod(range_m, 0.5 * lambda_m) / lambda_m);
+  const double arrives_s = 2.0 * range_m / core::exact_light_speed_mps - 1.0 / radar.prf_hz;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < recording.samples.size(); ++i) {
+    const double after_s =
+        2.0 * 52e3 / core::exact_light_speed_mps + static_cast<double>(i % recording.report.columns) / 4e6 - arrives_s;
+    const bool on = after_s >= 0.0 && after_s < radar.pulse_width_s;
+    worst = std::max(worst, std::abs(std::complex<double>(recording.samples[i]) - (on ? echo : 0.0)));
+  }
+  return worst / amplitude;
+}
+
 }  // namespace
 
 void measure_light_time(Record& record) {
@@ -76,6 +104,8 @@ void measure_light_time(Record& record) {
     for (const Position position : {Position::begin, Position::centre})
       record.at_most("Error of the phase, " + f.name + (position == Position::begin ? ", BEGIN" : ", CENTRE"), "rad",
                      6e-4, worst_phase_rad(f, position), "light-time equation of every sample; 1e-4 of a wavelength");
+  record.at_most("Relative error of an echo that comes with the next pulse", "", 1e-6, second_time_around_error(),
+                 "radar equation and delay of its own pulse");
 }
 
 }  // namespace sarsim::workflow::verify
