@@ -13,12 +13,21 @@ core::Mat3 turned(const core::Vec3& w, const core::Mat3& m) {
   return {{w.y * m.row[2] - w.z * m.row[1], w.z * m.row[0] - w.x * m.row[2], w.x * m.row[1] - w.y * m.row[0]}};
 }
 
-// The axes about which roll, pitch and yaw turn a platform, world axes, as seen along them: Rz(-c) Ry(-b) x, Rz(-c) y,
-// z.
-std::array<core::Vec3, 3> turning_axes(const std::array<double, 3>& angle) {
+// A rotation and the axes about which roll, pitch and yaw turn, world axes, as seen along them: Rz(-c) Ry(-b) x,
+// Rz(-c) y, z.
+struct Attitude {
+  core::Mat3 world_from_platform;
+  std::array<core::Vec3, 3> axes;
+};
+
+Attitude attitude_of(const std::array<double, 3>& angle) {
+  const double sa = std::sin(angle[0]), ca = std::cos(angle[0]);
   const double sb = std::sin(angle[1]), cb = std::cos(angle[1]);
   const double sc = std::sin(angle[2]), cc = std::cos(angle[2]);
-  return {core::Vec3{cc * cb, -sc * cb, sb}, core::Vec3{sc, cc, 0.0}, core::Vec3{0.0, 0.0, 1.0}};
+  const core::Vec3 x{cb, sb * sa, -sb * ca};  // rows of Ry(-b) Rx(-a)
+  const core::Vec3 y{0.0, ca, sa};
+  return {{{cc * x + sc * y, cc * y - sc * x, core::Vec3{sb, -cb * sa, cb * ca}}},
+          {core::Vec3{cc * cb, -sc * cb, sb}, core::Vec3{sc, cc, 0.0}, core::Vec3{0.0, 0.0, 1.0}}};
 }
 
 // Sum of speeds about the axes; angles turn clockwise.
@@ -76,35 +85,35 @@ core::Vec3 third_derivative(const std::array<core::Interpolator, 3>& path, doubl
   return {path[0].third_derivative(time_s), path[1].third_derivative(time_s), path[2].third_derivative(time_s)};
 }
 
+core::Mat3 rate_of(const Attitude& attitude, const std::array<double, 3>& rate_rad_per_s) {
+  if (still(rate_rad_per_s)) return nothing;
+  return turned(about(attitude.axes, rate_rad_per_s), attitude.world_from_platform);
+}
+
 }  // namespace
 
 core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
-  const double sa = std::sin(rotation_rad[0]), ca = std::cos(rotation_rad[0]);
-  const double sb = std::sin(rotation_rad[1]), cb = std::cos(rotation_rad[1]);
-  const double sc = std::sin(rotation_rad[2]), cc = std::cos(rotation_rad[2]);
-  const core::Vec3 x{cb, sb * sa, -sb * ca};  // rows of Ry(-b) Rx(-a)
-  const core::Vec3 y{0.0, ca, sa};
-  return {{cc * x + sc * y, cc * y - sc * x, core::Vec3{sb, -cb * sa, cb * ca}}};
+  return attitude_of(rotation_rad).world_from_platform;
 }
 
 core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
                                     const std::array<double, 3>& rate_rad_per_s) {
-  if (still(rate_rad_per_s)) return nothing;
-  return turned(about(turning_axes(rotation_rad), rate_rad_per_s), world_from_platform(rotation_rad));
+  return rate_of(attitude_of(rotation_rad), rate_rad_per_s);
 }
 
 core::Mat3 world_from_platform_acceleration(const std::array<double, 3>& rotation_rad,
                                             const std::array<double, 3>& rate_rad_per_s,
                                             const std::array<double, 3>& acceleration_rad_per_s2) {
   if (still(rate_rad_per_s) && still(acceleration_rad_per_s2)) return nothing;
-  const auto axes = turning_axes(rotation_rad);
+  const Attitude attitude = attitude_of(rotation_rad);
+  const auto& axes = attitude.axes;
   const core::Vec3 w = about(axes, rate_rad_per_s);
   // Yaw turns the pitch axis, yaw and pitch the roll axis.
   const core::Vec3 yaw = -rate_rad_per_s[2] * axes[2];
   const core::Vec3 yaw_and_pitch = yaw - rate_rad_per_s[1] * axes[1];
   const core::Vec3 w_rate = about(axes, acceleration_rad_per_s2) - rate_rad_per_s[1] * core::cross(yaw, axes[1]) -
                             rate_rad_per_s[0] * core::cross(yaw_and_pitch, axes[0]);
-  const core::Mat3 m = world_from_platform(rotation_rad);
+  const core::Mat3& m = attitude.world_from_platform;
   return turned(w_rate, m) + turned(w, turned(w, m));
 }
 
@@ -125,6 +134,8 @@ Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
   acceleration_bound_mps2_ =
       core::norm({path[0].curvature_bound(), path[1].curvature_bound(), path[2].curvature_bound()});
   for (const core::Interpolator& way : path) turns_ = turns_ || (motion_.aligned && way.knots().size() > 2);
+  for (const double stddev_rad : motion_.rotation_stddev_rad) shakes_ = shakes_ || stddev_rad != 0.0;
+  if (!turns_ && !shakes_) attitude_ = rotated_at_0();
 }
 
 Pose Track::at(double time_s, std::int64_t pulse) const {
@@ -135,12 +146,18 @@ Pose Track::at(double time_s, std::int64_t pulse) const {
 Pose Track::at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
   const std::array<core::Jet, 3> path = jets(motion_.position_m, time_s);
   const Travel travel = travel_along(path, time_s, pulse, steps);
-  Pose pose;
+  Pose pose = attitude_;
   pose.position_world_m = travel.position_world_m;
   pose.velocity_world_mps = travel.velocity_world_mps;
+  if (!turns_ && !shakes_) return pose;
   add_rotation(pose, path, time_s, pulse, steps);
-  pose.world_from_platform = world_from_platform(pose.rotation_rad);
-  pose.world_from_platform_rate = world_from_platform_rate(pose.rotation_rad, pose.rotation_rate_rad_per_s);
+  return pose;
+}
+
+Pose Track::rotated_at_0() const {
+  Pose pose;
+  ErrorSteps steps;
+  add_rotation(pose, jets(motion_.position_m, 0.0), 0.0, 0, steps);
   return pose;
 }
 
@@ -189,6 +206,9 @@ void Track::add_rotation(Pose& pose, const std::array<core::Jet, 3>& path, doubl
     pose.rotation_rad[i] += deviation.value;
     pose.rotation_rate_rad_per_s[i] += deviation.slope;
   }
+  const Attitude attitude = attitude_of(pose.rotation_rad);
+  pose.world_from_platform = attitude.world_from_platform;
+  pose.world_from_platform_rate = rate_of(attitude, pose.rotation_rate_rad_per_s);
 }
 
 Travel Track::travel_along(const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,

@@ -114,6 +114,7 @@ class Track {
  private:
   [[nodiscard]] Travel travel_along(const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
                                     ErrorSteps& steps) const;
+  [[nodiscard]] Pose rotated_at_0() const;
   void add_rotation(Pose& pose, const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
                     ErrorSteps& steps) const;
 
@@ -124,6 +125,8 @@ class Track {
   std::array<ErrorProcess, 3> rotation_process_;
   double acceleration_bound_mps2_ = 0.0;
   bool turns_ = false;
+  bool shakes_ = false;  // its rotation has jitter
+  Pose attitude_;        // where it neither turns nor shakes; its place is not meant
   bool fixed_ = false;
 };
 

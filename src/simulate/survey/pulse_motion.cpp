@@ -16,6 +16,9 @@ constexpr std::size_t most_motion_looks = 400'000;  // pulses times targets
 constexpr std::int64_t most_motion_pulses = 1025;
 constexpr std::int64_t least_motion_pulses = 65;
 constexpr std::int64_t finer_looks = 16;
+// A first look, at few targets and pulses; where it finds far less than anybody would note, it is the last.
+constexpr std::size_t first_targets = 256;
+constexpr double worth_looking_rad = 1e-5 * noted_motion_rad;
 
 // Of a platform at one end of a pulse.
 struct Moved {
@@ -46,6 +49,12 @@ class MotionLook {
 
   PulseMotion worst() {
     const std::int64_t count = plan_.pulses.count();
+    const std::vector<std::size_t> all(targets_.begin(), targets_.end());
+    const std::vector<std::size_t> few = evenly_of(all);
+    targets_ = few;
+    look(plan_.pulses.first, plan_.pulses.last, std::min(count, least_motion_pulses));
+    if (worst_.phase_rad < worth_looking_rad) return worst_;
+    targets_ = all;
     const auto affordable = static_cast<std::int64_t>(most_motion_looks / targets_.size());
     const std::int64_t looks = std::min(count, std::clamp(affordable, least_motion_pulses, most_motion_pulses));
     const std::int64_t spacing = looks > 1 ? (count - 1) / (looks - 1) + 1 : 1;
@@ -57,6 +66,13 @@ class MotionLook {
   }
 
  private:
+  [[nodiscard]] static std::vector<std::size_t> evenly_of(const std::vector<std::size_t>& targets) {
+    const std::size_t step = (targets.size() + first_targets - 1) / first_targets;
+    std::vector<std::size_t> few;
+    for (std::size_t i = 0; i < targets.size(); i += step) few.push_back(targets[i]);
+    return few;
+  }
+
   // An even choice of so many pulses from the first to the last.
   void look(std::int64_t first, std::int64_t last, std::int64_t looks) {
     std::vector<PulseMotion> found(static_cast<std::size_t>(looks));
