@@ -173,6 +173,9 @@ void Hdf5Sink::create_datasets() {
   add_axis("pulse_time_s", product_.row_time_s, pulse_time_, std::span(shape).first(1));
   add_axis("carrier_hz", product_.row_carrier_hz, carrier_, std::span(shape).first(1));
   add_axis("slant_range_m", product_.column_range_m, slant_range_, std::span(shape).last(1));
+  // Of a recording; images and profiles have times of their own.
+  if (product_.row_time_s && product_.processing != scene::Processing::srp && is_known(product_, "processing"))
+    expect(write_attribute(pulse_time_.get(), "meaning", std::string("when the middle of the pulse leaves, s")));
   samples_ = create_dataset(file, "samples", sample_type_.get(), shape);
   expect(samples_ && write_attribute(samples_.get(), "unit", std::string(encoding_.counts ? "count" : "V")));
 }

@@ -147,6 +147,7 @@ TEST(OutsideSoftwareOnHdf5, H5dumpReadsTheWholeFile) {
   const std::string text = output_of("h5dump '" + path.string() + "'");
   EXPECT_NE(text.find("H5T_IEEE_F32LE \"r\""), std::string::npos) << text;
   EXPECT_NE(text.find("( 5, 7 ) / ( 5, 7 )"), std::string::npos) << text;
+  EXPECT_NE(text.find("when the middle of the pulse leaves, s"), std::string::npos) << text;
   EXPECT_TRUE(runs("h5dump '" + path.string() + "'"));
 }
 
