@@ -15,7 +15,9 @@ namespace {
 
 constexpr std::int64_t most_looks = 65;
 constexpr std::int64_t looks_at_many = 17;
+constexpr std::int64_t least_looks = 3;
 constexpr std::size_t many_scatterers = 50'000;
+constexpr std::size_t most_poses = 100'000;  // kept at once
 constexpr std::size_t between_stops = 4096;
 constexpr double weakest_heard = 1e-3;  // -60 dB
 // What a platform may move during a flight, and what a pulse may be stretched by: far more than any speed does.
@@ -59,7 +61,8 @@ class Hearing {
     begin_s_ = grid.first_s - pulse.last_s() - slack_s;
     end_s_ = grid.time_s(grid.count) - pulse.first_s() + slack_s;
     const std::int64_t most = point_count(scene) > many_scatterers ? looks_at_many : most_looks;
-    const std::int64_t looks = std::min(pulses.count(), most);
+    const auto kept = static_cast<std::int64_t>(most_poses / std::max<std::size_t>(scene.platforms.size(), 1));
+    const std::int64_t looks = std::min(pulses.count(), std::clamp(kept, least_looks, most));
     for (std::int64_t n = 0; n < looks; ++n) {
       const double share = looks > 1 ? static_cast<double>(n) / static_cast<double>(looks - 1) : 0.0;
       looks_.push_back(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));

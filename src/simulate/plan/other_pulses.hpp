@@ -28,10 +28,11 @@ inline constexpr std::int64_t most_pulses_away = 1000;
 
 /// Which other pulses are heard while a row is received, those of whose echoes one may touch a row.
 ///
-/// Looks at at most 65 pulses (17 where there are very many scatterers), evenly spread. Ranges are widened by what they
-/// may change by between two looks, and by a thousandth for motion during the flight, so that a pulse may be named of
-/// which no echo is heard, but none is left out. Strengths are those of cross-section and range at these looks: a beam
-/// may meet its target between two of them. Empty where the conventions let a row hear its own pulse alone.
+/// Looks at at most 65 pulses (17 where there are very many scatterers, 3 at least where there are very many
+/// platforms), evenly spread. Ranges are widened by what they may change by between two looks, and by a thousandth for
+/// motion during the flight, so that a pulse may be named of which no echo is heard, but none is left out. Strengths
+/// are those of cross-section and range at these looks: a beam may meet its target between two of them. Empty where the
+/// conventions let a row hear its own pulse alone.
 ///
 /// @param pulse  of the simulation
 /// @param grid   times of a row's samples after its own pulse is sent
