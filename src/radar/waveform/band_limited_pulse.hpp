@@ -18,7 +18,7 @@ namespace sarsim::radar {
 /// is cut hard to that length about its centre, as the original's "pulse width used".
 ///
 /// Values come from a table at `samples_per_interval` times the sampling rate, at least 4 times the Nyquist rate of the
-/// band, by a 24-point tapered sinc: within 1e-11 of the largest value of the pulse.
+/// band, by a 24-point tapered sinc: within 1e-9 of the integral for a pulse of at most 1.
 class BandLimitedPulse {
  public:
   /// @param half_band_hz   F; positive.
@@ -46,6 +46,7 @@ class BandLimitedPulse {
   struct Taps;
   [[nodiscard]] Taps taps_at(double fraction) const;
   void fill_table(const Pulse& pulse, double half_band_hz);
+  void filter_table(double half_band_hz);
 
   double half_band_hz_ = 0.0;
   double first_s_ = 0.0;
