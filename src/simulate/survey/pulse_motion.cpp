@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/maths/constants.hpp"
@@ -16,7 +17,8 @@ constexpr std::size_t most_motion_looks = 400'000;  // pulses times targets
 constexpr std::int64_t most_motion_pulses = 1025;
 constexpr std::int64_t least_motion_pulses = 65;
 constexpr std::int64_t finer_looks = 16;
-// A first look, at few targets and pulses; where it finds far less than anybody would note, it is the last.
+// First looks, at platforms alone and then at few targets and pulses; one that finds far less than anybody would note
+// is the last.
 constexpr std::size_t first_targets = 256;
 constexpr double worth_looking_rad = 1e-5 * noted_motion_rad;
 
@@ -39,16 +41,44 @@ double bend_mps2(const Moved& radar, const Moved& platform, const core::Vec3& po
          distance_m;
 }
 
+// No vector of unit length is turned into a longer one than this.
+double longest_turned(const core::Mat3& m) {
+  return core::norm({core::norm(m.row[0]), core::norm(m.row[1]), core::norm(m.row[2])});
+}
+
+// A bound for what the second derivative of the distance to points of a platform, within `reach_m` of its origin and
+// nowhere nearer than `nearest_m`, changes by within a pulse. The third derivative is (3 v.a + r.j - 3 d' d")/d, at
+// most 3 v (2 a + v^2/d)/d and the jerk, whose share is what the accelerations differ by.
+double most_change_mps2(const Moved& radar, const Moved& platform, double reach_m, double nearest_m, double pulse_s) {
+  if (!(nearest_m > 0.0)) return std::numeric_limits<double>::infinity();
+  const double speed_mps = core::norm(platform.pose.velocity_world_mps - radar.pose.velocity_world_mps) +
+                           reach_m * longest_turned(platform.pose.world_from_platform_rate);
+  const double acceleration_mps2 =
+      core::norm(platform.acceleration.acceleration_world_mps2 - radar.acceleration.acceleration_world_mps2) +
+      reach_m * longest_turned(platform.acceleration.world_from_platform_acceleration);
+  return 3.0 * speed_mps * (2.0 * acceleration_mps2 + speed_mps * speed_mps / nearest_m) / nearest_m * pulse_s;
+}
+
+double most_jerk_mps2(const Moved& before, const Moved& after, double reach_m) {
+  const auto& a = before.acceleration;
+  const auto& b = after.acceleration;
+  return core::norm(b.acceleration_world_mps2 - a.acceleration_world_mps2) +
+         reach_m * longest_turned(b.world_from_platform_acceleration + -1.0 * a.world_from_platform_acceleration);
+}
+
 class MotionLook {
  public:
   MotionLook(const Plan& plan, std::span<const std::size_t> targets, const core::WorkControl& control)
-      : plan_(plan), targets_(targets), control_(control), used_(plan.scene->platforms.size(), false) {
+      : plan_(plan), targets_(targets), control_(control), reflects_(plan.scene->platforms.size(), false) {
+    for (const std::size_t t : targets) reflects_[plan.scene->scatterers[t].platform] = true;
+    used_ = reflects_;
     used_[plan.radar.platform] = true;
-    for (const std::size_t t : targets) used_[plan.scene->scatterers[t].platform] = true;
   }
 
   PulseMotion worst() {
     const std::int64_t count = plan_.pulses.count();
+    const PulseMotion bound = most_by_platforms(std::min(count, least_motion_pulses));
+    if (bound.phase_rad < worth_looking_rad) return bound;
     const std::vector<std::size_t> all(targets_.begin(), targets_.end());
     const std::vector<std::size_t> few = evenly_of(all);
     targets_ = few;
@@ -73,17 +103,60 @@ class MotionLook {
     return few;
   }
 
-  // An even choice of so many pulses from the first to the last.
+  // Number i of an even choice of so many pulses from the first to the last.
+  [[nodiscard]] static std::int64_t chosen(std::int64_t first, std::int64_t last, std::int64_t looks, std::size_t i) {
+    const double share = looks > 1 ? static_cast<double>(i) / static_cast<double>(looks - 1) : 0.0;
+    return first + std::llround(share * static_cast<double>(last - first));
+  }
+
   void look(std::int64_t first, std::int64_t last, std::int64_t looks) {
     std::vector<PulseMotion> found(static_cast<std::size_t>(looks));
     core::parallel_ranges(found.size(), 1, control_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const double share = looks > 1 ? static_cast<double>(i) / static_cast<double>(looks - 1) : 0.0;
-        found[i] = worst_at(first + std::llround(share * static_cast<double>(last - first)));
-      }
+      for (std::size_t i = begin; i < end; ++i) found[i] = worst_at(chosen(first, last, looks, i));
     });
     for (const PulseMotion& at : found)
       if (at.phase_rad > worst_.phase_rad) worst_ = at;
+  }
+
+  // The largest bound, or the first that is worth looking into.
+  [[nodiscard]] PulseMotion most_by_platforms(std::int64_t looks) const {
+    PulseMotion most{0.0, targets_.front(), plan_.pulses.first};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(looks) && most.phase_rad < worth_looking_rad; ++i) {
+      const std::int64_t pulse = chosen(plan_.pulses.first, plan_.pulses.last, looks, i);
+      const double phase_rad = most_at(pulse);
+      if (!(phase_rad <= most.phase_rad)) most = {phase_rad, most.target, pulse};
+    }
+    return most;
+  }
+
+  [[nodiscard]] double most_at(std::int64_t pulse) const {
+    const double width_s = plan_.radar.pulse.width_s;
+    const double time_s = plan_.radar.repetition.send_time_s(pulse);
+    const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse);
+    const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse);
+    const std::size_t own = plan_.radar.platform;
+    double most_mps2 = 0.0;
+    for (std::size_t p = 0; p < used_.size(); ++p) {
+      if (!reflects_[p]) continue;
+      const ResolvedPlatform& platform = plan_.scene->platforms[p];
+      const double reach_m = core::norm(platform.middle_m) + platform.radius_m;
+      double change_mps2 = 0.0;
+      for (const std::vector<Moved>* at : {&before, &after}) {
+        const core::Vec3 middle_m = radar::world_position_m((*at)[p].pose, platform.middle_m);
+        const double nearest_m = core::norm(middle_m - (*at)[own].pose.position_world_m) - platform.radius_m;
+        change_mps2 = std::max(change_mps2, most_change_mps2((*at)[own], (*at)[p], reach_m, nearest_m, width_s));
+      }
+      change_mps2 += most_jerk_mps2(before[p], after[p], reach_m) + most_jerk_mps2(before[own], after[own], 0.0);
+      most_mps2 = std::max(most_mps2, change_mps2);
+    }
+    return phase_of(most_mps2, pulse);
+  }
+
+  // At the ends of a pulse within which the second derivative of the distance changes by so much.
+  [[nodiscard]] double phase_of(double change_mps2, std::int64_t pulse) const {
+    const double width_s = plan_.radar.pulse.width_s;
+    return core::pi / 24.0 * plan_.radar.carrier.carrier_hz(pulse) * width_s * width_s *
+           radar::delay_of(std::abs(change_mps2), plan_.scene->conventions.light_speed_mps);
   }
 
   [[nodiscard]] std::vector<Moved> platforms_at(double time_s, std::int64_t pulse) const {
@@ -104,12 +177,11 @@ class MotionLook {
     const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse);
     const std::size_t own = plan_.radar.platform;
     PulseMotion worst{0.0, 0, pulse};
-    const double scale = core::pi / 24.0 * plan_.radar.carrier.carrier_hz(pulse) * width_s * width_s;
     for (const std::size_t t : targets_) {
       const Scatterer& s = plan_.scene->scatterers[t];
       const double change_mps2 = bend_mps2(after[own], after[s.platform], s.position_m) -
                                  bend_mps2(before[own], before[s.platform], s.position_m);
-      const double phase_rad = scale * std::abs(radar::delay_of(change_mps2, plan_.scene->conventions.light_speed_mps));
+      const double phase_rad = phase_of(change_mps2, pulse);
       if (phase_rad > worst.phase_rad) worst = {phase_rad, t, pulse};
     }
     return worst;
@@ -118,7 +190,8 @@ class MotionLook {
   const Plan& plan_;
   std::span<const std::size_t> targets_;
   const core::WorkControl& control_;
-  std::vector<bool> used_;
+  std::vector<bool> reflects_;  // platforms of the targets
+  std::vector<bool> used_;      // and that of the radar
   PulseMotion worst_;
 };
 

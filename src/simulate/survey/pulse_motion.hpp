@@ -26,8 +26,9 @@ struct PulseMotion {
 ///
 /// with d the distance between antenna and target, whose second derivative is that of positions, velocities and
 /// accelerations. The largest over up to 1025 pulses (fewer for more than 400 targets, 65 at least), an even choice
-/// with the first and the last, and over 16 more between the neighbours of the worst one. Where 256 of the targets show
-/// less than 1e-7 rad at 65 of the pulses, that is all that is looked at.
+/// with the first and the last, and over 16 more between the neighbours of the worst one. Where speeds and
+/// accelerations of the platforms allow less than 1e-7 rad at 65 of the pulses, that bound is returned, with the first
+/// of the targets; where 256 of the targets show less there, that is all that is looked at.
 /// @param targets  positions in the scene's list
 /// @return         0 by the light time of the thesis, which has a rule of its own, and without targets
 /// @throw          Interrupted

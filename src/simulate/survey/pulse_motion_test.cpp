@@ -78,6 +78,16 @@ TEST(PulseMotion, OfAStraightPassHasTheBoundOfTheTheory) {
   EXPECT_EQ(found.target, 0U);
 }
 
+// Far below what anybody notes, the bound by speeds and accelerations is all that is looked at: the circle's phase and,
+// of 3 w r (2 w^2 r + ...)/D with D = 1000 m and r = 2 m, 12 r/D of it more; a turning axis counts sqrt(2) at most.
+TEST(PulseMotion, IsABoundWhereItIsFarTooSmallToNote) {
+  const double rate = std::cbrt(1e-8 / phase_of(2.0, 77e9, 0.9e-3));
+  const double exact = phase_of(2.0 * rate * rate * rate, 77e9, 0.9e-3);
+  const double found = motion_left_in_pulse(make_plan(turning(rate), 0), first_target).phase_rad;
+  EXPECT_GT(found, 0.999 * exact);
+  EXPECT_LT(found, 1.5 * exact);
+}
+
 TEST(PulseMotion, IsNoneAtRestAndWithTheLightTimeOfTheThesis) {
   EXPECT_EQ(motion_left_in_pulse(make_plan(turning(0.0), 0), first_target).phase_rad, 0.0);
   EXPECT_EQ(motion_left_in_pulse(make_plan(turning(40.0), 0), {}).phase_rad, 0.0);
