@@ -7,6 +7,7 @@
 namespace sarsim::radar {
 
 double wrapped_angle(double angle_rad) {
+  if (std::abs(angle_rad) < core::pi) return angle_rad;
   const double reduced = std::remainder(angle_rad, 2.0 * core::pi);
   return reduced <= -core::pi ? reduced + 2.0 * core::pi : reduced;
 }

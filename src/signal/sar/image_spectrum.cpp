@@ -20,25 +20,39 @@ SpectrumExtent joined_extent(const SpectrumExtent& a, const SpectrumExtent& b) {
   return {std::min(a.least_per_m, b.least_per_m), std::max(a.most_per_m, b.most_per_m)};
 }
 
-// The sum of the weights below a wave number.
-double weight_below(std::span<const FilledBand> bands, double per_m) {
+// The sum of the weights below a wave number, and how fast it grows there.
+struct WeightBelow {
   double sum = 0.0;
+  double slope_m = 0.0;
+};
+
+WeightBelow weight_below(std::span<const FilledBand> bands, double per_m) {
+  WeightBelow below;
   for (const FilledBand& band : bands) {
     const double width = band.extent.width_per_m();
     const double above = per_m - band.extent.least_per_m;
-    sum += band.weight * (width > 0.0 ? std::clamp(above / width, 0.0, 1.0) : above >= 0.0);
+    below.sum += band.weight * (width > 0.0 ? std::clamp(above / width, 0.0, 1.0) : above >= 0.0);
+    if (above > 0.0 && above < width) below.slope_m += band.weight / width;
   }
-  return sum;
+  return below;
 }
 
-// The wave number below which the weights add up to `weight`.
+// The wave number below which the weights add up to `weight`: of a sum of straight pieces, by Newton's steps within a
+// bracket that shrinks.
 double quantile_of(std::span<const FilledBand> bands, double weight, SpectrumExtent within) {
-  constexpr int halvings = 40;
-  for (int i = 0; i < halvings; ++i) {
-    const double middle = within.middle_per_m();
-    (weight_below(bands, middle) < weight ? within.least_per_m : within.most_per_m) = middle;
+  constexpr int most_steps = 40;
+  constexpr double close = 1e-12;
+  const double tolerance_per_m = close * within.width_per_m();
+  double at = within.middle_per_m();
+  for (int i = 0; i < most_steps && within.width_per_m() > tolerance_per_m; ++i) {
+    const WeightBelow below = weight_below(bands, at);
+    (below.sum < weight ? within.least_per_m : within.most_per_m) = at;
+    if (std::abs(below.sum - weight) <= close * weight) return at;
+    const double next = at + (weight - below.sum) / below.slope_m;
+    const bool inside = next > within.least_per_m && next < within.most_per_m;
+    at = inside ? next : within.middle_per_m();
   }
-  return within.middle_per_m();
+  return at;
 }
 
 std::optional<SpectrumExtent> extent_of_bands(std::span<const FilledBand> bands, double beyond) {

@@ -27,6 +27,22 @@ double turning_of(const core::Mat3& m) {
   return core::norm({core::norm(m.row[0]), core::norm(m.row[1]), core::norm(m.row[2])});
 }
 
+// Of amplitudes; one antenna for both ways is looked at once.
+double two_way_gain(const ResolvedRadar& radar, radar::PatternRule rule, const radar::Pointing& pointing,
+                    const core::Vec3& look_m) {
+  using Kind = radar::AntennaPattern::Kind;
+  const radar::AntennaPattern& out = radar.transmit;
+  const radar::AntennaPattern& back = radar.receive;
+  if (out.kind == Kind::isotropic && back.kind == Kind::isotropic) return 1.0;
+  const radar::BeamOffset offset = pointing.offset(look_m);
+  const double way_out = radar::one_way_amplitude(out, offset.azimuth_rad, offset.elevation_rad, rule);
+  const bool same = out.kind == Kind::sinx && back.kind == Kind::sinx &&
+                    out.azimuth_beamwidth_rad == back.azimuth_beamwidth_rad &&
+                    out.elevation_beamwidth_rad == back.elevation_beamwidth_rad;
+  if (same) return way_out * way_out;
+  return way_out * radar::one_way_amplitude(back, offset.azimuth_rad, offset.elevation_rad, rule);
+}
+
 }  // namespace
 
 PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
@@ -209,15 +225,7 @@ ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar
     view.speed_mps = 0.5 * flight.doppler * light_mps;
   else
     view.speed_mps = radar::speed_of_doppler_factor(flight.doppler, light_mps);
-  const bool isotropic = radar_->transmit.kind == radar::AntennaPattern::Kind::isotropic &&
-                         radar_->receive.kind == radar::AntennaPattern::Kind::isotropic;
-  double gain = 1.0;
-  if (!isotropic) {
-    const radar::BeamOffset offset = pointing.offset(flight.look_m);
-    const radar::PatternRule rule = scene_->conventions.pattern;
-    gain = radar::one_way_amplitude(radar_->transmit, offset.azimuth_rad, offset.elevation_rad, rule) *
-           radar::one_way_amplitude(radar_->receive, offset.azimuth_rad, offset.elevation_rad, rule);
-  }
+  const double gain = two_way_gain(*radar_, scene_->conventions.pattern, pointing, flight.look_m);
   const double spreading = spreading_ ? flight.path.out_m * flight.path.back_m : 1.0;
   view.amplitude_sqrt_w = amplitude_scale_ * gain * std::sqrt(rcs_m2) / spreading;
   return view;
