@@ -12,6 +12,7 @@
 #include <bit>
 #include <utility>
 
+#include "core/os/cache_folder.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
@@ -30,7 +31,7 @@ constexpr std::size_t coarse_side = 512;  // cells of the coarse picture of the 
 // How a file is read is part of what an overview of it is.
 std::optional<picture::OverviewCache> cache_for(const raster::Raster& source, const raster::RasterHints& hints,
                                                 const std::string& identity) {
-  const std::filesystem::path folder = picture::user_cache_folder();
+  const std::filesystem::path folder = core::user_cache_folder();
   if (folder.empty()) return std::nullopt;
   const std::string how = hints.raw ? raster::to_string(*hints.raw) : std::string(source.info().format->title);
   return picture::OverviewCache(folder / "overviews", identity + "\n" + how + "\n" + std::to_string(source.columns()) +

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstdlib>
 #include <exception>
 #include <fstream>
 #include <span>
@@ -44,12 +43,6 @@ std::string head_of(const std::string& key, const std::vector<float>& numbers) {
   return head;
 }
 
-fs::path absolute_variable(const char* name) {
-  const char* value = std::getenv(name);
-  const fs::path path = value == nullptr ? "" : value;
-  return path.is_absolute() ? path : fs::path();
-}
-
 }  // namespace
 
 std::optional<std::string> file_identity(const fs::path& path) {
@@ -60,12 +53,6 @@ std::optional<std::string> file_identity(const fs::path& path) {
   if (::stat(whole.c_str(), &status) != 0) return std::nullopt;
   return fmt::format("{}\n{}\n{}.{:09}\n{}", whole.string(), status.st_size, status.st_mtim.tv_sec,
                      status.st_mtim.tv_nsec, status.st_ino);
-}
-
-fs::path user_cache_folder() {
-  if (const fs::path folder = absolute_variable("XDG_CACHE_HOME"); !folder.empty()) return folder / "sarsim";
-  if (const fs::path home = absolute_variable("HOME"); !home.empty()) return home / ".cache" / "sarsim";
-  return {};
 }
 
 OverviewCache::OverviewCache(fs::path folder, std::string identity, std::uint64_t most_bytes)

@@ -13,10 +13,6 @@ namespace sarsim::picture {
 /// be asked for.
 [[nodiscard]] std::optional<std::string> file_identity(const std::filesystem::path& path);
 
-/// The user's folder for what can be made again: $XDG_CACHE_HOME/sarsim, otherwise $HOME/.cache/sarsim (XDG Base
-/// Directory Specification); empty where neither is an absolute path.
-[[nodiscard]] std::filesystem::path user_cache_folder();
-
 /// Numbers that are kept between runs in files of one folder, each under a key. Nothing here throws for the disk's
 /// sake: what cannot be kept is not kept, and a file that is damaged, cut off, of another key or of another program is
 /// as none.

@@ -354,17 +354,5 @@ TEST_F(CacheTest, IdentityOfAFileChangesWithItsContent) {
   EXPECT_FALSE(file_identity(folder_ / "none"));
 }
 
-TEST_F(CacheTest, FolderOfTheUserIsThatOfTheEnvironment) {
-  const char* old = std::getenv("XDG_CACHE_HOME");
-  const std::string kept = old == nullptr ? "" : old;
-  ::setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-  EXPECT_EQ(user_cache_folder(), folder_ / "sarsim");
-  ::setenv("XDG_CACHE_HOME", "relative", 1);
-  const fs::path fallback = user_cache_folder();
-  EXPECT_TRUE(fallback.empty() || fallback.filename() == "sarsim");
-  EXPECT_NE(fallback, fs::path("relative/sarsim"));
-  old == nullptr ? ::unsetenv("XDG_CACHE_HOME") : ::setenv("XDG_CACHE_HOME", kept.c_str(), 1);
-}
-
 }  // namespace overview_test
 }  // namespace sarsim::picture

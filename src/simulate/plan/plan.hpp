@@ -15,6 +15,7 @@
 #include "signal/compress/range_compression.hpp"
 #include "signal/stepped/range_profile.hpp"
 #include "simulate/plan/engine.hpp"
+#include "simulate/plan/machine_speed.hpp"
 #include "simulate/plan/other_pulses.hpp"
 #include "simulate/plan/point_groups.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -84,8 +85,11 @@ struct Cost {
   double echo_samples = 0.0;  ///< Times samples of a pulse.
   double samples = 0.0;       ///< Complex samples of the product.
   double seconds_one_thread = 0.0;
+  double seconds = 0.0;       ///< On the given number of threads.
   double memory_bytes = 0.0;  ///< Resident, for the given number of threads.
 };
-[[nodiscard]] Cost estimated_cost(const Plan& plan, unsigned threads);
+/// @param threads  that compute, at least 1
+/// @param machine  as measured; without it, that of the constants
+[[nodiscard]] Cost estimated_cost(const Plan& plan, unsigned threads, const MachineSpeed& machine = {});
 
 }  // namespace sarsim::simulate

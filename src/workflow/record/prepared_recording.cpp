@@ -9,6 +9,7 @@
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "workflow/input/scene_input.hpp"
+#include "workflow/record/known_machine.hpp"
 #include "workflow/record/record_size.hpp"
 #include "workflow/record/recording.hpp"
 
@@ -26,9 +27,8 @@ scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
 
 RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes, bool counts) {
   const unsigned threads = core::thread_count(0);
-  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
-  return {plan.rows, plan.columns, bytes, cost.seconds_one_thread / threads * passes_of(plan.simulation, counts),
-          cost.memory_bytes};
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads, known_machine());
+  return {plan.rows, plan.columns, bytes, cost.seconds * passes_of(plan.simulation, counts), cost.memory_bytes};
 }
 
 }  // namespace

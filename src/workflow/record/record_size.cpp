@@ -2,6 +2,7 @@
 
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/record/known_machine.hpp"
 
 namespace sarsim::workflow {
 
@@ -12,16 +13,16 @@ bool seeks_lsb(const scene::Simulation& simulation, bool counts) {
 double passes_of(const scene::Simulation& simulation, bool counts) { return seeks_lsb(simulation, counts) ? 2.0 : 1.0; }
 
 double estimated_seconds(const simulate::Plan& plan, unsigned threads, double passes) {
-  return simulate::estimated_cost(plan, threads).seconds_one_thread / threads * passes;
+  return simulate::estimated_cost(plan, threads, known_machine()).seconds * passes;
 }
 
 RecordingSize size_of(const simulate::Plan& plan, unsigned threads, bool counts) {
-  const simulate::Cost cost = simulate::estimated_cost(plan, threads);
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads, known_machine());
   RecordingSize size;
   size.bytes = raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format, false, counts, false});
   size.memory_bytes = cost.memory_bytes;
   size.echoes = cost.echoes;
-  size.seconds = cost.seconds_one_thread / threads * passes_of(plan.simulation, counts);
+  size.seconds = cost.seconds * passes_of(plan.simulation, counts);
   return size;
 }
 

@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 /// Times that every sample is computed: 2 where the LSB has to be found first, otherwise 1.
 [[nodiscard]] double passes_of(const scene::Simulation& simulation, bool counts = false);
 
-/// Estimated seconds of a recording on all threads, good to a factor of two.
+/// Estimated seconds of a recording on so many threads of this machine (`known_machine`), most of them within 25 %.
 /// @param threads  at least 1
 [[nodiscard]] double estimated_seconds(const simulate::Plan& plan, unsigned threads, double passes);
 
@@ -23,7 +23,7 @@ struct RecordingSize {
   double bytes = 0.0;         ///< Of the file, without a script in it.
   double memory_bytes = 0.0;  ///< While it is made.
   double echoes = 0.0;
-  double seconds = 0.0;  ///< Good to a factor of two.
+  double seconds = 0.0;  ///< As `estimated_seconds`.
 };
 
 /// @param threads  that compute, at least 1

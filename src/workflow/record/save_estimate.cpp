@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "workflow/record/known_machine.hpp"
 #include "workflow/record/record_size.hpp"
 
 namespace sarsim::workflow {
@@ -19,7 +20,7 @@ double estimated_lsb_v(double largest_v, int bits) {
 
 SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double largest_v, unsigned threads,
                            bool counts) {
-  const simulate::Cost cost = simulate::estimated_cost(plan, std::max(threads, 1U));
+  const simulate::Cost cost = simulate::estimated_cost(plan, std::max(threads, 1U), known_machine());
   SaveEstimate estimate;
   estimate.rows = static_cast<double>(plan.rows);
   estimate.columns = static_cast<double>(plan.columns);
@@ -28,7 +29,7 @@ SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double
   estimate.lsb_estimated = !(plan.simulation.lsb_v > 0.0);
   // Counts need the largest magnitude before the first of them is written.
   const double passes = passes_of(plan.simulation, counts);
-  estimate.seconds = passes * cost.seconds_one_thread / std::max(threads, 1U);
+  estimate.seconds = passes * cost.seconds;
   estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.simulation.bits) : plan.simulation.lsb_v;
   return estimate;
 }

@@ -4,6 +4,7 @@
 
 #include "raster/table/formats.hpp"
 #include "simulate/plan/flight_test_scene.hpp"
+#include "workflow/record/known_machine.hpp"
 
 namespace sarsim::workflow {
 namespace save_estimate_test {
@@ -53,7 +54,7 @@ TEST(SaveEstimate, CountsThePassThatFindsTheLargestMagnitude) {
       const simulate::Plan plan = plan_of(lsb_v, format);
       const double passes = lsb_v == 0.0 && raster::holds_counts(format) ? 2.0 : 1.0;
       EXPECT_NEAR(save_estimate(plan, 1.0, 1e-6, 2).seconds,
-                  0.5 * passes * simulate::estimated_cost(plan, 2).seconds_one_thread, 1e-12);
+                  passes * simulate::estimated_cost(plan, 2, known_machine()).seconds, 1e-12);
     }
   EXPECT_TRUE(raster::holds_counts(scene::FileFormat::binary));
 }

@@ -13,6 +13,7 @@
 #include "scene/script/reader.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/record/known_machine.hpp"
 
 namespace sarsim::workflow {
 
@@ -121,7 +122,7 @@ class Looker {
         const scene::FileFormat format = plan.simulation.format;
         size.least_bytes = raster::least_bytes(format, size.bytes);
         const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(format, work_.counts);
-        size.seconds = simulate::estimated_cost(plan, 1).seconds_one_thread * (twice ? 2.0 : 1.0);
+        size.seconds = simulate::estimated_cost(plan, 1, known_machine()).seconds * (twice ? 2.0 : 1.0);
       }
       sizes.push_back(size);
     }
