@@ -38,40 +38,41 @@ DirectKernel::DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, doubl
   sum_.im.resize(grid.count + SplitRow::padding);
   const double sweep = sweep_rate_hz_per_s_ * grid.interval_s * grid.interval_s;
   if (sweep == 0.0) return;
-  chirp_.resize(block_);
+  chirp_.re.resize(block_);
+  chirp_.im.resize(block_);
   for (std::size_t n = 0; n < block_; ++n) {
     const double m = static_cast<double>(n) - centre_of_block(0, block_);
     const double turns = 0.5 * sweep * m * m;
-    chirp_[n] = std::polar(1.0, 2.0 * core::pi * (turns - std::round(turns)));
+    const std::complex<double> phasor = std::polar(1.0, 2.0 * core::pi * (turns - std::round(turns)));
+    chirp_.re[n] = phasor.real();
+    chirp_.im[n] = phasor.imag();
   }
 }
 
-void DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
+SampleSpan DirectKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
   CORE_EXPECT(row.size() >= grid_.count);
   CORE_EXPECT(std::isfinite(carrier_hz));
   CORE_EXPECT(echoes.is_whole());
   if ((shape_ && !shape_->is_usable()) || is_beyond_tones(echoes)) {
     add_echoes(row, grid_, *pulse_, carrier_hz, echoes);
-    return;
+    return {0, grid_.count};
   }
-  collect(carrier_hz, echoes);
-  std::ranges::fill(sum_.re, 0.0);
-  std::ranges::fill(sum_.im, 0.0);
+  const SampleSpan touched = collect(carrier_hz, echoes);
   add_tones(tones_, single_precision_, sum_, scratch_);
   if (shape_) add_shaped_tones(*shape_, shaped_, shaped_tones_, sum_, scratch_, shape_scratch_);
-  if (chirp_.empty()) {
-    for (std::size_t n = 0; n < row.size(); ++n) row[n] += std::complex(sum_.re[n], sum_.im[n]);
-    return;
+  if (chirp_.re.empty()) {
+    drain(sum_, touched.begin, touched.end, {}, row);
+    return touched;
   }
-  for (std::size_t first = 0; first < row.size(); first += block_) {
-    const std::size_t count = std::min(block_, row.size() - first);
-    for (std::size_t i = 0; i < count; ++i) {
-      const double re = sum_.re[first + i];
-      const double im = sum_.im[first + i];
-      const std::complex<double> c = chirp_[i];
-      row[first + i] += std::complex(re * c.real() - im * c.imag(), re * c.imag() + im * c.real());
-    }
+  for (std::size_t begin = touched.begin; begin < touched.end;) {
+    const std::size_t in_block = begin % block_;
+    const std::size_t end = std::min(touched.end, begin - in_block + block_);
+    const std::span<const double> re(chirp_.re);
+    const std::span<const double> im(chirp_.im);
+    drain(sum_, begin, end, {re.subspan(in_block), im.subspan(in_block)}, row);
+    begin = end;
   }
+  return touched;
 }
 
 // A chirp that is stretched unevenly is no longer a quadratic phase: K a u^3/2 turns are left, largest at its ends. A
@@ -84,14 +85,17 @@ bool DirectKernel::is_beyond_tones(const EchoBatch& echoes) const {
   return core::pi * std::abs(sweep_rate_hz_per_s_) * largest * half_s * half_s * half_s > 0.1 * tolerance_;
 }
 
-void DirectKernel::collect(double carrier_hz, const EchoBatch& echoes) {
+// Returns the samples that the echoes touch, from the first to the last.
+SampleSpan DirectKernel::collect(double carrier_hz, const EchoBatch& echoes) {
   tones_.clear();
   shaped_tones_.clear();
   shaped_.clear();
+  SampleSpan touched;
   for (std::size_t k = 0; k < echoes.size(); ++k) {
     const PulseClock clock = pulse_->clock_of(echoes, k);
     const SampleSpan on = touched_samples(*pulse_, grid_, echoes.delay_s[k], clock);
     if (on.begin >= on.end) continue;
+    touched = touched.with(on);
     const Source source{echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.doppler[k], clock, carrier_hz};
     if (!shape_) {
       append_tones(source, on, tones_);
@@ -104,6 +108,7 @@ void DirectKernel::collect(double carrier_hz, const EchoBatch& echoes) {
     append_tones(gained, flat, tones_);
     append_shaped(source, {flat.end, on.end});
   }
+  return touched;
 }
 
 // Samples of an echo where the shape is a number: they need no table.

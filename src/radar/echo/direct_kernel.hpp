@@ -28,8 +28,9 @@ class DirectKernel {
   /// Keeps a reference to the pulse.
   DirectKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance);
 
-  /// As `add_echoes`.
-  void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes);
+  /// As `add_echoes`; costs nothing for samples that no echo reaches.
+  /// @return the samples outside of which the row is left as it was
+  SampleSpan add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes);
 
  private:
   // One echo.
@@ -41,7 +42,7 @@ class DirectKernel {
     double carrier_hz;
   };
   [[nodiscard]] bool is_beyond_tones(const EchoBatch& echoes) const;
-  void collect(double carrier_hz, const EchoBatch& echoes);
+  SampleSpan collect(double carrier_hz, const EchoBatch& echoes);
   void append_shaped(const Source& source, const SampleSpan& on);
   void append_tones(const Source& source, const SampleSpan& on, std::vector<Tone>& tones) const;
   [[nodiscard]] Tone tone_at(const Source& source, std::size_t block) const;
@@ -52,14 +53,14 @@ class DirectKernel {
   SampleGrid grid_;
   double tolerance_;
   bool single_precision_;
-  double sweep_rate_hz_per_s_;               // of the quadratic phase that echoes have in common
-  std::size_t block_;                        // samples that share a centre
-  std::vector<std::complex<double>> chirp_;  // common quadratic phase of a block; empty for pulses without sweep
-  std::optional<ShapeTable> shape_;          // none: the tones are the echoes
+  double sweep_rate_hz_per_s_;       // of the quadratic phase that echoes have in common
+  std::size_t block_;                // samples that share a centre
+  SplitRow chirp_;                   // common quadratic phase of a block; empty for pulses without sweep
+  std::optional<ShapeTable> shape_;  // none: the tones are the echoes
   std::vector<Tone> tones_;
   std::vector<Tone> shaped_tones_;
   std::vector<ShapedEcho> shaped_;
-  SplitRow sum_;
+  SplitRow sum_;  // 0 between calls
   ToneScratch scratch_;
   ShapeScratch shape_scratch_;
 };

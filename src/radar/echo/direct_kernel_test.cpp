@@ -37,6 +37,38 @@ TEST(DirectKernel, AddsChirpsLikeTheReference) {
   });
 }
 
+// Whatever else stands in the row stays, bit for bit, outside of the samples that are said; row after row.
+TEST(DirectKernel, LeavesSamplesAloneThatNoEchoReaches) {
+  at_every_simd_level([] {
+    for (const EchoPulse& pulse : {test_pulse(Pulse::Kind::chirp, 20.3, 0.9), test_pulse(Pulse::Kind::mono, 20.3),
+                                   test_pulse(Pulse::Kind::code, 20.3), band_limited_test_pulse(20.3, 0.4)})
+      for (const double tolerance : {1e-6, 1e-9}) {
+        const SampleGrid grid = test_grid(400);
+        DirectKernel kernel(pulse, grid, tolerance);
+        const ComplexRow given(grid.count, {0.3, -0.7});
+        for (const double at : {-300.0, 100.4, 333.0, -3.5, 390.2}) {
+          EchoBatch echoes;
+          echoes.add(grid.first_s + at * grid.interval_s, 1.0, 1e-6);
+          const SampleSpan on = touched_samples(pulse, grid, echoes.delay_s[0], pulse.clock_of(echoes, 0));
+          ComplexRow row = given;
+          const SampleSpan touched = kernel.add(row, carrier_hz, echoes);
+          if (on.is_empty()) {
+            EXPECT_TRUE(touched.is_empty());
+          } else {
+            EXPECT_EQ(touched.begin, on.begin);
+            EXPECT_EQ(touched.end, on.end);
+          }
+          const ComplexRow expected = reference_row(pulse, grid, carrier_hz, echoes);
+          for (std::size_t i = 0; i < row.size(); ++i)
+            if (i < touched.begin || i >= touched.end)
+              EXPECT_EQ(row[i], given[i]) << i;
+            else
+              EXPECT_LT(std::abs(row[i] - given[i] - expected[i]), 6e-7) << i;
+        }
+      }
+  });
+}
+
 TEST(DirectKernel, AddsMonochromePulsesLikeTheReference) {
   at_every_simd_level([] {
     for (const double samples : {1.0, 3.7, 200.0, 2000.0})

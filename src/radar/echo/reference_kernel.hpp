@@ -31,11 +31,20 @@ struct EchoPulse {
   }
 };
 
-/// Samples [begin, end) of the grid that an echo with this delay and stretch touches.
+/// Samples [begin, end) of a row.
 struct SampleSpan {
   std::size_t begin = 0;
   std::size_t end = 0;
+
+  [[nodiscard]] bool is_empty() const { return begin >= end; }
+  /// The shortest span that holds both.
+  [[nodiscard]] SampleSpan with(const SampleSpan& other) const {
+    if (is_empty()) return other;
+    if (other.is_empty()) return *this;
+    return {begin < other.begin ? begin : other.begin, end > other.end ? end : other.end};
+  }
 };
+/// Those that an echo with this delay and stretch touches.
 [[nodiscard]] SampleSpan touched_samples(const EchoPulse& pulse, const SampleGrid& grid, double delay_s,
                                          const PulseClock& clock);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <complex>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -26,6 +27,12 @@ struct SplitRow {
   std::vector<double> im;
 };
 
+/// Real and imaginary parts of some complex numbers.
+struct SplitSpan {
+  std::span<const double> re;
+  std::span<const double> im;
+};
+
 /// Room that `add_tones` works in; one per thread.
 struct ToneScratch {
   /// Makes room for rows of `samples` numbers, padding included, and changes nothing that is in use.
@@ -40,6 +47,12 @@ struct ToneScratch {
   std::vector<double> turn_re_double;
   std::vector<double> turn_im_double;
 };
+
+/// Adds the sums of samples [begin, end) to those of a row, times a factor each where there are factors, and sets them
+/// to 0.
+/// @param factor  the first is that of sample `begin`; of no length: all are 1
+void drain(SplitRow& sums, std::size_t begin, std::size_t end, const SplitSpan& factor,
+           std::span<std::complex<double>> row);
 
 /// Adds tones to a row in SIMD.
 ///

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/report/expect.hpp"
+#include "radar/receiver/convert_row.hpp"
 
 namespace sarsim::radar {
 
@@ -49,6 +50,30 @@ void Converter::convert(std::span<const std::complex<double>> volts, std::span<s
                         ConversionTally& tally) const {
   CORE_EXPECT(counts.empty() || counts.size() == 2 * volts.size());
   CORE_EXPECT(counts.empty() || lsb_v > 0.0);
+  // What the definition takes over at a time: at least a vector.
+  constexpr std::size_t few = 8;
+  const double highest = full_scale_count(bits) + 1.0;
+  const double per_volt = 1.0 / lsb_v;
+  if (highest > largest_simd_count || !std::isnormal(per_volt) || !std::isnormal(lsb_v))
+    return convert_plainly(volts, counts, tally);
+  double largest_power = 0.0;
+  while (!volts.empty()) {
+    const ConvertedPart part = convert_vectors(volts, per_volt, lowest_count(bits), highest, counts, tally);
+    largest_power = std::max(largest_power, part.largest_power);
+    const std::size_t done = std::min(volts.size(), part.done + few);
+    const std::span<std::int64_t> rest =
+        counts.empty() ? counts : counts.subspan(2 * part.done, 2 * (done - part.done));
+    convert_plainly(volts.subspan(part.done, done - part.done), rest, tally);
+    volts = volts.subspan(done);
+    if (!counts.empty()) counts = counts.subspan(2 * done);
+  }
+  tally.maximum_v = std::max(tally.maximum_v, std::sqrt(largest_power));
+}
+
+void Converter::convert_plainly(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
+                                ConversionTally& tally) const {
+  CORE_EXPECT(counts.empty() || counts.size() == 2 * volts.size());
+  CORE_EXPECT(counts.empty() || lsb_v > 0.0);
   const double lowest = lowest_count(bits);
   const double highest = full_scale_count(bits) + 1.0;
   double largest_power = 0.0;
@@ -76,9 +101,9 @@ void Converter::convert(std::span<const std::complex<double>> volts, std::span<s
 }
 
 double largest_magnitude(std::span<const std::complex<double>> volts) {
-  double largest_power = 0.0;
-  for (const auto& v : volts) largest_power = std::max(largest_power, std::norm(v));
-  return std::sqrt(largest_power);
+  ConversionTally tally;
+  tally_volts(volts, tally);
+  return tally.maximum_v;
 }
 
 }  // namespace sarsim::radar

@@ -27,11 +27,18 @@ struct Converter {
   int bits = 8;
   double lsb_v = 1.0;  ///< Positive.
 
-  /// Converts a row and adds to the tally.
+  /// Converts a row and adds to the tally, in SIMD: exactly what `convert_plainly` gives.
   /// @param[out] counts  2 * volts.size() values, I before Q; may be empty: then only the tally is made.
   void convert(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
                ConversionTally& tally) const;
+  /// The definition, one number at a time, with a division each.
+  void convert_plainly(std::span<const std::complex<double>> volts, std::span<std::int64_t> counts,
+                       ConversionTally& tally) const;
 };
+
+/// What can be said of a row without a converter, in SIMD: its largest magnitude, its samples that are 0 and those
+/// that are no numbers are added to the tally.
+void tally_volts(std::span<const std::complex<double>> volts, ConversionTally& tally);
 
 /// Largest magnitude of a row [V].
 [[nodiscard]] double largest_magnitude(std::span<const std::complex<double>> volts);

@@ -22,22 +22,25 @@ RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan
   spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
 }
 
-void RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
+radar::SampleSpan RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out,
+                                     const radar::SampleSpan& stale) {
   CORE_EXPECT(row < plan_->rows);
   CORE_EXPECT(out.size() == plan_->columns);
+  CORE_EXPECT(stale.begin <= stale.end && stale.end <= out.size());
   const Plan& plan = *plan_;
   switch (plan.simulation.processing) {
-    case scene::Processing::raw: make_raw(plan.first_pulse_of_row(row), out); return;
-    case scene::Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); return;
-    case scene::Processing::srp: make_profile(row, out); return;
+    case scene::Processing::raw: return make_raw(plan.first_pulse_of_row(row), out, stale);
+    case scene::Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); break;
+    case scene::Processing::srp: make_profile(row, out); break;
   }
+  return {0, out.size()};
 }
 
 void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double>> out) {
   const Plan& plan = *plan_;
   raw_.resize(plan.raw_grid.count);
   if (!plan.filters_spectra()) {
-    make_raw(pulse, raw_);
+    raw_filled_ = make_raw(pulse, raw_, raw_filled_);
     plan.compressor->compress(raw_, out, scratch_);
     return;
   }
@@ -52,16 +55,22 @@ void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double
   spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
 }
 
-void RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw) {
+radar::SampleSpan RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw,
+                                     const radar::SampleSpan& stale) {
   const Plan& plan = *plan_;
-  std::ranges::fill(raw, std::complex<double>());
+  std::ranges::fill(raw.subspan(stale.begin, stale.end - stale.begin), std::complex<double>());
   geometry_.set_pulse(pulse);
   take_echoes();
-  add_row(raw);
-  add_other_pulses(pulse, raw);
-  if (plan.noise_stddev_v > 0.0) add_receiver_noise(pulse, raw);
+  radar::SampleSpan filled = add_row(raw);
+  filled = filled.with(add_other_pulses(pulse, raw));
+  if (plan.noise_stddev_v > 0.0) {
+    add_receiver_noise(pulse, raw);
+    filled = {0, raw.size()};
+  }
   if (plan.scene->options.eclipsing == scene::Eclipsing::blanked) blank_while_sending(pulse, raw);
-  for (std::size_t i = 0; i < plan.stc_gain.size(); ++i) raw[i] *= plan.stc_gain[i];
+  if (!plan.stc_gain.empty())
+    for (std::size_t i = filled.begin; i < filled.end; ++i) raw[i] *= plan.stc_gain[i];
+  return filled;
 }
 
 void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
@@ -79,21 +88,23 @@ void RowMaker::take_echoes() {
     fast_echoes(*plan_->points, geometry_, echoes_);
 }
 
-// Adds the echoes that were taken.
-void RowMaker::add_row(std::span<std::complex<double>> raw) {
+// Adds the echoes that were taken. Returns the samples outside of which the row is as it was.
+radar::SampleSpan RowMaker::add_row(std::span<std::complex<double>> raw) {
   const Plan& plan = *plan_;
+  if (direct_) return direct_->add(raw, geometry_.carrier_hz(), echoes_);
   if (spectral_)
     spectral_->add(raw, geometry_.carrier_hz(), echoes_);
-  else if (direct_)
-    direct_->add(raw, geometry_.carrier_hz(), echoes_);
   else
     radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+  return {0, raw.size()};
 }
 
 // An echo of another pulse is one of the row's pulse that comes by so much earlier as that pulse left before: its phase
 // is that of its own delay, and it beats with the row's carrier where its own is another (docs/theory/echo-model.md).
-void RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw) {
+// Returns the samples outside of which the row is as it was.
+radar::SampleSpan RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw) {
   const Plan& plan = *plan_;
+  radar::SampleSpan filled;
   const double sent_s = plan.radar.repetition.send_time_s(pulse);
   const double carrier_hz = plan.radar.carrier.carrier_hz(pulse);
   for (const OtherPulse& other : plan.other_pulses.pulses) {
@@ -104,15 +115,18 @@ void RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::complex<doubl
     const double since_s = sent_s - geometry_.send_time_s();
     keep_heard(echoes_, since_s, plan.pulse, plan.raw_grid);
     if (echoes_.size() == 0) continue;
-    other_.assign(raw.size(), {});
-    add_row(other_);
+    other_.resize(raw.size());
+    const radar::SampleSpan on = add_row(other_);
+    filled = filled.with(on);
     const std::complex<double> turn = core::turned_exactly(-geometry_.carrier_hz() * since_s);
-    for (std::size_t i = 0; i < raw.size(); ++i) {
+    for (std::size_t i = on.begin; i < on.end; ++i) {
       std::complex<double> sample = turn * other_[i];
+      other_[i] = 0.0;
       if (beat_hz != 0.0) sample *= core::turned_exactly(beat_hz * plan.pulse.from_middle_s(plan.raw_grid.time_s(i)));
       raw[i] += sample;
     }
   }
+  return filled;
 }
 
 // By the edge rule of the ideal pulse.
@@ -143,7 +157,7 @@ void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out
   std::int64_t pulse = plan.first_pulse_of_row(row);
   for (std::size_t n = 0; n < steps; ++n)
     for (int p = 0; p < per_step; ++p, ++pulse) {
-      make_raw(pulse, raw_);
+      raw_filled_ = make_raw(pulse, raw_, raw_filled_);
       for (std::size_t g = 0; g < gates; ++g) scratch_[n * gates + g] += raw_[g] / static_cast<double>(per_step);
     }
   plan.profiler->profile(scratch_, out);

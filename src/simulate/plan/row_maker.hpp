@@ -21,16 +21,20 @@ class RowMaker {
   explicit RowMaker(const Plan& plan);
 
   /// @param[out] out  plan.columns samples in volts
-  void make_row(std::size_t row, std::span<std::complex<double>> out);
+  void make_row(std::size_t row, std::span<std::complex<double>> out) { make_row(row, out, {0, out.size()}); }
+  /// The same where most of `out` is 0 already, as in a row that is used again.
+  /// @param stale  samples outside of which `out` is 0
+  /// @return the samples outside of which `out` is 0 now
+  radar::SampleSpan make_row(std::size_t row, std::span<std::complex<double>> out, const radar::SampleSpan& stale);
 
  private:
-  void make_raw(std::int64_t pulse, std::span<std::complex<double>> raw);
+  radar::SampleSpan make_raw(std::int64_t pulse, std::span<std::complex<double>> raw, const radar::SampleSpan& stale);
   void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
   void make_profile(std::size_t row, std::span<std::complex<double>> out);
 
   void take_echoes();
-  void add_row(std::span<std::complex<double>> raw);
-  void add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
+  radar::SampleSpan add_row(std::span<std::complex<double>> raw);
+  radar::SampleSpan add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
   void blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const;
   void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;
 
@@ -40,7 +44,8 @@ class RowMaker {
   std::optional<radar::SpectralKernel> spectral_;
   radar::EchoBatch echoes_;
   std::vector<std::complex<double>> raw_;
-  std::vector<std::complex<double>> other_;  // the echoes of one other pulse
+  radar::SampleSpan raw_filled_;             // outside of which `raw_` is 0
+  std::vector<std::complex<double>> other_;  // the echoes of one other pulse; 0 between rows
   std::vector<std::complex<double>> scratch_;
 };
 

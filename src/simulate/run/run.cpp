@@ -50,8 +50,10 @@ class Blocks {
 };
 
 // No file may hold samples that are no numbers, whatever sum of extremes led to them.
-void expect_finite(std::span<const std::complex<double>> row, std::size_t number) {
+// @param met  what was met in the row: where its largest magnitude is small, no part of a sample is large
+void expect_finite(std::span<const std::complex<double>> row, const radar::ConversionTally& met, std::size_t number) {
   constexpr double largest = std::numeric_limits<float>::max();
+  if (met.maximum_v <= largest && met.not_numbers == 0) return;
   bool good = true;
   for (const std::complex<double>& v : row) good &= std::abs(v.real()) <= largest && std::abs(v.imag()) <= largest;
   if (!good)
@@ -86,24 +88,31 @@ class BlockMaker {
     const RowRange rows = result.rows = blocks_[block];
     for (std::size_t row = rows.first; row < rows.end(); ++row) {
       if (treatment_.stop != nullptr && treatment_.stop->requested()) throw core::Interrupted();
-      make_row_(row, volts_);
-      expect_finite(volts_, row);
-      convert(result.tally);
+      const radar::SampleSpan before = filled_;
+      filled_ = make_row_(row, volts_, before);
+      const radar::ConversionTally met = convert(before);
+      expect_finite(volts_, met, row);
+      result.tally.add(met);
       if (encoder_ != nullptr) encode(row, result);
     }
     return result;
   }
 
  private:
-  void convert(radar::ConversionTally& tally) {
-    if (encoder_ != nullptr && treatment_.lsb_v > 0.0) {
-      radar::Converter{treatment_.recorded.bits, treatment_.lsb_v}.convert(volts_, counts_, tally);
-      return;
-    }
-    radar::ConversionTally row;
-    row.maximum_v = radar::largest_magnitude(volts_);
-    if (encoder_ != nullptr) row.zero = static_cast<std::uint64_t>(std::ranges::count(volts_, std::complex<double>()));
-    tally.add(row);
+  // Of the row; samples that were 0 before and still are have the count 0 already.
+  radar::ConversionTally convert(const radar::SampleSpan& before) {
+    const radar::SampleSpan changed = before.with(filled_);
+    const std::size_t count = changed.end - changed.begin;
+    const std::span<const std::complex<double>> volts = std::span(volts_).subspan(changed.begin, count);
+    const std::span<std::int64_t> counts(counts_);
+    radar::ConversionTally met;
+    met.zero = volts_.size() - count;
+    if (encoder_ != nullptr && treatment_.lsb_v > 0.0)
+      radar::Converter{treatment_.recorded.bits, treatment_.lsb_v}.convert(
+          volts, counts.empty() ? counts : counts.subspan(2 * changed.begin, 2 * count), met);
+    else
+      radar::tally_volts(volts, met);
+    return met;
   }
 
   void encode(std::size_t row, EncodedRows& result) const {
@@ -121,7 +130,8 @@ class BlockMaker {
   const Blocks& blocks_;
   MakeRow make_row_;
   std::vector<std::complex<double>> volts_;
-  std::vector<std::int64_t> counts_;
+  radar::SampleSpan filled_;          // outside of which `volts_` is 0,
+  std::vector<std::int64_t> counts_;  // and `counts_` too
 };
 
 // @param source  () -> callable(row, volts), called once on each thread
@@ -144,10 +154,25 @@ void run_blocks(const Treatment& treatment, RowRange rows, const RunControl& con
 class PlanRows {
  public:
   explicit PlanRows(const Plan& plan) : rows_(plan) {}
-  void operator()(std::size_t row, std::span<std::complex<double>> volts) { rows_.make_row(row, volts); }
+  radar::SampleSpan operator()(std::size_t row, std::span<std::complex<double>> volts, const radar::SampleSpan& stale) {
+    return rows_.make_row(row, volts, stale);
+  }
 
  private:
   RowMaker rows_;
+};
+
+// Rows that were computed before.
+class StoredRows {
+ public:
+  explicit StoredRows(RowReader reader) : read_(std::move(reader)) {}
+  radar::SampleSpan operator()(std::size_t row, std::span<std::complex<double>> volts, const radar::SampleSpan&) {
+    read_(row, volts);
+    return {0, volts.size()};
+  }
+
+ private:
+  RowReader read_;
 };
 
 Recorded recorded_of(const Plan& plan) { return {plan.rows, plan.columns, plan.simulation.bits}; }
@@ -220,7 +245,7 @@ RunReport run_stored(const Recorded& recorded, const std::function<RowReader()>&
                      const RunControl& control) {
   CORE_EXPECT(make_reader);
   CORE_EXPECT(lsb_v > 0.0 || (lsb_v == 0.0 && !sink.wants_counts()));
-  return run_all({recorded, &sink, lsb_v, control.stop}, sink, control, make_reader);
+  return run_all({recorded, &sink, lsb_v, control.stop}, sink, control, [&] { return StoredRows(make_reader()); });
 }
 
 Recording record(const Plan& plan, const RunControl& control) {
