@@ -2,6 +2,7 @@
 
 #include <fftw3.h>
 
+#include <algorithm>
 #include <mutex>
 #include <new>
 #include <stdexcept>
@@ -106,6 +107,18 @@ std::size_t good_fft_size(std::size_t minimum) {
       std::size_t size = threes;
       while (size < minimum) size *= 2;
       if (size < best) best = size;
+    }
+  return best;
+}
+
+std::size_t fast_fft_size(std::size_t minimum) {
+  std::size_t best = 16;
+  while (best < minimum) best *= 2;
+  for (std::size_t fives = 16; fives < best; fives *= 5)
+    for (const std::size_t odd : {fives, 3 * fives}) {
+      std::size_t size = odd;
+      while (size < minimum) size *= 2;
+      best = std::min(best, size);
     }
   return best;
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -132,6 +133,20 @@ TEST(GoodFftSize, IsTheSmallestProductOfTwosThreesAndFivesFromTheMinimumOn) {
     std::size_t expected = minimum;
     while (!good(expected)) ++expected;
     ASSERT_EQ(good_fft_size(minimum), expected);
+  }
+}
+
+TEST(Fft, FastSizesAreMultiplesOf16WithAtMostOneFactor3) {
+  const auto fast = [](std::size_t size) {
+    if (size % 16 != 0) return false;
+    while (size % 2 == 0) size /= 2;
+    while (size % 5 == 0) size /= 5;
+    return size == 1 || size == 3;
+  };
+  for (std::size_t minimum = 0; minimum < 7000; minimum += 7) {
+    std::size_t expected = std::max<std::size_t>(minimum, 1);
+    while (!fast(expected)) ++expected;
+    ASSERT_EQ(fast_fft_size(minimum), expected);
   }
 }
 

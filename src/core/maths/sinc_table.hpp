@@ -17,6 +17,7 @@ namespace sarsim::core {
 class SincTable {
  public:
   static constexpr std::size_t taps = 16;
+  static constexpr std::size_t steps = 2048;  ///< Positions between two samples.
 
   /// @param band  share of the sampling rate that the samples fill, in (0, 1]
   explicit SincTable(double band);
@@ -25,9 +26,13 @@ class SincTable {
   [[nodiscard]] std::complex<float> value(std::span<const std::complex<float>> samples, double position) const;
   /// The same where samples repeat.
   [[nodiscard]] std::complex<float> circular(std::span<const std::complex<float>> samples, double position) const;
+  /// The weights of a position `step` steps behind a sample, of which the tap taps/2 - 1 meets it.
+  /// @param step  0 to `steps`
+  [[nodiscard]] std::span<const float, taps> weights(std::size_t step) const {
+    return std::span<const float, taps>(weights_.data() + step * taps, taps);
+  }
 
  private:
-  static constexpr std::size_t steps = 2048;
   // Where the taps of a position begin, and their weights.
   struct Place {
     std::ptrdiff_t first;

@@ -6,6 +6,7 @@
 #include "core/maths/sinc_table.hpp"
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
+#include "signal/row/sinc_row.hpp"
 
 namespace sarsim::signal {
 
@@ -107,7 +108,7 @@ void set_azimuth_axis(FocusFrame& frame) {
   // What lies beyond the image and one flight and a blur more is kept out of it.
   const double blurred = blurred_pulses(frame);
   const double beyond = std::min(half_band_pulses(frame), static_cast<double>(frame.pulses) + blurred);
-  frame.azimuth_size = core::good_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(beyond)));
+  frame.azimuth_size = core::fast_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(beyond)));
   frame.blur_m = blurred * frame.track.speed_mps * frame.track.interval_s;
   frame.doppler_middle_hz = frame.options.doppler_centroid_hz;
 }
@@ -115,7 +116,7 @@ void set_azimuth_axis(FocusFrame& frame) {
 // The size of a transform back that gives samples `wanted_m` apart, or closer, if `size` gives `step_m`.
 std::size_t finer_size(std::size_t size, double step_m, double wanted_m) {
   return wanted_m < step_m
-             ? core::good_fft_size(static_cast<std::size_t>(std::ceil(static_cast<double>(size) * step_m / wanted_m)))
+             ? core::fast_fft_size(static_cast<std::size_t>(std::ceil(static_cast<double>(size) * step_m / wanted_m)))
              : size;
 }
 
@@ -155,6 +156,13 @@ ImageAxis part_of(const ImageAxis& axis, const std::optional<AxisInterval>& area
   const std::ptrdiff_t first = cut_axis(part, {std::max(area->first_m, axis.first_m), std::min(area->last_m, last_m)});
   hidden = part.count > 0 ? static_cast<std::size_t>(first) : 0;
   return part;
+}
+
+// The two halves of a transform's bins, in steps.
+FrequencyRuns halves(std::size_t size, double step_hz) {
+  const std::size_t positive = (size + 1) / 2;
+  const double first_hz = -step_hz * static_cast<double>(size - positive);
+  return {{{0, positive, 0.0, step_hz}, {positive, size - positive, first_hz, step_hz}}};
 }
 
 // Frequency of a transform's bin in steps: the second half is negative.
@@ -203,6 +211,35 @@ double FocusFrame::image_hz(std::size_t bin) const {
   return waveform.sample_rate_hz / static_cast<double>(range_size) * signed_bin(bin, image_bins);
 }
 
+FrequencyRuns FocusFrame::range_runs() const {
+  return halves(range_size, waveform.sample_rate_hz / static_cast<double>(range_size));
+}
+
+FrequencyRuns FocusFrame::image_runs() const {
+  return halves(image_bins, waveform.sample_rate_hz / static_cast<double>(range_size));
+}
+
+FrequencyRuns FocusFrame::doppler_runs() const {
+  const double step_hz = prf_hz() / static_cast<double>(azimuth_size);
+  std::size_t fold = 1;
+  while (fold < image_rows && doppler_hz(fold) > doppler_hz(fold - 1)) ++fold;
+  const double folded_hz = fold < image_rows ? doppler_hz(fold) : 0.0;
+  return {{{0, fold, doppler_hz(0), step_hz}, {fold, image_rows - fold, folded_hz, step_hz}}};
+}
+
+double FocusFrame::early_s(double doppler_hz) const {
+  constexpr double least_turns = 5e-4;  // over the band
+  const double delay_s = doppler_hz * waveform.pulse_width_s / waveform.bandwidth_hz;
+  return std::abs(delay_s * waveform.bandwidth_hz) < least_turns ? 0.0 : delay_s;
+}
+
+RowRoom::RowRoom(const FocusFrame& frame)
+    : turns(frame.row_length()),
+      factors(frame.row_length()),
+      whole(frame.row_length()),
+      step(frame.row_length()),
+      padded(frame.range_size + 2 * SincRow::margin) {}
+
 FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   CORE_EXPECT(echoes.track.size() >= 2);
   CORE_EXPECT(echoes.waveform.sample_rate_hz > 0.0);
@@ -219,7 +256,7 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.centroid_cosine = std::sqrt(1.0 - sine * sine);
   set_range_axis(frame);
   set_azimuth_axis(frame);
-  frame.range_size = core::good_fft_size(padded_samples(frame));
+  frame.range_size = core::fast_fft_size(padded_samples(frame));
   frame.image_rows = frame.azimuth_size;
   frame.image_bins = frame.range_size;
   if (options.spectrum) fit_range(frame, options.spectrum->range);

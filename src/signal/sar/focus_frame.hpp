@@ -1,17 +1,35 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <complex>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
 #include "core/maths/fft.hpp"
 #include "radar/path/path.hpp"
+#include "signal/row/raw_samples.hpp"
+#include "signal/row/smooth_row.hpp"
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_track.hpp"
 
 namespace sarsim::signal {
+
+/// Bins, one after the other, whose frequencies are first_hz, first_hz + step_hz, ...
+struct FrequencyRun {
+  std::size_t begin = 0;
+  std::size_t count = 0;
+  double first_hz = 0.0;
+  double step_hz = 0.0;
+
+  [[nodiscard]] double hz(double bin) const { return first_hz + bin * step_hz; }
+};
+
+/// All bins of a spectrum.
+using FrequencyRuns = std::array<FrequencyRun, 2>;
 
 /// What the three methods have in common: sizes, axes and the hyperbola in numbers.
 struct FocusFrame {
@@ -65,10 +83,42 @@ struct FocusFrame {
   [[nodiscard]] double range_hz(std::size_t bin) const;
   /// The same of the spectrum of the image's rows, from the middle of its range frequencies.
   [[nodiscard]] double image_hz(std::size_t bin) const;
+  /// Bins of a range spectrum whose frequencies follow each other.
+  [[nodiscard]] FrequencyRuns range_runs() const;
+  /// The same of the spectrum of the image's rows.
+  [[nodiscard]] FrequencyRuns image_runs() const;
+  /// The same of rows of the image's azimuth spectrum.
+  [[nodiscard]] FrequencyRuns doppler_runs() const;
+  /// fd/K, by which a chirp of the rate K that is shifted by fd has its peak earlier; 0 where that is nothing over the
+  /// band.
+  [[nodiscard]] double early_s(double doppler_hz) const;
 };
 
 /// @param echoes  at least two pulses of an antenna that moves; std::invalid_argument for fewer
 [[nodiscard]] FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options);
+
+/// Room for what is worked out for a row; one for each thread.
+struct RowRoom {
+  std::vector<float> turns;
+  std::vector<float> factors;
+  std::vector<std::int32_t> whole;
+  std::vector<std::int32_t> step;
+  RawSamples padded;  ///< The row with margins for SincRow.
+
+  /// For rows of this frame.
+  explicit RowRoom(const FocusFrame& frame);
+};
+
+/// Turns a spectrum by turns_of(hz) at each frequency.
+template <class TurnsOf>
+void turn_spectrum(std::span<std::complex<float>> bins, const FrequencyRuns& runs, const TurnsOf& turns_of,
+                   std::span<float> turns) {
+  for (const FrequencyRun& run : runs) {
+    const auto value = [&](double bin) { return turns_of(run.hz(bin)); };
+    sample_turns(knots_of(run.count, value), value, turns.subspan(run.begin, run.count));
+  }
+  turn_row(bins, turns.first(bins.size()));
+}
 
 /// What differs between the methods: how a row of the two-dimensional spectrum becomes one of ranges against Doppler
 /// frequency, and what remains to be turned there.
@@ -79,11 +129,12 @@ class RowFocuser {
   RowFocuser& operator=(const RowFocuser&) = delete;
   virtual ~RowFocuser() = default;
 
-  /// @param doppler_hz   of the row, the antenna's motion between sending and receiving not yet added
+  /// @param doppler_hz   of the row, the antenna's motion between sending and receiving not yet added. What it does to
+  ///                     a chirp, whose peak it shifts by early_s and turns, is undone first
   /// @param[in,out] row  row_length() values, range_size bins first; then frame.range.count samples along frame.range
   /// and more of no use.
   ///                     The unscaled transforms leave a factor range_size
-  virtual void focus(double doppler_hz, std::span<std::complex<float>> row) const = 0;
+  virtual void focus(double doppler_hz, std::span<std::complex<float>> row, RowRoom& room) const = 0;
   /// Turns by which a sample at a closest distance is to be multiplied at each Doppler frequency.
   /// @param cosine  D
   [[nodiscard]] virtual double azimuth_turns(double range_m, double cosine) const = 0;
@@ -93,6 +144,12 @@ class RowFocuser {
 [[nodiscard]] std::unique_ptr<RowFocuser> make_range_doppler(const FocusFrame& frame);
 [[nodiscard]] std::unique_ptr<RowFocuser> make_chirp_scaling(const FocusFrame& frame);
 [[nodiscard]] std::unique_ptr<RowFocuser> make_omega_k(const FocusFrame& frame);
+
+/// Turns by which a range frequency is to be turned so that the peak of a chirp, `early_s` early and turned by half of
+/// its Doppler frequency times that, stands where it would without.
+[[nodiscard]] inline double turns_of_pulse(double doppler_hz, double range_hz, double early_s) {
+  return (0.5 * doppler_hz - range_hz) * early_s;
+}
 
 /// Time-bandwidth product of the chirps that chirp scaling gives compressed echoes back.
 inline constexpr double dispersed_time_bandwidth = 256.0;

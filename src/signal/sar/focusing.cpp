@@ -11,8 +11,8 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
-#include "core/maths/turns.hpp"
 #include "core/report/expect.hpp"
+#include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
 #include "signal/sar/work_matrix.hpp"
@@ -123,11 +123,13 @@ class Focuser {
 
   FocusedRows carry_out() {
     load();
-    matrix_.each_column(0, frame_.range_size, control_, counter_,
-                        [&](std::size_t bin, std::span<std::complex<float>> column) {
-                          azimuth_fft_.forward(column.first(frame_.azimuth_size));
-                          if (frame_.unfolds) unfold(bin, column);
-                        });
+    matrix_.each_column(
+        0, frame_.range_size, control_, counter_,
+        [&](std::size_t bin, std::span<std::complex<float>> column) {
+          azimuth_fft_.forward(column.first(frame_.azimuth_size));
+          if (frame_.unfolds) unfold(bin, column);
+        },
+        frame_.pulses);
     focus_all_rows();
     focus_all_columns();
     return result();
@@ -148,7 +150,7 @@ class Focuser {
       echoes_.read(p, row.first(frame_.samples));
       std::fill(row.begin() + static_cast<std::ptrdiff_t>(frame_.samples), row.end(), std::complex<float>());
       fft.forward(row);
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] *= pulses[p] * bins[k];
+      scale_row(row, bins, pulses[p]);
     };
     matrix_.each_row(0, frame_.pulses, control_, counter_, load_row);
   }
@@ -174,34 +176,78 @@ class Focuser {
   void focus_all_rows() {
     const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
     const std::vector<DopplerRow> rows = doppler_rows(frame_);
+    core::WorkerPool<RowRoom> rooms([&] { return std::make_unique<RowRoom>(frame_); });
     const auto focus_row = [&](std::size_t k, std::span<std::complex<float>> row) {
-      if (rows[k].weight != 0.0F) {
-        undo_doppler_in_pulse(frame_.doppler_hz(k), row.first(frame_.range_size));
-        focuser->focus(frame_.doppler_hz(k), row);
-      } else {
+      if (rows[k].weight != 0.0F)
+        rooms.lend([&](RowRoom& room) { focuser->focus(frame_.doppler_hz(k), row, room); });
+      else
         std::ranges::fill(row, std::complex<float>());
-      }
     };
     matrix_.each_row(0, frame_.image_rows, control_, counter_, focus_row);
   }
 
-  // A chirp of the rate K that is shifted in frequency has its peak fd/K earlier, turned by -pi fd^2/K.
-  void undo_doppler_in_pulse(double doppler_hz, std::span<std::complex<float>> row) const {
-    constexpr double least_turns = 5e-4;  // over the band
-    const double delay_s = doppler_hz * frame_.waveform.pulse_width_s / frame_.waveform.bandwidth_hz;
-    if (std::abs(delay_s * frame_.waveform.bandwidth_hz) < least_turns) return;
-    for (std::size_t k = 0; k < row.size(); ++k)
-      row[k] = core::product(row[k], core::turned((0.5 * doppler_hz - frame_.range_hz(k)) * delay_s));
+  // Phases and weights of columns, along Doppler frequencies.
+  struct ColumnTables {
+    FrequencyRuns runs;
+    std::array<std::vector<double>, 2> cosine_at_knots;
+    std::vector<float> sine, fall, weight;
+  };
+
+  // D at a Doppler frequency; that of the last direction beyond it.
+  [[nodiscard]] double cosine_at(double doppler_hz) const {
+    const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
+    return std::sqrt(std::max(1.0 - sine * sine, 1.0 - most_sine * most_sine));
+  }
+
+  [[nodiscard]] ColumnTables column_tables(const std::vector<DopplerRow>& rows) const {
+    ColumnTables tables{.runs = frame_.doppler_runs(), .cosine_at_knots = {}, .sine = {}, .fall = {}, .weight = {}};
+    for (std::size_t i = 0; i < tables.runs.size(); ++i)
+      tables.cosine_at_knots[i] =
+          knots_of(tables.runs[i].count, [&](double row) { return cosine_at(tables.runs[i].hz(row)); });
+    for (const DopplerRow& row : rows) {
+      tables.sine.push_back(static_cast<float>(row.sine));
+      tables.fall.push_back(static_cast<float>(row.cosine * row.cosine * row.cosine));
+      tables.weight.push_back(row.weight);
+    }
+    return tables;
+  }
+
+  // The azimuth spectrum of the image at a range.
+  void focus_column(const RowFocuser& focuser, const ColumnTables& tables, double range_m, double flown, double size,
+                    std::span<std::complex<float>> column, std::span<float> turns) const {
+    constexpr double stationary_phase_turns = 0.125;  // of the spectrum of a chirp: pi/4
+    const auto turns_of = [&](double cosine) {
+      return focuser.azimuth_turns(range_m, cosine) + stationary_phase_turns + flown * range_m / cosine;
+    };
+    for (std::size_t i = 0; i < tables.runs.size(); ++i) {
+      const FrequencyRun& run = tables.runs[i];
+      std::vector<double> knots = tables.cosine_at_knots[i];
+      for (double& knot : knots) knot = turns_of(knot);
+      sample_turns(
+          knots, [&](double row) { return turns_of(cosine_at(run.hz(row))); }, turns.subspan(run.begin, run.count));
+    }
+    // What lies beyond the image would come back on its other side, and noise from there with it: weights fall to 0
+    // over the outer half of what responses are blurred by.
+    const FocusFrame::Sines seen = frame_.sines_at(range_m);
+    weigh_column(column, turns,
+                 {.sine = tables.sine,
+                  .fall = tables.fall,
+                  .weight = tables.weight,
+                  .low = static_cast<float>(seen.low),
+                  .high = static_cast<float>(seen.high),
+                  .edge = static_cast<float>(0.5 * frame_.blur_m / range_m),
+                  .scale = static_cast<float>(size)});
   }
 
   void focus_all_columns() {
     const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
     const std::vector<DopplerRow> rows = doppler_rows(frame_);
+    const ColumnTables tables = column_tables(rows);
     const double scale = amplitude_scale(frame_, pulse_weights(frame_), rows);
     const bool band = frame_.options.doppler_bandwidth_hz > 0.0;
-    constexpr double stationary_phase_turns = 0.125;  // of the spectrum of a chirp: pi/4
     const double flown = flown_turns_per_m();
-    const auto focus_column = [&](std::size_t n, std::span<std::complex<float>> column) {
+    core::WorkerPool<std::vector<float>> rooms([&] { return std::make_unique<std::vector<float>>(frame_.image_rows); });
+    const auto focus = [&](std::size_t n, std::span<std::complex<float>> column) {
       const double range_m = frame_.range.at(static_cast<double>(n));
       // On the track itself, and before it, there is nothing to be focused.
       if (!(range_m > 0.0)) {
@@ -209,33 +255,13 @@ class Focuser {
         return;
       }
       const double spread = std::sqrt(range_m);
-      const auto size = static_cast<float>(band ? scale / spread : scale * spread);
-      // What lies beyond the image would come back on its other side, and noise from there with it.
-      const FocusFrame::Sines seen = frame_.sines_at(range_m);
-      for (std::size_t k = 0; k < column.size(); ++k) {
-        if (rows[k].weight == 0.0F) continue;
-        const float inside = share_inside(rows[k], seen, range_m);
-        if (inside == 0.0F) {
-          column[k] = {};
-          continue;
-        }
-        const double turns =
-            focuser->azimuth_turns(range_m, rows[k].cosine) + stationary_phase_turns + flown * range_m / rows[k].cosine;
-        column[k] = inside * size * rows[k].weight * core::product(column[k], core::turned(turns));
-      }
+      rooms.lend([&](std::vector<float>& turns) {
+        focus_column(*focuser, tables, range_m, flown, band ? scale / spread : scale * spread, column, turns);
+      });
       image_fft_.inverse(column);
     };
     matrix_.each_column(frame_.hidden_columns, frame_.hidden_columns + frame_.shown_range.count, control_, counter_,
-                        focus_column);
-  }
-
-  // 1 within the directions in which the image is seen, falling to 0 over the outer half of what responses are blurred
-  // by.
-  [[nodiscard]] float share_inside(const DopplerRow& row, const FocusFrame::Sines& seen, double range_m) const {
-    const double within = std::min(row.sine - seen.low, seen.high - row.sine);
-    const double fall = 0.5 * frame_.blur_m / range_m * std::pow(row.cosine, 3);
-    if (!(within > 0.0)) return 0.0F;
-    return within < fall ? static_cast<float>(0.5 - 0.5 * std::cos(core::pi * within / fall)) : 1.0F;
+                        focus);
   }
 
   // The antenna flies on while an echo is under way: its light time is 2 d/c longer by V^2/c^2 of itself, besides what

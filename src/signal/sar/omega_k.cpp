@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/maths/sinc_table.hpp"
 #include "core/maths/turns.hpp"
 #include "radar/path/path.hpp"
+#include "signal/row/sinc_row.hpp"
 #include "signal/sar/focus_frame.hpp"
 
 namespace sarsim::signal {
@@ -20,17 +20,29 @@ class OmegaK : public RowFocuser {
   explicit OmegaK(const FocusFrame& frame)
       : frame_(frame),
         fft_(frame.image_bins),
-        table_(static_cast<double>(frame.samples) / static_cast<double>(frame.range_size)) {}
+        runs_(frame.range_runs()),
+        image_runs_(frame.image_runs()),
+        interpolation_(static_cast<double>(frame.samples) / static_cast<double>(frame.range_size)) {
+    const double first_s =
+        radar::delay_of(frame.range.first_m - frame.reference_range_m, frame.waveform.light_speed_mps);
+    for (std::size_t k = 0; k < frame.image_bins; ++k) {
+      const double turns = (frame.range_middle_hz + frame.image_hz(k)) * first_s;
+      to_begin_.emplace_back(core::turned_exactly(turns - frame.waveform.carrier_hz * reference_delay_s()));
+    }
+    constexpr double least_turns = 1e-6;
+    const double turns = frame.range.spectrum_centre_per_m * frame.range.step_m;
+    if (std::abs(turns) * static_cast<double>(frame.range.count) < least_turns) return;
+    for (std::size_t n = 0; n < frame.range.count; ++n)
+      to_centre_.emplace_back(core::turned_exactly(turns * static_cast<double>(n)));
+  }
 
-  void focus(double doppler_hz, std::span<std::complex<float>> row) const override {
+  void focus(double doppler_hz, std::span<std::complex<float>> row, RowRoom& room) const override {
     const double a = radar::range_of(doppler_hz, frame_.waveform.light_speed_mps) / frame_.track.speed_mps;
-    refer_to_middle(row.first(frame_.range_size), a);
-    change_variable(row, a);
+    refer_to_middle(row.first(frame_.range_size), doppler_hz, a, room);
+    change_variable(row, a, room);
     fft_.inverse(row.first(frame_.image_bins));
     // The image's band lies about f0 (Dc - 1), not about 0.
-    for (std::size_t n = 0; n < frame_.range.count; ++n)
-      row[n] = core::product(
-          row[n], core::turned(frame_.range.spectrum_centre_per_m * frame_.range.step_m * static_cast<double>(n)));
+    if (!to_centre_.empty()) multiply_row(row.first(frame_.range.count), to_centre_);
   }
 
   double azimuth_turns(double /*range_m*/, double /*cosine*/) const override { return 0.0; }
@@ -42,44 +54,62 @@ class OmegaK : public RowFocuser {
   }
 
   // Takes the phase of the reference away: what remains is smooth enough to interpolate.
-  void refer_to_middle(std::span<std::complex<float>> row, double a) const {
+  void refer_to_middle(std::span<std::complex<float>> row, double doppler_hz, double a, RowRoom& room) const {
     const double f0 = frame_.waveform.carrier_hz;
-    for (std::size_t k = 0; k < row.size(); ++k) {
-      const double hz = frame_.range_hz(k);
-      const double across = a + motion() * (f0 + hz);
-      const double square = (f0 + hz) * (f0 + hz) - across * across;
-      const double turns = reference_delay_s() * std::sqrt(std::max(square, 0.0)) - hz * frame_.first_delay_s;
-      row[k] = core::product(row[k], core::turned(turns));
-    }
+    const double early_s = frame_.early_s(doppler_hz);
+    turn_spectrum(
+        row, runs_,
+        [&](double hz) {
+          const double across = a + motion() * (f0 + hz);
+          const double square = (f0 + hz) * (f0 + hz) - across * across;
+          return reference_delay_s() * std::sqrt(std::max(square, 0.0)) - hz * frame_.first_delay_s +
+                 turns_of_pulse(doppler_hz, hz, early_s);
+        },
+        room.turns);
+  }
+
+  // The spectrum from its lowest frequency to its highest, repeated at both ends.
+  static void put_in_order(std::span<const std::complex<float>> bins, std::span<std::complex<float>> padded) {
+    const std::size_t positive = (bins.size() + 1) / 2;
+    const auto out = padded.begin() + SincRow::margin;
+    std::ranges::copy(bins.first(positive), std::ranges::copy(bins.subspan(positive), out).out);
+    std::copy_n(padded.end() - 2 * SincRow::margin, SincRow::margin, padded.begin());
+    std::copy_n(out, SincRow::margin, padded.end() - SincRow::margin);
   }
 
   // From f to f' and to where the image begins.
-  void change_variable(std::span<std::complex<float>> row, double a) const {
+  void change_variable(std::span<std::complex<float>> row, double a, RowRoom& room) const {
     const double f0 = frame_.waveform.carrier_hz;
-    const double c = frame_.waveform.light_speed_mps;
-    const double fs = frame_.waveform.sample_rate_hz;
     const double b = motion();
-    const double first_s = radar::delay_of(frame_.range.first_m - frame_.reference_range_m, c);
-    const double bins_per_hz = static_cast<double>(frame_.range_size) / fs;
-    const auto bins = row.first(frame_.range_size);
-    const std::vector<std::complex<float>> spectrum(bins.begin(), bins.end());
-    for (std::size_t k = 0; k < frame_.image_bins; ++k) {
-      const double image_hz = frame_.range_middle_hz + frame_.image_hz(k);
-      const double across = f0 + image_hz;
-      const double true_hz =
-          (a * b + std::sqrt(a * a * b * b + (1.0 - b * b) * (a * a + across * across))) / (1.0 - b * b);
-      const double hz = true_hz - f0;
-      row[k] = {};
-      if (!(std::abs(hz) < 0.5 * fs)) continue;
-      const double turns = image_hz * first_s - f0 * reference_delay_s();
-      const auto slope = static_cast<float>(across / true_hz);
-      row[k] = slope * core::product(table_.circular(spectrum, hz * bins_per_hz), core::turned(turns));
+    const double bins_per_hz = static_cast<double>(frame_.range_size) / frame_.waveform.sample_rate_hz;
+    const auto negative = static_cast<double>(frame_.range_size / 2);
+    put_in_order(row.first(frame_.range_size), room.padded.span());
+    const auto true_hz = [&](double across) {
+      return (a * b + std::sqrt(a * a * b * b + (1.0 - b * b) * (a * a + across * across))) / (1.0 - b * b);
+    };
+    for (const FrequencyRun& run : image_runs_) {
+      const auto across = [&](double bin) { return f0 + frame_.range_middle_hz + run.hz(bin); };
+      const SamplePlaces places{std::span(room.whole).subspan(run.begin, run.count),
+                                std::span(room.step).subspan(run.begin, run.count)};
+      sample_places([&](double bin) { return (true_hz(across(bin)) - f0) * bins_per_hz + negative; }, SincRow::steps,
+                    places);
+      sample_values([&](double bin) { return across(bin) / true_hz(across(bin)); },
+                    std::span(room.factors).subspan(run.begin, run.count));
     }
+    const std::size_t count = frame_.image_bins;
+    interpolation_.interpolate(room.padded.span(), std::span(room.whole).first(count),
+                               std::span(room.step).first(count), std::span(room.factors).first(count), 0,
+                               static_cast<std::ptrdiff_t>(frame_.range_size), row.first(count));
+    multiply_row(row.first(count), to_begin_);
   }
 
   FocusFrame frame_;
   core::BasicFft<float> fft_;
-  core::SincTable table_;
+  FrequencyRuns runs_;
+  FrequencyRuns image_runs_;
+  SincRow interpolation_;
+  std::vector<std::complex<float>> to_begin_;   // Turns the spectrum to where the image begins.
+  std::vector<std::complex<float>> to_centre_;  // Turns the image to its spectral centre; empty where that is 0.
 };
 
 }  // namespace

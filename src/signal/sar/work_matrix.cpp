@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <system_error>
 
+#include "core/os/large_pages.hpp"
 #include "core/report/expect.hpp"
 
 namespace sarsim::signal {
@@ -82,14 +83,15 @@ WorkMatrix::WorkMatrix(std::size_t rows, std::size_t columns, std::size_t memory
   const std::size_t all = rows_ * stride_;
   const std::size_t most = memory_bytes - memory_bytes / copies_part;
   if (memory_bytes == 0 || all * sizeof(Value) <= most) {
-    values_.resize(all);
+    store_ = RawSamples(all);
+    core::prefer_large_pages(store_.data(), all * sizeof(Value));
     return;
   }
   file_ = std::make_unique<File>(folder);
   file_->reserve(all * sizeof(Value));
   // A piece holds at least a row and a column.
   piece_values_ = std::max({most / sizeof(Value), stride_, 2 * rows_});
-  values_.resize(std::min(piece_values_, all));
+  store_ = RawSamples(std::min(piece_values_, all));
 }
 
 WorkMatrix::~WorkMatrix() = default;
@@ -107,23 +109,23 @@ std::size_t WorkMatrix::columns_at_once(unsigned threads) const {
 std::vector<WorkMatrix::Piece> WorkMatrix::row_pieces(std::size_t first, std::size_t last) {
   CORE_EXPECT(first <= last);
   CORE_EXPECT(last <= rows_);
-  if (!file_) return {{first, last - first, 0, columns_, stride_, values_.data() + first * stride_}};
+  if (!file_) return {{first, last - first, 0, columns_, stride_, store_.data() + first * stride_}};
   std::vector<Piece> pieces;
-  const std::size_t most = values_.size() / stride_;
+  const std::size_t most = store_.size() / stride_;
   for (std::size_t row = first; row < last; row += most)
-    pieces.push_back({row, std::min(most, last - row), 0, columns_, stride_, values_.data()});
+    pieces.push_back({row, std::min(most, last - row), 0, columns_, stride_, store_.data()});
   return pieces;
 }
 
 std::vector<WorkMatrix::Piece> WorkMatrix::column_pieces(std::size_t first, std::size_t last) {
   CORE_EXPECT(first <= last);
   CORE_EXPECT(last <= columns_);
-  if (!file_) return {{0, rows_, first, last - first, stride_, values_.data() + first}};
+  if (!file_) return {{0, rows_, first, last - first, stride_, store_.data() + first}};
   std::vector<Piece> pieces;
-  const std::size_t most = std::max<std::size_t>(values_.size() / rows_, 1);
+  const std::size_t most = std::max<std::size_t>(store_.size() / rows_, 1);
   for (std::size_t column = first; column < last; column += most) {
     const std::size_t width = std::min(most, last - column);
-    pieces.push_back({0, rows_, column, width, width, values_.data()});
+    pieces.push_back({0, rows_, column, width, width, store_.data()});
   }
   return pieces;
 }
@@ -161,7 +163,7 @@ void WorkMatrix::read_row(std::size_t row, std::size_t first, std::span<Value> o
     file_->read((row * stride_ + first) * sizeof(Value), std::as_writable_bytes(out));
     return;
   }
-  std::copy_n(values_.data() + row * stride_ + first, out.size(), out.data());
+  std::copy_n(store_.data() + row * stride_ + first, out.size(), out.data());
 }
 
 }  // namespace sarsim::signal

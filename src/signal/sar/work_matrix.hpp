@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <complex>
 #include <cstddef>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <span>
 #include <thread>
@@ -11,6 +13,8 @@
 
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
+#include "signal/row/raw_samples.hpp"
+#include "signal/row/row_kernels.hpp"
 
 namespace sarsim::signal {
 
@@ -37,10 +41,11 @@ struct WorkSpace {
 };
 
 /// A complex matrix that is gone through by rows and by columns in turn, in memory or, where it would need more than it
-/// may, in a file without a name that is gone through piece by piece.
+/// may, in a file without a name that is gone through piece by piece. What it holds at first is not defined.
 class WorkMatrix {
  public:
   using Value = std::complex<float>;
+  static constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
 
   /// @param memory_bytes  what it may hold in memory, of the matrix or of pieces, an eighth of it for copies of
   /// columns;
@@ -62,9 +67,10 @@ class WorkMatrix {
                 const Body& body);
   /// Calls body(column number, column) for the columns [first, last); columns are copies that are written back, of up
   /// to 16 at once on each thread.
+  /// @param filled  rows from this on count as 0
   template <class Body>
   void each_column(std::size_t first, std::size_t last, const core::WorkControl& control, WorkCounter& counter,
-                   const Body& body);
+                   const Body& body, std::size_t filled = all_rows);
 
   /// Columns that each of some threads copies at once: as many as fit their part of the memory, but one at least.
   [[nodiscard]] std::size_t columns_at_once(unsigned threads) const;
@@ -91,7 +97,7 @@ class WorkMatrix {
   std::size_t stride_;  // even, so that every row begins at a multiple of 16 bytes
   std::size_t memory_bytes_ = 0;
   std::size_t piece_values_ = 0;
-  std::vector<Value> values_;  // the matrix, or a piece of it
+  RawSamples store_;  // the matrix, or a piece of it
   std::unique_ptr<File> file_;
 };
 
@@ -113,19 +119,21 @@ void WorkMatrix::each_row(std::size_t first, std::size_t last, const core::WorkC
 
 template <class Body>
 void WorkMatrix::each_column(std::size_t first, std::size_t last, const core::WorkControl& control,
-                             WorkCounter& counter, const Body& body) {
+                             WorkCounter& counter, const Body& body, std::size_t filled) {
+  filled = std::min(filled, rows_);
   const std::size_t group = columns_at_once(control.threads);
   const std::size_t length = rows_ + rows_ % 2;
   for (Piece& piece : column_pieces(first, last)) {
     load(piece);
     core::parallel_ranges(piece.columns, group, control, [&](std::size_t begin, std::size_t end) {
-      std::vector<Value> copies((end - begin) * length);
-      for (std::size_t r = 0; r < rows_; ++r)
-        for (std::size_t c = begin; c < end; ++c) copies[(c - begin) * length + r] = piece.values[r * piece.stride + c];
-      for (std::size_t c = begin; c < end; ++c)
-        body(piece.first_column + c, std::span(copies).subspan((c - begin) * length, rows_));
-      for (std::size_t r = 0; r < rows_; ++r)
-        for (std::size_t c = begin; c < end; ++c) piece.values[r * piece.stride + c] = copies[(c - begin) * length + r];
+      const RawSamples copies((end - begin) * length);
+      transpose(piece.values + begin, piece.stride, filled, end - begin, copies.data(), length);
+      for (std::size_t c = 0; c < end - begin; ++c) {
+        const std::span column(copies.data() + c * length, rows_);
+        std::fill(column.begin() + static_cast<std::ptrdiff_t>(filled), column.end(), Value());
+        body(piece.first_column + begin + c, column);
+      }
+      transpose(copies.data(), length, end - begin, rows_, piece.values + begin, piece.stride);
       counter.add((end - begin) * rows_);
     });
     store(piece);

@@ -8,6 +8,7 @@
 
 #include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
+#include "signal/compress/float_compression.hpp"
 #include "simulate/plan/row_maker.hpp"
 #include "simulate/plan/row_space.hpp"
 #include "simulate/run/sampled_views.hpp"
@@ -16,17 +17,31 @@ namespace sarsim::workflow {
 
 namespace {
 
+// Room to compress rows in; one for each thread, used again.
+struct FloatSpace {
+  std::vector<std::complex<double>> raw;
+  std::vector<std::complex<float>> scratch;
+
+  void compress(const signal::FloatCompressor& compressor, std::span<std::complex<float>> out) {
+    scratch.resize(compressor.scratch_size());
+    compressor.compress(raw, out, scratch);
+  }
+};
+
 // What makes the rows of a scene; one for each thread.
 struct SceneWorker {
   explicit SceneWorker(const simulate::Plan& plan) : maker(plan) {}
   simulate::RowMaker maker;
-  simulate::RowSpace space;
+  FloatSpace space;
 };
 
 // The filter without a window: focusing has its own.
-std::shared_ptr<const signal::RangeCompressor> plain_compressor(const simulate::Plan& plan, std::size_t samples) {
+std::shared_ptr<const signal::FloatCompressor> plain_compressor(const simulate::Plan& plan, std::size_t samples) {
   const signal::WindowFunction even = [](double) { return 1.0; };
-  return simulate::compressor_of(plan, even, plan.columns, samples);
+  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  const signal::CompressionFilter filter =
+      signal::matched_filter(plan.radar.pulse, band_limited, even, 1.0 / plan.raw_grid.interval_s);
+  return std::make_shared<const signal::FloatCompressor>(filter, plan.columns, samples);
 }
 
 // All but `read`. The echoes of a target at the delay t begin, and so are compressed to a peak, `lead` before t.
@@ -125,11 +140,10 @@ signal::EchoRows sar_rows_of_recording(std::shared_ptr<const simulate::Plan> pla
   signal::EchoRows rows = rows_without_reader(*plan, plan->columns);
   const bool raw = plan->simulation.processing == scene::Processing::raw;
   const auto compressor = raw ? plain_compressor(*plan, plan->columns) : nullptr;
-  const auto pool =
-      std::make_shared<core::WorkerPool<simulate::RowSpace>>([] { return std::make_unique<simulate::RowSpace>(); });
+  const auto pool = std::make_shared<core::WorkerPool<FloatSpace>>([] { return std::make_unique<FloatSpace>(); });
   rows.copy = [plan, compressor, pool, recorded = std::move(recorded)](std::size_t pulse,
                                                                        std::span<std::complex<float>> out) {
-    pool->lend([&](simulate::RowSpace& space) {
+    pool->lend([&](FloatSpace& space) {
       space.raw.resize(plan->columns);
       recorded.read(pulse, space.raw);
       compressor ? space.compress(*compressor, out) : simulate::to_float(space.raw, out);
