@@ -71,15 +71,17 @@ class Hearing {
   }
 
   OtherPulses heard() {
+    OtherPulses heard;
     find_candidates();
-    if (since_.empty()) return std::move(heard_);
+    if (since_.empty() && !some_farther_) return {};
     for (const Scatterer& s : scene_.scatterers) listen(s.platform, s.position_m, largest_root_rcs_m(scene_, s));
     for (const ScattererSheet& sheet : scene_.sheets)
       for (const core::Vec3& point_m : sheet.points_m)
         listen(sheet.platform, point_m, std::sqrt(std::max(sheet.point_rcs_m2, 0.0)));
     for (const auto& [back, strength] : strongest_)
-      if (back != 0) heard_.pulses.push_back({back, strength / strongest_of_all_});
-    return std::move(heard_);
+      if (back != 0) heard.pulses.push_back({back, strength / strongest_of_all_});
+    if (farther_ > 0.0) heard.farther = farther_ / std::max(farther_, strongest_of_all_);
+    return heard;
   }
 
  private:
@@ -153,12 +155,13 @@ class Hearing {
         const bool beyond = step > 0 ? all.last_s - since.first_s < begin_s_ : all.first_s - since.last_s > end_s_;
         if (beyond) break;
         if (std::abs(back) > most_pulses_away) {
-          heard_.more = true;
+          some_farther_ = true;
+          (step > 0 ? before_s_ : after_s_) = step > 0 ? since.first_s : since.last_s;
           break;
         }
         if (meets(all, since)) since_[back] = since;
       }
-    if (!since_.empty()) since_[0] = {0.0, 0.0};
+    if (!since_.empty() || some_farther_) since_[0] = {0.0, 0.0};
   }
 
   void listen(std::size_t platform, const core::Vec3& point_m, double root_rcs_m) {
@@ -168,6 +171,8 @@ class Hearing {
       if (!(far_m > 0.0)) continue;
       const Interval arrives = arrival(far_m, between_m_[platform]);
       const double strength = root_rcs_m / (far_m * far_m);
+      if (arrives.last_s - before_s_ >= begin_s_ || arrives.first_s - after_s_ <= end_s_)
+        farther_ = std::max(farther_, strength);
       // Pulses in the order of the times since they left.
       const double earliest_s = arrives.first_s - end_s_;
       auto first = std::ranges::lower_bound(since_, earliest_s, {}, [](const auto& s) { return s.second.last_s; });
@@ -190,7 +195,10 @@ class Hearing {
   std::vector<double> between_m_;
   std::map<std::int64_t, Interval> since_;    // of the pulses that may be heard, the row's own among them
   std::map<std::int64_t, double> strongest_;  // by pulses back
-  OtherPulses heard_;
+  bool some_farther_ = false;
+  double before_s_ = std::numeric_limits<double>::infinity();  // since the first pulse that is too far before, ...
+  double after_s_ = -std::numeric_limits<double>::infinity();  // ... and after
+  double farther_ = 0.0;                                       // the strongest echo of such pulses
   double strongest_of_all_ = 0.0;
   std::size_t listened_ = 0;
 };
@@ -207,8 +215,10 @@ OtherPulses heard_pulses(const ResolvedScene& scene, const ResolvedRadar& radar,
 
 OtherPulses asked_for(OtherPulses heard, scene::AmbiguousEchoes which) {
   if (which == scene::AmbiguousEchoes::none) return {};
-  if (which == scene::AmbiguousEchoes::strong)
+  if (which == scene::AmbiguousEchoes::strong) {
+    if (heard.farther < weakest_heard) heard.farther = 0.0;
     std::erase_if(heard.pulses, [](const OtherPulse& other) { return !(other.strength >= weakest_heard); });
+  }
   return heard;
 }
 

@@ -22,7 +22,9 @@ struct OtherPulse {
 /// The pulses whose echoes rows receive besides those of their own, ascending.
 struct OtherPulses {
   std::vector<OtherPulse> pulses;
-  bool more = false;  ///< Others, more than `most_pulses_away` before or after a row's own, are left out.
+  /// Of those sent more than `most_pulses_away` before or after a row's own, which are left out: amplitude of the
+  /// strongest echo against the strongest of all; 0 where there is none.
+  double farther = 0.0;
 };
 inline constexpr std::int64_t most_pulses_away = 1000;
 
@@ -41,7 +43,7 @@ inline constexpr std::int64_t most_pulses_away = 1000;
                                        const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
                                        const radar::PulseRange& pulses, const core::StopFlag* stop = nullptr);
 
-/// Of them those that the scene's options ask for: all, none, or those above -60 dB.
+/// Of them, near and farther, those that the scene's options ask for: all, none, or those above -60 dB.
 [[nodiscard]] OtherPulses asked_for(OtherPulses heard, scene::AmbiguousEchoes which);
 
 /// Turns the echoes of a pulse into those of a row whose own pulse left `since_s` later, and leaves out those that

@@ -208,7 +208,25 @@ TEST(OtherPulses, FarTooManyAreSaid) {
   scene.radars[0].pulse_width_s = 1e-7;
   scene.simulations[0].time_end_s = 0.0;
   scene.targets[0].position_m.y = 100e3;  // 3336 pulses
-  EXPECT_TRUE(make_plan(scene, 0).other_pulses.more);
+  EXPECT_EQ(make_plan(scene, 0).other_pulses.farther, 1.0);
+}
+
+TEST(OtherPulses, FarTooManyAreSaidOnlyWhereTheyMayBeHeard) {
+  scene::Scene scene = second_time_around();
+  scene.radars[0].prf_hz = 5e6;
+  scene.radars[0].pulse_width_s = 1e-7;
+  scene.simulations[0].time_end_s = 0.0;
+  scene.simulations[0].sample_rate_hz = 100e6;
+  scene.simulations[0].range_start_m = 1000.0;
+  scene.simulations[0].range_end_m = 1020.0;
+  scene.targets.resize(2);
+  scene.targets[0].position_m = {0.0, 1010.0, 0.0};
+  scene.targets[0].rcs_m2 = 1.0;
+  scene.targets[1].position_m = {0.0, 101e3, 0.0};  // 3336 pulses, -80 dB
+  scene.targets[1].rcs_m2 = 1.0;
+  EXPECT_EQ(make_plan(scene, 0).other_pulses.farther, 0.0);
+  scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
+  EXPECT_NEAR(make_plan(scene, 0).other_pulses.farther, 1e-4, 1e-8);
 }
 
 // Pulses leave at 0 and, a millisecond or 1000 samples, later; 10 samples each, noise included.

@@ -46,11 +46,12 @@ class OtherPulseRules {
     const OtherPulses heard = left_out
                                   ? heard_pulses(*plan_.scene, plan_.radar, plan_.pulse, plan_.raw_grid, plan_.pulses)
                                   : plan_.other_pulses;
-    if (heard.more)
+    if (heard.farther > 0.0)
       add(core::Severity::warning,
           fmt::format("echoes of pulses sent more than {} before or after that of a row reach it and are left out",
                       most_pulses_away),
-          "", "", "lower the PRF, or move the targets");
+          fmt::format("up to {:.0f} dB of the strongest echo, antennas aside", core::amplitude_db(heard.farther)), "",
+          "lower the PRF, or move the targets");
     if (heard.pulses.empty()) return;
     const OtherPulse& strongest = *std::ranges::max_element(heard.pulses, {}, &OtherPulse::strength);
     const std::string level = strongest.strength < 1.0
