@@ -3,6 +3,7 @@
 #include <exception>
 #include <string>
 
+#include "core/maths/rounding.hpp"
 #include "gui/runs/stored_simulations.hpp"
 #include "radar/path/path.hpp"
 #include "scene/check/check.hpp"
@@ -72,8 +73,8 @@ scene::Simulation suitable_simulation(const scene::Scene& scene, std::size_t rad
     const simulate::ResolvedRadar seen = simulate::resolve_radar(scene, resolved, radar);
     const simulate::RadarFigures figures =
         simulate::radar_figures(seen, scene.radars[radar].power_w, resolved.conventions);
-    simulation.sample_rate_hz = oversampling * figures.bandwidth_hz;
-    simulation.time_end_s = (pulses_shown - 1.0) / figures.mean_prf_hz;
+    simulation.sample_rate_hz = core::tidy(oversampling * figures.bandwidth_hz);
+    simulation.time_end_s = core::tidy((pulses_shown - 1.0) / figures.mean_prf_hz);
     suit_ranges(resolved, seen, simulation);
   } catch (const std::exception&) {
     // A scene that cannot be resolved keeps the values of the thesis.

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/plan.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 double chosen_rate_hz(const EchoWindow& window, double bandwidth_hz) {
   return window.sampling.kind == Sampling::Kind::rate ? window.sampling.rate_hz
-                                                      : window.sampling.multiple * bandwidth_hz;
+                                                      : core::tidy(window.sampling.multiple * bandwidth_hz);
 }
 
 // Rate at which a window holds `count` samples.
@@ -55,7 +56,7 @@ EchoWindow window_of(const scene::Simulation& simulation) {
 scene::Simulation simulation_of(const EchoWindow& window, double bandwidth_hz) {
   scene::Simulation simulation = window.recording;
   simulation.sample_rate_hz =
-      window.sampling.kind == Sampling::Kind::screen ? bandwidth_hz : chosen_rate_hz(window, bandwidth_hz);
+      window.sampling.kind == Sampling::Kind::screen ? core::tidy(bandwidth_hz) : chosen_rate_hz(window, bandwidth_hz);
   return simulation;
 }
 

@@ -28,6 +28,8 @@ TEST(EchoWindow, OfANewRawSimulationIsSampledAsTheScreenNeeds) {
 TEST(EchoWindow, OfANewCompressedSimulationIsSampledAtTheBandwidth) {
   const EchoWindow window = new_echo_window("Radar1", scene::Processing::matched_filter);
   EXPECT_EQ(window.sampling.kind, Sampling::Kind::multiple);
+  // The bandwidth of a pulse of 10 us, as arithmetic leaves it.
+  EXPECT_EQ(simulation_of(window, 99999.99999999999).sample_rate_hz, 100e3);
   EXPECT_EQ(simulation_of(window, 50e6).sample_rate_hz, 50e6);
 }
 
