@@ -73,10 +73,12 @@ if(SARSIM_COVERAGE)
   target_link_options(sarsim_flags INTERFACE --coverage)
 endif()
 
-# The run paths lead to the module, in the build tree and where it is installed. As the older kind of run path, because
+# The run paths lead to the module, which lies by the programs as it does where they are installed: programs are linked with
+# the run path that they are installed with. (CMake fills up one that it will exchange with an empty part, and glibc takes that
+# for the folder in which a program is started.) As the older kind of run path, because
 # the sanitizers put their own dlopen in front of the system's, and the newer kind is not looked at for that.
 set(SARSIM_MODULE_FOLDER lib/sarsim)
-set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/src)
+set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/${SARSIM_MODULE_FOLDER})
 set(CMAKE_INSTALL_RPATH "$ORIGIN/../${SARSIM_MODULE_FOLDER}")
 target_link_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:LINKER:--disable-new-dtags>)
 
@@ -101,12 +103,20 @@ function(sarsim_module name sources libraries)
   add_library(sarsim_${name} MODULE ${sources})
   target_link_libraries(sarsim_${name} PRIVATE sarsim_flags ${libraries})
   set_target_properties(sarsim_${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/src BUILD_RPATH "" INSTALL_RPATH ""
-                        INSTALL_RPATH_USE_LINK_PATH ${apart})
+                        LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/${SARSIM_MODULE_FOLDER} INSTALL_RPATH ""
+                        INSTALL_RPATH_USE_LINK_PATH ${apart} BUILD_WITH_INSTALL_RPATH ON)
   if(NOT SARSIM_SANITIZE)
     target_link_options(sarsim_${name} PRIVATE LINKER:-z,defs)
   endif()
   install(TARGETS sarsim_${name} LIBRARY DESTINATION ${SARSIM_MODULE_FOLDER} COMPONENT program)
+endfunction()
+
+# A program that is installed.
+function(sarsim_program name component source)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE ${ARGN})
+  set_target_properties(${name} PROPERTIES BUILD_WITH_INSTALL_RPATH ON)
+  install(TARGETS ${name} RUNTIME DESTINATION bin COMPONENT ${component})
 endfunction()
 
 option(SARSIM_COMPILE_TOGETHER "Compile the sources of a room in few translation units; off to find a forgotten #include" ON)
