@@ -82,14 +82,18 @@ FOCUS_SAMPLES = 4096
 FOCUS_SIZES = {"range-doppler": (4800, 6400, 1), "chirp-scaling": (4800, 6400, 3), "omega-k": (6000, 6400, 1)}
 
 
-def focus_script(file_format, file):
-    """An aircraft maps a strip 8 to 12 km away: 4096 pulses of 4096 samples, raw, two points."""
+# For back-projection: pulses, samples, and the rows of the image.
+PROJECTED = (1024, 1024, 1281)
+
+
+def focus_script(file_format, file, pulses=FOCUS_PULSES, samples=FOCUS_SAMPLES):
+    """An aircraft maps a strip from 8 km on: raw samples 1 m apart, two points."""
     prf_hz, speed, rate_hz, near_m = 500.0, 150.0, 150e6, 8000.0
-    flight_s = FOCUS_PULSES / prf_hz
-    end_m = near_m + (FOCUS_SAMPLES + 0.25) * C / (2 * rate_hz)
+    flight_s = pulses / prf_hz
+    end_m = near_m + (samples + 0.25) * C / (2 * rate_hz)
     path = f"TRAJECTORY LINEAR LINEAR LINEAR INLINE 2 -10 {-10 * speed} 10 {10 * speed} 1 0 0 1 0 3000 NOT_ALIGNED"
     return "\n".join([
-        platform("Earth"), platform("Plane", path), target("Earth", 0, 9013.8782, 0, 10), target("Earth", 60, 10062.3059, 0, 10),
+        platform("Earth"), platform("Plane", path), target("Earth", 0, 7739.5090, 0, 10), target("Earth", 60, 8166.3945, 0, 10),
         f"$RADAR Radar1 Plane CHIRP 0.1 2000 RECT CONSTANT {prf_hz} SINGLE 9.6 1 0 0 SINX 20 1.2 SAME FIXED -17 0 RECT NO_STC",
         f"$SIMULATION Radar1 {near_m} {end_m!r} {-flight_s / 2} {flight_s / 2 - 1 / prf_hz} 8 {rate_hz / 1e9} 0 {file_format} RAW "
         f"{file} BEGIN 1 1", ""])

@@ -1,14 +1,15 @@
 #include "signal/sar/back_projection.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "core/maths/constants.hpp"
-#include "core/maths/turns.hpp"
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
+#include "signal/row/smooth_row.hpp"
 #include "signal/sar/back_projection_kernel.hpp"
 #include "signal/sar/echo_records.hpp"
 #include "signal/sar/ground_sight.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 // Records of the pulses that are projected together; more than one core's cache is no use.
 constexpr std::size_t block_bytes = std::size_t{4} << 20;
-constexpr std::size_t longest_block = 64;
+constexpr std::size_t longest_block = 128;
 
 void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options) {
   core::expect(echoes.volts.size() == echoes.track.size() * echoes.samples,
@@ -72,63 +73,129 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   return aperture;
 }
 
-// Fits a tile to a curved grid, by a cubic over columns and a line over rows; puts it into the plane of the grid if the
-// fit is off by more than 1 in 50 000 of a column, as straight below a track, where the surface bends sharply.
-void bend_tile(const PointGrid& grid, double row, double column, ProjectionTile& tile) {
-  constexpr double third = static_cast<double>(ProjectionTile::columns - 1) / 3.0;
-  constexpr double last_row = static_cast<double>(ProjectionTile::rows - 1);
-  const auto at = [&](double i, double j) { return grid.curved(row + i, column + j); };
-  const double middle = 0.5 * last_row;
-  const core::Vec3 p0 = at(middle, 0.0);
-  const core::Vec3 p1 = at(middle, third);
-  const core::Vec3 p2 = at(middle, 2.0 * third);
-  const core::Vec3 p3 = at(middle, 3.0 * third);
-  const core::Vec3 d1 = p1 - p0;
-  const core::Vec3 d2 = p2 - 2.0 * p1 + p0;
-  const core::Vec3 d3 = p3 - 3.0 * p2 + 3.0 * p1 - p0;
-  tile.row_step_m = (1.0 / last_row) * (at(last_row, 1.5 * third) - at(0.0, 1.5 * third));
-  tile.column_step_m = (1.0 / third) * (d1 - 0.5 * d2 + (1.0 / 3.0) * d3);
-  tile.column_bend_m = (1.0 / (third * third)) * (d2 - d3);
-  tile.column_twist_m = (1.0 / (third * third * third)) * d3;
-  tile.corner_m = p0 - middle * tile.row_step_m;
-  double missed_m = 0.0;
-  for (const double i : {0.0, last_row})
-    for (const double j : {0.0, 0.5 * third, 1.5 * third, 2.5 * third, 3.0 * third})
-      missed_m = std::max(missed_m, core::norm(tile.point_m(i, j) - at(i, j)));
-  if (missed_m < 2e-5 * core::norm(grid.column_step_m)) return;
-  tile.row_step_m = grid.row_step_m;
-  tile.column_step_m = grid.column_step_m;
-  tile.column_bend_m = tile.column_twist_m = {};
-  tile.corner_m = grid.origin_m + row * grid.row_step_m + column * grid.column_step_m;
+// A line of points a + step k + k^2/2 bend + k^3/6 twist.
+struct PointLine {
+  core::Vec3 first_m, step_m, bend_m, twist_m;
+};
+
+// The cubic through points 0, 1, 2 and 3 thirds from the first.
+PointLine line_through(const std::array<core::Vec3, 4>& p, double third) {
+  const core::Vec3 d1 = p[1] - p[0];
+  const core::Vec3 d2 = p[2] - 2.0 * p[1] + p[0];
+  const core::Vec3 d3 = p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0];
+  return {p[0], (1.0 / third) * (d1 - 0.5 * d2 + (1.0 / 3.0) * d3), (1.0 / (third * third)) * (d2 - d3),
+          (1.0 / (third * third * third)) * d3};
 }
 
-// The rectangles a grid is computed in.
+// Gives a tile its points.
+// @param turned  the line runs along the rows of the tile, not along its columns
+void put_points(const PointLine& line, const core::Vec3& step_m, bool turned, ProjectionTile& tile) {
+  tile.corner_m = line.first_m;
+  (turned ? tile.row_step_m : tile.column_step_m) = line.step_m;
+  (turned ? tile.row_bend_m : tile.column_bend_m) = line.bend_m;
+  (turned ? tile.row_twist_m : tile.column_twist_m) = line.twist_m;
+  (turned ? tile.column_step_m : tile.row_step_m) = step_m;
+  (turned ? tile.column_bend_m : tile.row_bend_m) = {};
+  (turned ? tile.column_twist_m : tile.row_twist_m) = {};
+}
+
+// Where a tile begins in a grid, how many rows and columns of it belong to a whole one, and whether its columns run
+// along the rows of the grid.
+struct TileShape {
+  double row, column;
+  double rows, columns;
+  bool turned;
+};
+
+// Fits a tile to a curved grid, by a cubic over columns and a line over rows; puts it into the plane of the grid if the
+// fit is off by more than 1 in 50 000 of a column, as straight below a track, where the surface bends sharply.
+void bend_tile(const PointGrid& grid, const TileShape& shape, ProjectionTile& tile) {
+  const double third = (shape.columns - 1.0) / 3.0;
+  const double last_row = shape.rows - 1.0;
+  const auto at = [&](double i, double j) { return grid.curved(shape.row + i, shape.column + j); };
+  const double middle = 0.5 * last_row;
+  PointLine line =
+      line_through({at(middle, 0.0), at(middle, third), at(middle, 2.0 * third), at(middle, 3.0 * third)}, third);
+  const core::Vec3 row_step_m = (1.0 / last_row) * (at(last_row, 1.5 * third) - at(0.0, 1.5 * third));
+  line.first_m = line.first_m - middle * row_step_m;
+  put_points(line, row_step_m, shape.turned, tile);
+  double missed_m = 0.0;
+  for (const double i : {0.0, last_row})
+    for (const double j : {0.0, 0.5 * third, 1.5 * third, 2.5 * third, 3.0 * third}) {
+      const core::Vec3 point_m = shape.turned ? tile.point_m(j, i) : tile.point_m(i, j);
+      missed_m = std::max(missed_m, core::norm(point_m - at(i, j)));
+    }
+  if (missed_m < 2e-5 * core::norm(grid.column_step_m)) return;
+  const core::Vec3 corner_m = grid.origin_m + shape.row * grid.row_step_m + shape.column * grid.column_step_m;
+  put_points({corner_m, grid.column_step_m, {}, {}}, grid.row_step_m, shape.turned, tile);
+}
+
+// Whether distances from the antenna change less along a column of the grid than along a row: then the points of a
+// vector, which stand in a line, share most of their records.
+bool changes_less_along_columns(const PointGrid& grid, const SarEchoes& echoes) {
+  constexpr std::size_t looks = 16;
+  double down_m = 0.0;
+  double right_m = 0.0;
+  for (std::size_t look = 0; look < looks; ++look) {
+    const TrackPoint& antenna = echoes.track[look * (echoes.track.size() - 1) / (looks - 1)];
+    for (const double row : {0.0, 0.5, 1.0})
+      for (const double column : {0.0, 0.5, 1.0}) {
+        const double i = row * static_cast<double>(grid.rows);
+        const double j = column * static_cast<double>(grid.columns);
+        const core::Vec3 point_m = grid.at(i, j);
+        const core::Vec3 r = point_m - antenna.position_m;
+        const double distance_m = std::max(core::norm(r), 1e-300);
+        down_m += std::abs(core::dot(r, grid.at(i + 1.0, j) - point_m)) / distance_m;
+        right_m += std::abs(core::dot(r, grid.at(i, j + 1.0) - point_m)) / distance_m;
+      }
+  }
+  return down_m < right_m;
+}
+
+// The rectangles a grid is computed in, in bands of whole rows of the grid. The columns of a tile run along those of
+// the grid or, where that is better, along its rows.
 class Tiles {
  public:
-  explicit Tiles(const PointGrid& grid)
+  static constexpr std::size_t points = ProjectionTile::rows * ProjectionTile::columns;
+
+  Tiles(const PointGrid& grid, const SarEchoes& echoes)
       : grid_(&grid),
-        across_((grid.columns + ProjectionTile::columns - 1) / ProjectionTile::columns),
-        down_((grid.rows + ProjectionTile::rows - 1) / ProjectionTile::rows) {}
+        turned_(changes_less_along_columns(grid, echoes)),
+        high_(turned_ ? ProjectionTile::columns : ProjectionTile::rows),
+        wide_(turned_ ? ProjectionTile::rows : ProjectionTile::columns),
+        across_((grid.columns + wide_ - 1) / wide_),
+        down_((grid.rows + high_ - 1) / high_) {}
 
   [[nodiscard]] std::size_t count() const { return across_ * down_; }
-  [[nodiscard]] std::size_t first_row(std::size_t tile) const { return tile / across_ * ProjectionTile::rows; }
-  [[nodiscard]] std::size_t first_column(std::size_t tile) const { return tile % across_ * ProjectionTile::columns; }
+  [[nodiscard]] std::size_t first_row(std::size_t tile) const { return tile / across_ * high_; }
+  [[nodiscard]] std::size_t first_column(std::size_t tile) const { return tile % across_ * wide_; }
+  [[nodiscard]] std::size_t rows(std::size_t tile) const { return std::min(high_, grid_->rows - first_row(tile)); }
+  [[nodiscard]] std::size_t columns(std::size_t tile) const {
+    return std::min(wide_, grid_->columns - first_column(tile));
+  }
+  [[nodiscard]] std::size_t tiles_of_band() const { return across_; }
+  /// Where a tile has the point of a row and a column of the grid, counted from its first ones.
+  [[nodiscard]] std::size_t at(std::size_t row, std::size_t column) const {
+    return turned_ ? column * ProjectionTile::columns + row : row * ProjectionTile::columns + column;
+  }
 
   void place(std::size_t index, ProjectionTile& tile) const {
-    tile.used_rows = std::min(ProjectionTile::rows, grid_->rows - first_row(index));
-    tile.used_columns = std::min(ProjectionTile::columns, grid_->columns - first_column(index));
+    tile.used_rows = turned_ ? columns(index) : rows(index);
+    tile.used_columns = turned_ ? rows(index) : columns(index);
+    const TileShape shape{static_cast<double>(first_row(index)), static_cast<double>(first_column(index)),
+                          static_cast<double>(high_), static_cast<double>(wide_), turned_};
     if (grid_->curved) {
-      bend_tile(*grid_, static_cast<double>(first_row(index)), static_cast<double>(first_column(index)), tile);
+      bend_tile(*grid_, shape, tile);
       return;
     }
-    tile.row_step_m = grid_->row_step_m;
-    tile.column_step_m = grid_->column_step_m;
-    tile.corner_m = grid_->origin_m + static_cast<double>(first_row(index)) * grid_->row_step_m +
-                    static_cast<double>(first_column(index)) * grid_->column_step_m;
+    const core::Vec3 corner_m = grid_->origin_m + shape.row * grid_->row_step_m + shape.column * grid_->column_step_m;
+    put_points({corner_m, grid_->column_step_m, {}, {}}, grid_->row_step_m, turned_, tile);
   }
 
  private:
   const PointGrid* grid_;
+  bool turned_;
+  std::size_t high_, wide_;  // in rows and columns of the grid
   std::size_t across_;
   std::size_t down_;
 };
@@ -155,41 +222,56 @@ std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, c
   return stretches;
 }
 
-// Sums of all points while the pulses are worked through.
+// Sums of all points while the pulses are worked through: those of a tile stand together, real parts first.
 struct Sums {
   std::vector<std::complex<float>> values;
   std::vector<float> weights;  // empty where all pulses count
+
+  void load(std::size_t index, ProjectionTile& tile) const {
+    const auto* from = reinterpret_cast<const float*>(values.data() + index * Tiles::points);
+    std::copy_n(from, Tiles::points, tile.re.begin());
+    std::copy_n(from + Tiles::points, Tiles::points, tile.im.begin());
+    if (!weights.empty()) std::copy_n(weights.data() + index * Tiles::points, Tiles::points, tile.weight.begin());
+  }
+  void store(const ProjectionTile& tile, std::size_t index) {
+    auto* to = reinterpret_cast<float*>(values.data() + index * Tiles::points);
+    std::ranges::copy(tile.re, to);
+    std::ranges::copy(tile.im, to + Tiles::points);
+    if (!weights.empty()) std::ranges::copy(tile.weight, weights.data() + index * Tiles::points);
+  }
 };
 
-void load(const Sums& sums, const Tiles& tiles, std::size_t index, std::size_t columns, ProjectionTile& tile) {
-  for (std::size_t row = 0; row < tile.used_rows; ++row)
-    for (std::size_t column = 0; column < tile.used_columns; ++column) {
-      const std::size_t from = (tiles.first_row(index) + row) * columns + tiles.first_column(index) + column;
-      const std::size_t to = row * ProjectionTile::columns + column;
-      tile.re[to] = sums.values[from].real();
-      tile.im[to] = sums.values[from].imag();
-      if (!sums.weights.empty()) tile.weight[to] = sums.weights[from];
+// The mean values of the points of a tile, among those of the rows of its band.
+void normalize(const ProjectionTile& tile, const Tiles& tiles, std::size_t index, std::size_t columns,
+               std::optional<float> share, std::span<std::complex<float>> band) {
+  for (std::size_t row = 0; row < tiles.rows(index); ++row) {
+    std::complex<float>* out = band.data() + row * columns + tiles.first_column(index);
+    for (std::size_t column = 0; column < tiles.columns(index); ++column) {
+      const std::size_t at = tiles.at(row, column);
+      const float by = share ? *share : tile.weight[at] != 0.0F ? 1.0F / tile.weight[at] : 0.0F;
+      out[column] = {by * tile.re[at], by * tile.im[at]};
     }
-}
-
-void store(const ProjectionTile& tile, const Tiles& tiles, std::size_t index, std::size_t columns, Sums& sums) {
-  for (std::size_t row = 0; row < tile.used_rows; ++row)
-    for (std::size_t column = 0; column < tile.used_columns; ++column) {
-      const std::size_t to = (tiles.first_row(index) + row) * columns + tiles.first_column(index) + column;
-      const std::size_t from = row * ProjectionTile::columns + column;
-      sums.values[to] = {tile.re[from], tile.im[from]};
-      if (!sums.weights.empty()) sums.weights[to] = tile.weight[from];
-    }
-}
-
-void normalize(Sums& sums, std::size_t pulses) {
-  const float share = pulses > 0 ? 1.0F / static_cast<float>(pulses) : 0.0F;
-  for (std::size_t i = 0; i < sums.values.size(); ++i) {
-    if (sums.weights.empty())
-      sums.values[i] *= share;
-    else
-      sums.values[i] = sums.weights[i] != 0.0F ? sums.values[i] / sums.weights[i] : 0.0F;
   }
+}
+
+// The mean values of all points, in the order of the grid. Rows take no more room than their tiles, so that those of a
+// band can be written over what has been read.
+std::vector<std::complex<float>> mean_values(Sums sums, const Tiles& tiles, const PointGrid& grid, std::size_t pulses) {
+  std::optional<float> share;
+  if (sums.weights.empty()) share = 1.0F / static_cast<float>(pulses);
+  const auto tile = std::make_unique<ProjectionTile>();
+  std::vector<std::complex<float>> band;
+  auto out = sums.values.begin();
+  for (std::size_t first = 0; first < tiles.count(); first += tiles.tiles_of_band()) {
+    band.resize(tiles.rows(first) * grid.columns);
+    for (std::size_t index = first; index < first + tiles.tiles_of_band(); ++index) {
+      sums.load(index, *tile);
+      normalize(*tile, tiles, index, grid.columns, share, band);
+    }
+    out = std::ranges::copy(band, out).out;
+  }
+  sums.values.resize(grid.rows * grid.columns);
+  return std::move(sums.values);
 }
 
 }  // namespace
@@ -217,11 +299,11 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
                                               const BackProjectionOptions& options, const core::WorkControl& control,
                                               const core::ProgressReport& progress) {
   expect_sound(echoes, options);
-  Sums sums;
-  sums.values.resize(grid.rows * grid.columns);
+  const std::size_t points = grid.rows * grid.columns;
+  if (points == 0 || echoes.volts.empty()) return std::vector<std::complex<float>>(points);
+  const Tiles tiles(grid, echoes);
+  Sums sums{std::vector<std::complex<float>>(tiles.count() * Tiles::points), {}};
   if (options.aperture != BackProjectionOptions::Aperture::all) sums.weights.resize(sums.values.size());
-  if (sums.values.empty() || echoes.volts.empty()) return sums.values;
-
   const std::size_t pulses = echoes.track.size();
   const std::size_t pulse_bytes = EchoRecords::factor * EchoRecords::floats * sizeof(float) * echoes.samples;
   const std::size_t block = std::min(pulses, std::clamp<std::size_t>(block_bytes / pulse_bytes, 4, longest_block));
@@ -229,7 +311,6 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
   ProjectionConstants constants = constants_of(echoes, options);
   constants.record_count = records.count();
   const ProjectionAperture aperture = aperture_of(options);
-  const Tiles tiles(grid);
   const std::vector<Stretch> stretches = stretches_of(tiles, echoes, control);
 
   std::vector<ProjectionPulse> together;
@@ -244,15 +325,14 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
       const auto tile = std::make_unique<ProjectionTile>();
       for (std::size_t index = begin; index < end; ++index) {
         tiles.place(index, *tile);
-        load(sums, tiles, index, grid.columns, *tile);
+        sums.load(index, *tile);
         project(together, constants, aperture, stretches[index], *tile);
-        store(*tile, tiles, index, grid.columns, sums);
+        sums.store(*tile, index);
       }
     });
-    if (progress) progress({first + count, pulses, sums.values.size()});
+    if (progress) progress({first + count, pulses, points});
   }
-  normalize(sums, pulses);
-  return std::move(sums.values);
+  return mean_values(std::move(sums), tiles, grid, pulses);
 }
 
 FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, const ImageAxis& azimuth,
@@ -270,12 +350,14 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
   if (frame.plane == ImagePlane::slant_range) line = {0.0, frame.origin_m, frame.along};
   const double turns_per_m = radar::turns_per_m(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   core::parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
-      for (std::size_t column = 0; column < grid.columns; ++column) {
-        const core::Vec3 point_m = grid.at(static_cast<double>(row), static_cast<double>(column));
-        const double turns = turns_per_m * distance_from(line, point_m);
-        image.values[row * grid.columns + column] *= std::complex<float>(core::turned_exactly(-turns));
-      }
+    std::vector<float> turns(grid.columns);
+    for (std::size_t row = begin; row < end; ++row) {
+      const auto turns_at = [&](double column) {
+        return -turns_per_m * distance_from(line, grid.at(static_cast<double>(row), column));
+      };
+      sample_turns(knots_of(grid.columns, turns_at), turns_at, turns);
+      turn_row(std::span(image.values).subspan(row * grid.columns, grid.columns), turns);
+    }
   });
   return image;
 }

@@ -17,7 +17,7 @@ struct ProjectionConstants {
   double records_per_s = 0.0;     ///< EchoRecords::factor times the sampling rate.
   double doppler_delay_s2 = 0.0;  ///< 1/K: the peak of a chirp of rate K lies fd/K before its delay. 0: it does not.
   bool moving = true;             ///< Delay 2 (d - r.V/c)/(c (1 - V^2/c^2)), else 2 d/c.
-  std::size_t record_count = 0;   ///< Of a pulse, both zero records included.
+  std::size_t record_count = 0;   ///< Of a pulse.
 };
 
 /// Where a pulse was sent and how fast the antenna flew.
@@ -44,8 +44,8 @@ struct ProjectionAperture {
   std::vector<float> weights;  ///< pieces + 1 values from place -1/2 to 1/2 and one more; empty where uniform.
 };
 
-/// Rows and columns of points, corner + row * row_step + column * column_step + column^2/2 * column_bend
-/// + column^3/6 * column_twist, and their sums.
+/// Rows and columns of points, corner + row * row_step + row^2/2 * row_bend + row^3/6 * row_twist
+/// + column * column_step + column^2/2 * column_bend + column^3/6 * column_twist, and their sums.
 struct ProjectionTile {
   static constexpr std::size_t rows = 32;
   static constexpr std::size_t columns = 64;
@@ -55,6 +55,8 @@ struct ProjectionTile {
   core::Vec3 column_step_m;
   core::Vec3 column_bend_m{};  ///< 0 where the columns stand in a straight line.
   core::Vec3 column_twist_m{};
+  core::Vec3 row_bend_m{};  ///< 0 where the rows stand in a straight line.
+  core::Vec3 row_twist_m{};
   std::size_t used_rows = rows;        ///< The others are not computed.
   std::size_t used_columns = columns;  ///< The others are computed in part.
   alignas(64) std::array<float, rows * columns> re{};
@@ -63,7 +65,8 @@ struct ProjectionTile {
 
   /// Place of a point; `column` may lie between two of them.
   [[nodiscard]] core::Vec3 point_m(double row, double column) const {
-    return corner_m + row * row_step_m + column * column_step_m + (0.5 * column * column) * column_bend_m +
+    return corner_m + row * row_step_m + (0.5 * row * row) * row_bend_m + (row * row * row / 6.0) * row_twist_m +
+           column * column_step_m + (0.5 * column * column) * column_bend_m +
            (column * column * column / 6.0) * column_twist_m;
   }
 };

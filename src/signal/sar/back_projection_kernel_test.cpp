@@ -103,6 +103,55 @@ TEST(Project, OfBentColumnsIsThatOfSinglePointsOnEveryInstructionSet) {
   }
 }
 
+TEST(Project, OfBentRowsIsThatOfSinglePointsOnEveryInstructionSet) {
+  const Setting s = setting_at(3000.0);
+  const auto bent = [] {
+    ProjectionTile tile = tile_with(0.25);
+    tile.row_bend_m = {3e-4, -2e-4, 5e-4};
+    tile.row_twist_m = {-2e-6, 1e-6, 3e-6};
+    return tile;
+  };
+  ProjectionTile expected = bent();
+  project(s.pulses, s.constants, {}, Stretch::by_point, expected);
+  test::on_every_instruction_set([&](std::int64_t target) {
+    ProjectionTile got = bent();
+    project(s.pulses, s.constants, {}, Stretch::of_64, got);
+    EXPECT_LT(largest_difference(got, expected), 7.0 * 1.5e-4) << target;
+  });
+}
+
+// Echoes that alternate from sample to sample: points of a vector that share records and points that load their own, in
+// lines along the line of sight and across it, inside the recorded delays and across their ends.
+TEST(Project, FindsRecordsInEveryDirectionAndAtBothEnds) {
+  Setting s = setting_at(3000.0);
+  for (std::size_t i = 0; i < s.echoes.volts.size(); ++i)
+    s.echoes.volts[i] = {i % 2 == 0 ? 0.2F : -0.1F, i % 3 == 0 ? 0.3F : 0.0F};
+  s.records->fill(0, 7, {});
+  const core::Vec3 sight = (1.0 / core::norm(s.pulses[3].position_m)) * s.pulses[3].position_m;
+  for (const double off_m : {-240.0, 0.0, 230.0})
+    for (const double slant : {0.0, 0.02, 0.2, 1.0}) {
+      const auto tile_at = [&] {
+        ProjectionTile tile;
+        const core::Vec3 across = core::cross(sight, {0.0, 0.0, 1.0});
+        tile.column_step_m = 0.25 * (slant * sight + std::sqrt(1.0 - slant * slant) * across);
+        tile.row_step_m = 0.6 * sight;
+        tile.corner_m = off_m * sight - 32.0 * tile.column_step_m - 16.0 * tile.row_step_m;
+        return tile;
+      };
+      ProjectionTile expected = tile_at();
+      project(s.pulses, s.constants, {}, Stretch::by_point, expected);
+      test::on_every_instruction_set([&](std::int64_t target) {
+        ProjectionTile got = tile_at();
+        project(s.pulses, s.constants, {}, Stretch::of_64, got);
+        std::size_t far = 0;
+        for (std::size_t i = 0; i < got.re.size(); ++i)
+          if (std::abs(got.re[i] - expected.re[i]) > 2e-3F || std::abs(got.im[i] - expected.im[i]) > 2e-3F) ++far;
+        // A point within a thousandth of a record of the ends may fall to either side.
+        EXPECT_LE(far, 4u) << off_m << " " << slant << " " << target;
+      });
+    }
+}
+
 TEST(Project, WeighsByTheTableAsSinglePointsDoOnEveryInstructionSet) {
   const Setting s = setting_at(10e3);
   for (const auto kind : {ProjectionAperture::Kind::angle, ProjectionAperture::Kind::time}) {

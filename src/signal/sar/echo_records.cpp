@@ -45,7 +45,7 @@ std::vector<float> frequency_weights(const SarWaveform& waveform, const WindowFu
 EchoRecords::EchoRecords(const SarEchoes& echoes, const WindowFunction& window, std::size_t pulses)
     : echoes_(&echoes),
       slots_(pulses),
-      count_(factor * (std::max<std::size_t>(echoes.samples, 1) - 1) + 2),
+      count_(factor * (std::max<std::size_t>(echoes.samples, 1) - 1) + 1),
       forward_(core::good_fft_size(echoes.samples + guard_samples)),
       inverse_(factor * forward_.size()),
       weights_(frequency_weights(echoes.waveform, window, forward_.size())),
@@ -72,17 +72,8 @@ void EchoRecords::fill(std::size_t first, std::size_t count, const core::WorkCon
       std::copy(row.end() - static_cast<std::ptrdiff_t>(half), row.end(),
                 fine.end() - static_cast<std::ptrdiff_t>(half));
       inverse_.inverse(fine);
-      float* record = records_.data() + slot * count_ * floats;
-      std::fill_n(record, floats, 0.0F);
-      for (std::size_t k = 0; k + 2 < count_; ++k) {
-        const std::complex<float> step = fine[k + 1] - fine[k];
-        record += floats;
-        record[0] = fine[k].real();
-        record[1] = fine[k].imag();
-        record[2] = step.real();
-        record[3] = step.imag();
-      }
-      std::fill_n(record + floats, floats, 0.0F);
+      std::copy_n(reinterpret_cast<const float*>(fine.data()), count_ * floats,
+                  records_.data() + slot * count_ * floats);
     }
   });
 }

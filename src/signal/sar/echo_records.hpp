@@ -10,7 +10,7 @@
 namespace sarsim::signal {
 
 /// Compressed echoes of a few pulses, ready to be read between samples (of which there are two or more): `factor`
-/// records for each sample, each the value at its place and what has to be added to reach the next one.
+/// records for each sample, each the value at its place.
 ///
 /// Between records an echo is a straight line. Linear interpolation on a grid of f_up = factor sample_rate_hz is a
 /// convolution with a triangle, that is a filter sinc^2(f/f_up); the spectrum is divided by it beforehand, so that what
@@ -21,7 +21,7 @@ namespace sarsim::signal {
 class EchoRecords {
  public:
   static constexpr std::size_t factor = 8;
-  static constexpr std::size_t floats = 4;  ///< Of a record: real, imaginary, and their increments.
+  static constexpr std::size_t floats = 2;  ///< Of a record: real and imaginary part.
 
   /// Room for the pulses of `echoes` from `first` to `last`, not `last` itself; each is transformed by `fill`.
   /// @param window  weight of the frequencies, its argument 0 and 1 at the edges of the pulse's band and held beyond
@@ -31,8 +31,8 @@ class EchoRecords {
   /// Makes the records of the pulses `first` ... `first + count - 1`, count at most the room.
   void fill(std::size_t first, std::size_t count, const core::WorkControl& control);
 
-  /// Record k of the pulse in slot p: `at(p)[floats * k]`. Record 0 and the last one are 0; record 1 stands at the
-  /// first sample.
+  /// Record k of the pulse in slot p: `at(p)[floats * k]`. Record 0 stands at the first sample, the last one at the
+  /// last sample.
   [[nodiscard]] const float* at(std::size_t slot) const { return records_.data() + slot * count_ * floats; }
   [[nodiscard]] std::size_t count() const { return count_; }
   [[nodiscard]] std::size_t slots() const { return slots_; }
