@@ -27,6 +27,12 @@ double largest_bend_rad(const PulseBody& body, double carrier_hz) {
   return core::pi * std::abs(carrier_hz) * farthest_s * farthest_s;
 }
 
+std::size_t bend_terms_for(const PulseBody& body, double carrier_hz, double half, double error) {
+  CORE_EXPECT(error > 0.0);
+  const double rad = largest_bend_rad(body, carrier_hz) * half;
+  return rad / std::sqrt(5.0) < error ? 1 : terms_for(rad, error);
+}
+
 double stretch_room(const EchoPulse& pulse, double interval_s) {
   CORE_EXPECT(interval_s > 0.0);
   constexpr double most_doppler = 1.1e-4;
@@ -37,10 +43,10 @@ double stretch_room(const EchoPulse& pulse, double interval_s) {
 DopplerSpan span_covering(double lowest, double highest) {
   CORE_EXPECT(lowest <= highest);
   if (lowest == highest) return {lowest, 0.0};
-  // Half spans are powers of two; middles are multiples of half of that.
+  // Half spans are powers of two; middles are multiples of a quarter of that.
   double half = std::exp2(std::ceil(std::log2(0.5 * (highest - lowest))));
   for (;; half *= 2.0) {
-    const double step = 0.5 * half;
+    const double step = 0.25 * half;
     const double middle = std::round(0.5 * (lowest + highest) / step) * step;
     if (middle - half <= lowest && middle + half >= highest) return {middle, half};
   }

@@ -18,6 +18,10 @@ namespace sarsim::radar {
 /// Largest phase per unit of a over the pulse, rad s.
 [[nodiscard]] double largest_bend_rad(const PulseBody& body, double carrier_hz);
 
+/// Terms of an interpolation over a half span of a: as `terms_for`, but one term errs by the root mean square of its
+/// phases over the pulse, 1/sqrt(5) of that at the ends.
+[[nodiscard]] std::size_t bend_terms_for(const PulseBody& body, double carrier_hz, double half, double error);
+
 /// How far motion may stretch an echo, samples: two-way Doppler of 16 km/s.
 [[nodiscard]] double stretch_room(const EchoPulse& pulse, double interval_s);
 

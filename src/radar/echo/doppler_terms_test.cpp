@@ -37,6 +37,13 @@ TEST(SpanCovering, HoldsItsEndsOnFewRungs) {
   }
 }
 
+TEST(SpanCovering, TakesTheNextRungOnlyWhereItMust) {
+  EXPECT_EQ(span_covering(-0.5, 0.5), (DopplerSpan{0.0, 0.5}));
+  // 0.875 of a rung fits it wherever it lies.
+  for (double middle = -0.5; middle < 0.5; middle += 0.01)
+    EXPECT_EQ(span_covering(middle - 0.87, middle + 0.87).half, 1.0) << middle;
+}
+
 // Bends of 1e6 rad per unit that change by a thousandth from pulse to pulse share spectra; none are made for a trifle.
 TEST(BendsCovering, AreNoneForATrifleAndSharedByNeighbours) {
   constexpr double rad = 1e6, error = 1e-6;

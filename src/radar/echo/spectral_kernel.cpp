@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <list>
+#include <optional>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
 #include "radar/echo/direct_kernel.hpp"
+#include "radar/echo/doppler_coupling.hpp"
 #include "radar/echo/doppler_terms.hpp"
 #include "radar/echo/pulse_body.hpp"
+#include "radar/echo/spectral_settings.hpp"
 #include "radar/echo/spreading.hpp"
 #include "radar/echo/strengths.hpp"
 
@@ -21,20 +24,6 @@ namespace {
 constexpr std::size_t spectra_bytes = 16'000'000;  // of remembered spectra, per thread
 constexpr std::size_t bands_kept = 4;              // allowances for Doppler shifts whose transforms are remembered
 constexpr std::size_t oversampling = 4;            // of the body, for its spectrum
-
-// How an error budget is divided and what follows from it.
-struct Settings {
-  bool single_precision;
-  double share;              // error allowed to each source
-  std::size_t edge_samples;  // K
-  double beta;               // of the Kaiser step
-
-  explicit Settings(double tolerance)
-      : single_precision(tolerance >= 9.9e-7),
-        share(tolerance / 8.0),
-        edge_samples(single_precision ? 8 : 12),
-        beta(std::log(4.0 / share)) {}
-};
 
 }  // namespace
 
@@ -51,9 +40,13 @@ struct SpectralKernel::Typed : Implementation {
     DopplerSpan span;
     DopplerSpan bends;
     double carrier_hz = 0.0;
+    double shift_s = 0.0;                                 // per unit of D from the middle of the span
     std::size_t terms = 1;                                // in D
     std::size_t bend_terms = 1;                           // times these in a
     std::vector<std::vector<std::complex<Real>>> factor;  // [bend term x terms + term][mode + modes]
+
+    // Two terms are the strengths themselves and their product with where D stands in the span, -1 to 1.
+    [[nodiscard]] bool is_tilted() const { return terms == 2 && bend_terms == 1; }
   };
 
   // The transform between the spreading grid and the modes of a band.
@@ -73,7 +66,7 @@ struct SpectralKernel::Typed : Implementation {
           kernel_transform(kernel.transforms(cells, modes + 1)) {}
   };
 
-  Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const Settings& choices, double tolerance,
+  Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const SpectralSettings& choices, double tolerance,
         const RowFilter& filter)
       : pulse(&echo_pulse),
         grid(sample_grid),
@@ -160,8 +153,11 @@ struct SpectralKernel::Typed : Implementation {
     wanted.span = span_covering(lowest, highest);
     wanted.bends =
         bends_covering(gathered.lowest_bend, gathered.highest_bend, largest_bend_rad(body, carrier_hz), settings.share);
-    wanted.terms = terms_of(wanted.span, largest_doppler_rad(body, carrier_hz));
-    wanted.bend_terms = terms_of(wanted.bends, largest_bend_rad(body, carrier_hz));
+    const DopplerCoupling coupling = coupling_for(wanted.span, carrier_hz);
+    wanted.shift_s = coupling.shift_s;
+    wanted.terms = wanted.span.half > 0.0 ? coupling.terms_for(wanted.span.half, settings.share) : 1;
+    wanted.bend_terms =
+        wanted.bends.half > 0.0 ? bend_terms_for(body, carrier_hz, wanted.bends.half, settings.share) : 1;
     if (!has_body || strays(lowest, highest, carrier_hz) || wanted.terms * wanted.bend_terms > most_doppler_terms)
       return false;
     const double frequency_hz = body.largest_frequency_hz(carrier_hz);
@@ -172,8 +168,14 @@ struct SpectralKernel::Typed : Implementation {
     return true;
   }
 
-  [[nodiscard]] std::size_t terms_of(const DopplerSpan& span, double largest_rad) const {
-    return span.half > 0.0 ? terms_for(largest_rad * span.half, settings.share) : 1;
+  // How echoes of a span are taken: that of the last carrier is kept, as most radars have one.
+  DopplerCoupling coupling_for(const DopplerSpan& span, double carrier_hz) {
+    if (span.half == 0.0) return {};
+    if (!coupled || coupled_carrier_hz != carrier_hz) {
+      coupled = coupling_of(*pulse, body, grid.interval_s, carrier_hz);
+      coupled_carrier_hz = carrier_hz;
+    }
+    return best_coupling(*coupled, body, carrier_hz, span.half, grid.interval_s, settings.share);
   }
 
   // Whether echoes are stretched, or bent, beyond what there is room for, or beyond what the samples at the edges
@@ -217,12 +219,12 @@ struct SpectralKernel::Typed : Implementation {
     const std::size_t terms = s.factor.size();
     spread_grid.resize(band.cells, terms);
     spread_grid.clear();
-    if (terms == 1) {
-      spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strength, spread_grid);
-      return;
-    }
-    weigh(s);
-    spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, weighted, spread_grid);
+    SpreadMotion motion;
+    if (s.span.half > 0.0) motion = {doppler, s.span.middle, s.shift_s / grid.interval_s, 1.0 / s.span.half};
+    const bool weighs = terms > 1 && !s.is_tilted();
+    if (weighs) weigh(s);
+    const std::vector<std::complex<Real>>& strengths = weighs ? weighted : strength;
+    spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strengths, motion, spread_grid);
   }
 
   // Strengths for each node in D, for each node in a.
@@ -292,14 +294,10 @@ struct SpectralKernel::Typed : Implementation {
     piece.doppler_offset = carrier_hz * (hard_s - before_s) - sweep * (hard_s - before_s) * before_s;
     piece.doppler_slope = slope * grid.interval_s;
     piece.doppler_bend = sweep * grid.interval_s * grid.interval_s;
-    stretched.resize(position.size());
+    piece.late = hard_s / grid.interval_s;
     late.resize(position.size());
-    for (std::size_t k = 0; k < position.size(); ++k) {
-      const PulseClock clock = gathered.clock(k);
-      late[k] = hard_s == 0.0 ? clock.doppler / (1.0 - clock.doppler) : clock.late_of(hard_s) / hard_s;
-      stretched[k] = position[k] + late[k] * hard_s / grid.interval_s;
-    }
-    add_edges<Real>(piece, stretched, strength, late, edge_row);
+    late_rates(doppler, gathered.bend_per_s, hard_s, late);
+    add_edges<Real>(piece, position, strength, late, edge_row);
   }
 
   // False where a pulse is too wild next to its edges for polynomials.
@@ -373,13 +371,25 @@ struct SpectralKernel::Typed : Implementation {
     };
     for (std::size_t b = 0; b < s.bend_terms; ++b)
       for (std::size_t r = 0; r < s.terms; ++r)
-        s.factor.push_back(
-            mode_factors(band, {node(s.span, r, s.terms), node(s.bends, b, s.bend_terms)}, s.carrier_hz));
+        s.factor.push_back(mode_factors(band, {node(s.span, r, s.terms), node(s.bends, b, s.bend_terms)}, s));
+    if (!s.is_tilted()) return s;
+    const auto half = static_cast<Real>(0.5);
+    const auto slope = static_cast<Real>(0.5 / doppler_node(0, 2));
+    for (std::size_t j = 0; j < s.factor[0].size(); ++j) {
+      const std::complex<Real> high = s.factor[0][j];
+      const std::complex<Real> low = s.factor[1][j];
+      s.factor[0][j] = half * (high + low);
+      s.factor[1][j] = slope * (high - low);
+    }
     return s;
   }
 
-  // Spectrum of the body so stretched at the modes, over the kernel's transform, with the scale of the transforms.
-  std::vector<std::complex<Real>> mode_factors(const Band& band, const PulseClock& clock, double carrier_hz) {
+  // Spectrum of the body so stretched at the modes, taken where the span takes it, over the kernel's transform, with
+  // the scale of the transforms.
+  std::vector<std::complex<Real>> mode_factors(const Band& band, const PulseClock& clock, const Spectra& s) {
+    const double carrier_hz = s.carrier_hz;
+    const double shift =
+        s.shift_s * (clock.doppler - s.span.middle) / (grid.interval_s * static_cast<double>(row_size));
     const std::size_t fine = oversampling * fine_factor(band) * row_size;
     const double per_sample = static_cast<double>(oversampling * fine_factor(band));
     std::vector<std::complex<double>> spectrum(fine);
@@ -397,7 +407,8 @@ struct SpectralKernel::Typed : Implementation {
     std::vector<std::complex<Real>> factor(2 * band.modes);
     for (std::ptrdiff_t j = -half; j < half; ++j) {
       const std::complex<double> q =
-          spectrum[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(fine) : j)] / per_sample;
+          spectrum[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(fine) : j)] *
+          std::polar(1.0 / per_sample, 2.0 * core::pi * shift * static_cast<double>(j));
       factor[static_cast<std::size_t>(j + half)] = std::complex<Real>(
           q / (static_cast<double>(row_size) * band.kernel_transform[static_cast<std::size_t>(std::abs(j))]));
     }
@@ -411,7 +422,7 @@ struct SpectralKernel::Typed : Implementation {
 
   const EchoPulse* pulse;
   SampleGrid grid;
-  Settings settings;
+  SpectralSettings settings;
   PulseBody body;
   SpreadingKernel kernel;
   LanePolynomials<Real> taps;
@@ -428,12 +439,13 @@ struct SpectralKernel::Typed : Implementation {
   std::vector<double>& doppler = gathered.doppler;
   std::vector<std::complex<Real>> weighted;
   std::vector<std::complex<Real>> bent;
-  std::vector<double> stretched;  // positions of an edge
   std::vector<double> late;
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
   bool has_body = false;
-  double steepest_edge = 0.0;              // 1/sample
+  double steepest_edge = 0.0;  // 1/sample
+  std::optional<DopplerCoupling> coupled;
+  double coupled_carrier_hz = 0.0;
   std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
 
   std::vector<std::complex<Real>> response;  // of the filter, but for its scale
@@ -447,7 +459,7 @@ SpectralKernel::SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, d
                                const RowFilter& filter) {
   CORE_EXPECT(grid.interval_s > 0.0);
   CORE_EXPECT(tolerance > 0.0);
-  const Settings settings(tolerance);
+  const SpectralSettings settings(tolerance);
   if (settings.single_precision)
     implementation_ = std::make_unique<Typed<float>>(pulse, grid, settings, tolerance, filter);
   else
@@ -468,26 +480,6 @@ void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double ca
   CORE_EXPECT(std::isfinite(carrier_hz));
   CORE_EXPECT(echoes.is_whole());
   implementation_->add_filtered(out, carrier_hz, echoes);
-}
-
-SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, double carrier_hz,
-                                  double lowest_doppler, double highest_doppler) {
-  CORE_EXPECT(grid.interval_s > 0.0);
-  CORE_EXPECT(tolerance > 0.0);
-  CORE_EXPECT(lowest_doppler <= highest_doppler);
-  const Settings settings(tolerance);
-  const PulseBody body(pulse, grid.interval_s, settings.edge_samples, settings.beta);
-  const auto row = static_cast<double>(grid.count) + body.last() - body.first();
-  const double shift = std::max(std::abs(lowest_doppler), std::abs(highest_doppler)) *
-                       body.largest_frequency_hz(carrier_hz) * grid.interval_s;
-  const DopplerSpan span = span_covering(lowest_doppler, highest_doppler);
-  SpectralCost cost;
-  cost.spreading_width = SpreadingKernel(settings.share).width;
-  cost.edge_samples = body.edges().size() * settings.edge_samples;
-  cost.transform_size = static_cast<std::size_t>(4.0 * (body.half_band() + allowance_for(shift)) * row);
-  cost.doppler_terms = terms_for(largest_doppler_rad(body, carrier_hz) * span.half, settings.share);
-  if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
-  return cost;
 }
 
 }  // namespace sarsim::radar

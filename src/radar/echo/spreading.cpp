@@ -2,56 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <type_traits>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "radar/echo/spreading.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per instruction set
 
+#include "radar/echo/piece_places-inl.hpp"
 #include "radar/echo/simd_math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 #include "core/report/expect.hpp"
 
 namespace sarsim::radar::HWY_NAMESPACE {
-
-// Where a block of echoes goes: for each the first sample or cell it touches, and what of the table of polynomials
-// belongs to its fraction.
-template <class Real>
-struct Places {
-  static constexpr std::size_t most = 64;
-  HWY_ALIGN Real y[most];
-  HWY_ALIGN double fraction[most];  // of a sample, to that first sample
-  HWY_ALIGN double cell[most];
-  HWY_ALIGN double table[most];  // offset of the piece's coefficients
-};
-
-// `x` in [0, 1): the piece of it and the position inside.
-template <class Real, class D, class V = hn::Vec<D>>
-HWY_INLINE void place_on_pieces(D d, V x, const LanePolynomials<Real>& lanes, std::size_t k, Places<Real>& out) {
-  const auto pieces = static_cast<double>(lanes.pieces);
-  const auto scaled = hn::Mul(x, hn::Set(d, pieces));
-  const auto piece = hn::Min(hn::Floor(scaled), hn::Set(d, pieces - 1.0));
-  const auto y = hn::Sub(hn::Sub(scaled, piece), hn::Set(d, 0.5));
-  hn::Store(hn::Mul(piece, hn::Set(d, static_cast<double>((lanes.degree + 1) * lanes.lanes))), d, out.table + k);
-  if constexpr (sizeof(Real) == 4) {
-    const hn::Rebind<float, D> narrow;
-    hn::StoreU(hn::DemoteTo(narrow, y), narrow, out.y + k);
-  } else {
-    hn::Store(y, d, out.y + k);
-  }
-}
-
-// The values [first, first + count): where they stand if they fill whole vectors, else a padded copy in `buffer`.
-HWY_INLINE const double* whole_vectors(std::span<const double> values, std::size_t first, std::size_t count,
-                                       double* HWY_RESTRICT buffer) {
-  const std::size_t lanes = hn::Lanes(hn::ScalableTag<double>());
-  const double* const from = values.data() + first;
-  if (count % lanes == 0) return from;
-  std::copy_n(from, count, buffer);
-  for (; count % lanes != 0; ++count) buffer[count] = buffer[0];
-  return buffer;
-}
 
 #if HWY_TARGET == HWY_SCALAR
 
@@ -68,11 +32,17 @@ Real lane_value(const LanePolynomials<Real>& lanes, std::size_t table, std::size
 template <class Real, std::size_t Degree, std::size_t Chunks>
 void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first, std::size_t count,
                   std::size_t total, std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+  const bool tilted = strength.size() < grid.term.size() * total;
   for (std::size_t k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(places.cell[k]);
     const auto table = static_cast<std::size_t>(places.table[k]);
     for (std::size_t tap = 0; 2 * tap < taps.lanes; ++tap) {
       const Real weight = lane_value(taps, table, 2 * tap, places.y[k]);
+      if (tilted) {
+        grid.term[0][at + tap] += weight * strength[first + k];
+        grid.term[1][at + tap] += weight * places.tilt[k] * strength[first + k];
+        continue;
+      }
       for (std::size_t r = 0; r < grid.term.size(); ++r)
         grid.term[r][at + tap] += weight * strength[r * total + first + k];
     }
@@ -84,7 +54,6 @@ void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::s
                 std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row) {
   const std::size_t samples = piece.samples.lanes / 2;
   for (std::size_t k = 0; k < count; ++k) {
-    if (places.cell[k] < 0.0) continue;
     const auto at = static_cast<std::size_t>(places.cell[k]);
     const auto table = static_cast<std::size_t>(places.table[k]);
     for (std::size_t i = 0; i < samples; ++i) {
@@ -103,33 +72,42 @@ void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::s
 
 #else
 
-// Polynomials of one degree by Horner's rule. Degree and Chunks, the vectors that the lanes fill, are 0 where they are
-// only known at run time.
+// One complex number in all pairs of lanes.
+HWY_INLINE hn::Vec<hn::ScalableTag<float>> in_all_pairs(hn::ScalableTag<float> d, const std::complex<float>* at) {
+  double both;
+  std::memcpy(&both, at, sizeof both);
+  return hn::BitCast(d, hn::Set(hn::ScalableTag<double>(), both));
+}
+HWY_INLINE hn::Vec<hn::ScalableTag<double>> in_all_pairs(hn::ScalableTag<double> d, const std::complex<double>* at) {
+  return hn::LoadDup128(d, reinterpret_cast<const double*>(at));
+}
+
+template <class D>
+HWY_INLINE void add_to(D d, hn::Vec<D> weight, hn::Vec<D> factor, hn::TFromD<D>* HWY_RESTRICT out) {
+  hn::StoreU(hn::MulAdd(weight, factor, hn::LoadU(d, out)), d, out);
+}
+
+// Two terms, the second of which follows from the first.
 template <class Real, std::size_t Degree, std::size_t Chunks>
-struct Polynomials {
-  using D = hn::ScalableTag<Real>;
-  const Real* HWY_RESTRICT coefficients;
-  std::size_t lanes;
-  std::size_t chunks;
-  std::size_t degree;
-
-  HWY_INLINE explicit Polynomials(const LanePolynomials<Real>& all)
-      : coefficients(all.coefficients.data()),
-        lanes(Chunks > 0 ? Chunks * hn::Lanes(D()) : all.lanes),
-        chunks(Chunks > 0 ? Chunks : all.lanes / hn::Lanes(D())),
-        degree(Degree > 0 ? Degree : all.degree) {}
-
-  // Of the lanes of one vector; `table` counts the coefficients before the piece's.
-  HWY_INLINE hn::Vec<D> at(double table, std::size_t chunk, hn::Vec<D> y) const {
-    const D d;
-    const Real* HWY_RESTRICT from = coefficients + static_cast<std::ptrdiff_t>(table) + chunk * hn::Lanes(d);
-    const std::size_t last = Degree > 0 ? Degree : degree;
-    const std::size_t stride = Chunks > 0 ? Chunks * hn::Lanes(d) : lanes;
-    auto sum = hn::LoadU(d, from);
-    for (std::size_t p = 1; p <= last; ++p) sum = hn::MulAdd(sum, y, hn::LoadU(d, from + p * stride));
-    return sum;
+HWY_INLINE void spread_tilted(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t count,
+                              const std::complex<Real>* HWY_RESTRICT strength, SpreadGrid<Real>& grid) {
+  const hn::ScalableTag<Real> d;
+  const Polynomials<Real, Degree, Chunks> polynomials(taps);
+  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+  Real* const one = reinterpret_cast<Real*>(grid.term[0].data());
+  Real* const two = reinterpret_cast<Real*>(grid.term[1].data());
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto y = hn::Set(d, places.y[k]);
+    const auto pair = in_all_pairs(d, strength + k);
+    const auto tilted = hn::Mul(pair, hn::Set(d, places.tilt[k]));
+    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
+      const auto weight = polynomials.at(places.table[k], chunk, y);
+      const std::ptrdiff_t at = 2 * std::ptrdiff_t{places.cell[k]} + static_cast<std::ptrdiff_t>(chunk * hn::Lanes(d));
+      add_to(d, weight, pair, one + at);
+      add_to(d, weight, tilted, two + at);
+    }
   }
-};
+}
 
 // Terms is 0 where their number is only known at run time.
 template <class Real, std::size_t Degree, std::size_t Chunks, std::size_t Terms>
@@ -142,14 +120,12 @@ HWY_INLINE void spread_terms(const LanePolynomials<Real>& taps, const Places<Rea
   const std::size_t terms = Terms > 0 ? Terms : grid.term.size();
   for (std::size_t k = 0; k < count; ++k) {
     const auto y = hn::Set(d, places.y[k]);
-    const auto at = static_cast<std::ptrdiff_t>(places.cell[k]);
+    const std::ptrdiff_t at = places.cell[k];
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
       const auto weight = polynomials.at(places.table[k], chunk, y);
       for (std::size_t r = 0; r < terms; ++r) {
-        const std::complex<Real> s = strength[r * total + first + k];
-        const auto pair = hn::OddEven(hn::Set(d, s.imag()), hn::Set(d, s.real()));
-        Real* HWY_RESTRICT out = reinterpret_cast<Real*>(grid.term[r].data() + at) + chunk * hn::Lanes(d);
-        hn::StoreU(hn::MulAdd(weight, pair, hn::LoadU(d, out)), d, out);
+        const auto pair = in_all_pairs(d, strength.data() + r * total + first + k);
+        add_to(d, weight, pair, reinterpret_cast<Real*>(grid.term[r].data() + at) + chunk * hn::Lanes(d));
       }
     }
   }
@@ -159,6 +135,8 @@ template <class Real, std::size_t Degree, std::size_t Chunks>
 HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
                              std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
                              SpreadGrid<Real>& grid) {
+  if (strength.size() < grid.term.size() * total)
+    return spread_tilted<Real, Degree, Chunks>(taps, places, count, strength.data() + first, grid);
   switch (grid.term.size()) {
     case 1: return spread_terms<Real, Degree, Chunks, 1>(taps, places, first, count, total, strength, grid);
     case 2: return spread_terms<Real, Degree, Chunks, 2>(taps, places, first, count, total, strength, grid);
@@ -207,16 +185,6 @@ struct TurnedEdges {
 template <class Real>
 double middle_sample(const EdgePiece<Real>& piece) {
   return 0.5 * (0.5 * static_cast<double>(piece.samples.lanes) - 1.0);
-}
-
-template <class Real, class D, class V = hn::Vec<D>>
-HWY_INLINE void store_narrow(D d, V x, Real* HWY_RESTRICT out) {
-  if constexpr (sizeof(Real) == 4) {
-    const hn::Rebind<float, D> narrow;
-    hn::StoreU(hn::DemoteTo(narrow, x), narrow, out);
-  } else {
-    hn::Store(x, d, out);
-  }
 }
 
 // Phases of the middle samples and their changes. The next terms of the series, the fourth power of the angle over 24,
@@ -303,11 +271,10 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& plac
   const auto signs = pair_signs(d);
   const auto middle = hn::Set(d, static_cast<Real>(middle_sample(piece)));
   for (std::size_t k = 0; k < count; ++k) {
-    if (places.cell[k] < 0.0) continue;
     const auto y = hn::Set(d, places.y[k]);
     const auto s_re = hn::Set(d, strength[2 * k]);
     const auto s_im = hn::Mul(hn::Set(d, strength[2 * k + 1]), signs);
-    Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + static_cast<std::ptrdiff_t>(places.cell[k]));
+    Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + places.cell[k]);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
       const std::size_t lane = chunk * hn::Lanes(d);
       auto pairs = polynomials.at(places.table[k], chunk, y);
@@ -340,49 +307,34 @@ HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& pla
 
 #endif  // HWY_SCALAR
 
-// Calls f with the degree and the number of vectors as compile-time constants where they are usual ones.
-template <std::size_t Chunks, class F>
-HWY_INLINE void with_degree(std::size_t degree, const F& f) {
-  constexpr std::integral_constant<std::size_t, Chunks> chunks;
-  switch (degree) {
-    case 3: return f(std::integral_constant<std::size_t, 3>(), chunks);
-    case 4: return f(std::integral_constant<std::size_t, 4>(), chunks);
-    case 5: return f(std::integral_constant<std::size_t, 5>(), chunks);
-    case 6: return f(std::integral_constant<std::size_t, 6>(), chunks);
-    case 7: return f(std::integral_constant<std::size_t, 7>(), chunks);
-    default: return f(std::integral_constant<std::size_t, 0>(), chunks);
-  }
-}
-template <class Real, class F>
-HWY_INLINE void with_shape(const LanePolynomials<Real>& lanes, const F& f) {
-  switch (lanes.lanes / hn::Lanes(hn::ScalableTag<Real>())) {
-    case 1: return with_degree<1>(lanes.degree, f);
-    case 2: return with_degree<2>(lanes.degree, f);
-    case 4: return with_degree<4>(lanes.degree, f);
-    default: return with_degree<0>(lanes.degree, f);
-  }
-}
-
 template <class Real>
 HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t width, double period,
                                  std::span<const double> position, std::span<const std::complex<Real>> strength,
-                                 SpreadGrid<Real>& grid) {
+                                 const SpreadMotion& motion, SpreadGrid<Real>& grid) {
   using Block = Places<Real>;
   const hn::ScalableTag<double> d;
   const auto cells = static_cast<double>(grid.cells);
   const auto padding = hn::Set(d, static_cast<double>(SpreadGrid<Real>::padding));
+  const bool moves = !motion.doppler.empty();
   HWY_ALIGN double buffer[Block::most];
+  HWY_ALIGN double speeds[Block::most];
   Block places;
   for (std::size_t first = 0; first < position.size(); first += Block::most) {
     const std::size_t count = std::min(Block::most, position.size() - first);
     const double* const from = whole_vectors(position, first, count, buffer);
+    const double* const moved = moves ? whole_vectors(motion.doppler, first, count, speeds) : speeds;
     for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-      const auto given = hn::LoadU(d, from + k);
+      auto given = hn::LoadU(d, from + k);
+      if (moves) {
+        const auto speed = hn::Sub(hn::LoadU(d, moved + k), hn::Set(d, motion.middle));
+        given = hn::MulAdd(speed, hn::Set(d, motion.shift), given);
+        store_narrow(d, hn::Mul(speed, hn::Set(d, motion.tilt)), places.tilt + k);
+      }
       const auto wrapped = hn::IfThenElse(hn::Lt(given, hn::Zero(d)), hn::Add(given, hn::Set(d, period)), given);
       const auto on_grid = hn::Min(hn::Mul(wrapped, hn::Set(d, cells / period)), hn::Set(d, cells));
       const auto left = hn::Sub(on_grid, hn::Set(d, 0.5 * static_cast<double>(width)));
       const auto cell = hn::Ceil(left);
-      hn::Store(hn::Add(cell, padding), d, places.cell + k);
+      store_integers(d, hn::Add(cell, padding), places.cell + k);
       place_on_pieces(d, hn::Sub(cell, left), taps, k, places);
     }
     with_shape(taps, [&](auto degree, auto chunks) {
@@ -400,17 +352,22 @@ HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<cons
   const auto padding = hn::Set(d, static_cast<double>(EdgeRow<Real>::padding));
   const auto first_useful = hn::Set(d, -0.5 * static_cast<double>(piece.samples.lanes));
   const auto last_useful = hn::Set(d, static_cast<double>(row.count));
+  const bool late = piece.late != 0.0 && !doppler.empty();
   HWY_ALIGN double buffer[Block::most];
+  HWY_ALIGN double speeds[Block::most];
   Block places;
   for (std::size_t first = 0; first < position.size(); first += Block::most) {
     const std::size_t count = std::min(Block::most, position.size() - first);
     const double* const from = whole_vectors(position, first, count, buffer);
+    const double* const moved = late ? whole_vectors(doppler, first, count, speeds) : speeds;
     for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-      const auto start = hn::Add(hn::LoadU(d, from + k), hn::Set(d, piece.start));
+      auto start = hn::Add(hn::LoadU(d, from + k), hn::Set(d, piece.start));
+      if (late) start = hn::MulAdd(hn::LoadU(d, moved + k), hn::Set(d, piece.late), start);
       const auto sample = hn::Ceil(hn::Sub(start, hn::Set(d, 1e-9)));
       const auto fraction = hn::Max(hn::Zero(d), hn::Sub(sample, start));
       const auto useful = hn::And(hn::Gt(sample, first_useful), hn::Lt(sample, last_useful));
-      hn::Store(hn::IfThenElse(useful, hn::Add(sample, padding), hn::Set(d, -1.0)), d, places.cell + k);
+      // What is of no use goes where nobody looks, to the beginning of the padding.
+      store_integers(d, hn::IfThenElseZero(useful, hn::Add(sample, padding)), places.cell + k);
       hn::Store(fraction, d, places.fraction + k);
       place_on_pieces(d, fraction, piece.samples, k, places);
     }
@@ -422,13 +379,13 @@ HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<cons
 
 void spread_single(const LanePolynomials<float>& taps, std::size_t width, double period,
                    std::span<const double> position, std::span<const std::complex<float>> strength,
-                   SpreadGrid<float>& grid) {
-  spread_on_target(taps, width, period, position, strength, grid);
+                   const SpreadMotion& motion, SpreadGrid<float>& grid) {
+  spread_on_target(taps, width, period, position, strength, motion, grid);
 }
 void spread_double(const LanePolynomials<double>& taps, std::size_t width, double period,
                    std::span<const double> position, std::span<const std::complex<double>> strength,
-                   SpreadGrid<double>& grid) {
-  spread_on_target(taps, width, period, position, strength, grid);
+                   const SpreadMotion& motion, SpreadGrid<double>& grid) {
+  spread_on_target(taps, width, period, position, strength, motion, grid);
 }
 void edges_single(const EdgePiece<float>& piece, std::span<const double> position,
                   std::span<const std::complex<float>> strength, std::span<const double> doppler, EdgeRow<float>& row) {
@@ -454,19 +411,23 @@ HWY_EXPORT(edges_double);
 
 template <>
 void spread(const LanePolynomials<float>& taps, std::size_t width, double period, std::span<const double> position,
-            std::span<const std::complex<float>> strength, SpreadGrid<float>& grid) {
+            std::span<const std::complex<float>> strength, const SpreadMotion& motion, SpreadGrid<float>& grid) {
   CORE_EXPECT(width > 0);
   CORE_EXPECT(period > 0.0);
-  CORE_EXPECT(strength.size() == position.size() * grid.term.size());
-  HWY_DYNAMIC_DISPATCH(spread_single)(taps, width, period, position, strength, grid);
+  CORE_EXPECT(strength.size() == position.size() * grid.term.size() ||
+              (grid.term.size() == 2 && strength.size() == motion.doppler.size()));
+  CORE_EXPECT(motion.doppler.empty() || motion.doppler.size() == position.size());
+  HWY_DYNAMIC_DISPATCH(spread_single)(taps, width, period, position, strength, motion, grid);
 }
 template <>
 void spread(const LanePolynomials<double>& taps, std::size_t width, double period, std::span<const double> position,
-            std::span<const std::complex<double>> strength, SpreadGrid<double>& grid) {
+            std::span<const std::complex<double>> strength, const SpreadMotion& motion, SpreadGrid<double>& grid) {
   CORE_EXPECT(width > 0);
   CORE_EXPECT(period > 0.0);
-  CORE_EXPECT(strength.size() == position.size() * grid.term.size());
-  HWY_DYNAMIC_DISPATCH(spread_double)(taps, width, period, position, strength, grid);
+  CORE_EXPECT(strength.size() == position.size() * grid.term.size() ||
+              (grid.term.size() == 2 && strength.size() == motion.doppler.size()));
+  CORE_EXPECT(motion.doppler.empty() || motion.doppler.size() == position.size());
+  HWY_DYNAMIC_DISPATCH(spread_double)(taps, width, period, position, strength, motion, grid);
 }
 template <>
 void add_edges(const EdgePiece<float>& piece, std::span<const double> position,

@@ -74,13 +74,22 @@ struct SpreadGrid {
   std::span<std::complex<Real>> fold(std::size_t index);
 };
 
+/// What motion does to where echoes are spread, and to how much of them is spread onto the second of two grids.
+struct SpreadMotion {
+  std::span<const double> doppler;  ///< D of each echo; empty: none moves.
+  double middle = 0.0;
+  double shift = 0.0;  ///< Of the position, for each unit of D from the middle.
+  double tilt = 0.0;   ///< Of the second strength, for each unit of D from the middle, in units of the first.
+};
+
 /// Spreads strengths onto the grids in SIMD: grid r cell g receives strength[r][k] phi(2 (g - x[k])/width), where x is
-/// the position in cells.
-/// @param position  in units of which `period` make the circle, in [-period, period]
-/// @param strength  terms x positions, term-major
+/// the position in cells, shifted by motion.
+/// @param position  in units of which `period` make the circle, in [-period, period] when shifted
+/// @param strength  terms x positions, term-major; or for two grids those of the first alone, where those of the second
+///                  follow by `motion.tilt`
 template <class Real>
 void spread(const LanePolynomials<Real>& taps, std::size_t width, double period, std::span<const double> position,
-            std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid);
+            std::span<const std::complex<Real>> strength, const SpreadMotion& motion, SpreadGrid<Real>& grid);
 
 /// The samples next to one hard edge of a pulse that its smooth body leaves out, for each fraction of a sample.
 template <class Real>
@@ -92,6 +101,7 @@ struct EdgePiece {
   double doppler_offset = 0.0;  ///< Doppler phase at the start: turns per unit of D,
   double doppler_slope = 0.0;   ///< its change per sample,
   double doppler_bend = 0.0;    ///< and per sample squared.
+  double late = 0.0;            ///< Samples by which the piece comes later per unit of D.
 };
 
 /// Sums of edge samples, with room for a piece that overhangs either end of the row.

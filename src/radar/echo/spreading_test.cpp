@@ -152,7 +152,7 @@ void expect_transform(double tolerance, std::size_t cells, std::size_t terms) {
   SpreadGrid<Real> grid;
   grid.resize(cells, terms);
   grid.clear();
-  spread<Real>(taps, kernel.width, static_cast<double>(cells), s.position, s.strength, grid);
+  spread<Real>(taps, kernel.width, static_cast<double>(cells), s.position, s.strength, {}, grid);
   const core::BasicFft<Real> fft(cells);
   const auto period = static_cast<double>(cells);
   for (std::size_t r = 0; r < terms; ++r) {
@@ -202,7 +202,7 @@ TYPED_TEST(Spreading, GridIsACircle) {
     grid.resize(cells, 1);
     grid.clear();
     const std::vector<double> at{position};
-    spread<TypeParam>(taps, kernel.width, static_cast<double>(cells), at, one, grid);
+    spread<TypeParam>(taps, kernel.width, static_cast<double>(cells), at, one, {}, grid);
     const auto cell = grid.fold(0);
     return std::vector<std::complex<TypeParam>>(cell.begin(), cell.end());
   };
@@ -216,6 +216,38 @@ TYPED_TEST(Spreading, GridIsACircle) {
     const auto small = spread_at(0.25, 4), large = spread_at(0.25, 50);
     const auto sum = [](const auto& v) { return std::accumulate(v.begin(), v.end(), std::complex<TypeParam>()); };
     EXPECT_LT(std::abs(sum(small) - sum(large)), 20.0 * rounding_of<TypeParam>);
+  });
+}
+
+// 70 echoes, more than a block: each at its place moved by its Doppler, its strength on the second grid in proportion.
+TYPED_TEST(Spreading, MovesAndTiltsEchoesByTheirDoppler) {
+  const SpreadingKernel kernel(1e-6);
+  const auto taps = tap_polynomials<TypeParam>(kernel, 1e-7);
+  const SpreadMotion given{{}, 2e-7, 3e6, 4e6};
+  std::vector<double> doppler, position, moved;
+  std::vector<std::complex<TypeParam>> strength, both;
+  for (int k = 0; k < 70; ++k) {
+    doppler.push_back(2e-7 + 1e-9 * (k % 13 - 6));
+    position.push_back(3.7 * k - 100.0);
+    moved.push_back(position.back() + given.shift * (doppler.back() - given.middle));
+    strength.emplace_back(TypeParam(1 + k % 3), TypeParam(k % 5));
+  }
+  both = strength;
+  for (std::size_t k = 0; k < doppler.size(); ++k)
+    both.push_back(static_cast<TypeParam>(given.tilt * (doppler[k] - given.middle)) * strength[k]);
+  at_every_simd_level([&] {
+    SpreadGrid<TypeParam> expected, got;
+    for (auto* const grid : {&expected, &got}) {
+      grid->resize(400, 2);
+      grid->clear();
+    }
+    SpreadMotion motion = given;
+    motion.doppler = doppler;
+    spread<TypeParam>(taps, kernel.width, 400.0, moved, both, {}, expected);
+    spread<TypeParam>(taps, kernel.width, 400.0, position, strength, motion, got);
+    for (std::size_t r = 0; r < 2; ++r)
+      for (std::size_t i = 0; i < expected.term[r].size(); ++i)
+        ASSERT_LT(std::abs(got.term[r][i] - expected.term[r][i]), 50.0 * rounding_of<TypeParam>) << r << ' ' << i;
   });
 }
 

@@ -211,6 +211,37 @@ HWY_INLINE void weigh_on_target(std::span<const std::complex<Real>> strength, st
   }
 }
 
+// (u - e)/e with u = (e + a u^2/2)/(1 - D), in as many rounds as PulseClock::late_of takes; as a share of e, which may
+// be 0.
+void late_rates_on_target(std::span<const double> doppler, std::span<const double> bend_per_s, double sent_s,
+                          double* out) {
+  const hn::ScalableTag<double> d;
+  const std::size_t lanes = hn::Lanes(d);
+  const auto one = hn::Set(d, 1.0);
+  HWY_ALIGN double rest[3][hn::MaxLanes(d)];
+  for (std::size_t k = 0; k < doppler.size(); k += lanes) {
+    const std::size_t here = std::min(lanes, doppler.size() - k);
+    const bool whole = here == lanes;
+    if (!whole)
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const std::size_t source = k + std::min(i, here - 1);
+        rest[0][i] = doppler[source];
+        rest[1][i] = bend_per_s.empty() ? 0.0 : bend_per_s[source];
+      }
+    const auto speed = hn::LoadU(d, whole ? doppler.data() + k : rest[0]);
+    const auto scale = hn::Div(one, hn::Sub(one, speed));
+    auto late = hn::Mul(speed, scale);
+    if (!bend_per_s.empty()) {
+      const auto bend = hn::Mul(hn::LoadU(d, whole ? bend_per_s.data() + k : rest[1]), hn::Set(d, 0.5 * sent_s));
+      auto longer = scale;  // u/e
+      for (int round = 0; round < 3; ++round) longer = hn::Mul(hn::MulAdd(bend, hn::Mul(longer, longer), one), scale);
+      late = hn::Mul(hn::MulAdd(bend, longer, speed), longer);
+    }
+    hn::StoreU(late, d, whole ? out + k : rest[2]);
+    if (!whole) std::copy_n(rest[2], here, out + k);
+  }
+}
+
 void gather_single(const EchoBatch& echoes, const RowFrame& frame, Strengths<float>& out) {
   gather_on_target(echoes, frame, out);
 }
@@ -238,6 +269,14 @@ HWY_EXPORT(gather_single);
 HWY_EXPORT(gather_double);
 HWY_EXPORT(weigh_single);
 HWY_EXPORT(weigh_double);
+HWY_EXPORT(late_rates_on_target);
+
+void late_rates(std::span<const double> doppler, std::span<const double> bend_per_s, double sent_s,
+                std::span<double> rate) {
+  CORE_EXPECT(bend_per_s.empty() || bend_per_s.size() == doppler.size());
+  CORE_EXPECT(rate.size() == doppler.size());
+  HWY_DYNAMIC_DISPATCH(late_rates_on_target)(doppler, bend_per_s, sent_s, rate.data());
+}
 
 double doppler_node(std::size_t r, std::size_t terms) {
   CORE_EXPECT(r < terms);

@@ -42,6 +42,13 @@ struct Strengths {
 template <class Real>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
 
+/// D' = late_of(e)/e of each echo, what it is late by for each second that a part of the pulse was sent after its
+/// middle; in SIMD.
+/// @param bend_per_s  a of each echo, or empty
+/// @param sent_s      e
+void late_rates(std::span<const double> doppler, std::span<const double> bend_per_s, double sent_s,
+                std::span<double> rate);
+
 /// A span of D, or of a.
 struct DopplerSpan {
   double middle = 0.0;
