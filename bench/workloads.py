@@ -42,6 +42,21 @@ def simulation(pulses, swath_samples, output):
             f"{output} RAW {output.lower()}.out BEGIN 1 1")
 
 
+def cloud_script(points):
+    """Text of `million` with its targets from the table of points of that name."""
+    _, pulses, pulse_samples, swath_samples = SIZES["million"]
+    return "\n".join([platform("Earth"), f"$CLOUD Earth FILE {points} 0 0 0 1 0 ISOTROPIC", radar(pulse_samples),
+                      simulation(pulses, swath_samples, "BINARY")]) + "\n"
+
+
+def cloud_rows(count, numpy):
+    """Its points: x, y, z, cross-section."""
+    randoms = numpy.random.default_rng(1998)
+    room = SIZES["million"][3] * C / (2 * RATE_HZ) - SIZES["million"][2] * C / (2 * RATE_HZ)
+    return numpy.column_stack([randoms.uniform(-200, 200, count), NEAR_M + randoms.uniform(0, room, count),
+                               randoms.uniform(-20, 20, count), randoms.uniform(0.5, 2, count)])
+
+
 def script(name, targets=None, pulses=None, pulse_samples=None, swath_samples=None, output="BINARY", options=""):
     """Text of a workload; sizes may be changed to see how times scale."""
     base = SIZES[name]

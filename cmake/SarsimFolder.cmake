@@ -8,7 +8,7 @@
 # same folder that it may use"; without ROOMS the sources stand in the folder itself. tools/check-layers compares the
 # includes of all sources with both lists.
 #
-# With MODULE, the sources name_*.cpp become the loadable module sarsim_name.so instead, which is built with the library
+# With MODULE, the room of that name becomes the loadable module sarsim_name.so instead, which is built with the library
 # and which a program opens when it first needs what MODULE_LIBS offer. MODULE_SHARES are sources of other libraries
 # that the module has its own copy of.
 
@@ -167,7 +167,7 @@ function(sarsim_folder name)
   list(TRANSFORM arg_USES PREPEND sarsim_)
   if(arg_MODULE)
     set(module_sources ${sources})
-    list(FILTER module_sources INCLUDE REGEX "/${arg_MODULE}_[^/]*$")
+    list(FILTER module_sources INCLUDE REGEX "/${name}/${arg_MODULE}/")
     list(REMOVE_ITEM sources ${module_sources})
     sarsim_module(${arg_MODULE} "${module_sources};${arg_MODULE_SHARES}" "${arg_MODULE_LIBS}")
   endif()

@@ -131,6 +131,7 @@ scene::Scene scene_with(const scene::AnyObject& object) {
   switch (scene::kind_of(object)) {
     case scene::ObjectKind::platform: scene.platforms[1] = std::get<scene::Platform>(object); break;
     case scene::ObjectKind::target: scene.targets[0] = std::get<scene::Target>(object); break;
+    case scene::ObjectKind::cloud: scene.clouds.assign(1, std::get<scene::Cloud>(object)); break;
     case scene::ObjectKind::surface: scene.surfaces[0] = std::get<scene::Surface>(object); break;
     case scene::ObjectKind::radar: scene.radars[1] = std::get<scene::Radar>(object); break;
     case scene::ObjectKind::simulation: scene.simulations[0] = std::get<scene::Simulation>(object); break;

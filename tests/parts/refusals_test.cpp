@@ -106,6 +106,17 @@ TEST_F(PartRefusals, PartsOfAChangedScript) {
   expect_refusal(run({"--part", "2/2"}), "the script, or a data file of it, has changed");
 }
 
+TEST_F(PartRefusals, PartsOfAChangedTableOfPoints) {
+  change(folder_ / "scene.scr", "$TARGET", "$CLOUD Earth FILE points.csv 0 0 0 1 0 ISOTROPIC\n$TARGET");
+  write_text(folder_ / "points.csv", "0,1100,0\n5,1120,0\n");
+  ASSERT_EQ(run({"--part", "1/2"}).status, 0);
+  write_text(folder_ / "points.csv", "0,1100,0\n5,1121,0\n");
+  expect_refusal(run({"--part", "2/2"}), "the script, or a data file of it, has changed");
+  expect_refusal(run({"--part", "1/2", "--resume"}), "the script, or a data file of it, has changed");
+  write_text(folder_ / "points.csv", "x,y,z\n0,1100,0\n5,1120,0\n");
+  EXPECT_EQ(run({"--part", "2/2"}).status, 0) << "the same points";
+}
+
 TEST_F(PartRefusals, PartsWithOtherOptions) {
   ASSERT_EQ(run({"--part", "1/2"}).status, 0);
   expect_refusal(run({"--part", "2/2", "--engine", "reference"}), "engine is reference now");

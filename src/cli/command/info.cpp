@@ -27,6 +27,7 @@ struct InfoArguments {
   bool json = false;
   bool all = false;
   bool plan = false;
+  bool statistics = false;
   std::optional<std::int64_t> workers;
   std::optional<std::int64_t> threads;
 };
@@ -77,7 +78,8 @@ void expect_used(const InfoArguments& arguments, bool script) {
                            {"--columns", sample.columns.has_value(), false},
                            {"--bits", sample.bits.has_value(), false},
                            {"--lsb", sample.lsb_v.has_value(), false},
-                           {"--script", !sample.script.empty(), false}};
+                           {"--script", !sample.script.empty(), false},
+                           {"--statistics", arguments.statistics, false}};
   core::Problems problems;
   for (const InputUse& use : uses) {
     if (!use.given || use.of_script == script) continue;
@@ -106,7 +108,7 @@ ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
         streams);
   }
   if (script) return print_scene_info({arguments.path, arguments.overrides, arguments.json, arguments.all}, streams);
-  return print_data_info({arguments.path, arguments.sample, arguments.json}, streams);
+  return print_data_info({arguments.path, arguments.sample, arguments.statistics, arguments.json}, streams);
 }
 
 }  // namespace
@@ -116,6 +118,8 @@ Action add_info(CLI::App& app) {
   add_text(app, "file", arguments->path, "FILE", "script, or file of samples")->required();
   app.add_flag("--json", arguments->json, "the same as JSON");
   app.add_flag("--all", arguments->all, "list every object and target of a script, not the first 20");
+  app.add_flag("--statistics", arguments->statistics,
+               "lowest, highest, rms and largest samples of a file; reads all of it");
   app.add_flag("--plan", arguments->plan, "samples, bytes, memory and time of a script's recordings, measured here");
   add_integer(app, "--workers", arguments->workers, 1, 1000000, "of --plan: also the time of so many machines");
   add_integer(app, "--threads", arguments->threads, 0, 4096,
@@ -125,7 +129,8 @@ Action add_info(CLI::App& app) {
   add_sample_arguments(app, arguments->sample);
   add_examples(app, {{"sarsim info sar_r.scr", "resolution, ambiguities, SNR, size and time of a script"},
                      {"sarsim info sar_r.scr --plan --workers 8", "what a run will take, and on eight machines"},
-                     {"sarsim info sim1.h5", "shape and statistics of a file of samples"},
+                     {"sarsim info sim1.h5", "shape, axes and attributes of a file of samples"},
+                     {"sarsim info sim1.h5 --statistics", "also its largest samples, rms and share of zeros"},
                      {"sarsim info sim1.bin --columns 256 --bits 8", "of one that does not describe itself"},
                      {"sarsim info sim1.bin --script sar_r.scr", "or with what its script says"}});
   return [arguments](Streams& streams) { return print_info(*arguments, streams); };

@@ -24,11 +24,16 @@ std::string quantity(double value, bool counts) {
   return counts ? fmt::format("{:.9g}", value) : fmt::format("{:.6g} V", value);
 }
 
-std::vector<Figure> shape_figures(const raster::Raster& file) {
-  const raster::RasterInfo& info = file.info();
+std::vector<Figure> shape_figures(const workflow::SampleFacts& facts) {
+  const raster::RasterInfo& info = facts.file->info();
   std::vector<Figure> f;
   f.push_back(word_figure("format", "format", raster::word_of(*info.format)));
-  f.push_back(figure("rows", "rows", static_cast<double>(file.rows()), std::to_string(file.rows())));
+  const auto rows = static_cast<double>(facts.rows);
+  if (facts.rows_estimated)
+    f.push_back(figure("rows", "rows_estimated", rows,
+                       fmt::format("about {:.2g} (a text has no header; --statistics counts them)", rows)));
+  else
+    f.push_back(figure("rows", "rows", rows, std::to_string(facts.rows)));
   f.push_back(figure("samples of a row", "columns", static_cast<double>(info.columns), std::to_string(info.columns)));
   f.push_back(word_figure("values", "values", info.counts ? "counts" : "volts"));
   if (info.bits > 0) f.push_back(figure("A/D bits", "bits", info.bits));
@@ -105,11 +110,13 @@ std::string json_of(const std::string& path, const raster::RasterInfo& info, con
 
 ExitStatus print_data_info(const DataInfoArguments& arguments, Streams& streams) {
   Watch watch(streams, false);
-  const workflow::SampleFacts facts = workflow::facts_of_samples(arguments.path, arguments.sample, watch.observer());
+  const workflow::SampleFacts facts =
+      workflow::facts_of_samples(arguments.path, arguments.sample, arguments.statistics, watch.observer());
   const raster::RasterInfo& info = facts.file->info();
-  std::vector<Figure> figures = shape_figures(*facts.file);
+  std::vector<Figure> figures = shape_figures(facts);
   std::ranges::move(axis_figures(*facts.file), std::back_inserter(figures));
-  std::ranges::move(statistics_figures(facts.statistics, info.counts), std::back_inserter(figures));
+  if (facts.statistics)
+    std::ranges::move(statistics_figures(*facts.statistics, info.counts), std::back_inserter(figures));
   write_out(streams, arguments.json ? json_of(arguments.path, info, figures) : text_of(arguments.path, info, figures));
   return exit_done;
 }

@@ -11,10 +11,12 @@ namespace sarsim::cli {
 struct DataInfoArguments {
   std::string path;
   workflow::SampleArguments sample;
+  bool statistics = false;
   bool json = false;
 };
 
-/// Prints shape, format, axes, attributes and statistics of a file of samples; one pass, bounded memory.
+/// Prints shape, format, axes and attributes of a file of samples; with statistics also what its samples are like: one
+/// pass, bounded memory.
 ExitStatus print_data_info(const DataInfoArguments& arguments, Streams& streams);
 
 }  // namespace sarsim::cli

@@ -14,6 +14,7 @@
 #include "core/text/number_text.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/input/cloud_input.hpp"
 #include "workflow/input/echo_words.hpp"
 #include "workflow/input/scene_words.hpp"
 #include "workflow/record/record_size.hpp"
@@ -145,6 +146,8 @@ class SceneInfo {
       if (number > 0) text_ += fmt::format("  {:<24} {}\n", kind, number);
     };
     count("targets", scene_.targets.size());
+    count("clouds", scene_.clouds.size());
+    if (!scene_.clouds.empty()) count("cloud_points", workflow::cloud_points(scene_));
     count("surfaces", scene_.surfaces.size());
     count("simulations", scene_.simulations.size());
     count("geometries", scene_.geometries.size());
@@ -205,7 +208,9 @@ class SceneInfo {
   }
 
   void add_simulation(std::size_t index, const simulate::Plan& plan) {
-    const simulate::EchoSurvey survey = simulate::survey_echoes(plan, control_);
+    simulate::Plan looked_at = plan;
+    looked_at.scene = simulate::thinned(plan.scene, workflow::most_cloud_looks);
+    const simulate::EchoSurvey survey = simulate::survey_echoes(looked_at, control_);
     const auto figures = figures_of(plan, simulate::simulation_figures(plan, survey), survey, false);
     const scene::Simulation& simulation = plan.simulation;
     json_.begin_object().member("number", index + 1).member("file", simulation.file).member("radar", plan.radar.name);
@@ -228,7 +233,10 @@ class SceneInfo {
   }
 
   void add_targets(const simulate::Plan& plan, const simulate::EchoSurvey& survey, bool directive) {
-    const std::size_t count = arguments_.all ? survey.targets.size() : std::min(survey.targets.size(), most_listed);
+    // Of large clouds only some points were looked at, and nobody could tell which.
+    const bool whole = survey.targets.size() == plan.scene->scatterers.size();
+    const std::size_t listed = whole ? survey.targets.size() : plan.scene->scatterers.targets();
+    const std::size_t count = arguments_.all ? listed : std::min(listed, most_listed);
     if (count > 0)
       text_ += survey.all_pulses ? "  targets\n"
                                  : fmt::format("  targets (estimated from {} of {} pulses)\n", survey.pulses_sampled,
@@ -243,8 +251,7 @@ class SceneInfo {
       write_survey_json(json_, i + 1, survey.targets[i], sight);
     }
     json_.end_array();
-    if (count < survey.targets.size())
-      text_ += fmt::format("    ... and {} more; list them with --all\n", survey.targets.size() - count);
+    if (count < listed) text_ += fmt::format("    ... and {} more; list them with --all\n", listed - count);
   }
 
   const SceneInfoArguments& arguments_;

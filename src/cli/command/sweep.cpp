@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 #include <ostream>
 #include <utility>
@@ -12,6 +15,8 @@
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/script/reader.hpp"
+#include "workflow/input/cloud_input.hpp"
 #include "workflow/input/scene_input.hpp"
 #include "workflow/input/simd_choice.hpp"
 #include "workflow/sweep/sweep.hpp"
@@ -55,6 +60,12 @@ workflow::SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams
   const unsigned threads = core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
   workflow::SceneInput input =
       read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::reading, {threads, streams.stop});
+  if (!core::has_errors(input.problems)) {
+    const std::filesystem::path folder = std::filesystem::path(arguments.scene).parent_path();
+    core::Problems of_clouds = workflow::read_clouds(input.scene, folder, {threads, streams.stop});
+    scene::locate(of_clouds, input.places);
+    std::ranges::move(of_clouds, std::back_inserter(input.problems));
+  }
   expect_usable(input, arguments.strict);
   if (!arguments.quiet && !arguments.fields) print_problems(streams, input.problems);
   return input;

@@ -21,7 +21,8 @@ struct Place {
 
 /// What a problem is about: an object of the scene and, where one is to blame, its field.
 struct Subject {
-  std::string kind;  ///< "platform", "target", "surface", "radar", "simulation", "geometry", "options"; empty for none.
+  std::string kind;  ///< "platform", "target", "cloud", "surface", "radar", "simulation", "geometry", "options"; empty
+                     ///< for none.
   std::size_t index = 0;  ///< Position in the scene's list of that kind, from 0.
   std::string field;      ///< Member name of the scene structure ("pulse_width_s"); empty for the whole object.
 

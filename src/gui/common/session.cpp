@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "workflow/input/cloud_input.hpp"
+
 namespace sarsim::gui {
 
 namespace {
@@ -27,6 +29,9 @@ std::shared_ptr<const scene::Scene> Session::shared_scene() const {
 
 void Session::take(scene::Document document) {
   document_ = std::move(document);
+  document_.read_clouds_with([](scene::Scene& scene, const std::filesystem::path& folder) {
+    return workflow::read_clouds(scene, folder, {core::thread_count(0)});
+  });
   shared_.reset();
   selection_.clear();
   current_.reset();

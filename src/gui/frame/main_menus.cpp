@@ -192,6 +192,9 @@ void MainWindow::make_geometry_menu() {
   add_action(
       geometry, tr("New &Surface"), "new_surface", QKeySequence("Ctrl+4"), [this] { add_new(scene::Surface()); },
       tr("Add a triangle filled with points that reflect"));
+  add_action(
+      geometry, tr("New &Cloud"), "new_cloud", {}, [this] { add_new(scene::Cloud()); },
+      tr("Add many points that reflect, from an NPY, CSV or HDF5 table"));
 }
 
 void MainWindow::make_simulation_menu() {

@@ -6,6 +6,7 @@
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/check/command_remarks.hpp"
+#include "workflow/input/cloud_input.hpp"
 #include "workflow/input/echo_words.hpp"
 
 namespace sarsim::gui {
@@ -56,7 +57,9 @@ void ProblemWatch::look_at_echoes() {
   found_ = std::make_shared<Found>();
   survey_.run([scene = std::move(scene), found = found_](const core::StopFlag& stop, const BackgroundJob::Report&) {
     const core::WorkControl control{1, &stop};
-    const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(*scene, control));
+    const auto resolved =
+        simulate::thinned(std::make_shared<const simulate::ResolvedScene>(simulate::resolve(*scene, control)),
+                          workflow::most_cloud_looks);
     simulate::SurveyReport report = simulate::survey_report(*scene, resolved, control);
     found->problems = std::move(report.problems);
     if (!core::has_errors(found->problems))

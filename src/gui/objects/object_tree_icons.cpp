@@ -61,6 +61,12 @@ class ObjectIconEngine : public QIconEngine {
         painter.setPen(QPen(text, 1.0));
         painter.setBrush(colour_of(picture::Role::target, palette_));
         return painter.drawEllipse(QPointF(8, 8), 4.5, 4.5);
+      case scene::ObjectKind::cloud:
+        painter.setPen(QPen(text, 0.8));
+        painter.setBrush(colour_of(picture::Role::target, palette_));
+        for (const QPointF at : {QPointF(4, 5), QPointF(11, 4), QPointF(8, 9), QPointF(4, 13), QPointF(13, 12)})
+          painter.drawEllipse(at, 2.0, 2.0);
+        return;
       case scene::ObjectKind::surface:
         painter.setPen(QPen(text, 1.2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(colour_of(picture::Role::surface, palette_));

@@ -114,7 +114,7 @@ class ObjectTreeModel : public QAbstractItemModel {
   Session& session_;
   QStringList words_;
   std::vector<Group> groups_;
-  std::array<std::vector<Row>, 6> rows_;  // by kind, then index
+  std::array<std::vector<Row>, scene::kind_count> rows_;  // by kind, then index
   std::map<scene::ObjectId, Trouble> troubles_;
 };
 

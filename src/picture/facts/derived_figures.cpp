@@ -9,6 +9,7 @@
 #include "picture/facts/derived_parts.hpp"
 #include "radar/target/surface.hpp"
 #include "scene/check/check.hpp"
+#include "scene/model/cloud_points.hpp"
 #include "scene/model/limits.hpp"
 #include "simulate/resolve/resolved.hpp"
 
@@ -166,6 +167,23 @@ void platform_figures(Figures& figures, const scene::Scene& scene, std::size_t i
   figures.plain("Climb", core::elevation_rad(velocity) * core::deg_per_rad, "deg", "elevation of the velocity");
 }
 
+void cloud_figures(Figures& figures, const scene::Scene& scene, std::size_t index) {
+  const scene::Cloud& cloud = scene.clouds.at(index);
+  if (scene::point_count(cloud) == 0) return;
+  const scene::CloudPoints& points = *cloud.points;
+  figures.text("Points", fmt::format("{}", points.arrays.size()),
+               points.own_rcs ? "each with its cross-section" : "all with the cross-section of the cloud");
+  const core::Vec3 extent_m = points.most_m - points.least_m;
+  const core::Vec3 middle_m = 0.5 * (points.most_m + points.least_m);
+  const auto triple = [](const core::Vec3& at) {
+    return fmt::format("{}, {}, {}", rounded_text(at.x, scene::Quantity::length),
+                       rounded_text(at.y, scene::Quantity::length), rounded_text(at.z, scene::Quantity::length));
+  };
+  figures.text("Extent", triple(extent_m), "of the box around the points, in the platform's frame",
+               {extent_m.x, extent_m.y, extent_m.z});
+  figures.text("Middle", triple(middle_m), "of that box", {middle_m.x, middle_m.y, middle_m.z});
+}
+
 void surface_figures(Figures& figures, const scene::Scene& scene, std::size_t index) {
   const auto& corners = scene.surfaces.at(index).corner_m;
   const core::Vec3 normal = core::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -193,6 +211,7 @@ std::vector<DerivedFigure> derived_figures(const scene::Scene& scene, scene::Obj
     switch (id.kind) {
       case scene::ObjectKind::platform: derived::platform_figures(figures, scene, id.index, time_s); break;
       case scene::ObjectKind::target: derived::target_figures(figures, scene, id.index, time_s); break;
+      case scene::ObjectKind::cloud: derived::cloud_figures(figures, scene, id.index); break;
       case scene::ObjectKind::surface: derived::surface_figures(figures, scene, id.index); break;
       case scene::ObjectKind::radar: derived::radar_figures_of(figures, scene, id.index); break;
       case scene::ObjectKind::simulation: derived::simulation_figures_of(figures, scene, id.index); break;

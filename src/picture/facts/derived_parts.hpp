@@ -55,6 +55,7 @@ struct SoundRadar {
 /// The figures of one object each, those of what moves at a time; faulty parts are left out.
 void platform_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s);
 void target_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s);
+void cloud_figures(Figures& figures, const scene::Scene& scene, std::size_t index);
 void surface_figures(Figures& figures, const scene::Scene& scene, std::size_t index);
 void radar_figures_of(Figures& figures, const scene::Scene& scene, std::size_t index);
 void simulation_figures_of(Figures& figures, const scene::Scene& scene, std::size_t index);

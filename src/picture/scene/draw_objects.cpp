@@ -28,9 +28,8 @@ double emphasis_px(const Pen& pen, const scene::ObjectId& id) {
 // Membership of targets in a set of objects, by index: one look-up each for the many.
 class TargetFlags {
  public:
-  TargetFlags(const std::set<scene::ObjectId>& objects, std::size_t count) {
-    for (auto at = objects.lower_bound({scene::ObjectKind::target, 0});
-         at != objects.end() && at->kind == scene::ObjectKind::target; ++at) {
+  TargetFlags(const std::set<scene::ObjectId>& objects, scene::ObjectKind kind, std::size_t count) {
+    for (auto at = objects.lower_bound({kind, 0}); at != objects.end() && at->kind == kind; ++at) {
       if (at->index >= count) break;
       if (flags_.empty()) flags_.resize(count, false);
       flags_[at->index] = true;
@@ -52,8 +51,9 @@ struct SeenTarget {
 std::vector<SeenTarget> seen_targets(const Pen& pen, const std::vector<Snapshot::Target>& targets) {
   const DrawingOptions& options = pen.options();
   const std::size_t count = targets.back().id.index + 1;
-  const TargetFlags hidden(options.hidden, count);
-  const TargetFlags selected(options.selected, count);
+  const scene::ObjectKind kind = targets.back().id.kind;
+  const TargetFlags hidden(options.hidden, kind, count);
+  const TargetFlags selected(options.selected, kind, count);
   const std::size_t stride = options.coarse ? (targets.size() + coarse_targets - 1) / coarse_targets : 1;
   std::vector<SeenTarget> seen;
   seen.reserve(targets.size() / stride + 1);

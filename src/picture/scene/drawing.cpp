@@ -33,6 +33,7 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
     draw_scale_bar(pen);
   }
   if (options.corner_triad) draw_corner_triad(pen);
+  draw_targets(pen, snapshot.cloud_points);
   draw_targets(pen, snapshot.targets);
   draw_radars(pen, snapshot.radars);
   draw_platforms(pen, snapshot.platforms);
@@ -43,6 +44,7 @@ std::vector<core::Vec3> points_of(const Snapshot& snapshot) {
   std::vector<core::Vec3> points;
   for (const Snapshot::Platform& platform : snapshot.platforms) points.push_back(platform.pose.position_world_m);
   for (const Snapshot::Target& target : snapshot.targets) points.push_back(target.position_world_m);
+  for (const Snapshot::Target& point : snapshot.cloud_points) points.push_back(point.position_world_m);
   for (const Snapshot::Surface& surface : snapshot.surfaces)
     points.insert(points.end(), surface.corner_world_m.begin(), surface.corner_world_m.end());
   for (const Snapshot::Radar& radar : snapshot.radars) points.push_back(radar.position_world_m);

@@ -87,7 +87,7 @@ std::optional<scene::ObjectId> surface_under(const Drawing& drawing, const Snaps
 std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
                                       double x_px, double y_px, double reach_px) {
   const auto small = [](scene::ObjectKind kind) {
-    return kind == scene::ObjectKind::target || kind == scene::ObjectKind::radar;
+    return kind == scene::ObjectKind::target || kind == scene::ObjectKind::cloud || kind == scene::ObjectKind::radar;
   };
   const auto platform = [](scene::ObjectKind kind) { return kind == scene::ObjectKind::platform; };
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, small)) return handle->id;

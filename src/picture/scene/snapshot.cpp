@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "picture/scene/snapshot_beam.hpp"
+#include "scene/model/cloud_points.hpp"
 #include "scene/model/scene_index.hpp"
 #include "simulate/resolve/resolved.hpp"
 
@@ -18,6 +19,7 @@ constexpr double shortest_envelope_s = 1e-6;  // of an integration envelope; bel
 constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass function's knots
 constexpr int trail_steps = 48;
 constexpr std::size_t most_trail_knots = 256;
+constexpr std::size_t most_drawn_cloud_points = 5000;
 
 bool is_finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 double finite_or_zero(double value) { return std::isfinite(value) ? value : 0.0; }
@@ -268,6 +270,7 @@ struct SnapshotMaker::Prepared {
   explicit Prepared(const scene::Scene& scene);
   void add_platforms(const scene::Scene& frames);
   void add_targets(const scene::Scene& scene, PlatformFinder& platform_of);
+  void add_clouds(const scene::Scene& scene, PlatformFinder& platform_of);
   void add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of);
   void add_radars(const scene::Scene& scene, PlatformFinder& platform_of);
   // Nothing where an object cannot be drawn.
@@ -278,12 +281,14 @@ struct SnapshotMaker::Prepared {
   [[nodiscard]] std::vector<Frame> frames_at(double time_s) const;
   void put_platforms(const std::vector<Frame>& frames, double trail_s, Snapshot& snapshot) const;
   void put_targets(const std::vector<Frame>& frames, Snapshot& snapshot) const;
+  void put_clouds(const std::vector<Frame>& frames, Snapshot& snapshot) const;
   void put_surfaces(const std::vector<Frame>& frames, Snapshot& snapshot) const;
   void put_radars(const std::vector<Frame>& frames, Snapshot& snapshot) const;
 
   simulate::ResolvedScene resolved;
   std::vector<Path> paths;
   std::vector<Target> targets;
+  std::vector<Target> cloud_points;  // a few of each cloud, with its number
   std::vector<Surface> surfaces;
   std::vector<Radar> radars;
   std::optional<radar::Repetition> repetition;
@@ -294,6 +299,7 @@ SnapshotMaker::Prepared::Prepared(const scene::Scene& scene) : span_s(span_of(sc
   add_platforms(frames_of(scene));
   PlatformFinder platform_of(scene);
   add_targets(scene, platform_of);
+  add_clouds(scene, platform_of);
   add_surfaces(scene, platform_of);
   add_radars(scene, platform_of);
 }
@@ -322,6 +328,21 @@ std::optional<SnapshotMaker::Prepared::Target> SnapshotMaker::Prepared::target_o
   const bool directional = normal != core::Vec3{} && is_finite(normal);
   return Target{index, platform_of(target.platform), target.position_m, directional ? normal : core::Vec3{},
                 directional};
+}
+
+void SnapshotMaker::Prepared::add_clouds(const scene::Scene& scene, PlatformFinder& platform_of) {
+  cloud_points.clear();
+  for (std::size_t c = 0; c < scene.clouds.size(); ++c) {
+    const std::size_t all = scene::point_count(scene.clouds[c]);
+    if (all == 0) continue;
+    const radar::PointArrays& points = scene.clouds[c].points->arrays;
+    const std::size_t shown = std::min(all, most_drawn_cloud_points);
+    for (std::size_t n = 0; n < shown; ++n) {
+      const std::size_t i = shown > 1 ? n * (all - 1) / (shown - 1) : 0;
+      cloud_points.push_back(
+          {c, platform_of(scene.clouds[c].platform), {points.x_m[i], points.y_m[i], points.z_m[i]}, {}, false});
+    }
+  }
 }
 
 void SnapshotMaker::Prepared::add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of) {
@@ -363,6 +384,7 @@ void SnapshotMaker::Prepared::follow(const scene::Scene& scene, const scene::Sce
     else if (object.id.kind == scene::ObjectKind::surface)
       put_in_place(surfaces, index, surface_of(scene, index, platform_of));
   }
+  if (change.concerns(scene::ObjectKind::cloud)) add_clouds(scene, platform_of);
   if (change.concerns(scene::ObjectKind::platform)) add_platforms(frames_of(scene));
   if (change.concerns(scene::ObjectKind::radar)) add_radars(scene, platform_of);
   span_s = span_of(scene);
@@ -404,6 +426,18 @@ void SnapshotMaker::Prepared::put_targets(const std::vector<Frame>& frames, Snap
     shown.directional = target.directional;
     if (target.directional) shown.normal_world = frame.pose.world_from_platform * target.normal;
     snapshot.targets.push_back(shown);
+  }
+}
+
+void SnapshotMaker::Prepared::put_clouds(const std::vector<Frame>& frames, Snapshot& snapshot) const {
+  for (const Target& point : cloud_points) {
+    const Frame& frame = frames[point.platform];
+    if (!frame.usable) continue;
+    Snapshot::Target shown;
+    shown.id = {scene::ObjectKind::cloud, point.index};
+    shown.position_world_m = radar::world_position_m(frame.pose, point.position_m);
+    shown.foot_world_m = shown.position_world_m;  // Thousands of lines to the ground would hide the points.
+    snapshot.cloud_points.push_back(shown);
   }
 }
 
@@ -470,6 +504,7 @@ Snapshot SnapshotMaker::at(double time_s, double trail_s) const {
   const std::vector<Prepared::Frame> frames = prepared_->frames_at(snapshot.time_s);
   prepared_->put_platforms(frames, trail_s, snapshot);
   prepared_->put_targets(frames, snapshot);
+  prepared_->put_clouds(frames, snapshot);
   prepared_->put_surfaces(frames, snapshot);
   prepared_->put_radars(frames, snapshot);
   return snapshot;

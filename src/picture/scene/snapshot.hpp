@@ -54,11 +54,13 @@ struct Snapshot {
   double time_s = 0.0;
   std::vector<Platform> platforms;
   std::vector<Target> targets;
+  std::vector<Target> cloud_points;  ///< At most 5000 of each cloud, evenly chosen, each with the id of its cloud.
   std::vector<Surface> surfaces;
   std::vector<Radar> radars;
 };
 
-/// Where an object is: its origin, or the middle of a surface's corners; nothing where the snapshot has no such object.
+/// Where an object is: its origin, the middle of a surface's corners, or the first point of a cloud; nothing where the
+/// snapshot has no such object.
 [[nodiscard]] std::optional<core::Vec3> place_of(const Snapshot& snapshot, scene::ObjectId id);
 
 /// Makes snapshots of one scene at many times; tracks are prepared once.

@@ -17,6 +17,9 @@ std::optional<core::Vec3> place_of(const Snapshot& snapshot, scene::ObjectId id)
     case scene::ObjectKind::target:
       look(snapshot.targets, [](const Snapshot::Target& target) { return target.position_world_m; });
       break;
+    case scene::ObjectKind::cloud:
+      look(snapshot.cloud_points, [](const Snapshot::Target& point) { return point.position_world_m; });
+      break;
     case scene::ObjectKind::surface:
       look(snapshot.surfaces, [](const Snapshot::Surface& surface) {
         const auto& [a, b, c] = surface.corner_world_m;

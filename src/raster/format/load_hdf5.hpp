@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "raster/format/encoder.hpp"
+#include "raster/format/number_table.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/row_places.hpp"
@@ -27,6 +29,9 @@ struct Hdf5Module {
   /// Makes a whole file but for its samples, which are left as a hole.
   void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product,
                       const FileAttributes& option_words, const Encoding& encoding, const simulate::RunReport& report);
+  /// Reads a table of points, see read_hdf5_points.
+  std::optional<core::Problem> (*read_points)(const std::filesystem::path& path, std::uint64_t file_bytes,
+                                              const NumberTableTaker& taker);
 };
 
 /// The module, which the first call loads and which then stays. May be called from many threads at once.

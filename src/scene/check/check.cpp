@@ -82,6 +82,7 @@ core::Problems check(const Scene& scene, const core::WorkControl& control) {
   check_each(findings, "surface", scene.surfaces, [&](const Surface& s) { check_surface(findings, platforms, s); });
   check_surfaces_together(findings, scene.surfaces);
   check_targets(findings, platforms, scene.targets, control);
+  check_each(findings, "cloud", scene.clouds, [&](const Cloud& c) { check_cloud(findings, platforms, c); });
   radars.check_definitions(findings);
   check_each(findings, "radar", scene.radars, [&](const Radar& r) { check_radar(findings, platforms, r); });
   check_each(findings, "simulation", scene.simulations,

@@ -111,6 +111,18 @@ TEST(CheckTarget, NeedsPointsForItsOwnReflectivityFunctionOnlyWhereThatIsUsed) {
   expect_error(scene, {"target", 0, "gain_db"});
 }
 
+TEST(CheckCloud, RefusesOneWithoutAFile) {
+  Scene scene = sound_scene();
+  scene.geometries.clear();  // They say that they leave clouds out.
+  scene.clouds.emplace_back().platform = scene.platforms[0].name;
+  scene.clouds[0].file.clear();
+  expect_error(scene, {"cloud", 0, "file"});
+  scene.clouds[0].file = "points.npy";
+  EXPECT_TRUE(check(scene).empty());
+  scene.clouds[0].rcs_stddev_m2 = -1.0;
+  expect_error(scene, {"cloud", 0, "rcs_stddev_m2"});
+}
+
 TEST(CheckSurface, WarnsOfCornersOnALine) {
   Scene scene = sound_scene();
   scene.surfaces[0].corner_m = {core::Vec3{0.0, 0.0, 0.0}, core::Vec3{1.0, 1.0, 1.0}, core::Vec3{3.0, 3.0, 3.0}};

@@ -315,6 +315,11 @@ void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& sc
                                .expected = "0 to 255, the sum of the numbers of the columns",
                                .hint = {}});
   check_file(findings, table.file);
+  if (!scene.clouds.empty())
+    findings.note("", {.message = "the table lists targets alone: points of clouds have no columns",
+                       .found = {},
+                       .expected = {},
+                       .hint = {}});
   const auto repetition = index == not_found ? std::nullopt : repetition_of(scene.radars[index]);
   if (window_sound && repetition) check_pulses(findings, window_of(table), *repetition);
 }

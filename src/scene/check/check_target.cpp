@@ -10,7 +10,8 @@ namespace sarsim::scene {
 
 namespace {
 
-void check_reflectivity(Findings& findings, const Target& target) {
+template <class Object>
+void check_reflectivity(Findings& findings, const Object& target) {
   if (target.rcs_m2 < 0.0)
     findings.warning(
         Consequence::lost_signal, "rcs_m2",
@@ -31,6 +32,17 @@ void check_target(Findings& findings, NameCheck& platforms, const Target& target
   platforms.resolve(findings, "platform", target.platform);
   check_values(findings, target);
   check_reflectivity(findings, target);
+}
+
+void check_cloud(Findings& findings, NameCheck& platforms, const Cloud& cloud) {
+  platforms.resolve(findings, "platform", cloud.platform);
+  check_values(findings, cloud);
+  check_reflectivity(findings, cloud);
+  if (cloud.file.empty())
+    findings.error("file", {.message = "the cloud has no file: its points stand in a table",
+                            .found = {},
+                            .expected = "the name of an NPY, CSV or HDF5 file",
+                            .hint = {}});
 }
 
 void check_surface(Findings& findings, NameCheck& platforms, const Surface& surface) {

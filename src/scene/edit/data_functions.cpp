@@ -24,6 +24,8 @@ std::vector<FunctionUse> uses(const Platform& platform) {
 
 std::vector<FunctionUse> uses(const Target& target) { return {use(blocks::target_gain, target.gain_db)}; }
 
+std::vector<FunctionUse> uses(const Cloud& cloud) { return {use(blocks::target_gain, cloud.gain_db)}; }
+
 std::vector<FunctionUse> uses(const Radar& radar) {
   return {use(blocks::pulse_iq, radar.pulse_iq),
           use(blocks::envelope_gain, radar.envelope_gain),

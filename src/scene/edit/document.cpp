@@ -64,6 +64,17 @@ void Document::load(std::string text) {
   findings_ = found_in(std::move(reading));
 }
 
+void Document::read_clouds_with(CloudReader reader) {
+  cloud_reader_ = std::move(reader);
+  read_clouds();
+}
+
+void Document::read_clouds() {
+  if (!cloud_reader_ || (scene_.clouds.empty() && of_clouds_.empty())) return;
+  of_clouds_ = cloud_reader_(scene_, path_.parent_path());
+  findings_.reset();
+}
+
 bool Document::changed() const { return history_.changed(); }
 
 DataFileLoader Document::disk() const { return disk_loader(path_.parent_path()); }
@@ -75,6 +86,7 @@ ScriptReading Document::read(const std::string& text) const {
 Document::Findings Document::found_in(ScriptReading reading) const {
   if (!core::has_errors(reading.problems)) {
     core::Problems of_scene = check(scene_);
+    std::ranges::copy(of_clouds_, std::back_inserter(of_scene));
     locate(of_scene, reading.places);
     std::ranges::move(of_scene, std::back_inserter(reading.problems));
   }
@@ -124,6 +136,7 @@ void Document::perform(Edit edit) {
   sound_text_.reset();
   data_ = std::move(data);
   findings_.reset();
+  read_clouds();
 }
 
 void Document::type_text(std::string text) {
@@ -145,6 +158,7 @@ void Document::type_text(std::string text) {
   text_ = std::move(text);
   text_broken_ = broken;
   findings_ = found_in(std::move(reading));
+  read_clouds();
 }
 
 void Document::undo() { follow_history(history_.undo(scene_), false); }
@@ -165,6 +179,7 @@ void Document::follow_history(const Edit& edit, bool forwards) {
   data_.follow(edit, forwards, disk());
   note_edit(edit, forwards);
   findings_.reset();
+  read_clouds();
 }
 
 void Document::save(const fs::path& path) {
@@ -173,6 +188,7 @@ void Document::save(const fs::path& path) {
   text_on_disk_ = text_;
   history_.mark_saved();
   findings_.reset();  // they name the file, and data files are looked for beside it
+  read_clouds();
 }
 
 bool Document::changed_on_disk() const { return !path_.empty() && read_text_file(path_) != text_on_disk_; }

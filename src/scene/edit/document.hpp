@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +30,12 @@ class Document {
   [[nodiscard]] static Document open(const std::filesystem::path& path);
   /// A document without a file from a text, for templates and examples; mistakes as in `open`.
   [[nodiscard]] static Document from_text(std::string text);
+
+  /// Reads the files of clouds into a scene; says what is wrong with them.
+  /// @param folder  of the script
+  using CloudReader = std::function<core::Problems(Scene& scene, const std::filesystem::path& folder)>;
+  /// From here on the points of clouds are read, at once and after each change.
+  void read_clouds_with(CloudReader reader);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -96,6 +103,7 @@ class Document {
   };
 
   void load(std::string text);
+  void read_clouds();
   void follow_history(const Edit& edit, bool forwards);
   void note_edit(Edit edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
@@ -113,6 +121,8 @@ class Document {
   std::string text_on_disk_;
   mutable PendingData data_;
   mutable std::optional<Findings> findings_;
+  CloudReader cloud_reader_;
+  core::Problems of_clouds_;
   History history_;
   std::optional<LastEdit> last_edit_;
   std::uint64_t revision_ = 0;

@@ -31,15 +31,26 @@ std::set<std::string> files_of(const Scene& scene) {
   std::set<std::string> names;
   add_names(scene.platforms, names);
   add_names(scene.targets, names);
+  add_names(scene.clouds, names);
+  for (const Cloud& cloud : scene.clouds)
+    if (!cloud.file.empty()) names.insert(cloud.file);
   add_names(scene.radars, names);
   return names;
 }
 
-void forget_files(Scene& scene) {
+// Points of functions are written into the script; those of clouds stay where they are.
+// @param folder  of the script
+void forget_files(Scene& scene, const fs::path& folder) {
   for (Platform& p : scene.platforms)
     for (auto* function : {&p.trajectory_m, &p.rotation_deg, &p.position_envelope, &p.rotation_envelope})
       function->file.clear();
   for (Target& target : scene.targets) target.gain_db.file.clear();
+  for (Cloud& cloud : scene.clouds) {
+    cloud.gain_db.file.clear();
+    std::error_code failure;
+    const fs::path found = fs::absolute(data_file_on_disk(folder, cloud.file), failure);
+    if (!failure && !cloud.file.empty()) cloud.file = found.string();
+  }
   for (Radar& r : scene.radars)
     for (std::string* file : {&r.pulse_iq.file, &r.envelope_gain.file, &r.pri_s.file, &r.carrier_list_hz.file,
                               &r.transmit_antenna.gain_db.file, &r.receive_antenna.gain_db.file,
@@ -91,7 +102,7 @@ std::string self_contained_script(const Document& document) {
   if (files_of(document.scene()).empty() || document.text_broken() || core::has_errors(document.problems()))
     return document.text();
   Scene scene = document.scene();
-  forget_files(scene);
+  forget_files(scene, document.path().parent_path());
   return write_script(scene);
 }
 

@@ -22,7 +22,8 @@ struct DataFileWrite {
 /// read now, and those of other folders (absolute names), are left out unless they were edited. Reads the disk.
 [[nodiscard]] std::vector<DataFileWrite> data_to_write(const Document& document, const std::filesystem::path& script);
 
-/// A script that means what the document shows and needs no data files, to be written anywhere: every function INLINE.
+/// A script that means what the document shows, to be written anywhere: every function INLINE, every cloud with the
+/// whole path of its file.
 /// The text itself where it speaks of no data file, or holds mistakes for its reader to report.
 [[nodiscard]] std::string self_contained_script(const Document& document);
 

@@ -163,7 +163,7 @@ std::optional<ObjectId> moved(ObjectId id, const Edit& edit, bool forwards) {
 }
 
 std::set<ObjectId> moved(const std::set<ObjectId>& ids, const Edit& edit, bool forwards) {
-  std::array<std::vector<std::size_t>, 6> places;  // of each kind, ascending
+  std::array<std::vector<std::size_t>, kind_count> places;  // of each kind, ascending
   for (const ObjectId id : ids) places[static_cast<std::size_t>(id.kind)].push_back(id.index);
   const std::vector<ListChange> changes = list_changes(edit, forwards);
   for (std::span<const ListChange> rest = changes; !rest.empty();) {

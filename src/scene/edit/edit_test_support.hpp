@@ -41,7 +41,7 @@ class RandomEdits {
   }
 
  private:
-  ObjectKind any_kind() { return static_cast<ObjectKind>(below(6)); }
+  ObjectKind any_kind() { return static_cast<ObjectKind>(below(kind_count)); }
 
   std::vector<ObjectId> some_of(const Scene& scene) {
     std::vector<ObjectId> all;

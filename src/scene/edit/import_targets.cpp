@@ -15,27 +15,22 @@ namespace sarsim::scene {
 namespace {
 
 constexpr std::size_t most_line_problems = 100;  // more would only say the same again
-constexpr std::size_t quantities = 4;
+constexpr std::size_t quantities = TargetColumns::quantities;
+
+constexpr std::string_view decibel_name = "rcs_dbsm";
 
 struct ColumnKind {
   std::string_view words;
   Quantity quantity;
-  std::array<std::string_view, 6> names;
+  std::array<std::string_view, 7> names;
 };
-constexpr std::array<ColumnKind, quantities> kinds{
+constexpr std::array<ColumnKind, quantities> table_kinds{
     {{"x", Quantity::length, {"x", "x_m", "x coordinate"}},
      {"y", Quantity::length, {"y", "y_m", "y coordinate"}},
      {"z", Quantity::length, {"z", "z_m", "z coordinate"}},
      {"cross-section",
       Quantity::area,
-      {"rcs", "rcs_m2", "sigma", "radar cross section", "cross-section", "cross section"}}}};
-
-// Where each quantity stands in a line, and in which unit.
-struct Columns {
-  std::array<std::optional<std::size_t>, quantities> at{0, 1, 2, 3};
-  std::array<std::string, quantities> unit;
-  std::size_t count = quantities;  // beyond this, cells are a surprise
-};
+      {"rcs", "rcs_m2", decibel_name, "sigma", "radar cross section", "cross-section", "cross section"}}}};
 
 core::Problem problem_of(core::Severity severity, const TableLine& line, std::string message, std::string found,
                          std::string expected) {
@@ -50,96 +45,55 @@ core::Problem problem_of(core::Severity severity, const TableLine& line, std::st
   return problem;
 }
 
+std::optional<std::size_t> kind_of(const ColumnHeading& heading) {
+  for (std::size_t kind = 0; kind < quantities; ++kind)
+    if (!heading.name.empty() &&
+        std::ranges::find(table_kinds[kind].names, heading.name) != table_kinds[kind].names.end())
+      return kind;
+  return std::nullopt;
+}
+
+bool names_columns(const TableLine& line) {
+  if (!is_heading(line)) return false;
+  return std::ranges::any_of(headings_of(line),
+                             [](const ColumnHeading& heading) { return kind_of(heading).has_value(); });
+}
+
+std::optional<core::Problem> take_column(TargetColumns& columns, const TableLine& line, std::size_t kind,
+                                         std::size_t at, const ColumnHeading& heading) {
+  if (columns.at[kind])
+    return problem_of(core::Severity::error, line, fmt::format("two columns are named {}", table_kinds[kind].words),
+                      std::string(line.text), "each name once");
+  const std::string unit = heading.unit.empty() && heading.name == decibel_name ? "dBsm" : heading.unit;
+  columns.at[kind] = at;
+  columns.unit[kind] = unit;
+  if (unit.empty() || read_quantity("1 " + unit, table_kinds[kind].quantity).value) return std::nullopt;
+  std::string units;
+  for (const std::string_view name : units_of(table_kinds[kind].quantity))
+    units += fmt::format("{}{}", units.empty() ? "" : ", ", name);
+  return problem_of(core::Severity::error, line,
+                    fmt::format("the unit of column {} is not known", table_kinds[kind].words), unit, units);
+}
+
 class Importer {
  public:
   Importer(TargetImport& import, const std::string& platform) : import_(import), platform_(platform) {}
 
   void read(const std::vector<TableLine>& lines) {
-    std::size_t first = 0;
-    if (!lines.empty() && names_columns(lines.front())) {
-      if (!read_heading(lines.front())) return;
-      first = 1;
-    }
+    if (!lines.empty()) columns_ = target_columns(lines.front(), import_.problems);
+    if (core::has_errors(import_.problems)) return;
     import_.targets.reserve(lines.size());
-    for (std::size_t i = first; i < lines.size(); ++i) read_line(lines[i]);
+    for (std::size_t i = columns_.heading ? 1 : 0; i < lines.size(); ++i) read_line(lines[i]);
     report_rest();
   }
 
  private:
-  static bool names_columns(const TableLine& line) {
-    if (!is_heading(line)) return false;
-    return std::ranges::any_of(headings_of(line),
-                               [](const ColumnHeading& heading) { return kind_of(heading).has_value(); });
-  }
-
-  static std::optional<std::size_t> kind_of(const ColumnHeading& heading) {
-    for (std::size_t kind = 0; kind < quantities; ++kind)
-      if (!heading.name.empty() && std::ranges::find(kinds[kind].names, heading.name) != kinds[kind].names.end())
-        return kind;
-    return std::nullopt;
-  }
-
-  bool read_heading(const TableLine& line) {
-    columns_.at.fill(std::nullopt);
-    const std::vector<ColumnHeading> headings = headings_of(line);
-    columns_.count = headings.size();
-    bool sound = true;
-    for (std::size_t i = 0; i < headings.size(); ++i) {
-      const auto kind = kind_of(headings[i]);
-      if (!kind) continue;  // a column of something else
-      sound = take_column(line, *kind, i, headings[i].unit) && sound;
-    }
-    for (std::size_t kind = 0; kind < 3; ++kind) {
-      if (columns_.at[kind]) continue;
-      sound = false;
-      add(problem_of(core::Severity::error, line,
-                     fmt::format("the names of the columns do not include {}", kinds[kind].words),
-                     std::string(line.text), "x, y, z and, where there is one, rcs"));
-    }
-    return sound;
-  }
-
-  bool take_column(const TableLine& line, std::size_t kind, std::size_t at, const std::string& unit) {
-    if (columns_.at[kind]) {
-      add(problem_of(core::Severity::error, line, fmt::format("two columns are named {}", kinds[kind].words),
-                     std::string(line.text), "each name once"));
-      return false;
-    }
-    columns_.at[kind] = at;
-    columns_.unit[kind] = unit;
-    if (unit.empty() || read_quantity("1 " + unit, kinds[kind].quantity).value) return true;
-    std::string units;
-    for (const std::string_view name : units_of(kinds[kind].quantity))
-      units += fmt::format("{}{}", units.empty() ? "" : ", ", name);
-    add(problem_of(core::Severity::error, line, fmt::format("the unit of column {} is not known", kinds[kind].words),
-                   unit, units));
-    return false;
-  }
-
   void read_line(const TableLine& line) {
-    std::array<double, quantities> values{0.0, 0.0, 0.0, 1.0};
-    std::string message;
-    std::string found;
-    for (std::size_t kind = 0; kind < quantities && message.empty(); ++kind) {
-      const auto at = columns_.at[kind];
-      const bool empty = !at || *at >= line.cells.size() || line.cells[*at].empty();
-      if (empty && kind == 3) continue;
-      if (empty) {
-        message = fmt::format("{} is missing", kinds[kind].words);
-        found = line.text;
-        break;
-      }
-      const QuantityReading reading = read_cell(line.cells[*at], kinds[kind].quantity, columns_.unit[kind]);
-      if (!reading.value)
-        message = fmt::format("{}: {}", kinds[kind].words, reading.failure);
-      else if (!computable(*reading.value))
-        message = fmt::format("{} is too large to compute with", kinds[kind].words);
-      if (!message.empty()) found = line.cells[*at];
-      values[kind] = reading.value.value_or(0.0);
-    }
-    if (!message.empty())
-      return add(problem_of(core::Severity::error, line, std::move(message), std::move(found),
+    const TargetLine read = read_target_line(line, columns_);
+    if (!read.message.empty())
+      return add(problem_of(core::Severity::error, line, read.message, read.found,
                             "x, y, z and, where there is one, the cross-section"));
+    const auto& values = read.values;
     if (line.cells.size() > columns_.count && more_cells_++ == 0) first_longer_ = line;
     Target target;
     target.platform = platform_;
@@ -171,13 +125,55 @@ class Importer {
 
   TargetImport& import_;
   const std::string& platform_;
-  Columns columns_;
+  TargetColumns columns_;
   std::size_t unsaid_ = 0;
   std::size_t more_cells_ = 0;
   TableLine first_longer_;
 };
 
 }  // namespace
+
+TargetColumns target_columns(const TableLine& line, core::Problems& problems) {
+  TargetColumns columns;
+  columns.heading = names_columns(line);
+  if (!columns.heading) return columns;
+  columns.at.fill(std::nullopt);
+  const std::vector<ColumnHeading> headings = headings_of(line);
+  columns.count = headings.size();
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const auto kind = kind_of(headings[i]);
+    if (!kind) continue;  // a column of something else
+    if (auto problem = take_column(columns, line, *kind, i, headings[i])) problems.push_back(std::move(*problem));
+  }
+  for (std::size_t kind = 0; kind < 3; ++kind)
+    if (!columns.at[kind])
+      problems.push_back(problem_of(core::Severity::error, line,
+                                    fmt::format("the names of the columns do not include {}", table_kinds[kind].words),
+                                    std::string(line.text), "x, y, z and, where there is one, rcs"));
+  return columns;
+}
+
+TargetLine read_target_line(const TableLine& line, const TargetColumns& columns) {
+  TargetLine read;
+  for (std::size_t kind = 0; kind < quantities && read.message.empty(); ++kind) {
+    const auto at = columns.at[kind];
+    const bool empty = !at || *at >= line.cells.size() || line.cells[*at].empty();
+    if (empty && kind == 3) continue;
+    if (empty) {
+      read.message = fmt::format("{} is missing", table_kinds[kind].words);
+      read.found = line.text;
+      break;
+    }
+    const QuantityReading reading = read_cell(line.cells[*at], table_kinds[kind].quantity, columns.unit[kind]);
+    if (!reading.value)
+      read.message = fmt::format("{}: {}", table_kinds[kind].words, reading.failure);
+    else if (!computable(*reading.value))
+      read.message = fmt::format("{} is too large to compute with", table_kinds[kind].words);
+    if (!read.message.empty()) read.found = line.cells[*at];
+    read.values[kind] = reading.value.value_or(0.0);
+  }
+  return read;
+}
 
 TargetImport import_targets(std::string_view text, const std::string& platform) {
   TargetImport import;

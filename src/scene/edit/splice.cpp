@@ -278,7 +278,7 @@ class Splicer {
   std::string_view text_;
   std::string_view line_end_;
   const DataFileLoader& loader_;
-  std::array<std::vector<Entry>, 6> lists_;
+  std::array<std::vector<Entry>, kind_count> lists_;
   std::vector<TextStretch> options_;
   std::optional<Entry> new_options_;
   std::vector<TextStretch> removed_;

@@ -32,9 +32,9 @@ struct PlacedToken {
 /// where the next command begins on that line.
 struct CommandPlaces {
   /// For each kind of object, in the order of the objects; `$OPTIONS` come last.
-  std::array<std::vector<TextStretch>, 7> of;
+  std::array<std::vector<TextStretch>, kind_count + 1> of;
 
-  static constexpr std::size_t options = 6;
+  static constexpr std::size_t options = kind_count;
   [[nodiscard]] std::vector<TextStretch>& operator[](ObjectKind kind) { return of[static_cast<std::size_t>(kind)]; }
   [[nodiscard]] const std::vector<TextStretch>& operator[](ObjectKind kind) const {
     return of[static_cast<std::size_t>(kind)];

@@ -17,7 +17,7 @@
 namespace sarsim::scene {
 
 /// The lists of a scene, in the order in which people see them.
-enum class ObjectKind { platform, target, surface, radar, simulation, geometry };
+enum class ObjectKind { platform, target, cloud, surface, radar, simulation, geometry };
 
 /// A kind of object: its names and its list in a scene.
 template <class Object>
@@ -42,6 +42,8 @@ inline constexpr std::tuple kinds{
     Kind<Platform>{ObjectKind::platform, "platform", "Platform", "PLATFORM", "A frame that carries targets and radars.",
                    &Scene::platforms},
     Kind<Target>{ObjectKind::target, "target", "Target", "TARGET", "A point that reflects.", &Scene::targets},
+    Kind<Cloud>{ObjectKind::cloud, "cloud", "Cloud", "CLOUD", "Points that reflect, from a table in a file.",
+                &Scene::clouds},
     Kind<Surface>{ObjectKind::surface, "surface", "Surface", "SURFACE", "A triangle that reflects.", &Scene::surfaces},
     Kind<Radar>{ObjectKind::radar, "radar", "Radar", "RADAR", "A transmitter and receiver.", &Scene::radars},
     Kind<Simulation>{ObjectKind::simulation, "simulation", "Simulation", "SIMULATION", "A recording to be made.",
@@ -55,9 +57,9 @@ inline constexpr std::array<ObjectKind, kind_count> all_object_kinds =
     std::apply([](const auto&... kind) { return std::array{kind.kind...}; }, kinds);
 
 /// The order in which scripts are written.
-inline constexpr std::array<ObjectKind, kind_count> written_object_kinds{ObjectKind::platform,   ObjectKind::surface,
-                                                                         ObjectKind::target,     ObjectKind::radar,
-                                                                         ObjectKind::simulation, ObjectKind::geometry};
+inline constexpr std::array<ObjectKind, kind_count> written_object_kinds{
+    ObjectKind::platform, ObjectKind::surface,    ObjectKind::target,  ObjectKind::cloud,
+    ObjectKind::radar,    ObjectKind::simulation, ObjectKind::geometry};
 
 /// Calls `visit` with each Kind, in the order of ObjectKind.
 template <class Visit>

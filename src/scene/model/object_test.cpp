@@ -18,6 +18,7 @@ Scene harbour() {
   scene.targets[1].platform = "Sh";  // a beginning of the name
   scene.targets[2].platform = "nowhere";
   scene.targets[2].position_m = {1.0, -2.5, 1e7};
+  scene.clouds.resize(1);
   scene.surfaces.resize(1);
   scene.radars.resize(1);
   scene.radars[0].platform = "Ship";
@@ -37,7 +38,7 @@ TEST(Object, KindsStandInTheOrderOfTheVariant) {
 TEST(Object, KindsHaveTheNamesOfSubjects) {
   std::string names;
   for (const ObjectKind kind : all_object_kinds) names += std::string(name_of(kind)) + " ";
-  EXPECT_EQ(names, "platform target surface radar simulation geometry ");
+  EXPECT_EQ(names, "platform target cloud surface radar simulation geometry ");
 }
 
 TEST(Object, IsThereUpToTheCount) {
@@ -79,7 +80,7 @@ TEST(ObjectsOn, AreThoseWhoseNamesMeanThePlatform) {
   const Scene scene = harbour();
   EXPECT_EQ(objects_on(scene, 1),
             (std::vector<ObjectId>{{ObjectKind::target, 0}, {ObjectKind::target, 1}, {ObjectKind::radar, 0}}));
-  EXPECT_EQ(objects_on(scene, 0), (std::vector<ObjectId>{{ObjectKind::surface, 0}}));
+  EXPECT_EQ(objects_on(scene, 0), (std::vector<ObjectId>{{ObjectKind::cloud, 0}, {ObjectKind::surface, 0}}));
 }
 
 TEST(ObjectsOn, TheWorldAreThoseThatNoPlatformCarries) {

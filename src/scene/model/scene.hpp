@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/maths/angle.hpp"
@@ -74,6 +76,37 @@ struct Target {
   UserFunction<1> gain_db;  ///< Reflectivity [dB] against incidence angle [deg]; Gain::user.
 
   friend bool operator==(const Target&, const Target&) = default;
+};
+
+struct CloudPoints;
+
+/// The points of a cloud once its file is read, or none. They are no part of what a scene says: any are equal.
+struct ReadPoints : std::shared_ptr<const CloudPoints> {
+  using std::shared_ptr<const CloudPoints>::shared_ptr;
+  ReadPoints() = default;
+  ReadPoints(std::shared_ptr<const CloudPoints> points) : std::shared_ptr<const CloudPoints>(std::move(points)) {}
+
+  friend bool operator==(const ReadPoints&, const ReadPoints&) { return true; }
+};
+
+/// Many points that reflect alike, from a table in a file (script `$CLOUD`); docs/formats/point-tables.md.
+struct Cloud {
+  std::string platform = "Earth";
+  std::string file = "points.npy";  ///< NPY, CSV or HDF5: x, y, z and perhaps cross-sections.
+  double rcs_m2 = 1.0;              ///< Of each point, where the table has no cross-sections.
+  core::Vec3 position_stddev_m;     ///< This and what follows as of a target, the same for all points.
+  double rcs_stddev_m2 = 0.0;
+  Target::Reflectivity reflectivity = Target::Reflectivity::isotropic;
+  core::Angle azimuth;
+  core::Angle elevation;
+  core::Angle azimuth_stddev;
+  core::Angle elevation_stddev;
+  Target::Gain gain = Target::Gain::cosine;
+  UserFunction<1> gain_db;
+
+  ReadPoints points;  ///< What the file holds; null until it is read (workflow/input/cloud_input.hpp).
+
+  friend bool operator==(const Cloud&, const Cloud&) = default;
 };
 
 /// A triangle that reflects (script `$SURFACE`); its front is where (corner 2 - corner 1) x (corner 3 - corner 1)
@@ -248,6 +281,7 @@ struct Scene {
   std::vector<Platform> platforms;
   std::vector<Surface> surfaces;
   std::vector<Target> targets;
+  std::vector<Cloud> clouds;
   std::vector<Radar> radars;
   std::vector<Simulation> simulations;
   std::vector<GeometryTable> geometries;

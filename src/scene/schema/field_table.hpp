@@ -150,6 +150,8 @@ const FieldTable<Platform>& table_of<Platform>();
 template <>
 const FieldTable<Target>& table_of<Target>();
 template <>
+const FieldTable<Cloud>& table_of<Cloud>();
+template <>
 const FieldTable<Surface>& table_of<Surface>();
 template <>
 const FieldTable<Radar>& table_of<Radar>();

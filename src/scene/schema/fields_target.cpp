@@ -4,6 +4,19 @@ namespace sarsim::scene {
 
 namespace {
 
+template <class Object>
+void add_deviation(FieldTable<Object>& table) {
+  table.template add<&Object::position_stddev_m>(
+      {.id = "position_stddev_m",
+       .label = "std. deviation",
+       .words = "standard deviation of position",
+       .noun = "standard deviation of the position",
+       .quantity = Quantity::length,
+       .range = zero_or_more,
+       .tip = "Gaussian jitter of the coordinate from pulse to pulse; 0 for none.",
+       .rare = true});
+}
+
 void add_place(FieldTable<Target>& table) {
   table.group("Position");
   table.add<&Target::platform>({.id = "platform",
@@ -16,24 +29,34 @@ void add_place(FieldTable<Target>& table) {
                                   .words = "position",
                                   .quantity = Quantity::length,
                                   .tip = "Place of the target in the platform's frame."});
-  table.add<&Target::position_stddev_m>({.id = "position_stddev_m",
-                                         .label = "std. deviation",
-                                         .words = "standard deviation of position",
-                                         .noun = "standard deviation of the position",
-                                         .quantity = Quantity::length,
-                                         .range = zero_or_more,
-                                         .tip = "Gaussian jitter of the coordinate from pulse to pulse; 0 for none.",
-                                         .rare = true});
+  add_deviation(table);
 }
 
-void add_reflectivity(FieldTable<Target>& table) {
+void add_place(FieldTable<Cloud>& table) {
+  table.group("Points");
+  table.add<&Cloud::platform>({.id = "platform",
+                               .label = "Platform name",
+                               .words = "name of the platform",
+                               .refers = "platform",
+                               .tip = "The platform that carries the points; coordinates are in its frame."});
+  table.add<&Cloud::file>({.id = "file",
+                           .label = "File",
+                           .words = "file of the points",
+                           .tip =
+                               "NPY, CSV or HDF5 table with a point in each row: x, y, z in metres and, where it has "
+                               "a fourth column, the cross-section in square metres."});
+  add_deviation(table);
+}
+
+template <class Object>
+void add_reflectivity(FieldTable<Object>& table) {
   table.group("Reflectivity");
-  table.add<&Target::rcs_m2>({.id = "rcs_m2",
-                              .label = "Radar cross section",
-                              .words = "radar cross-section",
-                              .quantity = Quantity::area,
-                              .tip = "Received power is Pt Gt Gr lambda^2 RCS/((4 pi)^3 R^4 L)."});
-  table.add<&Target::rcs_stddev_m2>(
+  table.template add<&Object::rcs_m2>({.id = "rcs_m2",
+                                       .label = "Radar cross section",
+                                       .words = "radar cross-section",
+                                       .quantity = Quantity::area,
+                                       .tip = "Received power is Pt Gt Gr lambda^2 RCS/((4 pi)^3 R^4 L)."});
+  table.template add<&Object::rcs_stddev_m2>(
       {.id = "rcs_stddev_m2",
        .label = "RCS std. deviation",
        .words = "standard deviation of the radar cross-section",
@@ -41,7 +64,7 @@ void add_reflectivity(FieldTable<Target>& table) {
        .range = zero_or_more,
        .tip = "Gaussian scintillation of the cross section from pulse to pulse; 0 for none.",
        .rare = true});
-  table.add<&Target::reflectivity>(
+  table.template add<&Object::reflectivity>(
       {.id = "reflectivity",
        .label = "Reflectivity",
        .words = "kind of reflectivity",
@@ -50,52 +73,55 @@ void add_reflectivity(FieldTable<Target>& table) {
        .tip = "The same from all directions, or as a surface whose cross section depends on the incidence angle."});
 }
 
-void add_direction(FieldTable<Target>& table) {
-  table.when<&Target::reflectivity>(Target::Reflectivity::directional);
-  table.add<&Target::azimuth>(
+template <class Object>
+void add_direction(FieldTable<Object>& table) {
+  table.template when<&Object::reflectivity>(Target::Reflectivity::directional);
+  table.template add<&Object::azimuth>(
       {.id = "azimuth",
        .label = "Azimuth",
        .words = "azimuth of the target's face",
        .noun = "pointing azimuth",
        .quantity = Quantity::angle,
        .tip = "Direction in which the surface faces, in the platform's frame: from +y clockwise towards +x."});
-  table.add<&Target::elevation>(
+  table.template add<&Object::elevation>(
       {.id = "elevation",
        .label = "Elevation",
        .words = "elevation of the target's face",
        .noun = "pointing elevation",
        .quantity = Quantity::angle,
        .tip = "Direction in which the surface faces, in the platform's frame: above the x-y plane."});
-  table.add<&Target::azimuth_stddev>({.id = "azimuth_stddev",
-                                      .label = "Azimuth std. deviation",
-                                      .words = "standard deviation of the azimuth",
-                                      .quantity = Quantity::angle,
-                                      .range = zero_or_more,
-                                      .tip = "Gaussian jitter of the azimuth from pulse to pulse; 0 for none.",
-                                      .rare = true});
-  table.add<&Target::elevation_stddev>({.id = "elevation_stddev",
-                                        .label = "Elevation std. deviation",
-                                        .words = "standard deviation of the elevation",
-                                        .quantity = Quantity::angle,
-                                        .range = zero_or_more,
-                                        .tip = "Gaussian jitter of the elevation from pulse to pulse; 0 for none.",
-                                        .rare = true});
-  table.add<&Target::gain>(
+  table.template add<&Object::azimuth_stddev>({.id = "azimuth_stddev",
+                                               .label = "Azimuth std. deviation",
+                                               .words = "standard deviation of the azimuth",
+                                               .quantity = Quantity::angle,
+                                               .range = zero_or_more,
+                                               .tip = "Gaussian jitter of the azimuth from pulse to pulse; 0 for none.",
+                                               .rare = true});
+  table.template add<&Object::elevation_stddev>(
+      {.id = "elevation_stddev",
+       .label = "Elevation std. deviation",
+       .words = "standard deviation of the elevation",
+       .quantity = Quantity::angle,
+       .range = zero_or_more,
+       .tip = "Gaussian jitter of the elevation from pulse to pulse; 0 for none.",
+       .rare = true});
+  table.template add<&Object::gain>(
       {.id = "gain",
        .label = "Gain",
        .words = "law of reflectivity",
        .choices = {{"COS_GAIN", Target::Gain::cosine, "Cos", "cosine of the incidence angle"},
                    {"OTHER_GAIN", Target::Gain::user, "User-defined", "function of the incidence angle"}},
        .tip = "Cos: RCS cos(incidence angle), nothing from behind. User-defined: a function of the incidence angle."});
-  table.when<&Target::gain>(Target::Gain::user);
-  table.add<&Target::gain_db>({.id = "gain_db",
-                               .label = "Gain definition",
-                               .words = "reflectivity",
-                               .block = &function_blocks::target_gain,
-                               .tip = "Reflectivity in dB against the incidence angle, 0 to 180 degrees."});
+  table.template when<&Object::gain>(Target::Gain::user);
+  table.template add<&Object::gain_db>({.id = "gain_db",
+                                        .label = "Gain definition",
+                                        .words = "reflectivity",
+                                        .block = &function_blocks::target_gain,
+                                        .tip = "Reflectivity in dB against the incidence angle, 0 to 180 degrees."});
 }
 
-void begin_target(const Target&, Target& after) {
+template <class Object>
+void begin_gain(const Object&, Object& after) {
   if (after.reflectivity == Target::Reflectivity::directional && after.gain == Target::Gain::user)
     begin_constant(after.gain_db.part[0], 0.0);
 }
@@ -109,7 +135,19 @@ const FieldTable<Target>& table_of<Target>() {
     add_place(table);
     add_reflectivity(table);
     add_direction(table);
-    return table.on_switch(begin_target);
+    return table.on_switch(begin_gain<Target>);
+  }();
+  return made;
+}
+
+template <>
+const FieldTable<Cloud>& table_of<Cloud>() {
+  static const FieldTable<Cloud> made = [] {
+    FieldTable<Cloud> table;
+    add_place(table);
+    add_reflectivity(table);
+    add_direction(table);
+    return table.on_switch(begin_gain<Cloud>);
   }();
   return made;
 }

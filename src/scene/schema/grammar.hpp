@@ -37,8 +37,8 @@ struct Alternative {
 template <class Value, std::size_t N>
 using Alternatives = std::array<Alternative<Value>, N>;
 
-inline constexpr std::array<std::string_view, 7> command_words{"TARGET",  "PLATFORM", "RADAR",  "SIMULATION",
-                                                               "SURFACE", "GEOMETRY", "OPTIONS"};
+inline constexpr std::array<std::string_view, 8> command_words{"TARGET",  "PLATFORM", "RADAR", "SIMULATION",
+                                                               "SURFACE", "GEOMETRY", "CLOUD", "OPTIONS"};
 
 inline constexpr Alternatives<core::Interpolation, 3> interpolations{
     {{"CUBIC", core::Interpolation::cubic, "cubic pieces"},
@@ -49,6 +49,9 @@ inline constexpr Alternatives<core::Interpolation, 3> interpolations{
 enum class DataSource { data_file, in_script };
 inline constexpr Alternatives<DataSource, 2> data_sources{
     {{"FILE", DataSource::data_file, ""}, {"INLINE", DataSource::in_script, ""}}};
+
+/// Stands before the name of a cloud's file.
+inline constexpr std::string_view cloud_source = "FILE";
 
 /// Stands before the law of the sensitivity-time control, where there is one.
 inline constexpr std::string_view stc_switch = "APPLY_STC";

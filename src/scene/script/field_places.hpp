@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +10,8 @@
 
 namespace sarsim::scene {
 
-/// Where each field of a scene stands in its script. Twelve bytes for a field, so that scripts of millions of targets
-/// can be kept; columns beyond a million are remembered as unknown (0).
+/// Where each field of a scene stands in its script. About three bytes for a field, so that scripts of millions of
+/// targets can be kept; columns beyond a million are remembered as unknown (0).
 class FieldPlaces {
  public:
   /// Notes the place of a field, or of the whole object where `subject.field` is empty; a field noted twice keeps its
@@ -35,9 +34,7 @@ class FieldPlaces {
   [[nodiscard]] core::Place find(const core::Subject& subject) const;
 
   /// Whether both know the same places.
-  friend bool operator==(const FieldPlaces& a, const FieldPlaces& b) {
-    return a.kinds_ == b.kinds_ && a.labels_ == b.labels_ && a.files_ == b.files_;
-  }
+  friend bool operator==(const FieldPlaces& a, const FieldPlaces& b);
 
  private:
   // The name of a field together with the number of the file it was found in.
@@ -47,30 +44,47 @@ class FieldPlaces {
     friend bool operator==(const Label&, const Label&) = default;
   };
   struct Entry {
-    std::uint32_t object;
-    std::uint32_t line;
-    std::uint32_t column_and_label;
-    friend bool operator==(const Entry&, const Entry&) = default;
+    std::uint32_t object = 0;
+    std::uint32_t line = 0;
+    std::uint32_t column = 0;
+    std::uint32_t label = 0;
   };
+  // Where the bytes of some entries begin, and what the first of them counts from.
+  struct Block {
+    std::uint32_t object = 0;
+    std::uint32_t line = 0;
+    std::size_t offset = 0;
+  };
+  // The entries of all objects of a kind, each as its differences from the one before.
   struct Kind {
     std::string name;
-    std::vector<Entry> entries;  // ascending in object
-    friend bool operator==(const Kind&, const Kind&) = default;
+    std::vector<Label> labels;
+    std::vector<std::uint32_t> follower;  // of each label: the label that came next the last time
+    std::uint32_t last_label = 0;
+    std::vector<std::uint8_t> bytes;  // ascending in object
+    std::vector<Block> blocks;
+    std::size_t in_block = 0;  // entries of the last block
+    Entry last;
+    std::vector<Entry> strays;  // of objects that came behind later ones
+
+    void add(const Entry& entry);
+    // Calls visit(entry) from a block on, for as long as that returns true.
+    template <class Visit>
+    void visit(std::size_t block, const Visit& visit) const;
+    // Takes over entries whose labels have the same numbers here.
+    void append(const Kind& later, std::size_t objects_before, double share);
   };
 
   [[nodiscard]] std::size_t kind_of(std::string_view name);
   [[nodiscard]] std::size_t file_of(std::string_view name);
-  [[nodiscard]] std::uint32_t label_of(std::string_view field, std::size_t file);
+  [[nodiscard]] static std::uint32_t label_of(Kind& kind, std::string_view field, std::size_t file);
   [[nodiscard]] core::Place find_exactly(const Kind& kind, std::size_t index, std::string_view field) const;
-  [[nodiscard]] std::vector<std::uint32_t> labels_for(const FieldPlaces& later);
-  void append_entries(const Kind& later, std::size_t objects_before, std::span<const std::uint32_t> labels,
-                      double share);
+  [[nodiscard]] core::Place place_of(const Kind& kind, const Entry& entry) const;
+  [[nodiscard]] bool knows_all_of(const FieldPlaces& other) const;
+  void append_kind(const Kind& later, const std::vector<std::string>& files, std::size_t objects_before, double share);
 
   std::vector<Kind> kinds_;
-  std::vector<Label> labels_;
   std::vector<std::string> files_;
-  std::vector<std::uint32_t> follower_;  // of each label: the label that came next the last time
-  std::uint32_t last_label_ = 0;
   // The object at hand.
   std::size_t kind_ = 0;
   std::size_t object_ = 0;
@@ -79,8 +93,8 @@ class FieldPlaces {
 
 template <class ObjectsBefore>
 void FieldPlaces::append(const FieldPlaces& later, const ObjectsBefore& objects_before, double share) {
-  const std::vector<std::uint32_t> labels = labels_for(later);
-  for (const Kind& kind : later.kinds_) append_entries(kind, objects_before(kind.name), labels, share);
+  for (const std::string& file : later.files_) static_cast<void>(file_of(file));
+  for (const Kind& kind : later.kinds_) append_kind(kind, later.files_, objects_before(kind.name), share);
 }
 
 }  // namespace sarsim::scene

@@ -38,6 +38,42 @@ TEST(FieldPlaces, KeepApartFilesAndTakeObjectsInAnyOrder) {
     EXPECT_EQ(places.find({"target", index, "rcs_m2"}), (core::Place{"file" + std::to_string(index), index, 7}));
 }
 
+TEST(FieldPlaces, FindWhatIsFarApart) {
+  FieldPlaces places;
+  std::size_t line = 1;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    places.add({"target", 7 * i, ""}, {"a.scr", line, 1});
+    places.add({"target", 7 * i, "position_m"}, {"a.scr", line + 1, 130});
+    places.add({"target", 7 * i, "rcs_m2"}, {"a.scr", line + 1, 70'000});
+    line += i % 10 == 0 ? 100'000 : 2;
+  }
+  line = 1;
+  for (std::size_t i = 0; i < 1000; ++i) {
+    EXPECT_EQ(places.find({"target", 7 * i, "power_w"}), (core::Place{"a.scr", line, 1}));
+    EXPECT_EQ(places.find({"target", 7 * i, "position_m"}), (core::Place{"a.scr", line + 1, 130}));
+    EXPECT_EQ(places.find({"target", 7 * i, "rcs_m2"}), (core::Place{"a.scr", line + 1, 70'000}));
+    EXPECT_EQ(places.find({"target", 7 * i + 1, "rcs_m2"}), core::Place{});
+    line += i % 10 == 0 ? 100'000 : 2;
+  }
+}
+
+TEST(FieldPlaces, OfManyPiecesAreThoseOfTheWhole) {
+  FieldPlaces whole;
+  FieldPlaces joined;
+  for (std::size_t piece = 0; piece < 5; ++piece) {
+    FieldPlaces part;
+    for (std::size_t i = 0; i < 100; ++i)
+      for (const char* field : {"", "position_m", "rcs_m2"}) {
+        const core::Place place{"a.scr", 1 + 100 * piece + i, 1 + std::string_view(field).size()};
+        part.add({"target", i, field}, place);
+        whole.add({"target", 100 * piece + i, field}, place);
+      }
+    joined.append(part, [piece](std::string_view) { return 100 * piece; });
+  }
+  EXPECT_EQ(joined, whole);
+  EXPECT_EQ(joined.find({"target", 477, "rcs_m2"}), (core::Place{"a.scr", 478, 7}));
+}
+
 TEST(FieldPlaces, ForgetColumnsBeyondAMillionButNotTheLine) {
   FieldPlaces places;
   places.add({"target", 0, "rcs_m2"}, {"a.scr", 1, 5'000'000});

@@ -48,6 +48,17 @@ const std::vector<Row<Target>>& target_rows() {
   return made;
 }
 
+const std::vector<Row<Cloud>>& cloud_rows() {
+  static const std::vector<Row<Cloud>> made{
+      {order<&Cloud::position_stddev_m>(), "Standard deviation of the positions: x, y, z"},
+      {order<&Cloud::rcs_m2, &Cloud::rcs_stddev_m2>(), "Radar cross-section and its standard deviation"},
+      {order<&Cloud::reflectivity>()},
+      {order<&Cloud::azimuth, &Cloud::elevation, &Cloud::azimuth_stddev, &Cloud::elevation_stddev>(),
+       "Azimuth and elevation of the face, their standard deviations"},
+      {order<&Cloud::gain, &Cloud::gain_db>()}};
+  return made;
+}
+
 const std::vector<Row<Surface>>& surface_rows() {
   static const std::vector<Row<Surface>> made{{{&field_of<&Surface::corner_m, 0>()}, "Corner 1: x, y, z"},
                                               {{&field_of<&Surface::corner_m, 1>()}, "Corner 2: x, y, z"},
@@ -103,6 +114,11 @@ Order<Platform> script_order() {
 template <>
 Order<Target> script_order() {
   return with_rows(order<&Target::platform>(), target_rows());
+}
+
+template <>
+Order<Cloud> script_order() {
+  return with_rows(order<&Cloud::platform, &Cloud::file>(), cloud_rows());
 }
 
 template <>

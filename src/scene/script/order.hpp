@@ -31,6 +31,9 @@ struct Row {
 /// The order of `$TARGET`, behind the platform.
 [[nodiscard]] const std::vector<Row<Target>>& target_rows();
 
+/// The order of `$CLOUD`, behind the platform and the file.
+[[nodiscard]] const std::vector<Row<Cloud>>& cloud_rows();
+
 /// The order of `$SURFACE`, behind the platform.
 [[nodiscard]] const std::vector<Row<Surface>>& surface_rows();
 
@@ -63,6 +66,8 @@ template <>
 Order<Platform> script_order();
 template <>
 Order<Target> script_order();
+template <>
+Order<Cloud> script_order();
 template <>
 Order<Surface> script_order();
 template <>

@@ -9,6 +9,7 @@ namespace sarsim::scene::script {
 
 void read_platform(Reading& reading, const Token& command, Scene& scene);
 void read_target(Reading& reading, const Token& command, Scene& scene);
+void read_cloud(Reading& reading, const Token& command, Scene& scene);
 void read_surface(Reading& reading, const Token& command, Scene& scene);
 void read_radar(Reading& reading, const Token& command, Scene& scene);
 void read_simulation(Reading& reading, const Token& command, Scene& scene);

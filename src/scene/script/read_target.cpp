@@ -1,3 +1,5 @@
+#include <array>
+
 #include "scene/script/read_commands.hpp"
 
 namespace sarsim::scene::script {
@@ -8,6 +10,19 @@ void read_target(Reading& reading, const Token& command, Scene& scene) {
   if (reader.leading_name(field_of<&Target::platform>().in_script, target.platform)) {
     for (const Row<Target>& row : target_rows()) reader.read(row.fields, target);
     scene.targets.push_back(std::move(target));
+  }
+  reader.finish();
+}
+
+void read_cloud(Reading& reading, const Token& command, Scene& scene) {
+  FieldReader reader(reading, command, "cloud", scene.clouds.size());
+  Cloud cloud;
+  if (reader.leading_name(field_of<&Cloud::platform>().in_script, cloud.platform)) {
+    const auto& file = field_of<&Cloud::file>();
+    static constexpr std::array<std::string_view, 1> source{cloud_source};
+    if (reader.keyword(file.in_script, source) == 0) reader.read(file, cloud);
+    for (const Row<Cloud>& row : cloud_rows()) reader.read(row.fields, cloud);
+    scene.clouds.push_back(std::move(cloud));
   }
   reader.finish();
 }

@@ -25,7 +25,7 @@ using CommandReader = void (*)(Reading&, const Token&, Scene&);
 
 // In the order of `command_words`, which decides what a shortened word means.
 constexpr std::array<CommandReader, command_words.size()> command_readers{
-    read_target, read_platform, read_radar, read_simulation, read_surface, read_geometry, read_options};
+    read_target, read_platform, read_radar, read_simulation, read_surface, read_geometry, read_cloud, read_options};
 
 constexpr std::size_t options_command = command_words.size() - 1;
 static_assert(command_words[options_command] == "OPTIONS");
@@ -38,7 +38,7 @@ void read_unknown(Reading& reading, const Token& command) {
     const std::string near = core::nearest_word(command.text.substr(0, longest_shown), command_words);
     reporter.error(command, "",
                    {"unknown command", "$" + shown(command.text),
-                    "$PLATFORM, $TARGET, $SURFACE, $RADAR, $SIMULATION, $GEOMETRY or $OPTIONS",
+                    "$PLATFORM, $TARGET, $SURFACE, $CLOUD, $RADAR, $SIMULATION, $GEOMETRY or $OPTIONS",
                     near.empty() ? "" : "did you mean $" + near + "?"});
   }
   reading.tokens.skip_values();

@@ -192,6 +192,28 @@ TEST(ReadScript, TakesShortenedCommandsInTheOriginalsOrder) {
   EXPECT_EQ(scene.options.profile, Profile::classic);
 }
 
+TEST(ReadScript, ReadsCloudsWithTheNameOfTheirFile) {
+  const Scene scene = read_clean(
+      "$CLOUD Earth FILE \"my points.npy\" 1 2 3 4 5 ISOTROPIC\n"
+      "$C Earth fil b.csv 0 0 0 1 0 DIR 10 20 1 2 COS_GAIN");
+  ASSERT_EQ(scene.clouds.size(), 2U);
+  EXPECT_EQ(scene.clouds[0].file, "my points.npy");
+  EXPECT_EQ(scene.clouds[0].position_stddev_m, (core::Vec3{1, 2, 3}));
+  EXPECT_EQ(scene.clouds[0].rcs_m2, 4.0);
+  EXPECT_EQ(scene.clouds[0].rcs_stddev_m2, 5.0);
+  EXPECT_EQ(scene.clouds[1].file, "b.csv");
+  EXPECT_EQ(scene.clouds[1].reflectivity, Target::Reflectivity::directional);
+  EXPECT_EQ(scene.clouds[1].elevation, core::Angle::from_deg(20.0));
+  EXPECT_FALSE(scene.clouds[1].points) << "the reader of scripts reads no tables";
+}
+
+TEST(ReadScript, RefusesACloudWithoutTheWordFile) {
+  const ScriptReading reading = read_script("$CLOUD Earth points.npy 0 0 0 1 0 ISOTROPIC", "a.scr", {});
+  ASSERT_FALSE(reading.problems.empty());
+  EXPECT_EQ(reading.problems[0].expected, "FILE");
+  EXPECT_EQ(reading.problems[0].subject, (core::Subject{"cloud", 0, "file"}));
+}
+
 TEST(ReadScript, ReadsOptionsInAnyOrder) {
   const RunOptions options =
       read_clean("$OPTIONS TOLERANCE 1e-9 PULSE BAND_LIMITED SEED 18446744073709551615 PROFILE PHYSICAL").options;

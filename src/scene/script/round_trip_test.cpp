@@ -150,6 +150,12 @@ TEST(RoundTrip, KeepsEveryKeywordOfRecordingsAndTables) {
     table.separator = static_cast<GeometryTable::Separator>(i % 2);
     scene.geometries.push_back(table);
     scene.surfaces.emplace_back();
+    Cloud& cloud = scene.clouds.emplace_back();
+    cloud.file = "a \"cloud\".npy";
+    cloud.rcs_m2 = 0.1;
+    cloud.position_stddev_m = {0.1, 0.2, 0.3};
+    cloud.reflectivity = static_cast<Target::Reflectivity>(i % 2);
+    if (i % 2 == 1) cloud.azimuth = core::Angle::from_deg(12.3);
     expect_same_when_read_back(scene);
   }
 }

@@ -9,6 +9,7 @@ namespace sarsim::scene::script {
 void write_command(ScriptLines& lines, const Platform& platform);
 void write_command(ScriptLines& lines, const Surface& surface);
 void write_command(ScriptLines& lines, const Target& target);
+void write_command(ScriptLines& lines, const Cloud& cloud);
 void write_command(ScriptLines& lines, const Radar& radar);
 void write_command(ScriptLines& lines, const Simulation& simulation);
 void write_command(ScriptLines& lines, const GeometryTable& table);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
@@ -16,5 +18,9 @@ namespace sarsim::scene {
 /// `file` is written as that name; its data are `write_data_file`'s. The text is the same for any number of threads; a
 /// requested stop throws Interrupted.
 [[nodiscard]] std::string write_script(const Scene& scene, const core::WorkControl& control = {});
+
+/// The same text in pieces, in their order, on the calling thread: for texts that nobody keeps.
+void write_script(const Scene& scene, const core::WorkControl& control,
+                  const std::function<void(std::string_view)>& take);
 
 }  // namespace sarsim::scene

@@ -67,12 +67,14 @@ TEST(WriteScript, OrdersCommandsAsTheOriginals) {
   scene.platforms.emplace_back();
   scene.surfaces.emplace_back();
   scene.targets.emplace_back();
+  scene.clouds.emplace_back().file = "points.npy";
   scene.simulations.emplace_back();
   scene.geometries.emplace_back();
   scene.options.seed = 2;
   const std::string text = write_script(scene);
   std::size_t last = 0;
-  for (const char* word : {"$PLATFORM", "$SURFACE", "$TARGET", "$RADAR", "$SIMULATION", "$GEOMETRY", "$OPTIONS"}) {
+  for (const char* word :
+       {"$PLATFORM", "$SURFACE", "$TARGET", "$CLOUD", "$RADAR", "$SIMULATION", "$GEOMETRY", "$OPTIONS"}) {
     const std::size_t at = text.find(word);
     ASSERT_NE(at, std::string::npos) << word;
     EXPECT_GT(at, last) << word;

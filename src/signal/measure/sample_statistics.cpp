@@ -25,7 +25,11 @@ void SampleStatistics::add(std::span<const std::complex<double>> values, std::si
     if (v == 0.0) ++zeros;
     lowest = std::min({lowest, v.real(), v.imag()});
     highest = std::max({highest, v.real(), v.imag()});
-    row_sum += std::norm(v);
+    const double power = std::norm(v);
+    row_sum += power;
+    // The root that neither overflows nor vanishes is taken of candidates alone: it is slow.
+    if (power < largest_power_) continue;
+    largest_power_ = power;
     const double magnitude = std::abs(v);
     if (magnitude > largest_magnitude) {
       largest_magnitude = magnitude;

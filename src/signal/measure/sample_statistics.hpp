@@ -24,6 +24,9 @@ struct SampleStatistics {
   void add(std::span<const std::complex<double>> values, std::size_t first_row, std::size_t columns);
   /// Root mean square of the magnitude; 0 without samples.
   [[nodiscard]] double rms() const;
+
+ private:
+  double largest_power_ = 0.0;
 };
 
 }  // namespace sarsim::signal

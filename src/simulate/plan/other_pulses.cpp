@@ -87,7 +87,7 @@ class Hearing {
  private:
   void place_platforms() {
     std::vector<bool> reflects(scene_.platforms.size(), false);
-    for (const Scatterer& s : scene_.scatterers) reflects[s.platform] = true;
+    for (const std::uint32_t platform : scene_.scatterers.platforms()) reflects[platform] = true;
     for (const ScattererSheet& sheet : scene_.sheets) reflects[sheet.platform] = true;
     poses_.resize(scene_.platforms.size());
     between_m_.assign(scene_.platforms.size(), 0.0);

@@ -127,52 +127,71 @@ class Grouping {
   explicit Grouping(PointGroups& groups) : groups_(groups) {}
 
   radar::PointArrays& of(const GroupKey& key) {
-    const auto [place, is_new] = places_.try_emplace(key, groups_.groups.size());
+    const auto [place, is_new] = places_.try_emplace(key, nullptr);
     if (is_new) {
-      groups_.groups.push_back({key.platform, {}});
-      groups_.groups.back().points.law = key.law;
+      auto points = std::make_shared<radar::PointArrays>();
+      points->law = key.law;
+      place->second = points.get();
+      groups_.groups.push_back({key.platform, std::move(points)});
     }
-    return groups_.groups[place->second].points;
+    return *place->second;
   }
 
  private:
   PointGroups& groups_;
-  std::map<GroupKey, std::size_t> places_;
+  std::map<GroupKey, radar::PointArrays*> places_;
 };
 
-}  // namespace
+// Room for the points of a scene that has one kind of targets, as large ones do.
+void make_room(radar::PointArrays& points, std::size_t count) {
+  for (std::vector<double>* column : {&points.x_m, &points.y_m, &points.z_m, &points.root_rcs_m})
+    column->reserve(count);
+}
 
-PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const core::StopFlag* stop) {
-  CORE_EXPECT(radar.platform < scene.platforms.size());
-  CORE_EXPECT(
-      std::ranges::all_of(scene.scatterers, [&](const Scatterer& s) { return s.platform < scene.platforms.size(); }));
-  const auto look_at_stop = [stop] {
-    if (stop != nullptr && stop->requested()) throw core::Interrupted();
-  };
-  PointGroups groups;
-  groups.antenna = antenna_sight(scene, radar);
-  groups.reflectivity = reflectivity_tables(scene);
-  Grouping grouping(groups);
-  for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
+// Adds scatterers [begin, end) of the scene.
+void add_scatterers(const ResolvedScene& scene, std::size_t begin, std::size_t end, PointGroups& groups,
+                    Grouping& grouping, const core::StopFlag* stop) {
+  for (std::size_t i = begin; i < end; ++i) {
     constexpr std::size_t between_looks = 4096;
-    if (i % between_looks == 0) look_at_stop();
-    const Scatterer& s = scene.scatterers[i];
+    if (i % between_looks == 0 && stop != nullptr && stop->requested()) throw core::Interrupted();
+    const Scatterer s = scene.scatterers[i];
     const GroupKey key = key_of(s);
     radar::PointArrays& points = grouping.of(key);
+    if (i == 0) make_room(points, end);
     add_point(points, s.position_m, s.rcs_m2, core::direction(s.azimuth_rad, s.elevation_rad));
     if (s.law == radar::ReflectivityLaw::user)
       points.curve_cell.push_back(first_cell(groups.reflectivity, s.gain_curve));
     add_jitter(points.jitter, s, key, scene.options.seed, i);
   }
+}
+
+}  // namespace
+
+PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const core::StopFlag* stop) {
+  CORE_EXPECT(radar.platform < scene.platforms.size());
+  CORE_EXPECT(std::ranges::all_of(scene.scatterers.platforms(),
+                                  [&](std::uint32_t platform) { return platform < scene.platforms.size(); }));
+  PointGroups groups;
+  groups.antenna = antenna_sight(scene, radar);
+  groups.reflectivity = reflectivity_tables(scene);
+  Grouping grouping(groups);
+  const ScattererList& scatterers = scene.scatterers;
+  add_scatterers(scene, 0, scatterers.targets(), groups, grouping, stop);
+  for (const ScattererCloud& cloud : scatterers.clouds()) {
+    if (cloud.common.law == radar::ReflectivityLaw::isotropic && !cloud.common.jittered)
+      groups.groups.push_back({cloud.common.platform, cloud.points});
+    else
+      add_scatterers(scene, cloud.first, cloud.first + cloud.points->size(), groups, grouping, stop);
+  }
   for (const ScattererSheet& sheet : scene.sheets) {
     if (sheet.points_m.empty()) continue;
-    look_at_stop();
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
     radar::PointArrays& points =
         grouping.of({sheet.platform, radar::PointArrays::Law::cosine, false, false, false, false});
     for (const core::Vec3& point_m : sheet.points_m)
       add_point(points, point_m, sheet.point_rcs_m2, sheet.normal_platform);
   }
-  for (const PointGroups::Group& group : groups.groups) groups.count += group.points.size();
+  for (const PointGroups::Group& group : groups.groups) groups.count += group.points->size();
   return groups;
 }
 
@@ -193,8 +212,9 @@ void fast_echoes(const PointGroups& groups, const PulseGeometry& geometry, radar
     frame.axis_elevation_rad = pointing.axis_elevation_rad();
     frame.amplitude_scale = geometry.amplitude_scale();
     frame.spreading = geometry.spreading();
-    possible = radar::write_echoes(group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
-    first += group.points.size();
+    possible =
+        radar::write_echoes(*group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
+    first += group.points->size();
   }
   // Where in doubt the plain geometry decides, and says what is wrong with which target.
   if (!possible) geometry.echoes(echoes);

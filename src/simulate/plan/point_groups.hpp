@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/task/stop.hpp"
@@ -17,7 +18,7 @@ struct PointGroups {
   /// Points of one platform and one law.
   struct Group {
     std::uint32_t platform = 0;
-    radar::PointArrays points;
+    std::shared_ptr<const radar::PointArrays> points;  ///< Those of a cloud itself, where nothing has to be added.
   };
   std::vector<Group> groups;
   radar::CurveTables reflectivity;
@@ -29,7 +30,8 @@ struct PointGroups {
 };
 
 /// Groups the targets and the points of the surfaces: groups in the order of their first points, the points of a group
-/// in the order of the scene, targets before surfaces. User-defined curves are tabulated so that all of them together
+/// in the order of the scene, targets before clouds before surfaces; an isotropic cloud without random deviations is a
+/// group by itself, which shares the cloud's arrays. User-defined curves are tabulated so that all of them together
 /// put an error of less than an eighth of the scene's tolerance on any amplitude, relative to that amplitude.
 /// @param stop  asked now and then; a requested stop throws Interrupted
 [[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,

@@ -289,7 +289,7 @@ TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene
   ASSERT_EQ(groups.groups.size(), std::size(expected));
   std::size_t count = 0;
   for (std::size_t g = 0; g < groups.groups.size(); ++g) {
-    const radar::PointArrays& points = groups.groups[g].points;
+    const radar::PointArrays& points = *groups.groups[g].points;
     EXPECT_EQ(points.law, expected[g].law) << g;
     EXPECT_NEAR(static_cast<double>(points.size()), static_cast<double>(expected[g].points), g == 1 ? 30.0 : 0.0) << g;
     EXPECT_EQ(points.jitter.position_key.size(), expected[g].deviations) << g;
@@ -298,9 +298,9 @@ TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene
     count += points.size();
   }
   EXPECT_EQ(groups.count, count);
-  EXPECT_EQ(groups.groups[0].points.x_m, (std::vector<double>{1000.0, 7.0}));
+  EXPECT_EQ(groups.groups[0].points->x_m, (std::vector<double>{1000.0, 7.0}));
   EXPECT_EQ(groups.groups[4].platform, 1u);
-  EXPECT_DOUBLE_EQ(groups.groups[4].points.root_rcs_m[0], 3.0);
+  EXPECT_DOUBLE_EQ(groups.groups[4].points->root_rcs_m[0], 3.0);
   EXPECT_EQ(groups.reflectivity.count, 1u);
 }
 

@@ -55,7 +55,7 @@ PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& ra
       error_steps_(scene.platforms.size()) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);
-  for (const Scatterer& s : scene.scatterers) reflects_[s.platform] = true;
+  for (const std::uint32_t platform : scene.scatterers.platforms()) reflects_[platform] = true;
   for (const ScattererSheet& sheet : scene.sheets) reflects_[sheet.platform] = true;
   used_ = reflects_;
   used_[radar.platform] = true;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t most_pulses = 17;
 constexpr std::size_t between_looks = 4096;
+constexpr std::size_t most_cloud_points = 65'536;  // are looked at
 
 void look_at(const core::StopFlag* stop) {
   if (stop != nullptr && stop->requested()) throw core::Interrupted();
@@ -28,8 +29,10 @@ void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseG
                    const core::StopFlag* stop) {
   const double light_mps = scene.conventions.light_speed_mps;
   const radar::Pointing pointing = geometry.pointing();
-  for (std::size_t i = 0; i < scene.scatterers.size(); ++i) {
-    if (i % between_looks == 0) look_at(stop);
+  const ScattererList& all = scene.scatterers;
+  const std::size_t step = (all.size() - all.targets()) / most_cloud_points + 1;
+  for (std::size_t i = 0, n = 0; i < all.size(); i += i < all.targets() ? 1 : step, ++n) {
+    if (n % between_looks == 0) look_at(stop);
     include(extent, radar::range_of(geometry.view(i, pointing).delay_s, light_mps));
   }
   for (const ScattererSheet& sheet : scene.sheets) {

@@ -1,5 +1,8 @@
 #include "simulate/resolve/resolved.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -9,6 +12,7 @@
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/target/surface.hpp"
+#include "scene/model/cloud_points.hpp"
 #include "scene/model/radar_pulse.hpp"
 #include "scene/model/scene_index.hpp"
 
@@ -55,27 +59,37 @@ radar::Motion motion_of(const scene::Platform& platform, core::InterpolationRule
   return motion;
 }
 
-Scatterer scatterer_of(const scene::Target& target, std::uint32_t platform, ResolvedScene& resolved) {
+// What a target and a cloud have alike: all but position and cross-section.
+template <class Object>
+Scatterer scatterer_of(const Object& object, std::uint32_t platform, ResolvedScene& resolved) {
+  using scene::Target;
   Scatterer s;
   s.platform = platform;
-  s.position_m = target.position_m;
-  s.position_stddev_m = target.position_stddev_m;
-  s.rcs_m2 = target.rcs_m2;
-  s.rcs_stddev_m2 = target.rcs_stddev_m2;
-  if (target.reflectivity == scene::Target::Reflectivity::directional) {
-    s.law = target.gain == scene::Target::Gain::cosine ? radar::ReflectivityLaw::cosine : radar::ReflectivityLaw::user;
-    s.azimuth_rad = target.azimuth.rad();
-    s.elevation_rad = target.elevation.rad();
-    s.azimuth_stddev_rad = target.azimuth_stddev.rad();
-    s.elevation_stddev_rad = target.elevation_stddev.rad();
+  s.position_stddev_m = object.position_stddev_m;
+  s.rcs_stddev_m2 = object.rcs_stddev_m2;
+  if (object.reflectivity == Target::Reflectivity::directional) {
+    s.law = object.gain == Target::Gain::cosine ? radar::ReflectivityLaw::cosine : radar::ReflectivityLaw::user;
+    s.azimuth_rad = object.azimuth.rad();
+    s.elevation_rad = object.elevation.rad();
+    s.azimuth_stddev_rad = object.azimuth_stddev.rad();
+    s.elevation_stddev_rad = object.elevation_stddev.rad();
     if (s.law == radar::ReflectivityLaw::user) {
       s.gain_curve = static_cast<std::uint32_t>(resolved.gain_curves.size());
-      resolved.gain_curves.emplace_back(target.gain_db.part[0], interpolation_rules(resolved.options));
+      resolved.gain_curves.emplace_back(object.gain_db.part[0], interpolation_rules(resolved.options));
     }
   }
   s.jittered = s.position_stddev_m != core::Vec3{} || s.rcs_stddev_m2 != 0.0 || s.azimuth_stddev_rad != 0.0 ||
                s.elevation_stddev_rad != 0.0;
   return s;
+}
+
+// The arrays of a cloud; a copy where the cross-section that all points share has changed since they were read.
+std::shared_ptr<const radar::PointArrays> arrays_of(const scene::Cloud& cloud) {
+  const std::shared_ptr<const scene::CloudPoints>& read = cloud.points;
+  if (read->own_rcs || read->rcs_m2 == cloud.rcs_m2) return {read, &read->arrays};
+  auto changed = std::make_shared<radar::PointArrays>(read->arrays);
+  std::ranges::fill(changed->root_rcs_m, std::sqrt(std::max(0.0, cloud.rcs_m2)));
+  return changed;
 }
 
 std::vector<double> ordinates(const scene::UserFunction<1>& function) {
@@ -152,28 +166,63 @@ std::uint32_t platform_number(scene::SceneIndex& names, const scene::Scene& scen
   throw std::invalid_argument("platform '" + name + "' is not defined");
 }
 
-// Calls act(platform, point) for every scatterer.
-template <class Act>
-void for_each_point(ResolvedScene& resolved, const Act& act) {
-  for (const Scatterer& s : resolved.scatterers) act(resolved.platforms[s.platform], s.position_m);
+// Boxes around what each platform carries.
+class Boxes {
+ public:
+  explicit Boxes(std::size_t platforms) : least_(platforms, {far, far, far}), most_(platforms, {-far, -far, -far}) {}
+
+  void include(std::uint32_t platform, const core::Vec3& p) {
+    core::Vec3& least = least_[platform];
+    core::Vec3& most = most_[platform];
+    least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
+    most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
+  }
+
+  // Middle and radius of the balls around the boxes.
+  void find_balls(std::vector<ResolvedPlatform>& platforms) const {
+    for (std::size_t i = 0; i < platforms.size(); ++i) {
+      if (!(least_[i].x <= most_[i].x)) continue;
+      platforms[i].middle_m = 0.5 * (least_[i] + most_[i]);
+      platforms[i].radius_m = 0.5 * core::norm(most_[i] - least_[i]);
+    }
+  }
+
+ private:
+  static constexpr double far = std::numeric_limits<double>::infinity();
+  std::vector<core::Vec3> least_;
+  std::vector<core::Vec3> most_;
+};
+
+void find_balls(ResolvedScene& resolved) {
+  Boxes boxes(resolved.platforms.size());
+  for (std::size_t i = 0; i < resolved.scatterers.targets(); ++i) {
+    const Scatterer s = resolved.scatterers[i];
+    boxes.include(s.platform, s.position_m);
+  }
+  for (const ScattererCloud& cloud : resolved.scatterers.clouds())
+    for (const core::Vec3& corner_m : {cloud.least_m, cloud.most_m}) boxes.include(cloud.common.platform, corner_m);
   for (const ScattererSheet& sheet : resolved.sheets)
-    for (const core::Vec3& point_m : sheet.points_m) act(resolved.platforms[sheet.platform], point_m);
+    for (const core::Vec3& point_m : sheet.points_m) boxes.include(sheet.platform, point_m);
+  boxes.find_balls(resolved.platforms);
 }
 
-// Middle and radius of what each platform carries: of the box around it.
-void find_balls(ResolvedScene& resolved) {
-  constexpr double far = std::numeric_limits<double>::infinity();
-  std::vector<core::Vec3> least(resolved.platforms.size(), {far, far, far});
-  std::vector<core::Vec3> most(resolved.platforms.size(), {-far, -far, -far});
-  for_each_point(resolved, [&](const ResolvedPlatform& platform, const core::Vec3& p) {
-    const auto i = static_cast<std::size_t>(&platform - resolved.platforms.data());
-    least[i] = {std::min(least[i].x, p.x), std::min(least[i].y, p.y), std::min(least[i].z, p.z)};
-    most[i] = {std::max(most[i].x, p.x), std::max(most[i].y, p.y), std::max(most[i].z, p.z)};
-  });
-  for (std::size_t i = 0; i < resolved.platforms.size(); ++i) {
-    if (!(least[i].x <= most[i].x)) continue;
-    resolved.platforms[i].middle_m = 0.5 * (least[i] + most[i]);
-    resolved.platforms[i].radius_m = 0.5 * core::norm(most[i] - least[i]);
+void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedScene& resolved,
+                 const core::WorkControl& control) {
+  resolved.scatterers.reserve(scene.targets.size(), control);
+  for (const scene::Target& target : scene.targets) {
+    constexpr std::size_t between_looks = 4096;
+    if (resolved.scatterers.size() % between_looks == 0 && control.stop != nullptr && control.stop->requested())
+      throw core::Interrupted();
+    Scatterer s = scatterer_of(target, platform_number(names, scene, target.platform), resolved);
+    s.position_m = target.position_m;
+    s.rcs_m2 = target.rcs_m2;
+    resolved.scatterers.push_back(s);
+  }
+  for (const scene::Cloud& cloud : scene.clouds) {
+    if (!cloud.points || cloud.points->file != cloud.file)
+      throw std::invalid_argument("the points of cloud '" + cloud.file + "' are not read");
+    resolved.scatterers.add_cloud({scatterer_of(cloud, platform_number(names, scene, cloud.platform), resolved),
+                                   arrays_of(cloud), cloud.points->least_m, cloud.points->most_m});
   }
 }
 
@@ -192,13 +241,7 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
       {"Earth", radar::Track(motion_of(scene::Platform{}, rule), scene.options.seed, "Earth"), {}, 0.0});
 
   scene::SceneIndex names(scene);
-  core::reserve_touched(resolved.scatterers, scene.targets.size(), control);
-  for (const scene::Target& target : scene.targets) {
-    constexpr std::size_t between_looks = 4096;
-    if (resolved.scatterers.size() % between_looks == 0 && control.stop != nullptr && control.stop->requested())
-      throw core::Interrupted();
-    resolved.scatterers.push_back(scatterer_of(target, platform_number(names, scene, target.platform), resolved));
-  }
+  add_targets(scene, names, resolved, control);
   resolved.sheets.resize(scene.surfaces.size());
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
     resolved.sheets[i].platform = platform_number(names, scene, scene.surfaces[i].platform);
@@ -211,6 +254,21 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   });
   find_balls(resolved);
   return resolved;
+}
+
+std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene> scene, std::size_t most_points) {
+  CORE_EXPECT(scene != nullptr);
+  if (std::ranges::none_of(scene->scatterers.clouds(),
+                           [&](const ScattererCloud& cloud) { return cloud.points->size() > most_points; }))
+    return scene;
+  auto some = std::make_shared<ResolvedScene>();
+  some->conventions = scene->conventions;
+  some->options = scene->options;
+  some->platforms = scene->platforms;
+  some->scatterers = scene->scatterers.thinned(most_points);
+  some->sheets = scene->sheets;
+  some->gain_curves = scene->gain_curves;
+  return some;
 }
 
 ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar_index) {

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -8,12 +10,12 @@
 #include "radar/antenna/beam.hpp"
 #include "radar/antenna/pattern.hpp"
 #include "radar/motion/track.hpp"
-#include "radar/target/reflectivity.hpp"
 #include "radar/waveform/pulse.hpp"
 #include "radar/waveform/schedule.hpp"
 #include "scene/model/scene.hpp"
 #include "signal/compress/range_compression.hpp"
 #include "simulate/resolve/conventions.hpp"
+#include "simulate/resolve/scatterers.hpp"
 
 /// A checked scene with its names looked up and its functions ready to evaluate. SI units and radians throughout.
 namespace sarsim::simulate {
@@ -24,22 +26,6 @@ struct ResolvedPlatform {
   radar::Track track;
   core::Vec3 middle_m;    ///< Of its scatterers, in its frame; the origin where it has none.
   double radius_m = 0.0;  ///< Of a ball around that which holds them.
-};
-
-/// A point target.
-struct Scatterer {
-  std::uint32_t platform = 0;
-  std::uint32_t gain_curve = 0;  ///< Index into ResolvedScene::gain_curves; ReflectivityLaw::user.
-  radar::ReflectivityLaw law = radar::ReflectivityLaw::isotropic;
-  bool jittered = false;  ///< Any standard deviation is not 0.
-  core::Vec3 position_m;  ///< In the platform's frame.
-  core::Vec3 position_stddev_m;
-  double rcs_m2 = 1.0;
-  double rcs_stddev_m2 = 0.0;
-  double azimuth_rad = 0.0;  ///< Of the normal, in the platform's frame.
-  double elevation_rad = 0.0;
-  double azimuth_stddev_rad = 0.0;
-  double elevation_stddev_rad = 0.0;
 };
 
 /// A surface as scatterers with a common normal and cross-section, cosine law.
@@ -72,7 +58,7 @@ struct ResolvedScene {
   Conventions conventions;
   scene::RunOptions options;
   std::vector<ResolvedPlatform> platforms;
-  std::vector<Scatterer> scatterers;   ///< One per target, in order.
+  ScattererList scatterers;            ///< One per target, in order, then the points of the clouds.
   std::vector<ScattererSheet> sheets;  ///< One per surface, in order.
   std::vector<core::Interpolator> gain_curves;
 };
@@ -81,8 +67,14 @@ struct ResolvedScene {
 inline constexpr double surface_points_per_m2 = 1.0;
 
 /// Resolves everything but the radars. The scene must have passed `check`; a name that is not found is
-/// std::invalid_argument, except the platform "Earth", which is the world itself. A requested stop throws Interrupted.
+/// std::invalid_argument, except the platform "Earth", which is the world itself; so is a cloud whose points are not
+/// read. A requested stop throws Interrupted.
 [[nodiscard]] ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& control = {});
+
+/// A scene with at most so many points of each of its clouds, evenly chosen: for looks that need not see all of them.
+/// The same scene where no cloud has more.
+[[nodiscard]] std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene> scene,
+                                                           std::size_t most_points);
 
 /// Resolves one radar of a scene.
 [[nodiscard]] ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar);

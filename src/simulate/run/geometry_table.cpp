@@ -32,7 +32,7 @@ class TablePulses {
 
   [[nodiscard]] radar::PulseRange range() const { return range_; }
   [[nodiscard]] std::size_t platforms() const { return platforms_; }
-  [[nodiscard]] std::size_t targets() const { return resolved_.scatterers.size(); }
+  [[nodiscard]] std::size_t targets() const { return resolved_.scatterers.targets(); }
   [[nodiscard]] const std::string& platform_name(std::size_t i) const { return resolved_.platforms[i].name; }
   [[nodiscard]] const PulseGeometry& geometry() const { return geometry_; }
   [[nodiscard]] double light_speed_mps() const { return resolved_.conventions.light_speed_mps; }

@@ -69,7 +69,7 @@ class SightRules {
     if (silent && best >= least_pattern) {
       // `check` has already warned of negative cross-sections.
       if (std::ranges::all_of(sights_,
-                              [&](const TargetSight& s) { return sighted_.scene.targets[s.target].rcs_m2 < 0.0; }))
+                              [&](const TargetSight& s) { return plan_.scene->scatterers[s.target].rcs_m2 < 0.0; }))
         return false;
       add(core::Severity::warning, "simulation", "",
           "no echo is received: the targets reflect nothing to the radar while the beam is on them" + scope_, "",

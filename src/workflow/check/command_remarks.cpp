@@ -89,12 +89,22 @@ core::Problems remarks_on_pulses(const simulate::Plan& plan, std::size_t pulses,
   return problems_of_search(plan, options).empty() ? remarks_on_search(plan, options, control) : core::Problems{};
 }
 
+// What reflects is resolved already, and may be millions of objects.
+scene::Scene without_reflectors(const scene::Scene& scene) {
+  scene::Scene some;
+  some.platforms = scene.platforms;
+  some.radars = scene.radars;
+  some.simulations = scene.simulations;
+  some.options = scene.options;
+  return some;
+}
+
 // Asks the commands about the simulations of one scene.
 class Asking {
  public:
   Asking(const scene::Scene& scene, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
          const core::WorkControl& control)
-      : scene_(scene), resolved_(resolved), control_(control) {}
+      : scene_(without_reflectors(scene)), resolved_(resolved), control_(control) {}
 
   core::Problems all() {
     for (std::size_t i = 0; i < scene_.simulations.size(); ++i) ask(i);

@@ -18,6 +18,7 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/movers.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/image/image_script.hpp"
 
 namespace sarsim::workflow {
@@ -113,6 +114,20 @@ std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusIn
   return theories;
 }
 
+// Points that are too many to be measured one by one.
+std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene, std::size_t listed) {
+  const std::size_t points = scene.scatterers.size() - listed;
+  if (points == 0) return std::nullopt;
+  if (listed == 0)
+    throw core::Refused(fmt::format("the {} points of the clouds are too many to be measured one by one", points),
+                        fmt::format("clouds of up to {} points together are; add a $TARGET where an image is to be "
+                                    "measured",
+                                    most_examined_targets));
+  return core::problem_of(core::Severity::note,
+                          fmt::format("the {} points of the clouds are not measured one by one", points), {},
+                          fmt::format("at most {} of them", most_examined_targets), {});
+}
+
 bool is_asked_for(const MeasureRequest& request, const TargetTheory& theory) {
   return !request.target || theory.target + 1 == *request.target;
 }
@@ -199,6 +214,10 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
+  if (auto note = note_of_clouds(*input.plan->scene, theories.size())) {
+    observer.remarks({*note});
+    way.problems.push_back(*std::move(note));
+  }
   expect_free_pictures(request, theories);
   core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
   observer.remarks(movers);

@@ -1,5 +1,7 @@
 #include "workflow/focus/sar_looks.hpp"
 
+#include "workflow/focus/sar_ghosts.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -44,23 +46,24 @@ double receding_mps(const radar::Pose& radar, const radar::Pose& platform, const
 SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight,
                    std::size_t most_looks)
     : plan_(plan),
+      scene_(simulate::thinned(plan.scene, most_examined_targets)),
       track_(signal::fit_straight(echoes.track)),
       gain_(
           plan, echoes.columns, weight ? weight : [](double) { return 1.0; }),
       peak_gain_(peak_gain_of(plan)),
       carrier_hz_(echoes.waveform.carrier_hz),
       pulses_(echoes.track.size()),
-      step_(step_of(echoes.track.size(), plan.scene->scatterers.size(), most_looks)),
+      step_(step_of(echoes.track.size(), scene_->scatterers.size(), most_looks)),
       compensated_(echoes.compensated) {}
 
 void SarLooks::each(const core::WorkControl& control,
                     const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body,
                     std::size_t every) const {
   const std::size_t looks = count();
-  core::parallel_ranges((targets() + every - 1) / every, targets_at_once(plan_.scene->platforms.size()), control,
+  core::parallel_ranges((targets() + every - 1) / every, targets_at_once(scene_->platforms.size()), control,
                         [&](std::size_t begin, std::size_t end) {
                           std::vector<SarLook> seen((end - begin) * looks);
-                          simulate::PulseGeometry geometry(*plan_.scene, plan_.radar);
+                          simulate::PulseGeometry geometry(*scene_, plan_.radar);
                           for (std::size_t i = 0; i < looks; ++i) {
                             geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
                             const radar::Pointing pointing = geometry.pointing();
@@ -74,9 +77,9 @@ void SarLooks::each(const core::WorkControl& control,
 
 SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const simulate::PulseGeometry& geometry,
                           const radar::Pointing& pointing) const {
-  const double per_speed = radar::turns_per_m(carrier_hz_, plan_.scene->conventions.light_speed_mps);
+  const double per_speed = radar::turns_per_m(carrier_hz_, scene_->conventions.light_speed_mps);
   const simulate::ScattererView view = geometry.view(target, pointing);
-  const simulate::Scatterer& scatterer = plan_.scene->scatterers[target];
+  const simulate::Scatterer& scatterer = scene_->scatterers[target];
   const radar::Pose& platform = geometry.pose(scatterer.platform);
   const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
                      .distance_m = view.distance_m,
@@ -93,7 +96,7 @@ SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar:
   const double along_m = core::dot(radar.position_world_m - track_.origin_m, track_.along);
   const core::Vec3 sight_m = radar::world_position_m(platform, point_m) - (track_.origin_m + along_m * track_.along);
   const core::Vec3 velocity_mps = radar::world_velocity_mps(platform, point_m) - track_.speed_mps * track_.along;
-  const double light_speed = plan_.scene->conventions.light_speed_mps;
+  const double light_speed = scene_->conventions.light_speed_mps;
   look.time_s = along_m / track_.speed_mps;
   look.distance_m = core::norm(sight_m);
   look.doppler_hz = -radar::turns_per_m(carrier_hz_, light_speed) * core::dot(sight_m, velocity_mps) / look.distance_m;
@@ -102,7 +105,7 @@ SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar:
 }
 
 signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
-  const double light_speed = plan_.scene->conventions.light_speed_mps;
+  const double light_speed = scene_->conventions.light_speed_mps;
   const double per_hz = radar::range_of_cycle(carrier_hz_, light_speed) / track_.speed_mps;
   const double sine = std::clamp(per_hz * doppler_hz, -1.0, 1.0);
   return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <span>
 
 #include "core/task/parallel.hpp"
@@ -24,7 +25,8 @@ struct SarLook {
 };
 
 /// The pulses of a plan as looks at each of its targets; of more than `most_looks` pulses, some that are evenly spaced,
-/// of more than 4096 targets fewer still, but 65 at least. They are computed when they are asked for, a few targets at
+/// of more than 4096 targets fewer still, but 65 at least. Of a cloud of more than 4096 points, as many that are evenly
+/// chosen stand for all. They are computed when they are asked for, a few targets at
 /// a time.
 class SarLooks {
  public:
@@ -36,7 +38,7 @@ class SarLooks {
   SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight = {},
            std::size_t most_looks = usual_looks);
 
-  [[nodiscard]] std::size_t targets() const { return plan_.scene->scatterers.size(); }
+  [[nodiscard]] std::size_t targets() const { return scene_->scatterers.size(); }
   /// Looks at each target.
   [[nodiscard]] std::size_t count() const { return (pulses_ + step_ - 1) / step_; }
   [[nodiscard]] const signal::StraightTrack& track() const { return track_; }
@@ -60,6 +62,7 @@ class SarLooks {
                                   const core::Vec3& point_m) const;
 
   const simulate::Plan& plan_;
+  std::shared_ptr<const simulate::ResolvedScene> scene_;
   signal::StraightTrack track_;
   RecordedGain gain_;
   double peak_gain_ = 1.0;

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
 namespace sarsim::workflow {
@@ -197,6 +198,12 @@ TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const 
 
 }  // namespace
 
+std::size_t listed_targets(const simulate::ResolvedScene& scene) {
+  const std::size_t all = scene.scatterers.size();
+  const std::size_t targets = scene.scatterers.targets();
+  return all - targets > most_examined_targets ? targets : all;
+}
+
 std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                             const signal::FocusOptions& options, bool time_domain,
                                             const core::WorkControl& control) {
@@ -206,8 +213,9 @@ std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const si
   // The band that stepped carriers fill together has no theory of its response.
   const std::optional<signal::ResponseFigures> range =
       echoes.carriers_hz.empty() ? range_theory(plan, echoes.waveform, options.range_window) : std::nullopt;
-  std::vector<TargetTheory> theories(looks.targets());
+  std::vector<TargetTheory> theories(listed_targets(*plan.scene));
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    if (t >= theories.size()) return;
     theories[t] = theory_of(looks, weights, echoes, options, range, t, seen);
   });
   return theories;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -27,7 +28,10 @@ struct TargetTheory {
   std::optional<signal::ResponseFigures> azimuth;
 };
 
-/// Theory of every target for these options of focusing.
+/// How many targets theory and measurements list: all, but no points of clouds that have more than 4096 together.
+[[nodiscard]] std::size_t listed_targets(const simulate::ResolvedScene& scene);
+
+/// Theory of every target that is listed for these options of focusing.
 /// @param echoes       their waveform and track; no rows are read
 /// @param time_domain  back projection, which knows each pulse's true Doppler frequency: no echoes are lost to ghosts
 /// @throw  Interrupted

@@ -10,7 +10,7 @@
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "scene/script/reader.hpp"
-#include "scene/script/writer.hpp"
+#include "workflow/input/cloud_input.hpp"
 #include "workflow/input/script_sum.hpp"
 
 namespace sarsim::workflow {
@@ -46,7 +46,9 @@ std::optional<std::string> checksum_of(const std::string& source, const std::str
     reading = scene::read_script(text, file, scene::disk_loader(fs::path(file).parent_path()));
   }
   if (core::has_errors(reading.problems)) return std::nullopt;
-  return workflow::script_sum(reading.scene, scene::write_script(reading.scene));
+  if (core::has_errors(read_clouds(reading.scene, fs::path(file).parent_path(), {core::thread_count(0)})))
+    return std::nullopt;
+  return workflow::script_sum(reading.scene);
 }
 
 // The first place where a file of the header is.

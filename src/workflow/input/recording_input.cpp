@@ -12,6 +12,7 @@
 #include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
 #include "scene/script/reader.hpp"
+#include "workflow/input/cloud_input.hpp"
 #include "workflow/input/output_names.hpp"
 
 namespace sarsim::workflow {
@@ -76,6 +77,9 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
   scene::ScriptReading reading =
       scene::read_script(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
+  core::Problems of_clouds = read_clouds(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)});
+  expect_sound(of_clouds);
+  take(recording.problems, std::move(of_clouds));
   expect_sound(scene::check(reading.scene));
   std::ranges::move(data_files_of(reading.scene, fs::path(path).parent_path()), std::back_inserter(recording.sources));
   return std::move(reading.scene);

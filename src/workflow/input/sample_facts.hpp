@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/task/observer.hpp"
@@ -10,16 +12,19 @@
 
 namespace sarsim::workflow {
 
-/// What a file of samples says of itself and what its samples are like.
+/// What a file of samples says of itself and, where asked for, what its samples are like.
 struct SampleFacts {
   std::shared_ptr<const raster::Raster> file;
-  signal::SampleStatistics statistics;  ///< In counts or V, as the file's info says.
+  std::size_t rows = 0;
+  bool rows_estimated = false;                         ///< A long text has to be read to count them.
+  std::optional<signal::SampleStatistics> statistics;  ///< In counts or V, as the file's info says.
 };
 
-/// Reads a whole file of samples once, in bounded memory.
+/// Reads the header of a file of samples, and of a long text its beginning; for statistics the whole file once, in
+/// bounded memory.
 /// @param observer  hears warnings about the file
 /// @throws core::Refused where it cannot be read, core::Interrupted when stopped
-[[nodiscard]] SampleFacts facts_of_samples(const std::string& path, const SampleArguments& sample,
+[[nodiscard]] SampleFacts facts_of_samples(const std::string& path, const SampleArguments& sample, bool statistics,
                                            const core::Observer& observer);
 
 }  // namespace sarsim::workflow

@@ -106,8 +106,8 @@ simulate::Plan plan_of_file(const std::string& path, const std::string& script,
 }
 
 std::shared_ptr<const raster::Raster> open_samples(const std::string& path, const raster::RasterHints& hints,
-                                                   const core::Observer& observer) {
-  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, path, hints);
+                                                   const core::Observer& observer, raster::Integrity integrity) {
+  raster::OpenedRaster opened = raster::open_raster(integrity, path, hints);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   observer.remarks(core::ranked(std::move(opened.problems)));
   return std::move(opened.raster);

@@ -33,10 +33,10 @@ struct SampleArguments {
 [[nodiscard]] simulate::Plan plan_of_file(const std::string& path, const std::string& script,
                                           std::optional<std::int64_t> simulation = {});
 
-/// Opens a whole file of samples; the observer hears its warnings. Throws core::Refused for errors.
-[[nodiscard]] std::shared_ptr<const raster::Raster> open_samples(const std::string& path,
-                                                                 const raster::RasterHints& hints,
-                                                                 const core::Observer& observer);
+/// Opens a file of samples; the observer hears its warnings. Throws core::Refused for errors.
+[[nodiscard]] std::shared_ptr<const raster::Raster> open_samples(
+    const std::string& path, const raster::RasterHints& hints, const core::Observer& observer,
+    raster::Integrity integrity = raster::Integrity::whole);
 
 /// Rows that are read and converted together: as many as make a few MB.
 [[nodiscard]] std::size_t rows_at_once(std::size_t columns);

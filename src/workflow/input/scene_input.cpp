@@ -11,9 +11,11 @@
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "scene/edit/data_functions.hpp"
+#include "scene/model/cloud_points.hpp"
 #include "scene/schema/field_names.hpp"
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/input/cloud_input.hpp"
 
 namespace sarsim::workflow {
 
@@ -133,6 +135,34 @@ void forget_others(core::Problems& problems, const WantedProducts& wanted) {
   });
 }
 
+// The points of clouds are targets to the survey; which of them it means is not known where it saw only some.
+void name_clouds(core::Problems& problems, const scene::Scene& scene, const simulate::ResolvedScene& surveyed) {
+  for (core::Problem& problem : problems) {
+    if (problem.subject.kind != "target" || problem.subject.index < scene.targets.size()) continue;
+    const auto& clouds = surveyed.scatterers.clouds();
+    std::size_t number = 0;
+    while (number + 1 < clouds.size() && clouds[number + 1].first <= problem.subject.index) ++number;
+    problem.subject = {"cloud", number, "file"};
+    problem.message += " (of a point of the cloud)";
+  }
+}
+
+// What the survey did not look at.
+void note_thinning(core::Problems& problems, const scene::Scene& scene) {
+  for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
+    const std::size_t points = scene::point_count(scene.clouds[i]);
+    if (points <= most_cloud_looks) continue;
+    core::Problem note = core::problem_of(
+        core::Severity::note,
+        fmt::format(
+            "what is said of echoes comes from {} of the {} points of the cloud; numbers of targets count those",
+            most_cloud_looks, points),
+        {}, {}, {});
+    note.subject = {"cloud", i, "file"};
+    problems.push_back(std::move(note));
+  }
+}
+
 // What the survey says of the simulations that are wanted; of all where nobody said which.
 core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedProducts>& wanted,
                                   const core::WorkControl& control) {
@@ -143,7 +173,10 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
     input.scene.simulations.clear();
     for (const std::size_t index : wanted->simulations) input.scene.simulations.push_back(all.at(index));
   }
-  simulate::SurveyReport report = simulate::survey_report(input.scene, input.resolved, control);
+  const auto surveyed = simulate::thinned(input.resolved, most_cloud_looks);
+  simulate::SurveyReport report = simulate::survey_report(input.scene, surveyed, control);
+  name_clouds(report.problems, input.scene, *surveyed);
+  note_thinning(report.problems, input.scene);
   input.scene.simulations = std::move(all);
   input.echoes = std::move(report.summaries);
   if (!wanted) return std::move(report.problems);
@@ -154,8 +187,8 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
 }
 
 // A scene with what its reader found, on its way to an input.
-SceneInput looked_at(scene::ScriptReading reading, const SceneOverrides& overrides, Scrutiny scrutiny,
-                     const core::WorkControl& control, const ChooseProducts& choose) {
+SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& folder, const SceneOverrides& overrides,
+                     Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
@@ -164,6 +197,8 @@ SceneInput looked_at(scene::ScriptReading reading, const SceneOverrides& overrid
     if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene, reading.problems);
         !mistakes.empty())
       throw core::Refused(std::move(mistakes));
+  if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems))
+    append(reading.problems, read_clouds(input.scene, folder, control));
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
@@ -189,8 +224,9 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
                       const core::WorkControl& control, const ChooseProducts& choose) {
   scene::ScriptReading reading = scene::read_script_file(path, {control});
   std::vector<std::filesystem::path> sources{path};
-  append(sources, data_files_of(reading.scene, std::filesystem::path(path).parent_path()));
-  SceneInput input = looked_at(std::move(reading), overrides, scrutiny, control, choose);
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  append(sources, data_files_of(reading.scene, folder));
+  SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
   input.sources = std::move(sources);
   return input;
 }
@@ -200,7 +236,7 @@ SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, c
   scene::ScriptReading reading;
   reading.scene = std::move(scene);
   std::vector<std::filesystem::path> sources = data_files_of(reading.scene, folder);
-  SceneInput input = looked_at(std::move(reading), overrides, scrutiny, control, choose);
+  SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
   input.sources = std::move(sources);
   return input;
 }
@@ -216,6 +252,10 @@ std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
   for (const scene::Radar& radar : scene.radars) take(radar);
   for (const scene::Target& target : scene.targets)
     if (!target.gain_db.file.empty()) names.insert(target.gain_db.file);
+  for (const scene::Cloud& cloud : scene.clouds) {
+    if (!cloud.file.empty()) names.insert(cloud.file);
+    if (!cloud.gain_db.file.empty()) names.insert(cloud.gain_db.file);
+  }
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names)
     if (auto file = scene::data_file_on_disk(script_folder, name); !file.empty()) files.push_back(std::move(file));

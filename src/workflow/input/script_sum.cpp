@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "scene/model/cloud_points.hpp"
+#include "scene/script/writer.hpp"
 
 namespace sarsim::workflow {
 
@@ -29,6 +31,10 @@ class DataFiles {
       add(p.rotation_envelope);
     }
     for (const scene::Target& target : scene.targets) add(target.gain_db);
+    for (const scene::Cloud& cloud : scene.clouds) {
+      add(cloud.gain_db);
+      if (cloud.points) sum_.add(std::as_bytes(std::span(&cloud.points->sum, 1)));
+    }
     for (const scene::Radar& r : scene.radars) {
       add(r.pulse_iq);
       add(r.envelope_gain);
@@ -48,9 +54,9 @@ class DataFiles {
 
 }  // namespace
 
-std::string script_sum(const scene::Scene& scene, const std::string& script) {
+std::string script_sum(const scene::Scene& scene, const core::WorkControl& control) {
   core::Checksum sum;
-  sum.add(script);
+  scene::write_script(scene, control, [&](std::string_view piece) { sum.add(piece); });
   DataFiles(sum).add(scene);
   return fmt::format("{:016x}", sum.value());
 }

@@ -9,8 +9,8 @@
 
 namespace sarsim::workflow {
 
-raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
-                             const raster::StoredProduct& stored) {
+raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const raster::StoredProduct& stored,
+                             const core::WorkControl& control) {
   const simulate::Product& product = stored.product;
   const scene::RunOptions& options = product.options;
   raster::Identity identity{
@@ -27,7 +27,7 @@ raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, 
       {"engine", product.engine},
       {"--simd", simulate::simd_level()},
       {"LSB", product.lsb_v > 0.0 ? core::format_number(product.lsb_v) + " V" : "estimated"},
-      {"script", script_sum(scene, script)},
+      {"script", script_sum(scene, control)},
   };
   for (auto& option : scene::option_words(options)) identity.push_back(std::move(option));
   return identity;

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "core/task/parallel.hpp"
 #include "raster/parts/journal.hpp"
 #include "raster/parts/stored_product.hpp"
 #include "scene/model/scene.hpp"
@@ -10,8 +9,7 @@ namespace sarsim::workflow {
 
 /// Everything that decides the bytes of a recording: what parts that belong together have in common.
 /// @param simulation  its number in the scene, from 0
-/// @param script      the scene as text (write_script)
-[[nodiscard]] raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const std::string& script,
-                                           const raster::StoredProduct& stored);
+[[nodiscard]] raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation,
+                                           const raster::StoredProduct& stored, const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

@@ -54,6 +54,8 @@ class Recorder {
       prepare_together();
       for (const ProductJob& job : jobs_) make(job);
     } catch (const simulate::ImpossibleEcho& error) {
+      // Places are not kept during the run: those of a target take more memory than all else of it.
+      if (!request_.scene) input_.places = scene::read_script_file(request_.script, {work()}).places;
       take_problems({error.problem});
       throw core::Refused({input_.problems.front()});
     }
@@ -145,6 +147,17 @@ class Recorder {
     observer_.remarks(input_.problems);
     resolve_once(input_, work());
     announce();
+    forget_what_is_resolved();
+  }
+
+  // Targets may be many: a run keeps them as its engine takes them, unless a product tells of them.
+  void forget_what_is_resolved() {
+    input_.places = {};
+    const bool told =
+        journaled_ || std::ranges::any_of(jobs_, [&](const ProductJob& job) {
+          return job.table || raster::format_of(input_.scene.simulations[job.index].format).carries_script;
+        });
+    if (!told) std::vector<scene::Target>().swap(input_.scene.targets);
   }
 
   // A scene without products is nothing to do; a script that describes nothing at all is a mistake.
@@ -295,7 +308,7 @@ class Recorder {
     stored.options = sink_options(plan.simulation);
     stored.estimate_lsb = seeks_lsb(plan.simulation, request_.counts);
     stored.engine_reason = plan.engine.reason;
-    const raster::Identity identity = identity_of(input_.scene, job.index, script(), stored);
+    const raster::Identity identity = identity_of(input_.scene, job.index, stored, work());
     const PartJob part{plan, job.path, stored, identity, request_.part, request_.force};
     made.part = make_part(part, {observer_, events_, threads_, request_.team});
     const auto& whole = made.part->whole;

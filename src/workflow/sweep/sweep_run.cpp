@@ -16,6 +16,7 @@
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/edit/data_functions.hpp"
+#include "scene/model/cloud_points.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
@@ -109,6 +110,11 @@ std::uint64_t hash_of_scene(const scene::Scene& scene) {
   for (const scene::Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
   for (const scene::Target& target : scene.targets)
     if (!target.gain_db.file.empty()) hash = hash_of_functions(target, hash);
+  for (const scene::Cloud& cloud : scene.clouds) {
+    hash = hash_of_functions(cloud, hash);
+    if (cloud.points)
+      hash = core::fnv1a({reinterpret_cast<const char*>(&cloud.points->sum), sizeof cloud.points->sum}, hash);
+  }
   return hash;
 }
 

@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_attributes.hpp"
+#include "raster/hdf5/hdf5_attributes.hpp"
 
 #include <algorithm>
 #include <limits>

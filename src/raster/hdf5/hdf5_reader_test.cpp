@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_reader.hpp"
+#include "raster/hdf5/hdf5_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "raster/format/data_test_support.hpp"
-#include "raster/format/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
 
 namespace sarsim::raster {
 namespace hdf5_reader_test {
@@ -79,8 +79,44 @@ TEST(Hdf5Reader, ReadsChunkedAndCompressedSamples) {
   EXPECT_EQ(opened.raster->info().bits, 0);
 }
 
-// A file is tried in a child process of little memory. All of this one but its structure is a hole, which takes no
-// disk.
+// A pair of numbers as the file stores them.
+Hdf5Handle stored_pair(hid_t number, bool real_first) {
+  const std::size_t size = H5Tget_size(number);
+  Hdf5Handle type(H5Tcreate(H5T_COMPOUND, 2 * size), H5Tclose);
+  H5Tinsert(type.get(), "r", real_first ? 0 : size, number);
+  H5Tinsert(type.get(), "i", real_first ? size : 0, number);
+  return type;
+}
+
+TEST(Hdf5Reader, ReadsNumbersOfEachKind) {
+  const TestFolder folder;
+  const Hdf5Handle memory = stored_pair(H5T_NATIVE_DOUBLE, true);
+  const std::vector<std::complex<double>> small{{1, 2}, {3, 4}, {127, 0}, {7, 8}, {9, 10}, {11, 12}};
+  const std::vector<std::complex<double>> large{{-1, 2}, {3, -4}, {-128, 0}, {7, 8}, {9, 10}, {11, 12}};
+  for (const hid_t number : {H5T_STD_I8LE, H5T_STD_U8LE, H5T_STD_I16LE, H5T_STD_I16BE, H5T_STD_I32LE, H5T_STD_I64LE,
+                             H5T_IEEE_F32LE, H5T_IEEE_F32BE, H5T_IEEE_F64LE, H5T_IEEE_F64BE}) {
+    for (const bool real_first : {true, false}) {
+      const auto& samples = H5Tequal(number, H5T_STD_U8LE) > 0 ? small : large;
+      {
+        const Hdf5Handle file = create_file(folder / "a.h5");
+        add_dataset(file.get(), "samples", stored_pair(number, real_first).get(), {{2, 3}}, nullptr);
+        const Hdf5Handle dataset(H5Dopen2(file.get(), "samples", H5P_DEFAULT), H5Dclose);
+        ASSERT_GE(H5Dwrite(dataset.get(), memory.get(), H5S_ALL, H5S_ALL, H5P_DEFAULT, samples.data()), 0);
+      }
+      const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+      ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+      EXPECT_EQ(read_all_rows(*opened.raster), samples) << H5Tget_size(number) << real_first;
+      std::vector<std::complex<float>> window(2);
+      opened.raster->read_window({0, 2, 2, 1}, window);
+      EXPECT_EQ(std::complex<double>(window[0]), samples[2]);
+      EXPECT_EQ(std::complex<double>(window[1]), samples[5]);
+      std::vector<std::complex<float>> whole(6);
+      opened.raster->read_window({0, 2, 0, 3}, whole);
+      EXPECT_EQ(std::complex<double>(whole[4]), samples[4]);
+    }
+  }
+}
+
 // The library would clear two buffers of a megabyte for each of them: 512 pages a row.
 TEST(Hdf5Reader, ReadsShortRowsOneByOneWithoutClearingMegabytes) {
   const TestFolder folder;
@@ -105,6 +141,8 @@ TEST(Hdf5Reader, ReadsShortRowsOneByOneWithoutClearingMegabytes) {
   EXPECT_EQ(row[9], std::complex<double>(1.5, 1.5));
 }
 
+// A file is tried in a child process of little memory. All of this one but its structure is a hole, which takes no
+// disk.
 TEST(Hdf5Reader, OpensFilesWhoseAxesAreLargerThanTheMemoryOfTheTrial) {
   const TestFolder folder;
   constexpr hsize_t rows = 36'000'000;

@@ -5,7 +5,7 @@
 #include <exception>
 
 #include "core/os/output_file.hpp"
-#include "raster/format/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
 
 namespace sarsim::raster {
 

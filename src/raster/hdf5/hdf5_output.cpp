@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_output.hpp"
+#include "raster/hdf5/hdf5_output.hpp"
 
 #include <H5FDpublic.h>
 #if H5_VERSION_GE(1, 13, 0)

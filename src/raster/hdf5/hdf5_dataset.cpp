@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_dataset.hpp"
+#include "raster/hdf5/hdf5_dataset.hpp"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_reader.hpp"
+#include "raster/hdf5/hdf5_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,9 @@
 #include "core/os/trial.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
-#include "raster/format/hdf5_attributes.hpp"
-#include "raster/format/hdf5_dataset.hpp"
+#include "raster/hdf5/hdf5_attributes.hpp"
+#include "raster/hdf5/hdf5_dataset.hpp"
+#include "raster/hdf5/hdf5_numbers.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -23,14 +24,6 @@ constexpr const char* samples_path = "/samples";
 constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
 constexpr hsize_t most_details = 1000;
 constexpr const char* good = "good";  // What a child process says of a file that it could read.
-
-// Memory layout of std::complex<double>: complex.array requires the real part first.
-Hdf5Handle complex_in_memory() {
-  Hdf5Handle type(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)), H5Tclose);
-  H5Tinsert(type.get(), "r", 0, H5T_NATIVE_DOUBLE);
-  H5Tinsert(type.get(), "i", sizeof(double), H5T_NATIVE_DOUBLE);
-  return type;
-}
 
 // The library could not get the memory that it wanted.
 struct LacksMemory : std::runtime_error {
@@ -74,12 +67,12 @@ class Hdf5Raster final : public Raster {
         file_(std::move(file)),
         samples_(std::move(samples)),
         file_bytes_(file_bytes),
-        memory_(old_layout ? Hdf5Handle(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose) : complex_in_memory()),
+        numbers_(samples_.type.get()),
         old_layout_(old_layout) {}
 
   [[nodiscard]] std::size_t rows() const override { return static_cast<std::size_t>(samples_.shape[0]); }
   [[nodiscard]] double read_cost_s(const ImageWindow& window) const override {
-    return static_cast<double>(window.rows) * (20e-6 + static_cast<double>(columns()) * 6e-9);
+    return static_cast<double>(window.rows) * (20e-6 + static_cast<double>(columns()) * 1e-9);
   }
   [[nodiscard]] std::optional<RasterAxes> axes() const override {
     if (old_layout_) return std::nullopt;
@@ -104,25 +97,45 @@ class Hdf5Raster final : public Raster {
   // The library is asked for whole rows, which are what is stored in one piece.
   void read_samples(const ImageWindow& window, std::span<std::complex<float>> out,
                     const core::WorkControl& control) const override {
-    constexpr std::size_t most_at_once = std::size_t{1} << 18;
-    const std::size_t at_once = window.row_step > 1 ? 1 : std::max<std::size_t>(1, most_at_once / columns());
-    std::vector<std::complex<double>> rows;
+    const bool whole = window.cols == columns();
+    const std::size_t at_once = window.row_step > 1 ? 1 : rows_at_once();
+    std::vector<std::complex<float>> rows;
     for (std::size_t i = 0; i < window.rows; i += at_once) {
       if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
       const std::size_t count = std::min(at_once, window.rows - i);
-      rows.resize(count * columns());
-      read_whole_rows(window.row(i), count, rows);
-      for (std::size_t r = 0; r < count; ++r)
+      const auto part = out.subspan(i * window.cols, count * window.cols);
+      if (!whole) rows.resize(count * columns());
+      read_stored(window.row(i), count, whole ? part : std::span(rows));
+      for (std::size_t r = 0; !whole && r < count; ++r)
         for (std::size_t k = 0; k < window.cols; ++k)
-          out[(i + r) * window.cols + k] = std::complex<float>(rows[r * columns() + window.column(k)]);
+          part[r * window.cols + k] = rows[r * columns() + window.column(k)];
     }
   }
   void read_whole_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const override {
-    const Hdf5Use use;
-    read_part(samples_, memory_.get(), first, count, out.data(), name_);
+    for (std::size_t i = 0; i < count; i += rows_at_once()) {
+      const std::size_t rows = std::min(rows_at_once(), count - i);
+      read_stored(first + i, rows, out.subspan(i * columns(), rows * columns()));
+    }
   }
 
  private:
+  // What is read in one call stays in the cache of a core until it is converted.
+  [[nodiscard]] std::size_t rows_at_once() const {
+    constexpr std::size_t most = std::size_t{1} << 16;
+    return std::max<std::size_t>(1, most / columns());
+  }
+
+  template <class Number>
+  void read_stored(std::size_t first, std::size_t count, std::span<std::complex<Number>> out) const {
+    const std::span<Number> numbers(reinterpret_cast<Number*>(out.data()), 2 * out.size());
+    std::vector<std::byte> stored(numbers.size() * numbers_.bytes());
+    {
+      const Hdf5Use use;
+      read_part(samples_, numbers_.type(), first, count, stored.data(), name_);
+    }
+    numbers_.convert(stored, numbers);
+  }
+
   // The axis, where it is there and of numbers, one for each of `length`.
   [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const char* path, std::size_t length) const {
     auto opened = open_dataset(file_.get(), path, file_bytes_);
@@ -160,7 +173,7 @@ class Hdf5Raster final : public Raster {
   Hdf5Handle file_;
   Hdf5Dataset samples_;
   std::uint64_t file_bytes_;
-  Hdf5Handle memory_;
+  Hdf5Numbers numbers_;
   bool old_layout_;
 };
 

@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
 
 #include <vector>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "raster/format/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
 
 namespace sarsim::raster {
 

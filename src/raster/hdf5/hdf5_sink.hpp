@@ -4,8 +4,8 @@
 
 #include "core/os/output_file.hpp"
 #include "raster/format/encoder.hpp"
-#include "raster/format/hdf5_library.hpp"
-#include "raster/format/hdf5_output.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_output.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/row_order.hpp"
 #include "simulate/plan/sink.hpp"

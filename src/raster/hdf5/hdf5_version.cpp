@@ -1,7 +1,7 @@
 // The version of the library that the module brings, for hdf5_library_version().
 
 #include "raster/format/hdf5_version.hpp"
-#include "raster/format/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
 
 extern "C" {
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "raster/format/hdf5_library.hpp"
+#include "raster/hdf5/hdf5_library.hpp"
 
 namespace sarsim::raster {
 

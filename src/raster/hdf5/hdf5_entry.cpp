@@ -1,8 +1,9 @@
 // What the module shows to the program that loads it: one table, by the name that hdf5_module() looks for.
 
-#include "raster/format/hdf5_reader.hpp"
-#include "raster/format/hdf5_sink.hpp"
 #include "raster/format/load_hdf5.hpp"
+#include "raster/hdf5/hdf5_points.hpp"
+#include "raster/hdf5/hdf5_reader.hpp"
+#include "raster/hdf5/hdf5_sink.hpp"
 
 namespace sarsim::raster {
 
@@ -34,5 +35,6 @@ void write_hdf5_frame(const std::filesystem::path& path, const simulate::Product
 extern "C" {
 [[gnu::visibility("default")]] extern const sarsim::raster::Hdf5Module sarsim_hdf5_module;
 const sarsim::raster::Hdf5Module sarsim_hdf5_module{sarsim::raster::open_hdf5, sarsim::raster::make_hdf5_sink,
-                                                    sarsim::raster::hdf5_row_places, sarsim::raster::write_hdf5_frame};
+                                                    sarsim::raster::hdf5_row_places, sarsim::raster::write_hdf5_frame,
+                                                    sarsim::raster::read_hdf5_points};
 }

@@ -1,4 +1,4 @@
-#include "raster/format/hdf5_sink.hpp"
+#include "raster/hdf5/hdf5_sink.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "raster/hdf5/hdf5_library.hpp"
+
+namespace sarsim::raster {
+
+/// How the numbers of a dataset are handed over: as they are stored, since the library converts numbers one by one,
+/// twenty times slower than it copies them. What is rare (wide integers, floats of other machines) comes as double.
+class Hdf5Numbers {
+ public:
+  /// @param type  of a dataset: numbers, or pairs of them called r and i
+  explicit Hdf5Numbers(hid_t type);
+
+  /// The type to ask for; pairs have r first.
+  [[nodiscard]] hid_t type() const { return type_.get(); }
+  /// Size of one number (half a pair).
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  /// Converts what has been read, one number for each of `to`. Numbers beyond float are infinite.
+  void convert(std::span<const std::byte> read, std::span<double> to) const { to_double_(read.data(), to); }
+  void convert(std::span<const std::byte> read, std::span<float> to) const { to_float_(read.data(), to); }
+
+ private:
+  Hdf5Handle type_;
+  std::size_t bytes_ = 0;
+  void (*to_double_)(const std::byte* read, std::span<double> to) = nullptr;
+  void (*to_float_)(const std::byte* read, std::span<float> to) = nullptr;
+};
+
+}  // namespace sarsim::raster
