@@ -47,8 +47,9 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         for name in ("libhwy.so.1", "libfftw3.so.3", "libfmt.so.9", "sarsim_hdf5.so"):
             pathlib.Path(folder, name).write_text("not a library")
-        finished = run(program, "--version", cwd=folder)
-        expect(finished.returncode == 0 and "HDF5 absent" not in finished.stdout, "planted libraries are opened", finished)
+        pathlib.Path(folder, "damaged.h5").write_bytes(b"\x89HDF\r\n\x1a\n")
+        finished = run(program, "info", "damaged.h5", cwd=folder)
+        expect(finished.returncode == 2 and "as HDF5" in finished.stderr, "planted libraries are opened", finished)
 
 
 main()

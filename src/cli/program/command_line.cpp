@@ -4,6 +4,7 @@
 #include <array>
 #include <csignal>
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -38,11 +39,17 @@ std::string about(const std::string& program) {
   return picture::version_text(program, core::this_build(), {{"CLI11", CLI11_VERSION}}) + "\n";
 }
 
-// The application with its commands and what carries each out.
+// The application with its commands. Their options are added to the one that is called alone: there are hundreds.
 struct Program {
+  struct Command {
+    CLI::App* app;
+    std::function<Action(CLI::App&)> add_options;
+  };
+
   CLI::App app{"Simulates the echoes that a radar receives: from a script to complex baseband samples.", "sarsim"};
-  std::vector<std::pair<CLI::App*, Action>> commands;
-  bool begun = false;  // A command was understood and is carried out.
+  std::vector<Command> commands;
+  std::vector<Action> actions_of_others;  // Keep the options that completion lists.
+  bool begun = false;                     // A command was understood and is carried out.
 
   Program() {
     prepare();
@@ -63,8 +70,11 @@ struct Program {
     add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
     add("verify", "hold the simulator against formulas, the thesis and itself", add_verify);
-    add("completion", "print a completion script for a shell",
-        [this](CLI::App& command) { return add_completion(command, app); });
+    add("completion", "print a completion script for a shell", [this](CLI::App& command) {
+      for (const Command& other : commands)
+        if (other.app != &command) actions_of_others.push_back(other.add_options(*other.app));
+      return add_completion(command, app);
+    });
     add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},
                        {"sarsim check scene.scr", "before computing anything"},
                        {"sarsim run --help", "options and examples of a command"}});
@@ -88,17 +98,16 @@ struct Program {
     app.allow_extras();
   }
 
-  template <class Add>
-  void add(const char* name, const char* description, const Add& add_arguments) {
+  void add(const char* name, const char* description, std::function<Action(CLI::App&)> add_options) {
     CLI::App* command = app.add_subcommand(name, description);
     command->set_help_flag("-h,--help", "this help");
     command->allow_extras();
-    commands.emplace_back(command, add_arguments(*command));
+    commands.push_back({command, std::move(add_options)});
   }
 
   [[nodiscard]] std::vector<std::string> command_names() const {
     std::vector<std::string> names;
-    for (const auto& [command, action] : commands) names.push_back(command->get_name());
+    for (const Command& command : commands) names.push_back(command.app->get_name());
     return names;
   }
 };
@@ -187,9 +196,11 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
 
 ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& streams) {
   supply_run(words, program.command_names());
-  const auto chosen = std::ranges::find_if(
-      program.commands, [&](const auto& entry) { return !words.empty() && entry.first->get_name() == words.front(); });
-  CLI::App* command = chosen == program.commands.end() ? nullptr : chosen->first;
+  const auto chosen = std::ranges::find_if(program.commands, [&](const Program::Command& entry) {
+    return !words.empty() && entry.app->get_name() == words.front();
+  });
+  CLI::App* command = chosen == program.commands.end() ? nullptr : chosen->app;
+  const Action action = command != nullptr ? chosen->add_options(*command) : nullptr;
   try {
     std::ranges::reverse(words);  // As CLI11 takes them.
     program.app.parse(std::move(words));
@@ -211,7 +222,7 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
     return exit_done;
   }
   program.begun = true;
-  return chosen->second(streams);
+  return action(streams);
 }
 
 // What to do about a failure of the system; empty where nothing helps.

@@ -5,7 +5,6 @@
 
 #include "core/build/version.hpp"
 #include "core/maths/fft_library.hpp"
-#include "raster/format/library_version.hpp"
 #include "simulate/resolve/compiled_simd.hpp"
 #include "simulate/resolve/simd_level.hpp"
 
@@ -14,7 +13,7 @@ namespace sarsim::picture {
 std::string version_text(std::string_view program, const core::Build& build, const std::vector<UsedLibrary>& more) {
   std::vector<UsedLibrary> libraries{
       {"FFTW", core::fft_library_version()},
-      {"HDF5", raster::hdf5_library_version()},
+      {"HDF5", core::hdf5_version},
       {"Highway", simulate::simd_library_version()},
       {"fmt", fmt::format("{}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100, FMT_VERSION % 100)}};
   libraries.insert(libraries.end(), more.begin(), more.end());
