@@ -57,8 +57,8 @@ def cloud_rows(count, numpy):
                                randoms.uniform(-20, 20, count), randoms.uniform(0.5, 2, count)])
 
 
-def script(name, targets=None, pulses=None, pulse_samples=None, swath_samples=None, output="BINARY", options=""):
-    """Text of a workload; sizes may be changed to see how times scale."""
+def script(name, targets=None, pulses=None, pulse_samples=None, swath_samples=None, output="BINARY", options="", flying=False, noisy=False, processing="RAW"):
+    """Text of a workload; sizes may be changed to see how times scale. Flying, the radar passes at 200 m/s, 3 km high."""
     base = SIZES[name]
     targets = base[0] if targets is None else targets
     pulses = base[1] if pulses is None else pulses
@@ -83,18 +83,51 @@ def script(name, targets=None, pulses=None, pulse_samples=None, swath_samples=No
         for _ in range(targets):
             y = NEAR_M + room * randoms.random()
             lines.append(target("Earth", randoms.uniform(-200, 200), y, randoms.uniform(-20, 20), randoms.uniform(0.5, 2)))
-    lines.append(radar(pulse_samples))
-    lines.append(simulation(pulses, swath_samples, output))
+    lines.append(radar(pulse_samples).replace(" 1 0 0 ISOTROPIC", " 1 0 290 ISOTROPIC" if noisy else " 1 0 0 ISOTROPIC"))
+    lines.append(simulation(pulses, swath_samples, output).replace(" RAW ", f" {processing} "))
+    if flying:
+        path = "TRAJECTORY LINEAR LINEAR LINEAR INLINE 2 -10 -2000 10 2000 1 0 0 1 0 3000 NOT_ALIGNED"
+        lines = [platform("Plane", path), *(line.replace("$RADAR Radar1 Earth", "$RADAR Radar1 Plane") for line in lines)]
     if options:
         lines.append("$OPTIONS " + options)
     return "\n".join(lines) + "\n"
 
+
+# Recordings whose time and memory are forecast: workload and what is changed of it.
+FORECASTS = {
+    **{name: (name, {}) for name in SIZES},
+    "one, noise": ("one", {"noisy": True}),
+    "one, compressed": ("one", {"processing": "MATCHED"}),
+    "field in flight": ("field", {"flying": True}),
+    "field band-limited": ("field", {"options": "PULSE BAND_LIMITED"}),
+    "scene in flight": ("scene", {"flying": True}),
+    "scene band-limited": ("scene", {"options": "PULSE BAND_LIMITED"}),
+    "scene bl. in flight": ("scene", {"options": "PULSE BAND_LIMITED", "flying": True}),
+    "scene, tolerance 1e-9": ("scene", {"options": "TOLERANCE 1E-9"}),
+    "long in flight": ("long", {"flying": True}),
+    "long, few targets": ("long", {"targets": 20}),
+}
 
 FOCUS_PULSES = 4096
 FOCUS_SAMPLES = 4096
 
 # algorithm: sizes of its transforms over range and azimuth of this scene, and how often each row of Doppler frequencies is transformed
 FOCUS_SIZES = {"range-doppler": (4800, 6400, 1), "chirp-scaling": (4800, 6400, 3), "omega-k": (6000, 6400, 1)}
+
+
+def spot_script(targets, pulses, options=""):
+    """An aircraft 10 km off looks at 300 m x 300 m of scatterers: X band, 600 MHz, pulses of 2 000 samples in rows of 4 000."""
+    randoms = random.Random(2)
+    rate_hz, near_m, speed, prf_hz = 750e6, 9700.0, 100.0, 500.0
+    end_m = near_m + 4000.25 * C / (2 * rate_hz)
+    half_s = pulses / prf_hz / 2
+    path = (f"TRAJECTORY LINEAR LINEAR LINEAR INLINE 2 {-half_s - 1} {-speed * (half_s + 1)} {half_s + 1} {speed * (half_s + 1)} "
+            "1 0 0 1 0 3000 NOT_ALIGNED")
+    lines = [platform("Earth"), platform("Plane", path)]
+    lines += [target("Earth", randoms.uniform(-150, 150), 9540 + randoms.uniform(-150, 150), 0, randoms.uniform(0.5, 2)) for _ in range(targets)]
+    lines += [f"$RADAR Radar1 Plane CHIRP 0.6 {2000 / rate_hz * 1e9!r} RECT CONSTANT {prf_hz} SINGLE 9.6 1 0 0 SINX 4 4 SAME FIXED -17.4 0 RECT NO_STC",
+              f"$SIMULATION Radar1 {near_m} {end_m!r} {-half_s} {half_s - 1 / prf_hz} 16 {rate_hz / 1e9} 1E-9 BINARY RAW spot.out BEGIN 1 1"]
+    return "\n".join(lines + ["$OPTIONS " + options] * bool(options)) + "\n"
 
 
 # For back-projection: pulses, samples, and the rows of the image.

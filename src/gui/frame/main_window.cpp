@@ -37,6 +37,7 @@
 #include "gui/script/script_editor.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/model/object_lists.hpp"
+#include "workflow/input/cloud_input.hpp"
 
 namespace sarsim::gui {
 
@@ -171,7 +172,9 @@ void MainWindow::show_state() {
   const scene::Scene& scene = session_.scene();
   const std::size_t targets = scene.targets.size();
   const std::size_t radars = scene.radars.size();
-  QString text = (targets == 1 ? tr("1 target") : tr("%1 targets").arg(targets)) + "   " +
+  const std::size_t points = workflow::cloud_points(scene);
+  const QString of_clouds = points == 0 ? QString() : "   " + tr("%L1 points of clouds").arg(points);
+  QString text = (targets == 1 ? tr("1 target") : tr("%1 targets").arg(targets)) + of_clouds + "   " +
                  (radars == 1 ? tr("1 radar") : tr("%1 radars").arg(radars));
   if (session_.current()) {
     text += "   " + QString::fromStdString(scene::label_of(scene, *session_.current()));

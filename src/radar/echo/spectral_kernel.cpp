@@ -25,6 +25,13 @@ constexpr std::size_t spectra_bytes = 16'000'000;  // of remembered spectra, per
 constexpr std::size_t bands_kept = 4;              // allowances for Doppler shifts whose transforms are remembered
 constexpr std::size_t oversampling = 4;            // of the body, for its spectrum
 
+// Of a transform of rows: beyond the near cache its length costs more than its factors.
+std::size_t row_size_for(std::size_t minimum) {
+  constexpr std::size_t most_in_cache = 16384;
+  const std::size_t fast = core::fast_fft_size(minimum);
+  return fast <= most_in_cache ? fast : core::good_fft_size(minimum);
+}
+
 }  // namespace
 
 struct SpectralKernel::Implementation {
@@ -61,7 +68,7 @@ struct SpectralKernel::Typed : Implementation {
     Band(double shift_allowance, double half_band, std::size_t row_size, const SpreadingKernel& kernel)
         : allowance(shift_allowance),
           modes(static_cast<std::size_t>(std::ceil((half_band + allowance) * static_cast<double>(row_size)))),
-          cells(core::good_fft_size(4 * modes + 2 * kernel.width)),
+          cells(core::fast_fft_size(4 * modes + 2 * kernel.width)),
           grid_fft(cells),
           kernel_transform(kernel.transforms(cells, modes + 1)) {}
   };
@@ -76,8 +83,8 @@ struct SpectralKernel::Typed : Implementation {
         taps(tap_polynomials<Real>(kernel, 0.3 * choices.share)),
         direct(echo_pulse, sample_grid, tolerance),
         room(stretch_room(echo_pulse, sample_grid.interval_s)),
-        row_size(core::good_fft_size(sample_grid.count +
-                                     static_cast<std::size_t>(std::ceil(body.last() - body.first()) + 2.0 * room) + 4)),
+        row_size(row_size_for(sample_grid.count +
+                              static_cast<std::size_t>(std::ceil(body.last() - body.first()) + 2.0 * room) + 4)),
         row_fft(row_size),
         folded(row_size) {
     edge_row.resize(grid.count);

@@ -265,6 +265,46 @@ HWY_AFTER_NAMESPACE();
 
 namespace sarsim::radar {
 
+namespace {
+
+constexpr std::size_t parts_in_turn = 16;
+
+// Whether most echoes touch samples that the one before them touches.
+bool neighbours_meet(const std::vector<double>& position) {
+  constexpr std::size_t looks = 256;
+  constexpr double near_samples = 8.0;
+  const std::size_t step = position.size() / looks;
+  if (step < parts_in_turn) return false;
+  std::size_t near = 0;
+  for (std::size_t k = 0; k < position.size() - 1; k += step)
+    if (std::abs(position[k + 1] - position[k]) < near_samples) ++near;
+  return 2 * near > looks;
+}
+
+template <class Value>
+void take_in_turn(std::vector<Value>& values, std::vector<Value>& room) {
+  if (values.empty()) return;
+  room.resize(values.size());
+  const std::size_t part = values.size() / parts_in_turn;
+  for (std::size_t i = 0; i < part; ++i)
+    for (std::size_t p = 0; p < parts_in_turn; ++p) room[i * parts_in_turn + p] = values[p * part + i];
+  const std::size_t whole = part * parts_in_turn;
+  std::copy(values.begin() + static_cast<std::ptrdiff_t>(whole), values.end(),
+            room.begin() + static_cast<std::ptrdiff_t>(whole));
+  values.swap(room);
+}
+
+template <class Real>
+void part_neighbours(Strengths<Real>& echoes) {
+  if (!neighbours_meet(echoes.position)) return;
+  take_in_turn(echoes.position, echoes.room);
+  take_in_turn(echoes.doppler, echoes.room);
+  take_in_turn(echoes.bend_per_s, echoes.room);
+  take_in_turn(echoes.strength, echoes.strength_room);
+}
+
+}  // namespace
+
 HWY_EXPORT(gather_single);
 HWY_EXPORT(gather_double);
 HWY_EXPORT(weigh_single);
@@ -288,12 +328,14 @@ void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<
   CORE_EXPECT(frame.interval_s > 0.0);
   CORE_EXPECT(echoes.is_whole());
   HWY_DYNAMIC_DISPATCH(gather_single)(echoes, frame, out);
+  part_neighbours(out);
 }
 template <>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<double>& out) {
   CORE_EXPECT(frame.interval_s > 0.0);
   CORE_EXPECT(echoes.is_whole());
   HWY_DYNAMIC_DISPATCH(gather_double)(echoes, frame, out);
+  part_neighbours(out);
 }
 
 template <>

@@ -28,6 +28,8 @@ struct Strengths {
   double highest_doppler = 0.0;
   double lowest_bend = 0.0;  ///< Of `bend_per_s`; 0 without.
   double highest_bend = 0.0;
+  std::vector<double> room;  ///< For changes of their order.
+  std::vector<std::complex<Real>> strength_room;
 
   /// Whether any Doppler factor or bend is not 0.
   [[nodiscard]] bool moving() const {
@@ -38,7 +40,8 @@ struct Strengths {
 };
 
 /// Computes strengths in SIMD; the phase is reduced in double precision before the phasor is taken, which is exact to
-/// that of `Real`.
+/// that of `Real`. Echoes come in the order of the batch or, where neighbours mostly fall on the same samples, from
+/// sixteen parts of it in turn: one would wait for what the last has just stored.
 template <class Real>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
 

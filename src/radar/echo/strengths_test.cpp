@@ -1,5 +1,6 @@
 #include "radar/echo/strengths.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "radar/echo/echo_test_support.hpp"
@@ -57,6 +58,31 @@ TYPED_TEST(GatherStrengths, AgreesWithTheFormulaForAnyNumberOfEchoes) {
         EXPECT_EQ(out.doppler[k], echoes.doppler[k]);
       }
     }
+  });
+}
+
+// Echo k has amplitude k + 1, so that it is known again; echoes a tenth of a sample apart.
+TYPED_TEST(GatherStrengths, TakesEchoesOfTheSameSamplesFromDistantPartsInTurn) {
+  at_every_simd_level([] {
+    constexpr std::size_t count = 5003;
+    EchoBatch echoes;
+    for (std::size_t k = 0; k < count; ++k)
+      echoes.add(20e-6 + 1e-9 * static_cast<double>(k), static_cast<double>(k + 1), 1e-9 * static_cast<double>(k));
+    Strengths<TypeParam> out;
+    gather_strengths(echoes, frame_of(1e9), out);
+    ASSERT_EQ(out.position.size(), count);
+    std::vector<bool> met(count, false);
+    std::size_t far = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto k = static_cast<std::size_t>(std::lround(std::abs(out.strength[i]))) - 1;
+      ASSERT_LT(k, count);
+      met[k] = true;
+      EXPECT_NEAR(out.position[i], 0.1 * static_cast<double>(k), 1e-6);
+      EXPECT_EQ(out.doppler[i], echoes.doppler[k]);
+      if (i > 0 && std::abs(out.position[i] - out.position[i - 1]) > 8.0) ++far;
+    }
+    EXPECT_TRUE(std::ranges::all_of(met, [](bool m) { return m; }));
+    EXPECT_GT(far, count * 9 / 10);
   });
 }
 

@@ -313,7 +313,7 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
 
 // Reads what a file claims to hold: all of a small one; of a large one the ends and the axes.
 void read_through(const Hdf5Raster& raster) {
-  constexpr std::size_t most_samples = std::size_t{1} << 22U;
+  constexpr std::size_t most_samples = std::size_t{1} << 20U;
   raster.try_axes();
   if (raster.columns() > most_samples) return;
   const std::size_t rows = std::min(raster.rows(), most_samples / raster.columns());

@@ -9,14 +9,21 @@ namespace sarsim::simulate {
 
 namespace {
 
-// Seconds for each raw sample of a pulse, measured once.
-constexpr double per_sample_s = 8e-9;
-constexpr double per_compressed_sample_s = 16e-9;
-constexpr double per_noise_sample_s = 45e-9;
-// What each further thread brings: cores share memory, caches and clock.
+// Seconds for each pulse and each raw sample of it, measured once. What no echo reaches is cleared and counted alone.
+constexpr double per_pulse_s = 0.3e-6;
+constexpr double per_sample_s = 0.82e-9;
+constexpr double per_reached_sample_s = 1.75e-9;
+constexpr double per_compressed_sample_s = 9.5e-9;
+constexpr double per_noise_sample_s = 38e-9;
+// What each further thread brings: cores share memory, caches and clock, and large transforms live in shared ones.
 constexpr double gain_of_thread = 0.85;
+constexpr double gain_of_crowded_thread = 0.5;
+constexpr double crowded_points = 2e5;
+// Before the first pulse: tables of the pulse, plans of transforms.
+constexpr double direct_start_s = 0.8e-3;
+constexpr double spectral_start_s = 3.5e-3;
 // Where the points are, for the fast engines; the cost of the reference has it.
-constexpr double per_sight_s = 5e-9;
+constexpr double per_sight_s = 1.5e-9;
 
 double scatterers_of(const ResolvedScene& scene) {
   auto count = static_cast<double>(scene.scatterers.size());
@@ -42,16 +49,27 @@ double share_in_sight(const Plan& plan) {
   return seen / (all * std::size(shares));
 }
 
-// The echoes of one pulse, as if the radar saw all of them.
-double engine_ns(const Plan& plan) {
+// What the engine has to do, as if the radar saw all scatterers.
+struct EngineWork {
+  double pulse_ns = 0.0;
+  double transform_points = 0.0;  // of one pulse and Doppler term
+  double transforms = 0.0;        // terms
+  double start_s = 0.0;
+};
+
+EngineWork engine_work(const Plan& plan) {
   const PulseCost cost(*plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.scene->options.tolerance);
   switch (plan.engine.engine) {
-    case Engine::direct: return cost.direct_ns();
-    case Engine::spectral: return cost.spectral(plan.pulses).ns;
+    case Engine::direct: return {cost.direct_ns(), 0.0, 0.0, direct_start_s};
+    case Engine::spectral: {
+      const SpectralEstimate estimate = cost.spectral(plan.pulses);
+      return {estimate.ns, static_cast<double>(estimate.cost.transform_size),
+              static_cast<double>(estimate.cost.doppler_terms), spectral_start_s};
+    }
     case Engine::automatic:
     case Engine::reference: break;
   }
-  return cost.reference_ns();
+  return {cost.reference_ns(), 0.0, 0.0, 0.0};
 }
 
 double speed_of(const MachineSpeed& machine, Engine engine) {
@@ -64,18 +82,59 @@ double speed_of(const MachineSpeed& machine, Engine engine) {
   return machine.reference;
 }
 
-// One pulse on one core.
-double pulse_seconds(const Plan& plan, const MachineSpeed& machine) {
-  const double heard = static_cast<double>(1 + plan.other_pulses.pulses.size());
-  const double sight_s = plan.engine.engine == Engine::reference ? 0.0 : per_sight_s * scatterers_of(*plan.scene);
+// What is not echoes: rows, noise, filters and conversion.
+double row_seconds(const Plan& plan, double echo_samples, const MachineSpeed& machine) {
   const bool noisy = plan.noise_stddev_v > 0.0;
   // A filter that is a factor of the echoes' spectra is paid for with their transforms.
   const bool filtered = plan.compressor && (noisy || !plan.filters_spectra());
-  double per_sample = machine.samples * per_sample_s;
-  if (noisy) per_sample += machine.noise * per_noise_sample_s;
-  if (filtered) per_sample += machine.compression * per_compressed_sample_s;
-  return speed_of(machine, plan.engine.engine) * heard * share_in_sight(plan) * (1e-9 * engine_ns(plan) + sight_s) +
-         static_cast<double>(plan.raw_grid.count) * per_sample;
+  const auto samples = static_cast<double>(plan.raw_grid.count);
+  const double reached = noisy || plan.compressor ? samples : std::min(samples, echo_samples);
+  double seconds = machine.samples * (per_pulse_s + samples * per_sample_s + reached * per_reached_sample_s);
+  if (noisy) seconds += machine.noise * samples * per_noise_sample_s;
+  if (filtered) seconds += machine.compression * samples * per_compressed_sample_s;
+  return seconds;
+}
+
+// One pulse on one core.
+// @param echo_samples  samples of all its echoes together
+double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_samples, const MachineSpeed& machine) {
+  const double heard = static_cast<double>(1 + plan.other_pulses.pulses.size());
+  const double sight_s = plan.engine.engine == Engine::reference ? 0.0 : per_sight_s * scatterers_of(*plan.scene);
+  return speed_of(machine, plan.engine.engine) * heard * share_in_sight(plan) * (1e-9 * work.pulse_ns + sight_s) +
+         row_seconds(plan, echo_samples, machine);
+}
+
+// The most that is held at once: while the script is read and checked, or while its pulses are computed.
+double most_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
+  constexpr double program = 8.6e6;
+  constexpr double transform_library = 5e6;
+  constexpr double platform = 60e3;
+  constexpr double checked_target = 310.0;
+  constexpr double surveyed_target = 300.0;
+  constexpr double most_surveyed = 65'536.0;
+  constexpr double resolved_target = 120.0;
+  constexpr double cloud_point = 32.0;
+  constexpr double echo = 48.0;
+  constexpr double sample = 140.0;
+  constexpr double transform_point = 52.0;
+  constexpr double spectra_kept = 12.0;  // of pulses, each with half the points of their transforms, 8 bytes
+  constexpr double most_spectra = 16e6;
+  const ResolvedScene& scene = *plan.scene;
+  const double all = scatterers_of(scene);
+  const auto targets = static_cast<double>(scene.scatterers.targets());
+  const double points = static_cast<double>(scene.scatterers.size()) - targets;
+  const double sheets = all - static_cast<double>(scene.scatterers.size());
+  const double checked = checked_target * targets + surveyed_target * std::min(all, most_surveyed);
+  double of_thread = echo * all + sample * static_cast<double>(std::max(plan.raw_grid.count, plan.columns));
+  double computed = resolved_target * (targets + sheets);
+  if (work.transforms > 0.0) {
+    const double spectra = work.transforms > 1.0 ? spectra_kept * 4.0 * work.transforms * work.transform_points : 0.0;
+    of_thread += transform_point * work.transform_points + std::min(spectra, most_spectra);
+    computed += transform_library;
+  }
+  computed += threads * of_thread;
+  return program + platform * static_cast<double>(scene.platforms.size()) + cloud_point * points +
+         std::max(checked, computed);
 }
 
 }  // namespace
@@ -92,10 +151,14 @@ Cost estimated_cost(const Plan& plan, unsigned threads, const MachineSpeed& mach
   cost.echoes = scatterers * pulses * static_cast<double>(1 + plan.other_pulses.pulses.size());
   cost.echo_samples = cost.echoes * pulse_samples;
   cost.samples = static_cast<double>(plan.rows) * static_cast<double>(plan.columns);
-  cost.seconds_one_thread = pulses * pulse_seconds(plan, machine);
-  cost.seconds = cost.seconds_one_thread / (1.0 + gain_of_thread * (threads - 1.0));
-  const double row_bytes = 16.0 * static_cast<double>(plan.raw_grid.count + 2 * plan.columns);
-  cost.memory_bytes = 16e6 + 200.0 * scatterers + threads * (4.0 * std::max(row_bytes, 4e6) + 24.0 * scatterers);
+  const EngineWork work = engine_work(plan);
+  const double computing_s = pulses * pulse_seconds(plan, work, cost.echo_samples / std::max(pulses, 1.0), machine);
+  const bool crowded = work.transforms * work.transform_points > crowded_points;
+  const double gain = crowded ? gain_of_crowded_thread : gain_of_thread;
+  cost.start_seconds = work.start_s;
+  cost.seconds_one_thread = work.start_s + computing_s;
+  cost.seconds = work.start_s + computing_s / (1.0 + gain * (threads - 1.0));
+  cost.memory_bytes = most_memory(plan, work, threads);
   return cost;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 // Nanoseconds on one core of 2024 with AVX-512. The choice needs their ratios alone.
 constexpr double reference_echo_ns = 150.0;
-constexpr double reference_sample_ns = 35.0;
+constexpr double reference_sample_ns = 18.0;
 constexpr double direct_echo_ns = 40.0;
 constexpr double direct_sample_ns = 0.13;
 constexpr double envelope_sample_ns = 0.22;
@@ -22,10 +22,14 @@ constexpr double user_sample_ns = 0.25;
 constexpr double band_limited_sample_ns = 0.62;
 constexpr double knot_ns = 5.0;       // of a curve, which ends a run of samples
 constexpr double untabled_ns = 20.0;  // pulses too long for a table take the reference
-constexpr double spread_ns = 5.0;
-constexpr double doppler_term_ns = 3.5;  // spreading again and the weight of the term
-constexpr double edge_sample_ns = 0.22;
-constexpr double transform_point_ns = 2.5;
+constexpr double spread_ns = 6.0;
+constexpr double doppler_term_ns = 1.0;  // the weight of each further one
+constexpr double edge_sample_ns = 0.28;
+constexpr double transform_point_ns = 2.2;
+constexpr double transform_octave_ns = 0.45;  // of a point, for each doubling beyond what stays in the cache of a core
+constexpr double cached_points = 32768.0;
+constexpr double double_precision_times = 2.3;
+constexpr double least_single_tolerance = 9.9e-7;
 
 struct DopplerRange {
   double lowest = 0.0;
@@ -95,9 +99,14 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
   estimate.cost = radar::SpectralKernel::cost(pulse_, grid_, tolerance_, radar_.carrier.highest_hz(), doppler.lowest,
                                               doppler.highest);
   const auto terms = static_cast<double>(estimate.cost.doppler_terms);
-  estimate.ns = echoes_ * (4.0 + (terms > 1.0 ? doppler_term_ns * terms : spread_ns) +
-                           edge_sample_ns * static_cast<double>(estimate.cost.edge_samples)) +
-                transform_point_ns * terms * static_cast<double>(estimate.cost.transform_size);
+  const double precision = tolerance_ < least_single_tolerance ? double_precision_times : 1.0;
+  const auto points = static_cast<double>(estimate.cost.transform_size);
+  const double point_ns = transform_point_ns +
+                          transform_octave_ns * std::max(0.0, std::log2(std::max(terms * points, 1.0) / cached_points));
+  estimate.ns = precision * echoes_ *
+                    (spread_ns + doppler_term_ns * (terms - 1.0) +
+                     edge_sample_ns * static_cast<double>(estimate.cost.edge_samples)) +
+                precision * point_ns * terms * points;
   return estimate;
 }
 

@@ -21,11 +21,13 @@ scene::Scene scene_of(int count) {
   return scene;
 }
 
+// Of all pulses, without what comes before the first.
 double seconds(const scene::Scene& scene, Engine engine) {
-  return estimated_cost(make_plan(scene, 0, nullptr, engine), 1).seconds_one_thread;
+  const Cost cost = estimated_cost(make_plan(scene, 0, nullptr, engine), 1);
+  return cost.seconds_one_thread - cost.start_seconds;
 }
 
-// docs/developer/performance.md: 15 to 35 ns against 0.13 to 0.5 ns for an echo and sample, 10 to 30 ns for an echo.
+// docs/developer/performance.md: 18 ns against 0.13 to 0.5 ns for an echo and sample, 10 to 30 ns for an echo.
 TEST(Cost, IsThatOfTheEngineThatWasChosen) {
   const scene::Scene scene = scene_of(20000);
   const double reference_s = seconds(scene, Engine::reference);
@@ -68,6 +70,17 @@ TEST(Cost, GrowsWithPulsesTargetsAndNoise) {
     EXPECT_GT(seconds(noisy, engine), once_s);
     EXPECT_GT(seconds(compressed, engine), once_s);
   }
+}
+
+TEST(Cost, HasMemoryForTargetsCloudsAndThreads) {
+  const auto bytes = [](const scene::Scene& scene, unsigned threads) {
+    return estimated_cost(make_plan(scene, 0, nullptr, Engine::direct), threads).memory_bytes;
+  };
+  const double least = bytes(scene_of(1), 1);
+  EXPECT_GT(least, 5e6);
+  EXPECT_LT(least, 15e6);
+  EXPECT_NEAR(bytes(scene_of(100'000), 1) - least, 100e3 * 500.0, 100e3 * 150.0);
+  EXPECT_GT(bytes(scene_of(100'000), 16), bytes(scene_of(100'000), 1) + 20e6);
 }
 
 // A surface is looked at from the front, from behind, or from both sides in turn.

@@ -69,7 +69,7 @@ TEST_F(AutomaticEngine, IsDirectForABarkerCodeWithAnEdgeForEveryFewSamples) {
 }
 
 TEST_F(AutomaticEngine, IsSpectralForABandLimitedPulseWithFewerEchoes) {
-  scene::Scene scene = scene_with(180);
+  scene::Scene scene = scene_with(160);
   scene.options.pulse = scene::PulseDefinition::band_limited;
   EXPECT_EQ(choice(scene).engine, Engine::spectral) << choice(scene).reason;
   scene.options.pulse = scene::PulseDefinition::ideal;

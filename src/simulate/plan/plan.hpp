@@ -81,9 +81,10 @@ struct Plan {
 
 /// Rough cost of a plan, for people who want to know before it runs.
 struct Cost {
-  double echoes = 0.0;        ///< Targets times pulses.
-  double echo_samples = 0.0;  ///< Times samples of a pulse.
-  double samples = 0.0;       ///< Complex samples of the product.
+  double echoes = 0.0;         ///< Targets times pulses.
+  double echo_samples = 0.0;   ///< Times samples of a pulse.
+  double samples = 0.0;        ///< Complex samples of the product.
+  double start_seconds = 0.0;  ///< Before the first pulse; part of the other two.
   double seconds_one_thread = 0.0;
   double seconds = 0.0;       ///< On the given number of threads.
   double memory_bytes = 0.0;  ///< Resident, for the given number of threads.

@@ -30,7 +30,8 @@ TEST(MeasureMachine, StopsWhenAsked) {
 TEST(MeasureMachine, PartsOfASpeedActOnTheirOwn) {
   scene::Scene scene = one_target_scene();
   const auto seconds = [&](const MachineSpeed& speed) {
-    return estimated_cost(make_plan(scene, 0, nullptr, Engine::direct), 1, speed).seconds;
+    const Cost cost = estimated_cost(make_plan(scene, 0, nullptr, Engine::direct), 1, speed);
+    return cost.seconds - cost.start_seconds;
   };
   const double once_s = seconds({});
   EXPECT_NEAR(seconds({.samples = 3.0, .direct = 3.0}), 3.0 * once_s, 1e-9 * once_s);
