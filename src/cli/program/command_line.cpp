@@ -25,6 +25,7 @@
 #include "cli/shell/signals.hpp"
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
+#include "core/os/standard_streams.hpp"
 #include "core/task/kept_interruption.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
@@ -298,11 +299,13 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 }
 
 int main_program(int argc, const char* const* argv) {
+  core::reserve_standard_streams();
   const core::StopFlag& stop = handle_signals();
   return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
 }
 
 int team_program(int argc, const char* const* argv, workflow::Team* team) {
+  core::reserve_standard_streams();
   if (team == nullptr) {
     std::cerr << "sarsim-mpi: error: this program was not started by MPI\n"
                  "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/build/build.hpp"
+#include "core/os/standard_streams.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/draw_figure.hpp"
 #include "gui/frame/main_window.hpp"
@@ -128,6 +129,7 @@ int run(QApplication& application, const Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  sarsim::core::reserve_standard_streams();
   if (argc > 1 && std::string_view(argv[1]) == "--draw-figure") return sarsim::gui::draw_figure(argc, argv);
   Options options;
   CLI::App command;
