@@ -1,5 +1,7 @@
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
+#include <limits>
 
 #include <gmock/gmock.h>
 
@@ -51,6 +53,27 @@ TEST_F(Inputs, ArraysTakeNoHeaderOfAnImageBesideThem) {
   expect_done(plot);
   EXPECT_EQ(text_of(folder_ / "a.csv"), alone);
   expect_refusal({"measure", "sim.npy"}, "the header beside the array is that of another file");
+}
+
+TEST_F(Inputs, ASampleThatIsNotANumberIsNamedBeforeItSpreads) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "npy", "--quiet"});
+  const std::string sound = text_of(folder_ / "sim.npy");
+  struct Damage {
+    float value;
+    const char* words;
+  };
+  for (const Damage& damage : {Damage{std::numeric_limits<float>::quiet_NaN(), "is not a number"},
+                               Damage{std::numeric_limits<float>::infinity(), "is too large to compute with"}}) {
+    std::string bytes = sound;
+    std::memcpy(bytes.data() + bytes.size() - sizeof(float), &damage.value, sizeof(float));
+    write_text(folder_ / "sim.npy", bytes);
+    expect_refusal({"doppler", "sim.npy", "--script", "scene.scr", "--out", "m.img"}, damage.words);
+    expect_refusal({"doppler", "sim.npy", "--script", "scene.scr", "--out", "m.img"}, "row 19, sample");
+    EXPECT_FALSE(fs::exists(folder_ / "m.img"));
+  }
+  write_text(folder_ / "sim.npy", sound);
+  expect_done({"doppler", "sim.npy", "--script", "scene.scr", "--out", "m.img", "--quiet"});
 }
 
 TEST_F(Inputs, ArraysTakeTheHeaderThatIsTheirs) {

@@ -1,7 +1,11 @@
 #include "workflow/input/recording_input.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <complex>
 #include <filesystem>
+#include <limits>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -144,12 +148,34 @@ double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core
   return 1.0;
 }
 
+// What can be computed with in single precision.
+bool is_usable(const std::complex<double>& value) {
+  constexpr double most = std::numeric_limits<float>::max();
+  return std::abs(value.real()) <= most && std::abs(value.imag()) <= most;  // False where one is not a number.
+}
+
+// One such sample would spread over every pixel that is made of it.
+[[noreturn]] void refuse_sample(const raster::Raster& file, std::size_t row,
+                                std::span<const std::complex<double>> values) {
+  const auto bad = std::ranges::find_if_not(values, is_usable);
+  core::Problem problem = core::problem_of(
+      core::Severity::error,
+      fmt::format("row {}, sample {} (from 0) is {}", row, bad - values.begin(),
+                  std::isnan(bad->real()) || std::isnan(bad->imag()) ? "not a number" : "too large to compute with"),
+      fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, below 3.4e38 V",
+      "sarsim info --statistics counts such samples; they must be mended, as with 0, before anything is made of them");
+  problem.place.file = file.info().path.string();
+  throw core::Refused({std::move(problem)});
+}
+
 core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
   const std::size_t rows = file->rows();
   const std::size_t columns = file->columns();
   return {rows, columns, [file = std::move(file), scale](std::size_t row, std::span<std::complex<double>> out) {
             file->read_rows(row, 1, out);
-            for (std::complex<double>& value : out) value *= scale;
+            bool usable = true;
+            for (std::complex<double>& value : out) usable &= is_usable(value *= scale);
+            if (!usable) refuse_sample(*file, row, out);
           }};
 }
 
