@@ -56,6 +56,7 @@ Hdf5Numbers::Hdf5Numbers(hid_t type) {
   else
     hand_over_as(H5T_NATIVE_DOUBLE, double{});
   type_ = H5Tget_class(type) == H5T_COMPOUND ? pair_of(number, bytes_) : Hdf5Handle(H5Tcopy(number), H5Tclose);
+  as_stored_ = H5Tequal(type, type_.get()) > 0;
 }
 
 }  // namespace sarsim::raster

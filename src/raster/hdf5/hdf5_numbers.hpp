@@ -16,6 +16,8 @@ class Hdf5Numbers {
 
   /// The type to ask for; pairs have r first.
   [[nodiscard]] hid_t type() const { return type_.get(); }
+  /// Whether the bytes in the file are those that are handed over.
+  [[nodiscard]] bool as_stored() const { return as_stored_; }
   /// Size of one number (half a pair).
   [[nodiscard]] std::size_t bytes() const { return bytes_; }
 
@@ -26,6 +28,7 @@ class Hdf5Numbers {
  private:
   Hdf5Handle type_;
   std::size_t bytes_ = 0;
+  bool as_stored_ = false;
   void (*to_double_)(const std::byte* read, std::span<double> to) = nullptr;
   void (*to_float_)(const std::byte* read, std::span<float> to) = nullptr;
 };

@@ -4,10 +4,14 @@
 #include <array>
 #include <complex>
 #include <new>
+#include <optional>
 #include <stdexcept>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "core/os/input_file.hpp"
 #include "core/os/trial.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
@@ -23,6 +27,7 @@ namespace {
 constexpr const char* samples_path = "/samples";
 constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
 constexpr hsize_t most_details = 1000;
+constexpr std::size_t most_tried_samples = std::size_t{1} << 20U;  // at either end of a file
 constexpr const char* good = "good";  // What a child process says of a file that it could read.
 
 // The library could not get the memory that it wanted.
@@ -84,6 +89,24 @@ class Hdf5Raster final : public Raster {
     return RasterAxes{std::move(*time), std::move(*carrier), std::move(*range)};
   }
 
+  // From here on rows are read from the file itself, where they stand in it as they are wanted: the library lets one
+  // thread in at a time. Not where the library reads something else there.
+  void read_past_the_library() {
+    const Hdf5Use use;
+    const Hdf5Handle properties(H5Dget_create_plist(samples_.id.get()), H5Pclose);
+    if (!numbers_.as_stored() || H5Pget_layout(properties.get()) != H5D_CONTIGUOUS) return;
+    if (columns() > most_tried_samples) return;
+    auto opened = core::InputFile::open(info().path);
+    if (!std::holds_alternative<core::InputFile>(opened)) return;
+    std::vector<std::byte> row(2 * columns() * numbers_.bytes());
+    read_part(samples_, numbers_.type(), 0, 1, row.data(), name_);
+    std::vector<std::byte> same(row.size());
+    const std::uint64_t offset = H5Dget_offset(samples_.id.get());
+    const core::InputFile& bytes = std::get<core::InputFile>(opened);
+    if (bytes.read_at(offset, same) == same.size() && same == row)
+      plain_.emplace(PlainRows{std::move(std::get<core::InputFile>(opened)), offset});
+  }
+
   // Reads the axes as `axes` does, in memory that does not grow with their length.
   void try_axes() const {
     if (old_layout_) return;
@@ -129,7 +152,9 @@ class Hdf5Raster final : public Raster {
   void read_stored(std::size_t first, std::size_t count, std::span<std::complex<Number>> out) const {
     const std::span<Number> numbers(reinterpret_cast<Number*>(out.data()), 2 * out.size());
     std::vector<std::byte> stored(numbers.size() * numbers_.bytes());
-    {
+    if (plain_) {
+      plain_->file.read_all_at(plain_->offset + first * (stored.size() / count), stored);
+    } else {
       const Hdf5Use use;
       read_part(samples_, numbers_.type(), first, count, stored.data(), name_);
     }
@@ -169,9 +194,16 @@ class Hdf5Raster final : public Raster {
     }
   }
 
+  // Rows one behind the other.
+  struct PlainRows {
+    core::InputFile file;
+    std::uint64_t offset;
+  };
+
   std::string name_;
   Hdf5Handle file_;
   Hdf5Dataset samples_;
+  std::optional<PlainRows> plain_;
   std::uint64_t file_bytes_;
   Hdf5Numbers numbers_;
   bool old_layout_;
@@ -308,15 +340,17 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
   old_layout ? take_old_attributes(info) : take_known_attributes(info);
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
-  return {std::make_shared<Hdf5Raster>(info, name, std::move(file), std::move(samples), file_bytes, old_layout), {}};
+  const auto raster =
+      std::make_shared<Hdf5Raster>(info, name, std::move(file), std::move(samples), file_bytes, old_layout);
+  raster->read_past_the_library();
+  return {raster, {}};
 }
 
 // Reads what a file claims to hold: all of a small one; of a large one the ends and the axes.
 void read_through(const Hdf5Raster& raster) {
-  constexpr std::size_t most_samples = std::size_t{1} << 20U;
   raster.try_axes();
-  if (raster.columns() > most_samples) return;
-  const std::size_t rows = std::min(raster.rows(), most_samples / raster.columns());
+  if (raster.columns() > most_tried_samples) return;
+  const std::size_t rows = std::min(raster.rows(), most_tried_samples / raster.columns());
   std::vector<std::complex<double>> samples(rows * raster.columns());
   raster.read_rows(0, rows, samples);
   raster.read_rows(raster.rows() - rows, rows, samples);

@@ -117,6 +117,41 @@ TEST(Hdf5Reader, ReadsNumbersOfEachKind) {
   }
 }
 
+// Places in the file count from its beginning, those of the library from behind what stands before it.
+TEST(Hdf5Reader, ReadsRowsBehindAUserBlock) {
+  const TestFolder folder;
+  {
+    const Hdf5Handle properties(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
+    ASSERT_GE(H5Pset_userblock(properties.get(), 1024), 0);
+    const Hdf5Handle file(H5Fcreate((folder / "a.h5").c_str(), H5F_ACC_TRUNC, properties.get(), H5P_DEFAULT), H5Fclose);
+    add_dataset(file.get(), "samples", complex_float().get(), {{2, 3}}, numbers.data());
+  }
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(read_all_rows(*opened.raster),
+            (std::vector<std::complex<double>>{{1, 2}, {3, 4}, {5, 6}, {7, 8}, {9, 10}, {11, 12}}));
+}
+
+TEST(Hdf5Reader, SaysWhichFileWasCutOffWhileItWasRead) {
+  const TestFolder folder;
+  constexpr std::size_t rows = 1000;
+  {
+    const Hdf5Handle file = create_file(folder / "a.h5");
+    const std::vector<float> samples(2 * rows * 10, 1.5F);
+    add_dataset(file.get(), "samples", complex_float().get(), {.shape = {rows, 10}}, samples.data());
+  }
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  fs::resize_file(folder / "a.h5", 10'000);
+  std::vector<std::complex<double>> row(10);
+  try {
+    opened.raster->read_rows(rows - 1, 1, row);
+    FAIL() << "a row that is not there was read";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a.h5"));
+  }
+}
+
 // The library would clear two buffers of a megabyte for each of them: 512 pages a row.
 TEST(Hdf5Reader, ReadsShortRowsOneByOneWithoutClearingMegabytes) {
   const TestFolder folder;

@@ -158,10 +158,12 @@ bool is_usable(const std::complex<double>& value) {
 [[noreturn]] void refuse_sample(const raster::Raster& file, std::size_t row,
                                 std::span<const std::complex<double>> values) {
   const auto bad = std::ranges::find_if_not(values, is_usable);
+  const auto column = bad - values.begin();
   core::Problem problem = core::problem_of(
       core::Severity::error,
-      fmt::format("row {}, sample {} (from 0) is {}", row, bad - values.begin(),
-                  std::isnan(bad->real()) || std::isnan(bad->imag()) ? "not a number" : "too large to compute with"),
+      std::isnan(bad->real()) || std::isnan(bad->imag())
+          ? fmt::format("row {}, sample {} (from 0) is not a number", row, column)
+          : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
       fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, below 3.4e38 V",
       "sarsim info --statistics counts such samples; they must be mended, as with 0, before anything is made of them");
   problem.place.file = file.info().path.string();
