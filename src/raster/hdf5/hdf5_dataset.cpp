@@ -80,6 +80,19 @@ std::optional<core::Problem> storage_problem(const Hdf5Dataset& dataset, const s
 
 }  // namespace
 
+std::variant<Hdf5Handle, core::Problem> open_hdf5_file(const std::filesystem::path& path) {
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access.get(), false, true);  // Reading needs no lock, and some file systems have none.
+#endif
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
+  if (!file)
+    return file_problem({}, "cannot be read as HDF5: " + hdf5_error_text(), {}, {},
+                        "the file is damaged or of another format");
+  return file;
+}
+
 bool has_object(hid_t file, const std::string& path) {
   for (std::size_t end = path.find('/', 1);; end = path.find('/', end + 1)) {
     const std::string part = path.substr(0, end);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,6 +18,10 @@ struct Hdf5Dataset {
   Hdf5Handle type;
   std::vector<std::uint64_t> shape;  ///< One or two sizes.
 };
+
+/// Opens a file for reading; the problem, without a place, where the library cannot. All that is opened in the file is
+/// closed with it.
+[[nodiscard]] std::variant<Hdf5Handle, core::Problem> open_hdf5_file(const std::filesystem::path& path);
 
 /// Opens a dataset by its path from the root, following hard links only, so that no other file is ever opened.
 /// @param file_bytes  size of the file, against which the dataset's size is held

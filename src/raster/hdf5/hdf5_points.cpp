@@ -31,15 +31,9 @@ struct PointsDataset {
 };
 
 std::variant<PointsDataset, core::Problem> open_points(const std::filesystem::path& path, std::uint64_t file_bytes) {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
-#if H5_VERSION_GE(1, 10, 7)
-  H5Pset_file_locking(access.get(), false, true);  // Reading needs no lock, and some file systems have none.
-#endif
-  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
-  if (!file)
-    return file_problem({}, "cannot be read as HDF5: " + hdf5_error_text(), {}, {},
-                        "the file is damaged or of another format");
+  auto opened_file = open_hdf5_file(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened_file)) return std::move(*problem);
+  Hdf5Handle file = std::move(std::get<Hdf5Handle>(opened_file));
   if (!has_object(file.get(), points_path))
     return file_problem({}, fmt::format("the file has no dataset {}", points_path), {},
                         "N rows and 3 or 4 columns: x, y, z and cross-section");

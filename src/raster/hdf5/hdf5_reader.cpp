@@ -316,15 +316,9 @@ std::optional<core::Problem> describe_old_samples(RasterInfo& info, const Hdf5Da
 OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
   const Hdf5Use use;
   const std::string name = path.string();
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_fclose_degree(access.get(), H5F_CLOSE_STRONG);
-#if H5_VERSION_GE(1, 10, 7)
-  H5Pset_file_locking(access.get(), false, true);  // Reading needs no lock, and some file systems have none.
-#endif
-  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.get()), H5Fclose);
-  if (!file)
-    return refused(name, file_problem({}, "cannot be read as HDF5: " + hdf5_error_text(), {}, {},
-                                      "the file is damaged or of another format"));
+  auto opened_file = open_hdf5_file(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened_file)) return refused(name, std::move(*problem));
+  Hdf5Handle file = std::move(std::get<Hdf5Handle>(opened_file));
   const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
   auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return refused(name, std::move(*problem));

@@ -55,4 +55,19 @@ inline scene::Scene flight_scene() {
   return scene;
 }
 
+/// A recording of the flight's echoes by its radar, 60 MHz, into sim.bin.
+inline scene::Simulation flight_recording(double lsb_v, scene::FileFormat format) {
+  scene::Simulation simulation;
+  simulation.radar = "Radar1";
+  simulation.range_start_m = 2100.0;
+  simulation.range_end_m = 2700.0;
+  simulation.time_start_s = -0.01;
+  simulation.time_end_s = 0.01;
+  simulation.sample_rate_hz = 60e6;
+  simulation.lsb_v = lsb_v;
+  simulation.format = format;
+  simulation.file = "sim.bin";
+  return simulation;
+}
+
 }  // namespace sarsim::simulate

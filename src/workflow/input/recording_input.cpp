@@ -154,18 +154,18 @@ bool is_usable(const std::complex<double>& value) {
   return std::abs(value.real()) <= most && std::abs(value.imag()) <= most;  // False where one is not a number.
 }
 
-// One such sample would spread over every pixel that is made of it.
+// A single such sample would spoil every pixel of the result.
 [[noreturn]] void refuse_sample(const raster::Raster& file, std::size_t row,
                                 std::span<const std::complex<double>> values) {
   const auto bad = std::ranges::find_if_not(values, is_usable);
   const auto column = bad - values.begin();
-  core::Problem problem = core::problem_of(
-      core::Severity::error,
-      std::isnan(bad->real()) || std::isnan(bad->imag())
-          ? fmt::format("row {}, sample {} (from 0) is not a number", row, column)
-          : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
-      fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, below 3.4e38 V",
-      "sarsim info --statistics counts such samples; they must be mended, as with 0, before anything is made of them");
+  core::Problem problem =
+      core::problem_of(core::Severity::error,
+                       std::isnan(bad->real()) || std::isnan(bad->imag())
+                           ? fmt::format("row {}, sample {} (from 0) is not a number", row, column)
+                           : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
+                       fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, below 3.4e38 V",
+                       "set it to 0 or record again; sarsim info --statistics says how many such samples there are");
   problem.place.file = file.info().path.string();
   throw core::Refused({std::move(problem)});
 }

@@ -22,16 +22,8 @@ class CloudRecording : public testing::Test {
     fs::remove_all(folder_);
     fs::create_directories(folder_);
     scene_ = simulate::flight_scene();
-    scene::Simulation simulation;
-    simulation.radar = "Radar1";
-    simulation.range_start_m = 2100.0;
-    simulation.range_end_m = 2700.0;
-    simulation.time_start_s = -0.01;
-    simulation.time_end_s = 0.01;
-    simulation.sample_rate_hz = 60e6;
-    simulation.format = scene::FileFormat::npy;
-    simulation.file = "sim.npy";
-    scene_.simulations = {simulation};
+    scene_.simulations = {simulate::flight_recording(0.0, scene::FileFormat::npy)};
+    scene_.simulations[0].file = "sim.npy";
     const scene::Target like = scene_.targets.front();
     scene_.targets.resize(1);
     std::string table = "x,y,z,rcs\n";

@@ -15,19 +15,7 @@ namespace plan_forecast_test {
 
 namespace fs = std::filesystem;
 
-scene::Simulation flight_recording(double lsb_v, scene::FileFormat format) {
-  scene::Simulation simulation;
-  simulation.radar = "Radar1";
-  simulation.range_start_m = 2100.0;
-  simulation.range_end_m = 2700.0;
-  simulation.time_start_s = -0.01;
-  simulation.time_end_s = 0.01;
-  simulation.sample_rate_hz = 60e6;
-  simulation.lsb_v = lsb_v;
-  simulation.format = format;
-  simulation.file = "sim.bin";
-  return simulation;
-}
+using simulate::flight_recording;
 
 RecordingForecast of_rows(std::size_t rows, double seconds_per_row) {
   RecordingForecast recording;

@@ -19,17 +19,7 @@ namespace fs = std::filesystem;
 
 scene::Scene recorded_scene() {
   scene::Scene scene = simulate::flight_scene();
-  scene::Simulation simulation;
-  simulation.radar = "Radar1";
-  simulation.range_start_m = 2100.0;
-  simulation.range_end_m = 2700.0;
-  simulation.time_start_s = -0.01;
-  simulation.time_end_s = 0.01;
-  simulation.sample_rate_hz = 60e6;
-  simulation.lsb_v = 1e-9;
-  simulation.format = scene::FileFormat::binary;
-  simulation.file = "sim.bin";
-  scene.simulations = {simulation};
+  scene.simulations = {simulate::flight_recording(1e-9, scene::FileFormat::binary)};
   return scene;
 }
 
