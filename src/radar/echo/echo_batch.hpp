@@ -3,17 +3,18 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/os/aligned_vector.hpp"
 #include "radar/echo/pulse_clock.hpp"
 
 namespace sarsim::radar {
 
 /// The echoes of one pulse, target by target.
 struct EchoBatch {
-  std::vector<double> delay_s;  ///< Two-way delay tau.
-  std::vector<double>
+  core::AlignedVector<double> delay_s;  ///< Two-way delay tau.
+  core::AlignedVector<double>
       amplitude_sqrt_w;  ///< Square root of the received power; negative where a pattern's side lobe turns the phase.
-  std::vector<double> doppler;     ///< D, the share by which the echo is longer than the pulse: positive receding.
-  std::vector<double> bend_per_s;  ///< a, what D changes by in a second; empty where that does not count.
+  core::AlignedVector<double> doppler;  ///< D, the share by which the echo is longer than the pulse: positive receding.
+  core::AlignedVector<double> bend_per_s;  ///< a, what D changes by in a second; empty where that does not count.
 
   /// Forgets the echoes; their room is kept.
   void clear() { resize(0, false); }

@@ -7,6 +7,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/os/aligned_vector.hpp"
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
 #include "radar/echo/direct_kernel.hpp"
@@ -47,10 +48,10 @@ struct SpectralKernel::Typed : Implementation {
     DopplerSpan span;
     DopplerSpan bends;
     double carrier_hz = 0.0;
-    double shift_s = 0.0;                                 // per unit of D from the middle of the span
-    std::size_t terms = 1;                                // in D
-    std::size_t bend_terms = 1;                           // times these in a
-    std::vector<std::vector<std::complex<Real>>> factor;  // [bend term x terms + term][mode + modes]
+    double shift_s = 0.0;                                         // per unit of D from the middle of the span
+    std::size_t terms = 1;                                        // in D
+    std::size_t bend_terms = 1;                                   // times these in a
+    std::vector<core::AlignedVector<std::complex<Real>>> factor;  // [bend term x terms + term][mode + modes]
 
     // Two terms are the strengths themselves and their product with where D stands in the span, -1 to 1.
     [[nodiscard]] bool is_tilted() const { return terms == 2 && bend_terms == 1; }
@@ -230,7 +231,7 @@ struct SpectralKernel::Typed : Implementation {
     if (s.span.half > 0.0) motion = {doppler, s.span.middle, s.shift_s / grid.interval_s, 1.0 / s.span.half};
     const bool weighs = terms > 1 && !s.is_tilted();
     if (weighs) weigh(s);
-    const std::vector<std::complex<Real>>& strengths = weighs ? weighted : strength;
+    std::span<const std::complex<Real>> strengths = weighs ? weighted : strength;
     spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strengths, motion, spread_grid);
   }
 
@@ -393,7 +394,7 @@ struct SpectralKernel::Typed : Implementation {
 
   // Spectrum of the body so stretched at the modes, taken where the span takes it, over the kernel's transform, with
   // the scale of the transforms.
-  std::vector<std::complex<Real>> mode_factors(const Band& band, const PulseClock& clock, const Spectra& s) {
+  core::AlignedVector<std::complex<Real>> mode_factors(const Band& band, const PulseClock& clock, const Spectra& s) {
     const double carrier_hz = s.carrier_hz;
     const double shift =
         s.shift_s * (clock.doppler - s.span.middle) / (grid.interval_s * static_cast<double>(row_size));
@@ -411,7 +412,7 @@ struct SpectralKernel::Typed : Implementation {
     const core::Fft fft(fine);
     fft.forward(spectrum);
     const auto half = static_cast<std::ptrdiff_t>(band.modes);
-    std::vector<std::complex<Real>> factor(2 * band.modes);
+    core::AlignedVector<std::complex<Real>> factor(2 * band.modes);
     for (std::ptrdiff_t j = -half; j < half; ++j) {
       const std::complex<double> q =
           spectrum[static_cast<std::size_t>(j < 0 ? j + static_cast<std::ptrdiff_t>(fine) : j)] *
@@ -441,24 +442,24 @@ struct SpectralKernel::Typed : Implementation {
   std::list<Band> bands;
 
   Strengths<Real> gathered;
-  std::vector<double>& position = gathered.position;
-  std::vector<std::complex<Real>>& strength = gathered.strength;
-  std::vector<double>& doppler = gathered.doppler;
-  std::vector<std::complex<Real>> weighted;
-  std::vector<std::complex<Real>> bent;
-  std::vector<double> late;
+  core::AlignedVector<double>& position = gathered.position;
+  core::AlignedVector<std::complex<Real>>& strength = gathered.strength;
+  core::AlignedVector<double>& doppler = gathered.doppler;
+  core::AlignedVector<std::complex<Real>> weighted;
+  core::AlignedVector<std::complex<Real>> bent;
+  core::AlignedVector<double> late;
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
   bool has_body = false;
   double steepest_edge = 0.0;  // 1/sample
   std::optional<DopplerCoupling> coupled;
   double coupled_carrier_hz = 0.0;
-  std::vector<std::complex<Real>> folded;  // spectrum, then samples, of the period
+  core::AlignedVector<std::complex<Real>> folded;  // spectrum, then samples, of the period
 
-  std::vector<std::complex<Real>> response;  // of the filter, but for its scale
+  core::AlignedVector<std::complex<Real>> response;  // of the filter, but for its scale
   double response_scale = 1.0;
   std::vector<std::size_t> output_index;
-  std::vector<std::complex<Real>> time_row;
+  core::AlignedVector<std::complex<Real>> time_row;
   std::vector<std::complex<double>> raw_row;
 };
 

@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "core/os/aligned_vector.hpp"
+
 namespace sarsim::radar {
 
 /// Functions of x in [0, 1), one for each of some lanes, as polynomials on equal pieces of that interval: on piece p
@@ -16,7 +18,7 @@ struct LanePolynomials {
   std::size_t lanes = 0;  ///< Padded to a multiple of `granularity`; the padding lanes are 0.
   std::size_t degree = 0;
   std::size_t pieces = 1;
-  std::vector<Real> coefficients;  ///< [pieces][degree + 1][lanes], highest power first.
+  core::AlignedVector<Real> coefficients;  ///< [pieces][degree + 1][lanes], highest power first.
 
   /// One lane at x in [0, 1], one at a time.
   [[nodiscard]] double value(std::size_t lane, double x) const;
@@ -64,7 +66,7 @@ template <class Real>
 struct SpreadGrid {
   static constexpr std::size_t padding = 64;
   std::size_t cells = 0;
-  std::vector<std::vector<std::complex<Real>>> term;
+  std::vector<core::AlignedVector<std::complex<Real>>> term;
 
   /// Makes room for so many grids of so many cells, all 0.
   void resize(std::size_t cell_count, std::size_t terms);
@@ -109,7 +111,7 @@ template <class Real>
 struct EdgeRow {
   static constexpr std::size_t padding = 64;
   std::size_t count = 0;
-  std::vector<std::complex<Real>> samples;  ///< `count` samples between two paddings.
+  core::AlignedVector<std::complex<Real>> samples;  ///< `count` samples between two paddings.
 
   /// Makes room for so many samples, all 0.
   void resize(std::size_t sample_count);

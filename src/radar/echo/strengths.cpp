@@ -93,7 +93,7 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std
 }
 
 // The smallest and the largest of a column; 0 of none.
-HWY_INLINE void set_range(const std::vector<double>& column, double& lowest_out, double& highest_out) {
+HWY_INLINE void set_range(std::span<const double> column, double& lowest_out, double& highest_out) {
   const hn::ScalableTag<double> d;
   const std::size_t count = column.size();
   const auto first = hn::Set(d, count > 0 ? column.front() : 0.0);
@@ -270,7 +270,7 @@ namespace {
 constexpr std::size_t parts_in_turn = 16;
 
 // Whether most echoes touch samples that the one before them touches.
-bool neighbours_meet(const std::vector<double>& position) {
+bool neighbours_meet(std::span<const double> position) {
   constexpr std::size_t looks = 256;
   constexpr double near_samples = 8.0;
   const std::size_t step = position.size() / looks;
@@ -282,7 +282,7 @@ bool neighbours_meet(const std::vector<double>& position) {
 }
 
 template <class Value>
-void take_in_turn(std::vector<Value>& values, std::vector<Value>& room) {
+void take_in_turn(core::AlignedVector<Value>& values, core::AlignedVector<Value>& room) {
   if (values.empty()) return;
   room.resize(values.size());
   const std::size_t part = values.size() / parts_in_turn;

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/os/aligned_vector.hpp"
 #include "radar/echo/echo_batch.hpp"
 
 namespace sarsim::radar {
@@ -20,16 +21,16 @@ struct RowFrame {
 /// The echoes of one pulse that touch its row.
 template <class Real>
 struct Strengths {
-  std::vector<double> position;              ///< Of the leading edge, samples after the row's first.
-  std::vector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
-  std::vector<double> doppler;               ///< D.
-  std::vector<double> bend_per_s;            ///< a; empty where the batch has none.
-  double lowest_doppler = 0.0;               ///< Of `doppler`; 0 without echoes.
+  core::AlignedVector<double> position;              ///< Of the leading edge, samples after the row's first.
+  core::AlignedVector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
+  core::AlignedVector<double> doppler;               ///< D.
+  core::AlignedVector<double> bend_per_s;            ///< a; empty where the batch has none.
+  double lowest_doppler = 0.0;                       ///< Of `doppler`; 0 without echoes.
   double highest_doppler = 0.0;
   double lowest_bend = 0.0;  ///< Of `bend_per_s`; 0 without.
   double highest_bend = 0.0;
-  std::vector<double> room;  ///< For changes of their order.
-  std::vector<std::complex<Real>> strength_room;
+  core::AlignedVector<double> room;  ///< For changes of their order.
+  core::AlignedVector<std::complex<Real>> strength_room;
 
   /// Whether any Doppler factor or bend is not 0.
   [[nodiscard]] bool moving() const {
