@@ -367,7 +367,8 @@ void sight(benchmark::State& state, const PointArrays& points, const AntennaSigh
   const CurveTables curves = tables_of(reflectivity);
   EchoBatch echoes;
   for (std::size_t i = 0; i < points.size(); ++i) echoes.add(0.0, -1.0, 0.0);
-  if (!write_echoes(points, frame, antenna, curves, echoes, 0)) return state.SkipWithError("an echo is impossible");
+  if (!write_echoes(points, {0, points.size()}, frame, antenna, curves, echoes, 0))
+    return state.SkipWithError("an echo is impossible");
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double distance = core::norm(frame.origin_m + core::Vec3{points.x_m[i], points.y_m[i], points.z_m[i]});
     const double delay = 2.0 * distance / core::exact_light_speed_mps;
@@ -375,7 +376,7 @@ void sight(benchmark::State& state, const PointArrays& points, const AntennaSigh
     if (!(std::abs(echoes.delay_s[i] - delay) < bound * delay)) return state.SkipWithError("a delay is wrong");
   }
   for ([[maybe_unused]] auto _ : state) {
-    benchmark::DoNotOptimize(write_echoes(points, frame, antenna, curves, echoes, 0));
+    benchmark::DoNotOptimize(write_echoes(points, {0, points.size()}, frame, antenna, curves, echoes, 0));
     benchmark::ClobberMemory();
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(points.size()));

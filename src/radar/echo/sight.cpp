@@ -422,18 +422,18 @@ HWY_NOINLINE Mask rest_at(const Scenery& scenery, const Points<false>& at, const
   return echoes_at(scenery, at, to);
 }
 
-bool write_on_target(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
-                     const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
+bool write_on_target(const PointArrays& points, const PointSpan& run, const SightFrame& frame,
+                     const AntennaSight& antenna, const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
   const Tag d;
   const std::size_t lanes = hn::Lanes(d);
   const Scenery scenery{points, frame, antenna, curves, axis_of(frame)};
   const Columns to{echoes.delay_s.data() + first, echoes.amplitude_sqrt_w.data() + first, echoes.doppler.data() + first,
                    echoes.bend_per_s.empty() ? nullptr : echoes.bend_per_s.data() + first};
   Mask possible = hn::FirstN(d, lanes);
-  std::size_t i = 0;
-  for (; i + lanes <= points.size(); i += lanes)
-    possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, to.from(i)));
-  if (i < points.size()) possible = hn::And(possible, rest_at(scenery, {i, points.size() - i}, to.from(i)));
+  std::size_t i = run.begin;
+  for (; i + lanes <= run.end; i += lanes)
+    possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, to.from(i - run.begin)));
+  if (i < run.end) possible = hn::And(possible, rest_at(scenery, {i, run.end - i}, to.from(i - run.begin)));
   return hn::AllTrue(d, possible);
 }
 
@@ -446,14 +446,15 @@ namespace sarsim::radar {
 
 HWY_EXPORT(write_on_target);
 
-bool write_echoes(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
+bool write_echoes(const PointArrays& points, const PointSpan& run, const SightFrame& frame, const AntennaSight& antenna,
                   const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
   CORE_EXPECT(frame.light_speed_mps > 0.0);
-  CORE_EXPECT(first + points.size() <= echoes.delay_s.size());
+  CORE_EXPECT(run.begin <= run.end && run.end <= points.size());
+  CORE_EXPECT(first + run.size() <= echoes.delay_s.size());
   CORE_EXPECT(points.y_m.size() == points.size());
   CORE_EXPECT(points.z_m.size() == points.size());
   CORE_EXPECT(echoes.is_whole());
-  return HWY_DYNAMIC_DISPATCH(write_on_target)(points, frame, antenna, curves, echoes, first);
+  return HWY_DYNAMIC_DISPATCH(write_on_target)(points, run, frame, antenna, curves, echoes, first);
 }
 
 }  // namespace sarsim::radar

@@ -88,15 +88,25 @@ struct SightFrame {
 inline constexpr double doubtful_distance_m = 1e-6;
 inline constexpr double doubtful_amplitude = 1e29;
 
-/// Computes the echoes of points in SIMD: delay, stretch and bend of the flight, amplitude of the radar equation with
-/// antenna, reflectivity and random deviations, as `PulseGeometry::view` has them: delays and stretches to rounding,
-/// amplitudes to rounding and the tables' tolerance. A point that shows its back (Law::cosine) has amplitude 0.
+/// A run of points, [begin, end).
+struct PointSpan {
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  [[nodiscard]] std::size_t size() const { return end - begin; }
+};
+
+/// Computes the echoes of a run of points in SIMD: delay, stretch and bend of the flight, amplitude of the radar
+/// equation with antenna, reflectivity and random deviations, as `PulseGeometry::view` has them: delays and stretches
+/// to rounding, amplitudes to rounding and the tables' tolerance. A point that shows its back (Law::cosine) has
+/// amplitude 0.
 /// @param curves      of Law::curve
-/// @param[out] echoes elements [first, first + points.size()), which must be there, are replaced; bends where there are
+/// @param[out] echoes elements [first, first + run.size()), which must be there, are replaced; bends where there are
 ///                    some
 /// @return whether all are certain to be possible: not closer than `doubtful_distance_m`, slower than 0.999 c, not
 ///         stronger than `doubtful_amplitude`; false for NaN
-[[nodiscard]] bool write_echoes(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
-                                const CurveTables& curves, EchoBatch& echoes, std::size_t first);
+[[nodiscard]] bool write_echoes(const PointArrays& points, const PointSpan& run, const SightFrame& frame,
+                                const AntennaSight& antenna, const CurveTables& curves, EchoBatch& echoes,
+                                std::size_t first);
 
 }  // namespace sarsim::radar

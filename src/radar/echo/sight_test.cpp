@@ -40,7 +40,7 @@ struct Written {
 Written written(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna = {},
                 const CurveTables& curves = {}) {
   Written result{batch_of(points.size()), false};
-  result.possible = write_echoes(points, frame, antenna, curves, result.echoes, 0);
+  result.possible = write_echoes(points, {0, points.size()}, frame, antenna, curves, result.echoes, 0);
   return result;
 }
 
@@ -144,7 +144,7 @@ std::vector<SightFrame> frames_of_all_kinds(std::mt19937& random) {
 void expect_scalar_formulas(const PointArrays& points, const SightFrame& frame) {
   const std::size_t count = points.size();
   EchoBatch echoes = batch_of(count + 2);
-  EXPECT_TRUE(write_echoes(points, frame, {}, {}, echoes, 1));
+  EXPECT_TRUE(write_echoes(points, {0, points.size()}, frame, {}, {}, echoes, 1));
   for (const std::size_t neighbour : {std::size_t{0}, count + 1}) {
     EXPECT_EQ(echoes.delay_s[neighbour], -1.0);
     EXPECT_EQ(echoes.amplitude_sqrt_w[neighbour], -2.0);

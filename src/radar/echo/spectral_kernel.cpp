@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <list>
 #include <optional>
 
@@ -37,8 +38,10 @@ std::size_t row_size_for(std::size_t minimum) {
 
 struct SpectralKernel::Implementation {
   virtual ~Implementation() = default;
-  virtual void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) = 0;
-  virtual void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) = 0;
+  virtual void begin(double carrier_hz) = 0;
+  virtual void take(const EchoBatch& echoes) = 0;
+  virtual void finish(std::span<std::complex<double>> row) = 0;
+  virtual void finish_filtered(std::span<std::complex<double>> out) = 0;
 };
 
 template <class Real>
@@ -55,6 +58,7 @@ struct SpectralKernel::Typed : Implementation {
 
     // Two terms are the strengths themselves and their product with where D stands in the span, -1 to 1.
     [[nodiscard]] bool is_tilted() const { return terms == 2 && bend_terms == 1; }
+    [[nodiscard]] bool is_same_motion(const Spectra& other) const { return span == other.span && bends == other.bends; }
   };
 
   // The transform between the spreading grid and the modes of a band.
@@ -72,6 +76,16 @@ struct SpectralKernel::Typed : Implementation {
           cells(core::fast_fft_size(4 * modes + 2 * kernel.width)),
           grid_fft(cells),
           kernel_transform(kernel.transforms(cells, modes + 1)) {}
+  };
+
+  // What the echoes on the grid are spread for.
+  struct Spreading {
+    Band* band = nullptr;
+    const Spectra* spectra = nullptr;  // none: nothing is on the grid
+
+    [[nodiscard]] bool is_for(double allowance, const Spectra& wanted) const {
+      return spectra != nullptr && band->allowance == allowance && spectra->is_same_motion(wanted);
+    }
   };
 
   Typed(const EchoPulse& echo_pulse, const SampleGrid& sample_grid, const SpectralSettings& choices, double tolerance,
@@ -109,37 +123,74 @@ struct SpectralKernel::Typed : Implementation {
     output_index.assign(filter.output_index.begin(), filter.output_index.end());
   }
 
-  void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) override {
-    if (!add_bodies(carrier_hz, echoes)) {
-      if (!position.empty()) direct.add(row, carrier_hz, echoes);
-      return;
-    }
-    row_fft.inverse(folded);
-    add_row<Real>(row, std::span(folded).first(row.size()));
-    if (pieces.empty()) return;
-    add_edge_pieces(carrier_hz);
-    add_row<Real>(row, std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, row.size()));
+  void begin(double new_carrier_hz) override {
+    carrier_hz = new_carrier_hz;
+    motion.reset();
+    spreading = {};
+    has_bodies = has_edges = has_plain = false;
   }
 
-  void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) override {
-    if (!add_bodies(carrier_hz, echoes)) {
-      if (position.empty()) return;
-      raw_row.assign(grid.count, {});
-      direct.add(raw_row, carrier_hz, echoes);
-      std::ranges::fill(folded, std::complex<Real>());
+  // Parts go onto one grid for as long as the motion of all so far asks for the same spectra.
+  void take(const EchoBatch& echoes) override {
+    gather(echoes);
+    if (position.empty()) return;
+    motion = motion ? motion->with(gathered.motion) : gathered.motion;
+    const Spectra wanted = wanted_spectra();
+    if (!has_body || strays() || wanted.terms * wanted.bend_terms > most_doppler_terms) return take_plainly(echoes);
+    const double most_doppler = std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
+    const double allowance = allowance_for(most_doppler * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
+    if (!spreading.is_for(allowance, wanted)) {
+      leave_grid();
+      spreading.band = &band_for(allowance);
+      spreading.spectra = &spectra_for(*spreading.band, wanted);
+      spread_grid.resize(spreading.band->cells, spreading.spectra->factor.size());
+      spread_grid.clear();
+    }
+    spread_terms(*spreading.spectra);
+    if (pieces.empty()) return;
+    if (!has_edges) edge_row.clear();
+    has_edges = true;
+    add_edge_pieces();
+  }
+
+  // Echoes that are better added directly.
+  void take_plainly(const EchoBatch& echoes) {
+    if (!has_plain) raw_row.assign(grid.count, {});
+    has_plain = true;
+    direct.add(raw_row, carrier_hz, echoes);
+  }
+
+  void finish(std::span<std::complex<double>> row) override {
+    leave_grid();
+    if (has_bodies) {
+      row_fft.inverse(folded);
+      add_row<Real>(row, std::span(folded).first(row.size()));
+    }
+    if (has_edges) add_row<Real>(row, edge_samples().first(row.size()));
+    if (has_plain) std::ranges::transform(row, raw_row, row.begin(), std::plus());
+  }
+
+  void finish_filtered(std::span<std::complex<double>> out) override {
+    leave_grid();
+    if (!has_bodies && !has_plain) return;
+    if (!has_bodies) std::ranges::fill(folded, std::complex<Real>());
+    if (has_edges || has_plain) {
       time_row.assign(row_size, {});
-      std::ranges::transform(raw_row, time_row.begin(), [](std::complex<double> z) { return std::complex<Real>(z); });
-      add_time_row();
-    } else if (!pieces.empty()) {
-      add_edge_pieces(carrier_hz);
-      time_row.assign(row_size, {});
-      std::ranges::copy(std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, grid.count), time_row.begin());
+      if (has_edges) std::ranges::copy(edge_samples(), time_row.begin());
+      if (has_plain)
+        std::ranges::transform(raw_row, time_row, time_row.begin(), [](std::complex<double> z, std::complex<Real> sum) {
+          return std::complex<Real>(z) + sum;
+        });
       add_time_row();
     }
     multiply_by<Real>(folded, response);
     row_fft.inverse(folded);
     for (std::size_t i = 0; i < out.size(); ++i)
       out[i] += response_scale * std::complex<double>(folded[output_index[i]]);
+  }
+
+  [[nodiscard]] std::span<const std::complex<Real>> edge_samples() const {
+    return std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, grid.count);
   }
 
   // Adds the spectrum of a row of samples to that of the bodies.
@@ -149,35 +200,23 @@ struct SpectralKernel::Typed : Implementation {
     for (std::size_t j = 0; j < row_size; ++j) folded[j] += scale * time_row[j];
   }
 
-  // The spectrum of the row's bodies, into `folded`; false where the echoes are better added directly, or there are
-  // none.
-  bool add_bodies(double carrier_hz, const EchoBatch& echoes) {
-    gather(carrier_hz, echoes);
-    if (position.empty()) return false;
-    const double lowest = gathered.lowest_doppler;
-    const double highest = gathered.highest_doppler;
+  // What the motion of the echoes taken so far asks for.
+  Spectra wanted_spectra() {
     Spectra wanted;
     wanted.carrier_hz = carrier_hz;
-    wanted.span = span_covering(lowest, highest);
+    wanted.span = span_covering(motion->lowest_doppler, motion->highest_doppler);
     wanted.bends =
-        bends_covering(gathered.lowest_bend, gathered.highest_bend, largest_bend_rad(body, carrier_hz), settings.share);
-    const DopplerCoupling coupling = coupling_for(wanted.span, carrier_hz);
+        bends_covering(motion->lowest_bend, motion->highest_bend, largest_bend_rad(body, carrier_hz), settings.share);
+    const DopplerCoupling coupling = coupling_for(wanted.span);
     wanted.shift_s = coupling.shift_s;
     wanted.terms = wanted.span.half > 0.0 ? coupling.terms_for(wanted.span.half, settings.share) : 1;
     wanted.bend_terms =
         wanted.bends.half > 0.0 ? bend_terms_for(body, carrier_hz, wanted.bends.half, settings.share) : 1;
-    if (!has_body || strays(lowest, highest, carrier_hz) || wanted.terms * wanted.bend_terms > most_doppler_terms)
-      return false;
-    const double frequency_hz = body.largest_frequency_hz(carrier_hz);
-    Band& band = band_for(std::max(std::abs(lowest), std::abs(highest)) * frequency_hz * grid.interval_s);
-    const Spectra& s = spectra_for(band, wanted);
-    spread_terms(band, s);
-    transform(band, s);
-    return true;
+    return wanted;
   }
 
   // How echoes of a span are taken: that of the last carrier is kept, as most radars have one.
-  DopplerCoupling coupling_for(const DopplerSpan& span, double carrier_hz) {
+  DopplerCoupling coupling_for(const DopplerSpan& span) {
     if (span.half == 0.0) return {};
     if (!coupled || coupled_carrier_hz != carrier_hz) {
       coupled = coupling_of(*pulse, body, grid.interval_s, carrier_hz);
@@ -188,11 +227,11 @@ struct SpectralKernel::Typed : Implementation {
 
   // Whether echoes are stretched, or bent, beyond what there is room for, or beyond what the samples at the edges
   // follow: these keep their shape, and the Doppler of the hard end.
-  [[nodiscard]] bool strays(double lowest, double highest, double carrier_hz) const {
-    if (pulse->doppler_rule == DopplerRule::thesis || !gathered.moving()) return false;
+  [[nodiscard]] bool strays() const {
+    if (pulse->doppler_rule == DopplerRule::thesis || !motion->moving()) return false;
     const double half_s = 0.5 * (body.last() - body.first()) * grid.interval_s;
-    const double bend = half_s * std::max(std::abs(gathered.lowest_bend), std::abs(gathered.highest_bend));
-    const double most = std::max(std::abs(lowest), std::abs(highest));
+    const double bend = half_s * std::max(std::abs(motion->lowest_bend), std::abs(motion->highest_bend));
+    const double most = std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
     if ((most + 0.5 * bend) * (body.last() - body.first()) > std::max(room, 1e-12)) return true;
     const auto samples = static_cast<double>(settings.edge_samples);
     const double rad = 2.0 * core::pi * carrier_hz * grid.interval_s * samples * (most * most + 0.5 * bend);
@@ -201,8 +240,7 @@ struct SpectralKernel::Typed : Implementation {
     return share_of_edges * (rad + samples * (most + bend) * steepest_edge) > settings.share;
   }
 
-  Band& band_for(double shift) {
-    const double allowance = allowance_for(shift);
+  Band& band_for(double allowance) {
     const auto found = std::ranges::find(bands, allowance, &Band::allowance);
     if (found != bands.end()) {
       bands.splice(bands.begin(), bands, found);
@@ -213,7 +251,7 @@ struct SpectralKernel::Typed : Implementation {
   }
 
   // The echoes that touch the row.
-  void gather(double carrier_hz, const EchoBatch& echoes) {
+  void gather(const EchoBatch& echoes) {
     RowFrame frame;
     frame.carrier_hz = carrier_hz;
     frame.origin_s = pulse->lead_s + grid.first_s;
@@ -223,16 +261,13 @@ struct SpectralKernel::Typed : Implementation {
     gather_strengths(echoes, frame, gathered);
   }
 
-  void spread_terms(const Band& band, const Spectra& s) {
-    const std::size_t terms = s.factor.size();
-    spread_grid.resize(band.cells, terms);
-    spread_grid.clear();
-    SpreadMotion motion;
-    if (s.span.half > 0.0) motion = {doppler, s.span.middle, s.shift_s / grid.interval_s, 1.0 / s.span.half};
-    const bool weighs = terms > 1 && !s.is_tilted();
+  void spread_terms(const Spectra& s) {
+    SpreadMotion moved;
+    if (s.span.half > 0.0) moved = {doppler, s.span.middle, s.shift_s / grid.interval_s, 1.0 / s.span.half};
+    const bool weighs = s.factor.size() > 1 && !s.is_tilted();
     if (weighs) weigh(s);
     std::span<const std::complex<Real>> strengths = weighs ? weighted : strength;
-    spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strengths, motion, spread_grid);
+    spread<Real>(taps, kernel.width, static_cast<double>(row_size), position, strengths, moved, spread_grid);
   }
 
   // Strengths for each node in D, for each node in a.
@@ -250,8 +285,13 @@ struct SpectralKernel::Typed : Implementation {
   }
 
   // Grid to modes, times the factors, folded into the sampled band.
-  void transform(const Band& band, const Spectra& s) {
-    std::ranges::fill(folded, std::complex<Real>());
+  void leave_grid() {
+    if (spreading.spectra == nullptr) return;
+    const Band& band = *spreading.band;
+    const Spectra& s = *spreading.spectra;
+    if (!has_bodies) std::ranges::fill(folded, std::complex<Real>());
+    has_bodies = true;
+    spreading = {};
     for (std::size_t r = 0; r < s.factor.size(); ++r) {
       const std::span<std::complex<Real>> cell = spread_grid.fold(r);
       band.grid_fft.forward(cell);
@@ -273,12 +313,11 @@ struct SpectralKernel::Typed : Implementation {
     }
   }
 
-  // The samples next to the hard edges, into `edge_row`.
-  void add_edge_pieces(double carrier_hz) {
-    edge_row.clear();
+  // Adds the samples next to the hard edges to `edge_row`.
+  void add_edge_pieces() {
     for (EdgePiece<Real>& piece : pieces) {
-      if (pulse->doppler_rule == DopplerRule::stretch && gathered.moving()) {
-        add_stretched_edge(piece, carrier_hz);
+      if (pulse->doppler_rule == DopplerRule::stretch && gathered.motion.moving()) {
+        add_stretched_edge(piece);
         continue;
       }
       piece.doppler_offset = body.doppler_turns(piece.start, carrier_hz);
@@ -288,13 +327,14 @@ struct SpectralKernel::Typed : Implementation {
       piece.doppler_slope =
           body.doppler_turns(piece.start + 1.0, carrier_hz) - piece.doppler_offset - piece.doppler_bend;
       add_edges<Real>(piece, position, strength,
-                      gathered.moving() ? std::span<const double>(doppler) : std::span<const double>(), edge_row);
+                      gathered.motion.moving() ? std::span<const double>(doppler) : std::span<const double>(),
+                      edge_row);
     }
   }
 
   // An edge comes back where its hard end does, the few samples beside it as they were sent but for their phase: with
   // h the hard end, D' = late_of(h)/h and s the time from it, D' f h + D' (f s + K (h + s) s) turns.
-  void add_stretched_edge(EdgePiece<Real>& piece, double carrier_hz) {
+  void add_stretched_edge(EdgePiece<Real>& piece) {
     const double hard_s = body.from_middle_s(piece.hard);
     const double before_s = (piece.hard - piece.start) * grid.interval_s;  // from the first sample to the hard end
     const double sweep = pulse->pulse.sweep_rate_hz_per_s();
@@ -354,7 +394,7 @@ struct SpectralKernel::Typed : Implementation {
   const Spectra& spectra_for(Band& band, const Spectra& wanted) {
     const bool at_rest = wanted.span == DopplerSpan{} && wanted.bends == DopplerSpan{};
     const auto found = std::ranges::find_if(band.recent, [&](const Spectra& s) {
-      return s.span == wanted.span && s.bends == wanted.bends && (s.carrier_hz == wanted.carrier_hz || at_rest);
+      return s.is_same_motion(wanted) && (s.carrier_hz == wanted.carrier_hz || at_rest);
     });
     if (found != band.recent.end()) {
       band.recent.splice(band.recent.begin(), band.recent, found);
@@ -395,7 +435,6 @@ struct SpectralKernel::Typed : Implementation {
   // Spectrum of the body so stretched at the modes, taken where the span takes it, over the kernel's transform, with
   // the scale of the transforms.
   core::AlignedVector<std::complex<Real>> mode_factors(const Band& band, const PulseClock& clock, const Spectra& s) {
-    const double carrier_hz = s.carrier_hz;
     const double shift =
         s.shift_s * (clock.doppler - s.span.middle) / (grid.interval_s * static_cast<double>(row_size));
     const std::size_t fine = oversampling * fine_factor(band) * row_size;
@@ -407,7 +446,7 @@ struct SpectralKernel::Typed : Implementation {
       const auto index =
           static_cast<std::size_t>(((i % static_cast<std::ptrdiff_t>(fine)) + static_cast<std::ptrdiff_t>(fine)) %
                                    static_cast<std::ptrdiff_t>(fine));
-      spectrum[index] += body.echo(static_cast<double>(i) / per_sample, clock, carrier_hz);
+      spectrum[index] += body.echo(static_cast<double>(i) / per_sample, clock, s.carrier_hz);
     }
     const core::Fft fft(fine);
     fft.forward(spectrum);
@@ -441,7 +480,15 @@ struct SpectralKernel::Typed : Implementation {
   std::vector<EdgePiece<Real>> pieces;
   std::list<Band> bands;
 
-  Strengths<Real> gathered;
+  // Of the pulse that was begun.
+  double carrier_hz = 0.0;
+  std::optional<MotionSpan> motion;  // of the echoes taken so far; none: none touches the row
+  Spreading spreading;
+  bool has_bodies = false;  // in `folded`
+  bool has_edges = false;   // in `edge_row`
+  bool has_plain = false;   // in `raw_row`
+
+  Strengths<Real> gathered;  // of the part that is taken
   core::AlignedVector<double>& position = gathered.position;
   core::AlignedVector<std::complex<Real>>& strength = gathered.strength;
   core::AlignedVector<double>& doppler = gathered.doppler;
@@ -479,15 +526,23 @@ SpectralKernel::SpectralKernel(SpectralKernel&&) noexcept = default;
 SpectralKernel& SpectralKernel::operator=(SpectralKernel&&) noexcept = default;
 
 void SpectralKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
-  CORE_EXPECT(std::isfinite(carrier_hz));
-  CORE_EXPECT(echoes.is_whole());
-  implementation_->add(row, carrier_hz, echoes);
+  begin(carrier_hz);
+  take(echoes);
+  finish(row);
 }
 
-void SpectralKernel::add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes) {
+void SpectralKernel::begin(double carrier_hz) {
   CORE_EXPECT(std::isfinite(carrier_hz));
-  CORE_EXPECT(echoes.is_whole());
-  implementation_->add_filtered(out, carrier_hz, echoes);
+  implementation_->begin(carrier_hz);
 }
+
+void SpectralKernel::take(const EchoBatch& echoes) {
+  CORE_EXPECT(echoes.is_whole());
+  implementation_->take(echoes);
+}
+
+void SpectralKernel::finish(std::span<std::complex<double>> row) { implementation_->finish(row); }
+
+void SpectralKernel::finish_filtered(std::span<std::complex<double>> out) { implementation_->finish_filtered(out); }
 
 }  // namespace sarsim::radar

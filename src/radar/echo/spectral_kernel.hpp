@@ -46,7 +46,7 @@ struct RowFilter {
 class SpectralKernel {
  public:
   /// Keeps a reference to the pulse.
-  /// @param filter  for `add_filtered`; nothing of it is kept
+  /// @param filter  for `finish_filtered`; nothing of it is kept
   SpectralKernel(const EchoPulse& pulse, const SampleGrid& grid, double tolerance, const RowFilter& filter = {});
   ~SpectralKernel();
   SpectralKernel(SpectralKernel&&) noexcept;
@@ -54,10 +54,17 @@ class SpectralKernel {
 
   /// As `add_echoes`.
   void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes);
-  /// Adds the echoes as the filter passes them, one factor more of the spectrum: what `add` and then the filter would
-  /// give, to the tolerance.
+
+  /// The same for the echoes of a pulse that come in parts: begins a pulse and forgets what was taken of another.
+  void begin(double carrier_hz);
+  /// Takes some of the pulse's echoes.
+  void take(const EchoBatch& echoes);
+  /// Adds all that was taken to the row. One part gives what `add` gives, bit for bit; more give it to the tolerance.
+  void finish(std::span<std::complex<double>> row);
+  /// Instead of `finish`: adds it as the filter passes it, one factor more of the spectrum: what `finish` and then the
+  /// filter would give, to the tolerance.
   /// @param[in,out] out  as many samples as the filter has outputs
-  void add_filtered(std::span<std::complex<double>> out, double carrier_hz, const EchoBatch& echoes);
+  void finish_filtered(std::span<std::complex<double>> out);
 
   /// Estimate for choosing a kernel.
   /// @param lowest_doppler   smallest D among the echoes of a pulse

@@ -1,5 +1,8 @@
 #include "radar/echo/spectral_kernel.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "radar/echo/echo_test_support.hpp"
 
 namespace sarsim::radar {
@@ -239,6 +242,12 @@ double largest_gain(const ComplexRow& taps) {
   return largest;
 }
 
+void add_filtered(SpectralKernel& kernel, ComplexRow& out, const EchoBatch& echoes) {
+  kernel.begin(carrier_hz);
+  kernel.take(echoes);
+  kernel.finish_filtered(out);
+}
+
 void expect_filtered(const EchoPulse& pulse, const SampleGrid& grid, const EchoBatch& echoes,
                      const std::vector<std::size_t>& index, const ComplexRow& taps) {
   const RowFilter filter{taps, index};
@@ -247,7 +256,7 @@ void expect_filtered(const EchoPulse& pulse, const SampleGrid& grid, const EchoB
   for (const double tolerance : tolerances) {
     SpectralKernel kernel(pulse, grid, tolerance, filter);
     ComplexRow out(index.size(), {0.5, -2.0});  // is added to
-    kernel.add_filtered(out, carrier_hz, echoes);
+    add_filtered(kernel, out, echoes);
     for (auto& z : out) z -= std::complex(0.5, -2.0);
     EXPECT_LT(relative_error(out, expected, strength), tolerance) << tolerance;
     const ComplexRow raw = row_of(kernel, grid, carrier_hz, echoes);  // and the row is still to be had
@@ -294,7 +303,7 @@ TEST(SpectralKernel, FiltersOfLittleGainKeepWeakEchoes) {
   const std::vector<std::size_t> index = every(1, 200);
   SpectralKernel kernel(chirp, grid, 1e-6, {taps, index});
   ComplexRow out(index.size());
-  kernel.add_filtered(out, carrier_hz, echoes);
+  add_filtered(kernel, out, echoes);
   const ComplexRow expected = filtered(reference_row(chirp, grid, carrier_hz, echoes), {taps, index});
   EXPECT_LT(relative_error(out, expected, strength_of(chirp, grid, echoes) * largest_gain(taps)), 1e-6);
 }
@@ -317,7 +326,7 @@ TEST(SpectralKernel, FiltersTheSameBytesWhateverItDidBefore) {
   const EchoBatch direct = moving_echoes(grid, 0.0, 12.0 * cycle_mps(120.0));
   const auto filtered_by = [&](SpectralKernel& kernel, const EchoBatch& echoes) {
     ComplexRow out(index.size());
-    kernel.add_filtered(out, carrier_hz, echoes);
+    add_filtered(kernel, out, echoes);
     return out;
   };
   SpectralKernel fresh(mono, grid, 1e-6, {taps, index}), used(mono, grid, 1e-6, {taps, index});
@@ -335,8 +344,67 @@ TEST(SpectralKernel, FiltersNothingWhereNoEchoTouchesTheRow) {
   const std::vector<std::size_t> index = every(1, 20);
   SpectralKernel kernel(pulse, grid, 1e-6, {taps, index});
   ComplexRow out(20, {1.0, 1.0});
-  kernel.add_filtered(out, carrier_hz, {});
+  add_filtered(kernel, out, {});
   for (const auto& z : out) EXPECT_EQ(z, std::complex(1.0, 1.0));
+}
+
+// Echoes in order of their speeds, so that every part asks for more than the last.
+std::vector<EchoBatch> parts_of(const EchoBatch& echoes, std::size_t count) {
+  std::vector<std::size_t> order(echoes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::sort(order, {}, [&](std::size_t k) { return echoes.doppler[k]; });
+  std::vector<EchoBatch> parts(count);
+  for (std::size_t i = 0; i < order.size(); ++i)
+    parts[i * count / order.size()].add(echoes.delay_s[order[i]], echoes.amplitude_sqrt_w[order[i]],
+                                        echoes.doppler[order[i]]);
+  return parts;
+}
+
+void take_all(SpectralKernel& kernel, const std::vector<EchoBatch>& parts) {
+  kernel.begin(carrier_hz);
+  for (const EchoBatch& part : parts) kernel.take(part);
+}
+
+TEST(SpectralKernelParts, GiveTheRowOfAllEchoes) {
+  const SampleGrid grid = test_grid(400);
+  const ComplexRow taps = replica(test_pulse(Pulse::Kind::chirp, 100.4, 0.9), 101);
+  const std::vector<std::size_t> index = every(1, 300);
+  const RowFilter filter{taps, index};
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  const EchoPulse band = band_limited_test_pulse(60.0, 0.9);
+  const EchoPulse mono = test_pulse(Pulse::Kind::mono, 120.0);
+  for (const EchoPulse& pulse : {chirp, band, mono})
+    for (const double cycles : {0.0, 0.3, 12.0}) {  // the last: some parts go through the grid, the others directly
+      const EchoBatch echoes = moving_echoes(grid, 0.0, cycles * cycle_mps(100.0));
+      const ComplexRow expected = reference_row(pulse, grid, carrier_hz, echoes);
+      const double strength = strength_of(pulse, grid, echoes);
+      for (const double tolerance : tolerances)
+        for (const std::size_t count : {1u, 2u, 7u}) {
+          SpectralKernel kernel(pulse, grid, tolerance, filter);
+          take_all(kernel, parts_of(echoes, count));
+          ComplexRow row(grid.count);
+          kernel.finish(row);
+          EXPECT_LT(relative_error(row, expected, strength), tolerance) << count << " parts, " << cycles << " cycles";
+          take_all(kernel, parts_of(echoes, count));
+          ComplexRow out(index.size());
+          kernel.finish_filtered(out);
+          EXPECT_LT(relative_error(out, filtered(expected, filter), strength * largest_gain(taps)), tolerance);
+        }
+    }
+}
+
+TEST(SpectralKernelParts, OfOnePulseAreForgottenWhenTheNextBegins) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  const EchoBatch echoes = random_echoes(20, grid, 120.0, 10.0);
+  SpectralKernel fresh(chirp, grid, 1e-6), used(chirp, grid, 1e-6);
+  const ComplexRow expected = row_of(fresh, grid, carrier_hz, echoes);
+  take_all(used, {echoes, moving_echoes(grid, 0.0, 0.3 * cycle_mps(100.0))});
+  EXPECT_EQ(row_of(used, grid, carrier_hz, echoes), expected);
+  used.begin(carrier_hz);
+  ComplexRow nothing(grid.count);
+  used.finish(nothing);
+  EXPECT_EQ(nothing, ComplexRow(grid.count));
 }
 
 TEST(SpectralKernelCost, TellsWidthEdgesTransformAndDopplerTerms) {

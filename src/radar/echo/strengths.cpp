@@ -144,8 +144,8 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   out.strength.resize(kept);
   out.doppler.resize(kept);
   if (bends) out.bend_per_s.resize(kept);
-  set_range(out.doppler, out.lowest_doppler, out.highest_doppler);
-  set_range(out.bend_per_s, out.lowest_bend, out.highest_bend);
+  set_range(out.doppler, out.motion.lowest_doppler, out.motion.highest_doppler);
+  set_range(out.bend_per_s, out.motion.lowest_bend, out.motion.highest_bend);
 }
 
 // Chebyshev's polynomials at the nodes, [node][degree], times 2/terms, half of that for degree 0: Lagrange's polynomial

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <span>
 #include <vector>
@@ -18,24 +19,35 @@ struct RowFrame {
   double to = 0.0;
 };
 
-/// The echoes of one pulse that touch its row.
+/// What D and a of echoes lie between; 0 without echoes.
+struct MotionSpan {
+  double lowest_doppler = 0.0;
+  double highest_doppler = 0.0;
+  double lowest_bend = 0.0;
+  double highest_bend = 0.0;
+
+  /// Whether any D or a is not 0.
+  [[nodiscard]] bool moving() const {
+    return lowest_doppler != 0.0 || highest_doppler != 0.0 || lowest_bend != 0.0 || highest_bend != 0.0;
+  }
+  /// The span of these echoes and of others.
+  [[nodiscard]] MotionSpan with(const MotionSpan& other) const {
+    return {std::min(lowest_doppler, other.lowest_doppler), std::max(highest_doppler, other.highest_doppler),
+            std::min(lowest_bend, other.lowest_bend), std::max(highest_bend, other.highest_bend)};
+  }
+};
+
+/// The echoes of one pulse, or of a part of it, that touch its row.
 template <class Real>
 struct Strengths {
   core::AlignedVector<double> position;              ///< Of the leading edge, samples after the row's first.
   core::AlignedVector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
   core::AlignedVector<double> doppler;               ///< D.
   core::AlignedVector<double> bend_per_s;            ///< a; empty where the batch has none.
-  double lowest_doppler = 0.0;                       ///< Of `doppler`; 0 without echoes.
-  double highest_doppler = 0.0;
-  double lowest_bend = 0.0;  ///< Of `bend_per_s`; 0 without.
-  double highest_bend = 0.0;
-  core::AlignedVector<double> room;  ///< For changes of their order.
+  MotionSpan motion;                                 ///< Of `doppler` and `bend_per_s`.
+  core::AlignedVector<double> room;                  ///< For changes of their order.
   core::AlignedVector<std::complex<Real>> strength_room;
 
-  /// Whether any Doppler factor or bend is not 0.
-  [[nodiscard]] bool moving() const {
-    return lowest_doppler != 0.0 || highest_doppler != 0.0 || lowest_bend != 0.0 || highest_bend != 0.0;
-  }
   /// How echo k is stretched.
   [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
 };

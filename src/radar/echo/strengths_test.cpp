@@ -33,7 +33,7 @@ TYPED_TEST(GatherStrengths, KeepsThePhaseOfATargetTwentyMillionWavelengthsAway) 
     const double bound = 3.0 * (2.0 * core::pi * 4e7 * 2.0 * epsilon + rounding_of<TypeParam>);
     EXPECT_LT(std::abs(std::complex<double>(out.strength[0]) - std::complex(0.0, -3.0)), bound);
     EXPECT_NEAR(out.position[0], 17.0, 4e-3 / 1e-8 * 3.0 * epsilon);
-    EXPECT_FALSE(out.moving());
+    EXPECT_FALSE(out.motion.moving());
   });
 }
 
@@ -46,7 +46,7 @@ TYPED_TEST(GatherStrengths, AgreesWithTheFormulaForAnyNumberOfEchoes) {
       ASSERT_EQ(out.position.size(), static_cast<std::size_t>(count));
       ASSERT_EQ(out.strength.size(), out.position.size());
       ASSERT_EQ(out.doppler.size(), out.position.size());
-      EXPECT_EQ(out.moving(), count > 0);
+      EXPECT_EQ(out.motion.moving(), count > 0);
       for (std::size_t k = 0; k < out.position.size(); ++k) {
         const long double cycles = 3e9L * echoes.delay_s[k];
         const auto angle = static_cast<double>(-2.0L * std::numbers::pi_v<long double> * (cycles - std::round(cycles)));
@@ -98,7 +98,7 @@ TYPED_TEST(GatherStrengths, DropsEchoesThatDoNotTouchTheRowAndKeepsTheOrder) {
     gather_strengths(echoes, frame_of(0.0), out);
     ASSERT_EQ(out.position.size(), 50u);
     for (std::size_t k = 0; k < 50; ++k) EXPECT_EQ(out.strength[k], std::complex<TypeParam>(static_cast<TypeParam>(k)));
-    EXPECT_FALSE(out.moving());  // what moves is outside
+    EXPECT_FALSE(out.motion.moving());  // what moves is outside
   });
 }
 
@@ -107,9 +107,9 @@ TYPED_TEST(GatherStrengths, MovesWhereOneOfTheEchoesMoves) {
   for (int k = 0; k < 9; ++k) echoes.add(20e-6 + 1e-8 * k, 1.0, k == 8 ? -1e-3 : 0.0);
   Strengths<TypeParam> out;
   gather_strengths(echoes, frame_of(1e9), out);
-  EXPECT_TRUE(out.moving());
+  EXPECT_TRUE(out.motion.moving());
   gather_strengths(EchoBatch{}, frame_of(1e9), out);
-  EXPECT_FALSE(out.moving());
+  EXPECT_FALSE(out.motion.moving());
   EXPECT_TRUE(out.position.empty());
 }
 

@@ -125,7 +125,8 @@ double most_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   const double points = static_cast<double>(scene.scatterers.size()) - targets;
   const double sheets = all - static_cast<double>(scene.scatterers.size());
   const double checked = checked_target * targets + surveyed_target * std::min(all, most_surveyed);
-  double of_thread = echo * all + sample * static_cast<double>(std::max(plan.raw_grid.count, plan.columns));
+  const double at_once = work.transforms > 0.0 ? std::min(all, static_cast<double>(points_at_once)) : all;
+  double of_thread = echo * at_once + sample * static_cast<double>(std::max(plan.raw_grid.count, plan.columns));
   double computed = resolved_target * (targets + sheets);
   if (work.transforms > 0.0) {
     const double spectra = work.transforms > 1.0 ? spectra_kept * 4.0 * work.transforms * work.transform_points : 0.0;

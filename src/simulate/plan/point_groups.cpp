@@ -191,33 +191,44 @@ PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
     for (const core::Vec3& point_m : sheet.points_m)
       add_point(points, point_m, sheet.point_rcs_m2, sheet.normal_platform);
   }
-  for (const PointGroups::Group& group : groups.groups) groups.count += group.points->size();
+  for (PointGroups::Group& group : groups.groups) {
+    group.first = groups.count;
+    groups.count += group.points->size();
+  }
   return groups;
 }
 
-void fast_echoes(const PointGroups& groups, const PulseGeometry& geometry, radar::EchoBatch& echoes) {
-  if (!groups.sound()) {
-    geometry.echoes(echoes);
-    return;
-  }
-  echoes.resize(groups.count, geometry.bends());
+bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, const radar::PointSpan& run,
+                    radar::EchoBatch& echoes) {
+  CORE_EXPECT(run.begin <= run.end && run.end <= groups.count);
+  if (!groups.sound()) return false;
+  echoes.resize(run.size(), geometry.bends());
+  if (run.size() == 0) return true;
   const radar::Pointing pointing = geometry.pointing();
   const core::Mat3 antenna_from_world = pointing.antenna_from_world();
-  std::size_t first = 0;
   bool possible = true;
-  for (const PointGroups::Group& group : groups.groups) {
-    radar::SightFrame frame = geometry.frame(group.platform);
+  std::size_t end = run.begin;
+  auto group = std::prev(std::ranges::upper_bound(groups.groups, run.begin, {}, &PointGroups::Group::first));
+  for (; end < run.end; ++group) {
+    const std::size_t begin = group->first;
+    end = begin + group->points->size();
+    const radar::PointSpan part{std::max(run.begin, begin) - begin, std::min(run.end, end) - begin};
+    radar::SightFrame frame = geometry.frame(group->platform);
     frame.antenna_from_world = antenna_from_world;
     frame.axis_azimuth_rad = pointing.axis_azimuth_rad();
     frame.axis_elevation_rad = pointing.axis_elevation_rad();
     frame.amplitude_scale = geometry.amplitude_scale();
     frame.spreading = geometry.spreading();
-    possible =
-        radar::write_echoes(*group.points, frame, groups.antenna, groups.reflectivity, echoes, first) && possible;
-    first += group.points->size();
+    possible = radar::write_echoes(*group->points, part, frame, groups.antenna, groups.reflectivity, echoes,
+                                   begin + part.begin - run.begin) &&
+               possible;
   }
+  return possible;
+}
+
+void fast_echoes(const PointGroups& groups, const PulseGeometry& geometry, radar::EchoBatch& echoes) {
   // Where in doubt the plain geometry decides, and says what is wrong with which target.
-  if (!possible) geometry.echoes(echoes);
+  if (!certain_echoes(groups, geometry, {0, groups.count}, echoes)) geometry.echoes(echoes);
 }
 
 }  // namespace sarsim::simulate

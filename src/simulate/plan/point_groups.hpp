@@ -19,6 +19,7 @@ struct PointGroups {
   struct Group {
     std::uint32_t platform = 0;
     std::shared_ptr<const radar::PointArrays> points;  ///< Those of a cloud itself, where nothing has to be added.
+    std::size_t first = 0;                             ///< Points of the groups before.
   };
   std::vector<Group> groups;
   radar::CurveTables reflectivity;
@@ -36,6 +37,15 @@ struct PointGroups {
 /// @param stop  asked now and then; a requested stop throws Interrupted
 [[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
                                        const core::StopFlag* stop = nullptr);
+
+/// Points whose echoes are worked on at a time: what they take stays in the caches, and no memory grows with the scene.
+inline constexpr std::size_t points_at_once = 32768;
+
+/// The echoes of a run of points, counted through the groups, of the current pulse of `geometry`, in SIMD. Replaces
+/// `echoes`; allocates nothing once these have had their size.
+/// @return whether all are certain to be possible; where not, `PulseGeometry::echoes` has the word
+[[nodiscard]] bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, const radar::PointSpan& run,
+                                  radar::EchoBatch& echoes);
 
 /// All echoes of the current pulse of `geometry` in SIMD, as `PulseGeometry::echoes` gives them, but group by group,
 /// and with amplitude 0 where that leaves out the back of a surface. Delays and speeds agree to rounding, amplitudes to

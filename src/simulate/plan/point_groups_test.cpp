@@ -98,6 +98,33 @@ struct Echo {
   double delay_s, amplitude, doppler, bend_per_s;
 };
 
+TEST(CertainEchoes, OfRunsAreThoseOfAllPointsTakenApart) {
+  const scene::Scene scene = mixed_scene();
+  const ResolvedScene resolved = resolve(scene);
+  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  PulseGeometry geometry(resolved, radar);
+  geometry.set_pulse(3);
+  const PointGroups groups = group_points(resolved, radar);
+  ASSERT_GT(groups.groups.size(), 3u);
+  radar::EchoBatch all;
+  fast_echoes(groups, geometry, all);
+  for (const std::size_t length : {std::size_t{1}, std::size_t{7}, std::size_t{40}, groups.count}) {
+    radar::EchoBatch run;
+    for (std::size_t from = 0; from < groups.count; from += length) {
+      const radar::PointSpan span{from, std::min(from + length, groups.count)};
+      ASSERT_TRUE(certain_echoes(groups, geometry, span, run));
+      ASSERT_EQ(run.size(), span.size());
+      for (std::size_t k = 0; k < run.size(); ++k) {
+        EXPECT_EQ(run.delay_s[k], all.delay_s[from + k]);
+        EXPECT_EQ(run.amplitude_sqrt_w[k], all.amplitude_sqrt_w[from + k]);
+        EXPECT_EQ(run.doppler[k], all.doppler[from + k]);
+      }
+    }
+    EXPECT_TRUE(certain_echoes(groups, geometry, {groups.count, groups.count}, run));
+    EXPECT_EQ(run.size(), 0u);
+  }
+}
+
 // The echoes that are not 0, by their delays: the groups have an order of their own.
 std::vector<Echo> sorted(const radar::EchoBatch& batch) {
   std::vector<Echo> echoes;

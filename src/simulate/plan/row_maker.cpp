@@ -51,8 +51,7 @@ void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double
     plan.compressor->compress(raw_, out, scratch_);
   }
   geometry_.set_pulse(pulse);
-  take_echoes();
-  spectral_->add_filtered(out, geometry_.carrier_hz(), echoes_);
+  if (take_in_parts({})) spectral_->finish_filtered(out);
 }
 
 radar::SampleSpan RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw,
@@ -60,8 +59,7 @@ radar::SampleSpan RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<
   const Plan& plan = *plan_;
   std::ranges::fill(raw.subspan(stale.begin, stale.end - stale.begin), std::complex<double>());
   geometry_.set_pulse(pulse);
-  take_echoes();
-  radar::SampleSpan filled = add_row(raw);
+  radar::SampleSpan filled = add_pulse(raw, {});
   filled = filled.with(add_other_pulses(pulse, raw));
   if (plan.noise_stddev_v > 0.0) {
     add_receiver_noise(pulse, raw);
@@ -80,22 +78,53 @@ void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<dou
   radar::add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
 }
 
-// The echoes of the geometry's pulse.
-void RowMaker::take_echoes() {
+// The echoes of the geometry's pulse: all of them, or those heard in a row whose pulse left so much later.
+void RowMaker::take_echoes(std::optional<double> since_s) {
   if (plan_->engine.engine == Engine::reference)
     geometry_.echoes(echoes_);
   else
     fast_echoes(*plan_->points, geometry_, echoes_);
+  keep_heard(since_s);
 }
 
-// Adds the echoes that were taken. Returns the samples outside of which the row is as it was.
-radar::SampleSpan RowMaker::add_row(std::span<std::complex<double>> raw) {
+void RowMaker::keep_heard(std::optional<double> since_s) {
+  if (since_s) simulate::keep_heard(echoes_, *since_s, plan_->pulse, plan_->raw_grid);
+}
+
+// The same, given to the spectral kernel part by part. Returns whether there are any.
+bool RowMaker::take_in_parts(std::optional<double> since_s) {
+  const PointGroups& points = *plan_->points;
+  bool any = false;
+  spectral_->begin(geometry_.carrier_hz());
+  for (std::size_t from = 0; from < points.count; from += points_at_once) {
+    const radar::PointSpan run{from, std::min(from + points_at_once, points.count)};
+    if (!certain_echoes(points, geometry_, run, echoes_)) {
+      // Where in doubt the plain geometry decides, and says what is wrong with which target.
+      geometry_.echoes(echoes_);
+      keep_heard(since_s);
+      spectral_->begin(geometry_.carrier_hz());
+      spectral_->take(echoes_);
+      return echoes_.size() > 0;
+    }
+    keep_heard(since_s);
+    spectral_->take(echoes_);
+    any = any || echoes_.size() > 0;
+  }
+  return any;
+}
+
+// Adds these echoes to a row. Returns the samples outside of which it is as it was.
+radar::SampleSpan RowMaker::add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s) {
   const Plan& plan = *plan_;
+  if (spectral_) {
+    if (!take_in_parts(since_s)) return {};
+    spectral_->finish(raw);
+    return {0, raw.size()};
+  }
+  take_echoes(since_s);
+  if (echoes_.size() == 0) return {};
   if (direct_) return direct_->add(raw, geometry_.carrier_hz(), echoes_);
-  if (spectral_)
-    spectral_->add(raw, geometry_.carrier_hz(), echoes_);
-  else
-    radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+  radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
   return {0, raw.size()};
 }
 
@@ -111,12 +140,9 @@ radar::SampleSpan RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::
     const double beat_hz = plan.radar.carrier.carrier_hz(pulse - other.back) - carrier_hz;
     if (std::abs(beat_hz) > plan.simulation.sample_rate_hz) continue;
     geometry_.set_pulse(pulse - other.back);
-    take_echoes();
     const double since_s = sent_s - geometry_.send_time_s();
-    keep_heard(echoes_, since_s, plan.pulse, plan.raw_grid);
-    if (echoes_.size() == 0) continue;
     other_.resize(raw.size());
-    const radar::SampleSpan on = add_row(other_);
+    const radar::SampleSpan on = add_pulse(other_, since_s);
     filled = filled.with(on);
     const std::complex<double> turn = core::turned_exactly(-geometry_.carrier_hz() * since_s);
     for (std::size_t i = on.begin; i < on.end; ++i) {

@@ -32,8 +32,10 @@ class RowMaker {
   void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
   void make_profile(std::size_t row, std::span<std::complex<double>> out);
 
-  void take_echoes();
-  radar::SampleSpan add_row(std::span<std::complex<double>> raw);
+  void take_echoes(std::optional<double> since_s);
+  void keep_heard(std::optional<double> since_s);
+  [[nodiscard]] bool take_in_parts(std::optional<double> since_s);
+  radar::SampleSpan add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s);
   radar::SampleSpan add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
   void blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const;
   void add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const;

@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <complex>
 #include <vector>
 
 #include "core/report/expect.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
+#include "simulate/resolve/impossible_echo.hpp"
 
 namespace sarsim::simulate {
 namespace row_maker_test {
@@ -58,6 +60,54 @@ TEST(RowMaker, FillsTheWholeRowWithNoise) {
   scene::Scene scene = receding_target();
   scene.radars[0].noise_temperature_k = 300.0;
   expect_rows_again_and_again(scene, Engine::direct, false);
+}
+
+// More points than are worked on at a time, the last of them with speeds of their own.
+scene::Scene crowd(std::size_t extra) {
+  scene::Scene scene = receding_target();
+  scene.radars[0].pulse = scene::Radar::Pulse::chirp;
+  scene.radars[0].bandwidth_hz = 1e6;
+  scene.targets.clear();
+  const std::size_t count = points_at_once + extra;
+  for (std::size_t k = 0; k < count; ++k)
+    scene.targets.push_back(
+        target_on(k + 50 < count ? "Earth" : "Aircraft",
+                  {1000.0 + 0.01 * static_cast<double>(k % 100'000), 0.3 * static_cast<double>(k % 7), 0.0}));
+  return scene;
+}
+
+double difference(const Plan& a, const Plan& b, std::size_t row) {
+  Row of_a(a.columns), of_b(b.columns);
+  RowMaker(a).make_row(row, of_a);
+  RowMaker(b).make_row(row, of_b);
+  double difference2 = 0.0, sum2 = 0.0;
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    difference2 += std::norm(of_a[i] - of_b[i]);
+    sum2 += std::norm(of_b[i]);
+  }
+  EXPECT_GT(sum2, 0.0);
+  return std::sqrt(difference2 / sum2);
+}
+
+TEST(RowMaker, TakesMorePointsThanItHoldsAtATime) {
+  scene::Scene scene = crowd(60);
+  for (const auto echoes : {scene::AmbiguousEchoes::none, scene::AmbiguousEchoes::all})
+    for (const auto processing : {scene::Processing::raw, scene::Processing::matched_filter}) {
+      scene.options.ambiguous_echoes = echoes;
+      scene.radars[0].prf_hz = echoes == scene::AmbiguousEchoes::all ? 20e3 : 10.0;
+      scene.simulations[0].time_end_s = 4.5 / scene.radars[0].prf_hz;
+      scene.simulations[0].processing = processing;
+      const Plan fast = make_plan(scene, 0, nullptr, Engine::spectral);
+      EXPECT_LT(difference(fast, make_plan(scene, 0, nullptr, Engine::reference), 2), 1e-5);
+    }
+}
+
+TEST(RowMaker, NamesAnImpossibleEchoBehindWhatItHoldsAtATime) {
+  scene::Scene scene = crowd(60);
+  scene.targets.back() = target_on("Earth", {0.0, 0.0, 0.0});
+  const Plan plan = make_plan(scene, 0, nullptr, Engine::spectral);
+  Row row(plan.columns);
+  EXPECT_THROW(RowMaker(plan).make_row(0, row), ImpossibleEcho);
 }
 
 TEST(RowMaker, ExpectsAStaleSpanWithinTheRow) {
