@@ -52,14 +52,15 @@ if(TARGET sarsim-mpi)
   sarsim_install_page(sarsim-mpi mpi)
 endif()
 
-# The library, for other programs: its folders from core to workflow, with the headers that are not private to a layer.
-set(libraries core radar signal scene simulate raster workflow)
+# The library, for other programs: its folders from core to picture, with the headers that are not private to a layer.
+set(libraries core radar signal scene simulate raster workflow picture)
 foreach(name IN LISTS libraries)
   set_target_properties(sarsim_${name} PROPERTIES EXPORT_NAME ${name})
   add_library(Sarsim::${name} ALIAS sarsim_${name})
   install(TARGETS sarsim_${name} EXPORT SarsimTargets ARCHIVE DESTINATION lib COMPONENT development)
   install(DIRECTORY ${name} DESTINATION include/sarsim COMPONENT development FILES_MATCHING PATTERN "*.hpp"
-          PATTERN "*-inl.hpp" EXCLUDE PATTERN "*_test_*" EXCLUDE PATTERN "hdf5_*" EXCLUDE PATTERN "build.hpp" EXCLUDE)
+          PATTERN "*-inl.hpp" EXCLUDE PATTERN "*_test_*" EXCLUDE PATTERN "hdf5_*" EXCLUDE PATTERN "drawing" EXCLUDE
+          PATTERN "facts" EXCLUDE PATTERN "build.hpp" EXCLUDE)
 endforeach()
 install(FILES ${generated}/core/build/version.hpp DESTINATION include/sarsim/core/build COMPONENT development)
 set_target_properties(sarsim_flags PROPERTIES EXPORT_NAME flags)
@@ -79,6 +80,6 @@ if(TARGET sarsim-gui)
   list(APPEND bundled_programs $<TARGET_FILE:sarsim-gui>)
 endif()
 install(CODE "set(programs \"${bundled_programs}\")
-set(modules \"$<TARGET_FILE:sarsim_hdf5>\")
+set(modules \"$<TARGET_FILE:sarsim_hdf5>;$<TARGET_FILE:sarsim_drawing>\")
 set(library_folder \"${SARSIM_MODULE_FOLDER}\")" COMPONENT libraries EXCLUDE_FROM_ALL)
 install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/BundleLibraries.cmake COMPONENT libraries EXCLUDE_FROM_ALL)

@@ -31,15 +31,16 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME sarsim)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "radar echo simulator
 ${sentence}
 .
-This is the command with its module for HDF5, examples and documentation.")
+This is the command with its modules for HDF5 and pictures, examples and
+documentation.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "sarsim-gui ${same}")
 
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME sarsim-gui)
-set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "radar echo simulator: workbench and pictures
+set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "radar echo simulator: workbench
 ${sentence}
 .
-This is the graphical program, which builds scenes on screen and draws the
-pictures of sarsim plot.")
+This is the graphical program, which builds scenes on screen and shows their
+echoes at once.")
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_DEPENDS "sarsim ${same}")
 
 set(CPACK_DEBIAN_MPI_PACKAGE_NAME sarsim-mpi)

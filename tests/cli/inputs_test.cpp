@@ -227,20 +227,5 @@ TEST_F(Inputs, ImagesAndProfilesSayHowTheirEchoesWereMade) {
   }
 }
 
-// The loader of programs ends with 127 where a library is missing, after saying which.
-TEST_F(Inputs, AnInstalledPictureProgramThatCannotStartSaysWhy) {
-  write_scene({});
-  fs::create_directory(folder_ / "bin");
-  fs::copy_file(SARSIM_PROGRAM, folder_ / "bin/sarsim");
-  const fs::path drawer = folder_ / "bin/sarsim-gui";
-  write_text(drawer, "#!/bin/sh\necho 'libOther.so: cannot open shared object file' >&2\nexit 127\n");
-  fs::permissions(drawer, fs::perms::owner_all);
-  const std::string command =
-      "cd '" + folder_.string() + "' && bin/sarsim plot scene.scr -o a.png 2> words; echo $? >> words";
-  ASSERT_EQ(std::system(command.c_str()), 0);
-  EXPECT_THAT(text_of(folder_ / "words"),
-              AllOf(HasSubstr("libOther.so"), testing::Not(HasSubstr("not installed")), testing::EndsWith("1\n")));
-}
-
 }  // namespace inputs_test
 }  // namespace sarsim::test

@@ -92,26 +92,6 @@ TEST_F(Interruption, HangUpEndsSweepsAndMapsCleanly) {
   EXPECT_TRUE(entries("d").empty());
 }
 
-// The program that draws is told, and leaves nothing either.
-TEST_F(Interruption, ReachesTheProgramThatDraws) {
-  write_scene({});
-  std::filesystem::create_directory(folder_ / "bin");
-  std::filesystem::copy_file(SARSIM_PROGRAM, folder_ / "bin/sarsim");
-  write_text(folder_ / "bin/sarsim-gui",
-             "#!/bin/sh\nwhile [ \"$1\" != --out ]; do shift; done\n: > \"$(dirname \"$2\")/.left\"\n"
-             ": > begun\nexec sleep 60\n");
-  std::filesystem::permissions(folder_ / "bin/sarsim-gui", std::filesystem::perms::owner_all);
-  Start start = here();
-  start.program = folder_ / "bin/sarsim";
-  Program plot({"plot", "scene.scr", "-o", "a.png"}, start);
-  for (int i = 0; i < 5000 && !std::filesystem::exists(folder_ / "begun"); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  plot.send(SIGHUP);
-  const Finished end = plot.finish(10.0);
-  EXPECT_EQ(end.status, 129) << end.err;
-  EXPECT_THAT(entries("."), ElementsAre("begun", "bin", "scene.scr"));
-}
-
 TEST_F(Interruption, SuddenDeathLeavesTheEarlierFileAlone) {
   write_long_scene();
   write_text(folder_ / "sim.bin", "earlier");

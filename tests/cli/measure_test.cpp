@@ -66,9 +66,6 @@ TEST_F(Measure, WritesATableAndFieldsForPrograms) {
 }
 
 TEST_F(Measure, DrawsTheCutsThroughATarget) {
-#ifndef SARSIM_HAS_GUI
-  GTEST_SKIP() << "built without the graphical program, which draws";
-#endif
   const std::vector<std::string> words{"measure", "sar_r.img", "--target", "5", "--cuts", "pictures"};
   ASSERT_EQ(sarsim(words).status, 0);
   EXPECT_EQ(entries("pictures"), std::vector<std::string>{"target-5.png"});

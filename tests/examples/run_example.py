@@ -26,7 +26,6 @@ class Sarsim:
     def __init__(self, program, folder):
         self.program = pathlib.Path(program)
         self.folder = pathlib.Path(folder)
-        self.draws = self.program.with_name("sarsim-gui").exists()
 
     def __call__(self, *words):
         """Status, standard output and error of a command."""
@@ -140,13 +139,11 @@ def complaints_about_format(sarsim, name, products):
     return complaints
 
 
-def runnable(command, name, draws):
+def runnable(command, name):
     """The words after sarsim; of a command alone with the script; files of earlier commands may be replaced."""
     words = shlex.split(command)[1:]
     if len(words) == 1:
         words.append(name)
-    if words[0] == "plot" and not draws:
-        words[words.index("-o")] = "--csv"
     return words if words[0] in READ_ONLY else [*words, "--force"]
 
 
@@ -160,7 +157,7 @@ def complaints_about_commands(sarsim, name, quotes):
             if not re.search(rf"(?<![\w-]){re.escape(option)}(?![\w-])", known):
                 complaints.append(f'"{quote}" is no option of the command before it')
             continue
-        words = runnable(quote, name, sarsim.draws)
+        words = runnable(quote, name)
         known = sarsim(words[0], "--help").stdout
         done = sarsim(*words)
         if done.returncode != 0:

@@ -37,11 +37,10 @@ $RADAR                                   ! "sarsim nonsense"
         self.assertEqual(run_example.product_count("$SIMULATION a\n$ simulation\n! $SIMULATION\n$GEOMETRY\n$SURFACE"), 3)
 
     def test_a_command_alone_gets_the_script(self):
-        self.assertEqual(run_example.runnable("sarsim check", "a.scr", True), ["check", "a.scr"])
+        self.assertEqual(run_example.runnable("sarsim check", "a.scr"), ["check", "a.scr"])
 
-    def test_pictures_become_tables_where_nothing_draws(self):
-        self.assertEqual(run_example.runnable("sarsim plot a.scr -o a.png", "a.scr", False),
-                         ["plot", "a.scr", "--csv", "a.png", "--force"])
+    def test_what_earlier_commands_wrote_is_replaced(self):
+        self.assertEqual(run_example.runnable("sarsim plot a.scr -o a.png", "a.scr"), ["plot", "a.scr", "-o", "a.png", "--force"])
 
 
 class Examples(unittest.TestCase):

@@ -67,7 +67,6 @@ class Story:
     working: typing.Sequence[str] = ()  # Patterns of names that it may leave behind when it fails.
     same: bool = True  # The same bytes in every run.
     slow: bool = False  # Not for each of the many faults of the suite.
-    gui: bool = False
 
 
 def scene(text, name="scene.scr"):
@@ -142,7 +141,7 @@ def tool_stories():
     yield Story("verify", ("verify", "--quick", "--html", "v.html"), ("v.html",), same=False, slow=True)
     yield Story("plot_csv", ("plot", "scene.scr", "--csv", "p.csv"), ("p.csv",), scene(moving()))
     for picture in ("p.png", "p.svg", "p.pdf"):
-        yield Story(f"plot_{picture[2:]}", ("plot", "scene.scr", "-o", picture), (picture,), scene(moving()), same=False, gui=True, slow=True)
+        yield Story(f"plot_{picture[2:]}", ("plot", "scene.scr", "-o", picture), (picture,), scene(moving()), slow=True)
 
 
 def image_stories():

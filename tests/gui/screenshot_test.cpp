@@ -134,7 +134,6 @@ class ScreenshotTest : public QObject {
     QCOMPARE(run({"--no-such-option"}).status, 2);
     QCOMPARE(run({script_, "--screenshot", folder_.filePath("p.png"), "--scale", "0"}).status, 2);
     QCOMPARE(run({"--dark", "--window", "main"}).status, 2);
-    QCOMPARE(run({"--draw-figure", "none"}).status, 2);
     QCOMPARE(run({"--help"}).status, 0);
   }
 };

@@ -30,7 +30,7 @@ MARK = "not run by the tests"
 RUN = {"sh", "python", "octave", "gdl"}
 UNRUNNABLE = {"matlab", "idl", "vba", "powershell"}
 QUIET = {"", "text", "json", "csv", "make", "c"}
-DRAWS = re.compile(r"^sarsim plot .*-o |^sarsim-gui ", re.MULTILINE)  # with the graphical program
+WORKBENCH = re.compile(r"^sarsim-gui ", re.MULTILINE)
 SECONDS = 300  # With sanitizers; a second or two otherwise.
 
 
@@ -84,7 +84,7 @@ class Machine:
     def __init__(self, folder, programs):
         self.folder = folder
         self.programs = programs  # Of each language; None where it is missing.
-        self.draws = (folder.parent / "bin" / "sarsim-gui").exists()
+        self.has_workbench = (folder.parent / "bin" / "sarsim-gui").exists()
         self.environment = dict(os.environ, MPLBACKEND="Agg", QT_QPA_PLATFORM="offscreen", HOME=str(folder.parent))
         self.environment["PATH"] = f"{folder.parent / 'bin'}:{os.environ['PATH']}"
 
@@ -150,7 +150,7 @@ def check_fence(fence, machine, result):
         result.faults.append(f"line {fence.line}: no such language: {fence.language}")
     elif fence.language in RUN and machine.programs[fence.language] is None:
         result.missing.append(fence.language)
-    elif DRAWS.search(fence.text) and not machine.draws:
+    elif WORKBENCH.search(fence.text) and not machine.has_workbench:
         result.missing.append("sarsim-gui")
     elif fence.language in RUN:
         started = time.monotonic()

@@ -32,6 +32,7 @@ def everything(prefix, components):
     wanted = [
         "bin/sarsim",
         "lib/sarsim/sarsim_hdf5.so",
+        "lib/sarsim/sarsim_drawing.so",
         "share/man/man1/sarsim.1*",
         "share/bash-completion/completions/sarsim",
         "share/zsh/vendor-completions/_sarsim",
@@ -42,8 +43,10 @@ def everything(prefix, components):
         "share/doc/sarsim/copyright",
         "share/doc/sarsim/LICENSE",
         "lib/libsarsim_simulate.a",
+        "lib/libsarsim_picture.a",
         "lib/cmake/Sarsim/SarsimConfig.cmake",
         "include/sarsim/simulate/run/run.hpp",
+        "include/sarsim/picture/figure/picture_file.hpp",
         "include/sarsim/core/build/version.hpp",
         "share/doc/sarsim-dev/copyright",
     ]
@@ -61,7 +64,7 @@ def everything(prefix, components):
         wanted += ["bin/sarsim-mpi", "share/man/man1/sarsim-mpi.1*"]
     missing = [name for name in wanted if not list(prefix.glob(name))]
     expect(not missing, f"not installed: {missing}")
-    private = [path.name for path in prefix.rglob("*.hpp") if re.search(r"-inl|_test_|^hdf5_", path.name)]
+    private = [path.name for path in prefix.rglob("*.hpp") if re.search(r"-inl|_test_|^hdf5_|^canvas", path.name)]
     expect(not private, f"private headers were installed: {private}")
 
 

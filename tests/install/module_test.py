@@ -1,4 +1,4 @@
-"""Installs the program into a folder, moves it, and writes and reads HDF5 with it; then without its module.
+"""Installs the program into a folder, moves it, writes and reads HDF5 and draws with it; then without its modules.
 
 usage: module_test.py CMAKE BUILD_FOLDER
 """
@@ -25,6 +25,15 @@ def main():
         recording = next(out.glob("*.h5"))
         info = run(program, "info", recording)
         expect(info.returncode == 0 and "HDF5" in info.stdout.upper(), "it cannot read HDF5", info)
+
+        picture = out / "picture.png"
+        drawn = run(program, "plot", recording, "-o", picture)
+        expect(drawn.returncode == 0 and picture.read_bytes().startswith(b"\x89PNG"), "it cannot draw", drawn)
+        picture.unlink()
+        (folder / "moved" / "lib" / "sarsim" / "sarsim_drawing.so").unlink()
+        drawn = run(program, "plot", recording, "-o", picture)
+        told = drawn.returncode == 1 and "sarsim_drawing.so" in drawn.stderr and not picture.exists()
+        expect(told, "it does not say that the module for pictures is missing", drawn)
 
         (folder / "moved" / "lib" / "sarsim" / "sarsim_hdf5.so").unlink()
         info = run(program, "info", recording)

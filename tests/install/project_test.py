@@ -47,8 +47,9 @@ def main():
         compiled = run(cmake, "--build", made)
         expect(compiled.returncode == 0, "the other program cannot be built", compiled)
 
-        own = run(made / "record", script, folder / "own.h5")
+        own = run(made / "record", script, folder / "own.h5", folder / "own.png")
         expect(own.returncode == 0, "the other program fails", own)
+        expect((folder / "own.png").read_bytes().startswith(b"\x89PNG"), "the other program draws nothing", own)
         sarsim = prefix / "bin" / "sarsim"
         for kind in ("npy", "hdf5"):
             finished = run(sarsim, "run", script, "1", "--format", kind, "--out", folder / kind)

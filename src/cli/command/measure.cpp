@@ -8,13 +8,13 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/command/measure_cuts.hpp"
-#include "cli/command/picture_program.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/recording_options.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
 #include "core/maths/decibels.hpp"
+#include "picture/figure/picture_file.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/input/recording_input.hpp"
 
@@ -163,7 +163,7 @@ void draw_cuts(const MeasureArguments& arguments, const workflow::MeasureReport&
     if (!target.found) continue;
     picture::Figure figure = figure_of_cuts(target.cuts, *target.found, target.theory.azimuth, target.theory.range);
     figure.title = fmt::format("Target {} of {}", target.theory.target + 1, arguments.image);
-    draw_picture(figure, target.picture, {.width_px = 800, .height_px = 800, .dark = arguments.dark});
+    picture::write_picture(figure, target.picture, {.width_px = 800, .height_px = 800, .dark = arguments.dark});
   }
 }
 

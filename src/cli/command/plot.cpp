@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/command/picture_program.hpp"
 #include "cli/command/plot_arguments.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/sample_options.hpp"
@@ -14,6 +13,7 @@
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/colour/colour_map.hpp"
+#include "picture/figure/picture_file.hpp"
 #include "workflow/input/output_names.hpp"
 
 namespace sarsim::cli {
@@ -53,9 +53,9 @@ bool is_script(const PlotArguments& a) { return ending_of(a.input) == ".scr"; }
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())
     throw core::Refused("nothing is to be written", "name a picture with -o, or a table with --csv");
-  const std::string ending = ending_of(a.out);
-  if (!a.out.empty() && ending != ".png" && ending != ".svg" && ending != ".pdf")
-    throw core::Refused("'" + a.out + "' does not say which kind of picture", "end it with .png, .svg or .pdf");
+  if (!a.out.empty() && !picture::picture_kind_of(a.out))
+    throw core::Refused("'" + a.out + "' does not say which kind of picture",
+                        fmt::format("end it with {}", picture::picture_endings));
   std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty()) paths.emplace_back(path);
@@ -70,7 +70,7 @@ void expect_names(const PlotArguments& a) {
                           "make it, or write into one that is there");
 }
 
-// The graphical library draws no larger pictures.
+// The drawing library draws no larger pictures.
 void expect_size(const PlotArguments& a) {
   constexpr double most_dots_a_side = 32767.0;
   constexpr double most_dots = 0x1p29;
@@ -221,8 +221,8 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
   Plotted plotted = is_script(a) ? plot_scene(a, streams) : plot_file(a, streams);
   plotted.figure.title = title_for(a, plotted.figure);
   if (!a.out.empty())
-    draw_picture(plotted.figure, a.out,
-                 {static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0), a.dark});
+    picture::write_picture(plotted.figure, a.out,
+                           {static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0), a.dark});
   write_table(a, plotted.table);
   return exit_done;
 }

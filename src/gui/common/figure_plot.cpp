@@ -1,23 +1,19 @@
 #include "gui/common/figure_plot.hpp"
 
-#include <QBuffer>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QMessageBox>
-#include <QPageLayout>
-#include <QPageSize>
-#include <QPdfWriter>
-#include <QSvgGenerator>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
+#include <exception>
+#include <filesystem>
+#include <string_view>
 #include <system_error>
 
-#include "core/os/output_file.hpp"
 #include "gui/common/figure_text.hpp"
 #include "gui/common/palette_colours.hpp"
+#include "picture/figure/picture_file.hpp"
 #include "picture/figure/ticks.hpp"
 
 namespace sarsim::gui {
@@ -327,67 +323,22 @@ void FigurePlot::changeEvent(QEvent* event) {
 }
 
 bool FigurePlot::save(const QString& path, QSize size, double scale, QString& failure) {
-  const QString ending = QFileInfo(path).suffix().toLower();
-  if (ending != "png" && ending != "svg" && ending != "pdf") {
-    failure = tr("'%1': pictures are written as .png, .svg or .pdf").arg(path);
-    return false;
-  }
-  // Writers of pictures do not tell of a full disk: the picture is drawn into memory and written as any other output,
-  // and what stands under the name stays until it is whole.
-  QBuffer picture;
-  picture.open(QIODevice::WriteOnly);
-  if (!draw_picture(picture, ending, size, scale) || picture.data().isEmpty()) {
-    failure = tr("'%1' could not be drawn").arg(path);
+  const std::filesystem::path file = path.toStdString();
+  if (!picture::picture_kind_of(file)) {
+    const std::string_view endings = picture::picture_endings;
+    failure = tr("'%1': pictures are written as %2")
+                  .arg(path, QString::fromUtf8(endings.data(), static_cast<qsizetype>(endings.size())));
     return false;
   }
   try {
-    core::OutputFile file(path.toStdString(), true);
-    file.write(std::as_bytes(std::span(picture.data().constData(), static_cast<std::size_t>(picture.size()))));
-    file.commit();
+    picture::write_picture(figure_, file, {size.width(), size.height(), scale, is_dark(palette())});
     return true;
   } catch (const std::system_error& error) {
     failure = tr("'%1' could not be written: %2").arg(path, QString::fromStdString(error.code().message()));
+  } catch (const std::exception& error) {
+    failure = QString::fromUtf8(error.what());
   }
   return false;
-}
-
-bool FigurePlot::draw_picture(QIODevice& device, const QString& ending, QSize size, double scale) {
-  // Marks suit the lengths that axes had when they were drawn last.
-  toPixmap(size.width(), size.height());
-  keep_scales();
-  if (ending == "png") {
-    constexpr int dots_per_metre = 3780;  // 96 to the inch
-    QImage image = toPixmap(size.width(), size.height(), scale).toImage();
-    image.setDotsPerMeterX(dots_per_metre);
-    image.setDotsPerMeterY(dots_per_metre);
-    return image.save(&device, "PNG");
-  }
-  const QString title = QString::fromStdString(figure_.title);
-  if (ending == "pdf") {
-    QPdfWriter writer(&device);
-    writer.setCreator("sarsim");
-    writer.setTitle(title);
-    writer.setResolution(logicalDpiX());
-    const QPageSize page(QSizeF(size), QPageSize::Point, QString(), QPageSize::ExactMatch);
-    QPageLayout layout(page, QPageLayout::Portrait, QMarginsF());
-    layout.setMode(QPageLayout::FullPageMode);
-    return writer.setPageLayout(layout) && paint_on(writer, size);
-  }
-  QSvgGenerator generator;
-  generator.setOutputDevice(&device);
-  generator.setSize(size);
-  generator.setViewBox(QRect(QPoint(), size));
-  generator.setTitle(title);
-  return paint_on(generator, size);
-}
-
-bool FigurePlot::paint_on(QPaintDevice& device, QSize size) {
-  QCPPainter painter;
-  if (!painter.begin(&device)) return false;
-  painter.setMode(QCPPainter::pmVectorized);
-  painter.setWindow(QRect(QPoint(), size));
-  toPainter(&painter, size.width(), size.height());
-  return painter.end();
 }
 
 void ask_and_save_picture(QWidget& parent, const picture::Figure& figure, const QString& suggested) {

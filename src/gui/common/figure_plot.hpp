@@ -26,9 +26,9 @@ class FigurePlot : public QCustomPlot {
   /// Where panel `index` is drawn.
   [[nodiscard]] QCPAxisRect* panel(std::size_t index) const { return panels_.at(index); }
 
-  /// Writes the figure as it would look in a window of `size` to a file: PNG with `scale` dots for each pixel, SVG or
-  /// PDF, as the name ends. False with words in `failure` where the name ends otherwise or the file cannot be written
-  /// whole; then what stood there is left as it was.
+  /// Writes the figure, as large as a window of `size` and in its colours, to a file (picture::write_picture): PNG with
+  /// `scale` dots for each pixel, SVG or PDF, as the name ends. False with words in `failure` where the name ends
+  /// otherwise or the file cannot be written whole; then what stood there is left as it was.
   bool save(const QString& path, QSize size, double scale, QString& failure);
 
  protected:
@@ -37,8 +37,6 @@ class FigurePlot : public QCustomPlot {
 
  private:
   void rebuild();
-  bool draw_picture(QIODevice& device, const QString& ending, QSize size, double scale);
-  bool paint_on(QPaintDevice& device, QSize size);
   void add_text(int row, const QString& text, bool bold);
   void add_panel(int row, const picture::FigurePanel& panel);
   void add_axis(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px);

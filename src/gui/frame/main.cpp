@@ -16,7 +16,6 @@
 #include "core/build/build.hpp"
 #include "core/os/standard_streams.hpp"
 #include "gui/frame/document_keeper.hpp"
-#include "gui/frame/draw_figure.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/frame/pictures.hpp"
 #include "picture/facts/version_text.hpp"
@@ -130,7 +129,6 @@ int run(QApplication& application, const Options& options) {
 
 int main(int argc, char** argv) {
   sarsim::core::reserve_standard_streams();
-  if (argc > 1 && std::string_view(argv[1]) == "--draw-figure") return sarsim::gui::draw_figure(argc, argv);
   Options options;
   CLI::App command;
   read_options(command, options);

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "picture/colour/theme.hpp"
@@ -97,13 +96,5 @@ struct Figure {
 
   friend bool operator==(const Figure&, const Figure&) = default;
 };
-
-/// Bytes of a figure, to be handed to the program that draws it; the same for equal figures.
-[[nodiscard]] std::string figure_bytes(const Figure& figure);
-
-/// The figure that `figure_bytes` wrote, on the same kind of machine.
-/// @throws std::runtime_error saying what is wrong where `bytes` are no figure, are cut short or claim more than is
-/// there
-[[nodiscard]] Figure figure_from(std::string_view bytes);
 
 }  // namespace sarsim::picture

@@ -1,6 +1,7 @@
-// Simulates the first recording of a script in memory, prints a checksum of its samples, and writes it as HDF5:
+// Simulates the first recording of a script in memory, prints a checksum of its samples, draws the magnitudes of its
+// first pulse, and writes it as HDF5:
 //
-//   record SCRIPT FILE.h5
+//   record SCRIPT FILE.h5 PICTURE
 
 #include <complex>
 #include <cstdint>
@@ -12,6 +13,8 @@
 
 #include "core/build/version.hpp"
 #include "core/report/problem.hpp"
+#include "picture/figure/figure_axes.hpp"
+#include "picture/figure/picture_file.hpp"
 #include "raster/format/sinks.hpp"
 #include "scene/check/check.hpp"
 #include "scene/script/reader.hpp"
@@ -34,7 +37,20 @@ std::uint64_t checksum(const std::vector<std::complex<double>>& samples) {
   return sum;
 }
 
-int record(const char* script, const char* file) {
+void draw(const sarsim::simulate::Recording& recording, std::size_t columns, const char* file) {
+  std::vector<double> sample, magnitude_v;
+  for (std::size_t i = 0; i < columns; ++i) {
+    sample.push_back(static_cast<double>(i));
+    magnitude_v.push_back(std::abs(recording.samples[i]));
+  }
+  sarsim::picture::Figure figure;
+  sarsim::picture::FigureAxis across = sarsim::picture::axis_along("Sample", "", sample);
+  figure.panels.push_back(
+      sarsim::picture::curve_panel("First pulse", across, {"Magnitude", "V", 0.0, 1.0, {}}, sample, magnitude_v));
+  sarsim::picture::write_picture(figure, file, {});
+}
+
+int record(const char* script, const char* file, const char* picture) {
   const sarsim::scene::ScriptReading reading = sarsim::scene::read_script_file(script);
   sarsim::core::Problems problems = reading.problems;
   if (!has_errors(problems)) problems = sarsim::scene::check(reading.scene);
@@ -47,6 +63,7 @@ int record(const char* script, const char* file) {
   std::cout << "sarsim " << sarsim::core::program_version << '\n'
             << plan.rows << " x " << plan.columns << '\n'
             << std::hex << checksum(recording.samples) << '\n';
+  draw(recording, plan.columns, picture);
 
   const sarsim::simulate::Product product = product_of(plan, sarsim::scene::write_script(reading.scene));
   const std::unique_ptr<sarsim::simulate::Sink> sink =
@@ -58,9 +75,9 @@ int record(const char* script, const char* file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) return 2;
+  if (argc != 4) return 2;
   try {
-    return record(argv[1], argv[2]);
+    return record(argv[1], argv[2], argv[3]);
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cairo.h>
+#include <pango/pangocairo.h>
+
+#include <memory>
+#include <string>
+
+#include "picture/figure/picture_file.hpp"
+
+namespace sarsim::picture {
+
+/// A rectangle of a picture, pixels from its upper left corner.
+struct Area {
+  double left = 0.0;
+  double top = 0.0;
+  double width = 0.0;
+  double height = 0.0;
+
+  [[nodiscard]] double right() const { return left + width; }
+  [[nodiscard]] double bottom() const { return top + height; }
+};
+
+/// What a picture is drawn on, in pixels of PictureStyle.
+class Canvas {
+ public:
+  /// @throws std::runtime_error where there is no room for so many dots
+  Canvas(PictureKind kind, const PictureStyle& style, const std::string& title);
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  [[nodiscard]] cairo_t* cairo() const { return cairo_.get(); }
+  [[nodiscard]] double width() const { return style_.width_px; }
+  [[nodiscard]] double height() const { return style_.height_px; }
+  /// Whether whoever shows the picture makes images larger by smoothing them, whatever they are asked.
+  [[nodiscard]] bool smooths_images() const { return kind_ == PictureKind::svg; }
+
+  /// The colour of what is drawn next.
+  void use(Role role, double alpha = 1.0) const;
+  /// A straight line, one pixel wide.
+  void line(double x1, double y1, double x2, double y2) const;
+
+  /// Ends the picture and returns its bytes.
+  /// @throws std::runtime_error where something of it could not be drawn
+  [[nodiscard]] std::string finish();
+
+ private:
+  struct Closer {
+    void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
+    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+  };
+
+  PictureKind kind_;
+  PictureStyle style_;
+  std::string bytes_;
+  std::unique_ptr<cairo_surface_t, Closer> surface_;
+  std::unique_ptr<cairo_t, Closer> cairo_;
+};
+
+/// Words set in the picture's font.
+class Words {
+ public:
+  /// One line, as long as it is.
+  Words(const Canvas& canvas, const std::string& text);
+  /// Centred in lines of a width; what is longer than three lines ends with dots.
+  Words(const Canvas& canvas, const std::string& text, double width, bool bold);
+
+  [[nodiscard]] double width() const { return width_; }
+  [[nodiscard]] double height() const { return height_; }
+  /// Draws them with their upper left corner at a place.
+  void draw(double left, double top) const;
+  /// Draws them upwards (or, from above, downwards) with their middle at a place.
+  void draw_turned(double x, double y, bool downwards) const;
+
+ private:
+  struct Closer {
+    void operator()(PangoLayout* layout) const { g_object_unref(layout); }
+  };
+
+  void measure();
+
+  const Canvas* canvas_;
+  std::unique_ptr<PangoLayout, Closer> layout_;
+  double width_ = 0.0;
+  double height_ = 0.0;
+};
+
+}  // namespace sarsim::picture

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "picture/figure/picture_file.hpp"
+
+namespace sarsim::picture {
+
+/// What needs Cairo and Pango. It is a module of its own, `sarsim_drawing.so`, because loading these libraries takes
+/// longer than many a command, and most commands draw nothing.
+struct DrawingModule {
+  /// See `draw_picture`.
+  std::string (*draw)(const Figure& figure, PictureKind kind, const PictureStyle& style);
+};
+
+/// The module, which the first call loads and which then stays. May be called from many threads at once.
+/// @throws std::runtime_error where the module, or a library that it needs, cannot be loaded
+[[nodiscard]] const DrawingModule& drawing_module();
+
+}  // namespace sarsim::picture
