@@ -1,4 +1,5 @@
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
 #include "program.hpp"
 
@@ -123,6 +124,88 @@ TEST_F(Outputs, KeptPathsNeverLeadOutOfTheFolder) {
   write_scene(scene);
   EXPECT_EQ(sarsim({"run", "scene.scr", "--out", "o", "--keep-paths", "--quiet"}).status, 0);
   EXPECT_THAT(entries("o/b"), ElementsAre("sim.bin"));
+}
+
+// What a run that can be resumed makes beside its recordings is looked at before it begins, too.
+class SideFiles : public Outputs {
+ protected:
+  void expect_refused(const std::vector<std::string>& words, const std::string& message) const {
+    const std::vector<std::string> before = entries(".");
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << refused.err;
+    EXPECT_THAT(refused.err, HasSubstr(message));
+    EXPECT_EQ(entries("."), before);
+  }
+};
+
+TEST_F(SideFiles, ReceiptsReplaceNothingButReceipts) {
+  const std::string message = "the recording's receipt has the name of something that is not a receipt";
+  const std::string script = text_of(folder_ / "scene.scr");
+  fs::rename(folder_ / "scene.scr", folder_ / "sim.bin.journal");
+  for (const char* option : {"--resume", "--part=1/2"}) {
+    expect_refused({"run", "sim.bin.journal", option, "--force"}, message);
+    EXPECT_EQ(text_of(folder_ / "sim.bin.journal"), script);
+  }
+  fs::rename(folder_ / "sim.bin.journal", folder_ / "scene.scr");
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--part=1/2", "--part-file", "--quiet"}).status, 0);
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--part=2/2", "--part-file", "--quiet"}).status, 0);
+  write_text(folder_ / "sim.bin.journal", "mine");
+  expect_refused({"merge", "sim.bin.parts"}, message);
+  EXPECT_EQ(text_of(folder_ / "sim.bin.journal"), "mine");
+  fs::remove(folder_ / "sim.bin.journal");
+  ASSERT_EQ(sarsim({"merge", "sim.bin.parts", "--quiet"}).status, 0);
+  EXPECT_EQ(sarsim({"run", "scene.scr", "--resume", "--force", "--quiet"}).status, 0);
+}
+
+TEST_F(SideFiles, FoldersOfPartsHoldPartsAlone) {
+  fs::create_directory(folder_ / "mine");
+  for (const char* name : {"my.rows", "joined", "product"}) write_text(folder_ / "mine" / name, name);
+  fs::create_directory_symlink("mine", folder_ / "sim.bin.parts");
+  expect_refused({"run", "scene.scr", "--part=1/1"}, "the name of something that is not a folder");
+  fs::remove(folder_ / "sim.bin.parts");
+  fs::rename(folder_ / "mine", folder_ / "sim.bin.parts");
+  for (const char* option : {"--part=1/1", "--resume"})
+    expect_refused({"run", "scene.scr", option}, "holds files that are not parts");
+  EXPECT_THAT(entries("sim.bin.parts"), ElementsAre("joined", "my.rows", "product"));
+}
+
+TEST_F(SideFiles, InAFolderOfPartsAreNeverReachedByLinks) {
+  write_text(folder_ / "victim", "mine");
+  fs::create_directory(folder_ / "sim.bin.parts");
+  write_text(folder_ / "sim.bin.parts/lock", "");
+  for (const char* name : {"samples", "part-1-of-1.rows"})
+    fs::create_symlink("../victim", folder_ / "sim.bin.parts" / name);
+  const Finished refused = sarsim({"run", "scene.scr", "--part=1/1", "--quiet"});
+  EXPECT_NE(refused.status, 0);
+  EXPECT_THAT(refused.err, HasSubstr("symbolic link"));
+  EXPECT_EQ(text_of(folder_ / "victim"), "mine");
+}
+
+TEST_F(SideFiles, ThatWouldBeAnotherOutputAreRefused) {
+  SceneText two;
+  two.files = {"sim.bin.journal", "sim.bin"};
+  write_scene(two);
+  expect_refused({"run", "scene.scr", "--resume"}, "are one file");
+  two.files = {"sim.bin", "other.bin"};
+  write_scene(two);
+  write_text(folder_ / "sim.bin", "old");
+  fs::create_symlink("sim.bin", folder_ / "other.bin");
+  expect_refused({"run", "scene.scr", "--force"}, "are one file");
+  EXPECT_EQ(text_of(folder_ / "sim.bin"), "old");
+}
+
+TEST_F(SideFiles, JournalsThatArePipesEndACommandAtOnce) {
+  fs::create_directory(folder_ / "sim.bin.parts");
+  write_text(folder_ / "sim.bin.parts/lock", "");
+  ASSERT_EQ(::mkfifo((folder_ / "sim.bin.parts/x.journal").c_str(), 0600), 0);
+  const Finished refused = sarsim({"merge", "sim.bin.parts"});
+  EXPECT_NE(refused.status, 0);
+  EXPECT_THAT(refused.err, HasSubstr("not a regular file"));
+}
+
+TEST_F(SideFiles, TablesOfASweepAreNotItsRecordings) {
+  expect_refused({"sweep", "scene.scr", "--set", "seed=1..2", "--format", "csv", "--table", "sim_seed=1", "--force"},
+                 "is the name of a variation's file and of a table of the sweep");
 }
 
 TEST_F(Outputs, PicturesGoIntoFoldersThatAreThere) {

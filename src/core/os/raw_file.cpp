@@ -19,14 +19,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Without waiting for the other end of a pipe.
 int flags_of(RawFile::Mode mode) {
+  constexpr int all = O_CLOEXEC | O_NONBLOCK;
   switch (mode) {
-    case RawFile::Mode::read: return O_RDONLY | O_CLOEXEC;
-    case RawFile::Mode::write: return O_RDWR | O_CREAT | O_CLOEXEC;
-    case RawFile::Mode::write_new: return O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC;
-    case RawFile::Mode::append: return O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC;
+    case RawFile::Mode::read: break;
+    case RawFile::Mode::write: return O_RDWR | O_CREAT | O_NOFOLLOW | all;
+    case RawFile::Mode::write_new: return O_RDWR | O_CREAT | O_EXCL | all;
+    case RawFile::Mode::append: return O_WRONLY | O_CREAT | O_APPEND | O_NOFOLLOW | all;
   }
-  return O_RDONLY | O_CLOEXEC;
+  return O_RDONLY | all;
 }
 
 int flock_patiently(int descriptor, int operation) {
@@ -40,7 +42,14 @@ int flock_patiently(int descriptor, int operation) {
 RawFile::RawFile(fs::path path, Mode mode) : path_(std::move(path)) {
   do descriptor_ = ::open(path_.c_str(), flags_of(mode), 0666);
   while (descriptor_ < 0 && errno == EINTR);
-  if (descriptor_ < 0) fail(mode == Mode::read ? "read" : mode == Mode::append ? "write" : "open");
+  const char* const action = mode == Mode::read ? "read" : mode == Mode::append ? "write" : "open";
+  if (descriptor_ < 0) fail(action);
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) fail(action);
+  if (S_ISREG(status.st_mode)) return;
+  ::close(std::exchange(descriptor_, -1));
+  throw std::system_error(std::make_error_code(std::errc::invalid_argument),
+                          fmt::format("cannot {} {}, which is not a regular file", action, path_.string()));
 }
 
 RawFile::RawFile(RawFile&& other) noexcept
@@ -57,7 +66,10 @@ RawFile::~RawFile() {
 }
 
 void RawFile::fail(const char* action) const {
-  throw std::system_error(errno, std::generic_category(), fmt::format("cannot {} {}", action, path_.string()));
+  const int error = errno;
+  throw std::system_error(
+      error, std::generic_category(),
+      fmt::format("cannot {} {}{}", action, path_.string(), error == ELOOP ? ", which is a symbolic link" : ""));
 }
 
 std::uint64_t RawFile::size() const {

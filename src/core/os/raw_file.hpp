@@ -8,8 +8,9 @@
 namespace sarsim::core {
 
 /// An open file whose bytes are read and written by their place. Unlike OutputFile it is there under its name from the
-/// beginning: for what several processes, or one after the other, work on. Every failure is a std::system_error that
-/// names the action and the file. Moved-from and default ones are closed.
+/// beginning: for what several processes, or one after the other, work on. Only regular files; links are followed for
+/// reading alone. Every failure is a std::system_error that names the action and the file. Moved-from and default ones
+/// are closed.
 class RawFile {
  public:
   /// What is done with the file, and whether it has to be there.

@@ -259,12 +259,6 @@ class Joiner {
   simulate::Recorded recorded_;
 };
 
-fs::path receipt_of(const fs::path& output) {
-  fs::path path = core::end_of_links(output);
-  path += ".journal";
-  return path;
-}
-
 void Joiner::publish(const fs::path& complete) const {
   try {
     core::publish_file(complete, task_.output, task_.replace);
@@ -325,6 +319,12 @@ fs::path parts_folder_of(const fs::path& output) {
   return folder;
 }
 
+fs::path receipt_of(const fs::path& output) {
+  fs::path path = core::end_of_links(output);
+  path += ".journal";
+  return path;
+}
+
 fs::path shared_rows_of(const fs::path& folder) { return folder / "samples"; }
 fs::path product_file_of(const fs::path& folder) { return folder / "product"; }
 
@@ -348,14 +348,15 @@ std::vector<Journal> read_journals(const fs::path& folder) {
 
 void remove_parts(const fs::path& folder) noexcept {
   std::error_code ignored;
-  std::vector<fs::path> paths{shared_rows_of(folder), product_file_of(folder), folder / "lock", folder / "frame",
-                              folder / "joined"};
+  std::vector<fs::path> paths{shared_rows_of(folder), product_file_of(folder), folder / "frame", folder / "joined"};
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
     const std::string name = entry->path().filename().string();
     const bool ours = name.ends_with(".journal") || name.ends_with(".rows") ||
                       name.find(".new-") != std::string::npos || name.find(".partial-") != std::string::npos;
     if (ours) paths.push_back(entry->path());
   }
+  // Last what tells a folder of parts.
+  paths.push_back(folder / "lock");
   for (const fs::path& path : paths) fs::remove(path, ignored);
   fs::remove(folder, ignored);
 }

@@ -26,6 +26,9 @@ struct UnfitParts : std::runtime_error {
 /// that both are on one disk.
 [[nodiscard]] std::filesystem::path parts_folder_of(const std::filesystem::path& output);
 
+/// The receipt beside an output, by which a later run knows that it is whole.
+[[nodiscard]] std::filesystem::path receipt_of(const std::filesystem::path& output);
+
 /// The file of a folder that all parts share, with the rows at their places; and the one with what joining needs.
 [[nodiscard]] std::filesystem::path shared_rows_of(const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path product_file_of(const std::filesystem::path& folder);

@@ -17,7 +17,6 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::string_view first_line = "sarsim journal 1";
 constexpr std::string_view script_name = "script";
 constexpr std::array<std::string_view, 3> store_words{"placed", "encoded", "volts"};
 
@@ -81,7 +80,7 @@ class JournalReader {
   explicit JournalReader(Journal& journal) : journal_(journal) {}
 
   bool take(std::string_view line) {
-    if (std::exchange(first_, false)) return line == first_line;
+    if (std::exchange(first_, false)) return line == journal_signature;
     Words words(line);
     const std::string_view word = words.next();
     return begun_ ? word == "rows" && take_claim(words) : take_head(word, words);
@@ -173,7 +172,7 @@ std::size_t Journal::claimed_rows() const {
 }
 
 std::string text_of(const JournalHead& head) {
-  std::string text = core::sealed_line(std::string(first_line));
+  std::string text = core::sealed_line(std::string(journal_signature));
   text += core::sealed_line("part " + on_one_line(head.part));
   text += core::sealed_line(fmt::format("range {} {}", head.range.first, head.range.count));
   text += core::sealed_line(fmt::format("store {}", store_words[static_cast<std::size_t>(head.store)]));

@@ -31,6 +31,9 @@ enum class RowStore {
   volts,    ///< The same as pairs of doubles in V, because the LSB is only known when all rows are there.
 };
 
+/// The first line of every journal.
+inline constexpr std::string_view journal_signature = "sarsim journal 1";
+
 /// What the beginning of a journal says.
 struct JournalHead {
   Identity identity;

@@ -12,6 +12,7 @@
 #include "raster/parts/join_parts.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/record/side_files.hpp"
 
 namespace sarsim::workflow {
 
@@ -33,6 +34,8 @@ class Merger {
       task.replace = request_.force;
       for (const std::string& folder : request_.folders) expect_outside(task.output, folder);
       expect_free_outputs({task.output}, {{}, request_.force, "-o"});
+      if (core::Problems problems = problems_of_side_files(task.output); !problems.empty())
+        throw core::Refused(std::move(problems));
       for (const std::string& folder : request_.folders) collect(folder, task.journals);
       task.product = raster::load_product(raster::product_file_of(request_.folders.front()));
       if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())

@@ -29,6 +29,7 @@
 #include "workflow/record/products.hpp"
 #include "workflow/record/record_size.hpp"
 #include "workflow/record/recording.hpp"
+#include "workflow/record/side_files.hpp"
 
 namespace sarsim::workflow {
 
@@ -195,12 +196,18 @@ class Recorder {
 
   void expect_free_files() const {
     core::Problems problems;
+    std::vector<fs::path> files;
     // Whether a recording that is made in parts is finished is looked at when its turn comes.
     for (const ProductJob& job : jobs_) {
       const bool later = journaled_ && (!job.table || request_.part.resume || !makes_tables());
       std::ranges::move(problems_of_output(job.path, {input_.sources, request_.force || later}),
                         std::back_inserter(problems));
+      files.push_back(job.path);
+      if (!journaled_ || job.table) continue;
+      std::ranges::move(problems_of_side_files(job.path), std::back_inserter(problems));
+      std::ranges::move(side_files_of(job.path), std::back_inserter(files));
     }
+    if (!request_.discard) std::ranges::move(problems_of_same_files(files), std::back_inserter(problems));
     if (fs::exists(request_.folder) && !fs::is_directory(request_.folder))
       throw core::Refused("'" + request_.folder.string() + "' is not a folder",
                           "name a folder with --out; it is made when missing");

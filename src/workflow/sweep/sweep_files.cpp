@@ -1,5 +1,6 @@
 #include "workflow/sweep/sweep_files.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -63,8 +64,14 @@ void expect_free_files(const SweepRequest& request, const std::vector<SweepRow>&
   FirstProblem problem(request);
   for (const SweepRow& row : rows)
     if (!row.done && !request.discard) problem.look_at(files.beside(row.file), request.force);
-  for (const char* extension : {".csv", ".json", ".journal"})
-    problem.look_at(files.of_part(extension), request.force || request.resume);
+  for (const char* extension : {".csv", ".json", ".journal"}) {
+    const fs::path path = files.of_part(extension);
+    if (!request.discard &&
+        std::ranges::any_of(rows, [&](const SweepRow& row) { return files.beside(row.file) == path; }))
+      throw core::Refused("'" + path.string() + "' is the name of a variation's file and of a table of the sweep",
+                          "give the table another name with --table");
+    problem.look_at(path, request.force || request.resume);
+  }
   std::move(problem).refuse_any();
 }
 

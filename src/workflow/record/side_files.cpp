@@ -1,0 +1,101 @@
+#include "workflow/record/side_files.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <string>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "core/os/output_file.hpp"
+#include "raster/parts/join_parts.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+core::Problem problem_of_file(const fs::path& file, std::string message, std::string hint) {
+  core::Problem problem;
+  problem.message = std::move(message);
+  problem.found = file.string();
+  problem.hint = std::move(hint);
+  return problem;
+}
+
+bool is_journal(const fs::path& file) {
+  std::string begin(raster::journal_signature.size(), '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return stream && begin == raster::journal_signature;
+}
+
+core::Problems problems_of_receipt(const fs::path& receipt) {
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(receipt, ignored);
+  if (!fs::exists(status) || (fs::is_regular_file(status) && is_journal(receipt))) return {};
+  return {problem_of_file(receipt, "the recording's receipt has the name of something that is not a receipt",
+                          "move that away, or give the recording another name or folder")};
+}
+
+// Whoever makes parts in a folder opens its file `lock` before anything else; a copy of it may hold journals alone.
+bool holds_parts(const fs::path& folder) {
+  std::error_code failure;
+  if (fs::is_regular_file(fs::symlink_status(folder / "lock", failure))) return true;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
+    if (entry->path().extension() == ".journal" && entry->is_regular_file(failure) && is_journal(entry->path()))
+      return true;
+  return false;
+}
+
+core::Problems problems_of_parts_folder(const fs::path& folder) {
+  std::error_code ignored;
+  const fs::file_status status = fs::symlink_status(folder, ignored);
+  if (!fs::exists(status)) return {};
+  const std::string hint = "move it away, or give the recording another name or folder";
+  if (!fs::is_directory(status))
+    return {problem_of_file(
+        folder, "the folder for the recording's parts has the name of something that is not a folder", hint)};
+  if (fs::is_empty(folder, ignored) || holds_parts(folder)) return {};
+  return {problem_of_file(folder, "the folder for the recording's parts holds files that are not parts", hint)};
+}
+
+// One name for a file, whatever links lead to it; none for what takes several outputs.
+fs::path identity_of_file(const fs::path& path) {
+  std::error_code ignored;
+  const fs::path end = fs::absolute(core::end_of_links(path));
+  const fs::file_status status = fs::status(end, ignored);
+  if (fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status)) return {};
+  const fs::path canonical = fs::weakly_canonical(end, ignored);
+  return ignored ? end.lexically_normal() : canonical;
+}
+
+}  // namespace
+
+std::vector<fs::path> side_files_of(const fs::path& output) {
+  return {raster::receipt_of(output), raster::parts_folder_of(output)};
+}
+
+core::Problems problems_of_side_files(const fs::path& output) {
+  core::Problems problems = problems_of_receipt(raster::receipt_of(output));
+  std::ranges::move(problems_of_parts_folder(raster::parts_folder_of(output)), std::back_inserter(problems));
+  return problems;
+}
+
+core::Problems problems_of_same_files(const std::vector<fs::path>& paths) {
+  core::Problems problems;
+  std::map<fs::path, fs::path> taken;
+  for (const fs::path& path : paths) {
+    const fs::path identity = identity_of_file(path);
+    if (identity.empty()) continue;
+    const auto [earlier, is_new] = taken.emplace(identity, path);
+    if (is_new) continue;
+    problems.push_back(problem_of_file(path, fmt::format("this output and '{}' are one file", earlier->second.string()),
+                                       "give each of them a name of its own"));
+  }
+  return problems;
+}
+
+}  // namespace sarsim::workflow
