@@ -1,6 +1,9 @@
+#include <sys/stat.h>
+
 #include <chrono>
 #include <csignal>
 #include <thread>
+#include <utility>
 
 #include <gmock/gmock.h>
 
@@ -126,6 +129,31 @@ TEST_F(Interruption, ReachesTheEstimateOfTheLsb) {
   ASSERT_TRUE(program.wait_for("(finding the largest magnitude): 10 %", 60.0)) << program.err();
   program.send(SIGTERM);
   EXPECT_EQ(program.finish(5.0).status, 143);
+  EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
+}
+
+// Nobody looks at the request while a file is opened or read.
+TEST_F(Interruption, EndsWhatWaitsForAPipe) {
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.scr").c_str(), 0600), 0);
+  for (const auto& [signal, status] : {std::pair(SIGINT, 130), std::pair(SIGTERM, 143)}) {
+    Program program({"check", "pipe.scr"}, here());
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto begin = std::chrono::steady_clock::now();
+    program.send(signal);
+    const Finished end = program.finish(5.0);
+    EXPECT_EQ(end.status, status);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+    EXPECT_THAT(end.err, HasSubstr("interrupted"));
+  }
+}
+
+TEST_F(Interruption, TwiceInAMomentLeavesNothingUnfinished) {
+  write_long_scene();
+  Program program({"run", "scene.scr"}, here());
+  ASSERT_TRUE(program.wait_for("sim.bin: 10 %", 60.0)) << program.err();
+  program.send(SIGINT);
+  program.send(SIGTERM);
+  EXPECT_NE(program.finish(5.0).status, 0);
   EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
 }
 

@@ -194,6 +194,34 @@ TEST_F(SideFiles, ThatWouldBeAnotherOutputAreRefused) {
   EXPECT_EQ(text_of(folder_ / "sim.bin"), "old");
 }
 
+TEST_F(SideFiles, AndOutputsDoNotLeaveTheirFolderByLinks) {
+  fs::create_directory(folder_ / "out");
+  fs::create_directory(folder_ / "home");
+  fs::create_symlink("../home/x", folder_ / "out/sim.bin");
+  const std::string message = "a symbolic link leads this output out of the folder 'out'";
+  expect_refused({"run", "scene.scr", "--out", "out"}, message);
+  fs::remove(folder_ / "out/sim.bin");
+  fs::create_symlink("../home/x", folder_ / "out/sim_seed=1.bin");
+  expect_refused({"sweep", "scene.scr", "--set", "seed=1..2", "--out", "out"}, message);
+  EXPECT_THAT(entries("home"), ElementsAre());
+  // In the folder that one works in, links are one's own.
+  fs::create_symlink("home/x", folder_ / "sim.bin");
+  EXPECT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  EXPECT_THAT(entries("home"), ElementsAre("x"));
+}
+
+TEST_F(SideFiles, OfOtherImagesAreKept) {
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy", "--quiet"}).status, 0);
+  const auto doppler = [](const char* output) {
+    return std::vector<std::string>{"doppler", "sim.npy", "--script", "scene.scr", "--cfar",
+                                    "none",    "--quiet", "--force",  "--out",     output};
+  };
+  const Finished first = sarsim(doppler("a.img"));
+  ASSERT_EQ(first.status, 0) << first.err;
+  expect_refused(doppler("a.npy"), "the header of the image 'a.img' would be replaced");
+  EXPECT_EQ(sarsim(doppler("a.img")).status, 0);
+}
+
 TEST_F(SideFiles, JournalsThatArePipesEndACommandAtOnce) {
   fs::create_directory(folder_ / "sim.bin.parts");
   write_text(folder_ / "sim.bin.parts/lock", "");

@@ -102,11 +102,13 @@ void OutputFile::create_temporary(unsigned mode) {
   constexpr int most_attempts = 1000;  // A killed process of the same number may have left some names behind.
   for (int i = 0; i < most_attempts && descriptor_ < 0; ++i) {
     working_path_ = temporary_name(target_);
+    temporary_ = TemporaryName(working_path_);
     descriptor_ = ::open(working_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno != EEXIST && errno != EINTR) break;
   }
   if (descriptor_ < 0) {
     const int error = errno;
+    temporary_.forget();
     working_path_.clear();
     const std::string folder = target_.has_parent_path() ? target_.parent_path().string() : ".";
     throw_error(error, fmt::format("cannot create {} in folder {}", path_.string(), folder));
@@ -197,6 +199,7 @@ void OutputFile::publish() {
     discard();
     fail(error, "complete");
   }
+  temporary_.forget();
   working_path_.clear();
   sync_folder_of(target_);
 }
@@ -204,6 +207,7 @@ void OutputFile::publish() {
 void OutputFile::discard() noexcept {
   if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
   if (!direct_ && !working_path_.empty()) ::unlink(working_path_.c_str());
+  temporary_.forget();
   working_path_.clear();
 }
 
@@ -219,7 +223,8 @@ void publish_file(const fs::path& complete, const fs::path& output, bool replace
   const fs::path target = end_of_links(output);
   struct stat status {};
   if (::stat(target.c_str(), &status) == 0) {
-    if (!S_ISREG(status.st_mode)) throw_error(ENOTSUP, "cannot replace what is no file: " + output.string());
+    if (!S_ISREG(status.st_mode))
+      throw_error(ENOTSUP, fmt::format("cannot replace {}: it is not a regular file", output.string()));
     if (replace) ::chmod(complete.c_str(), status.st_mode & 07777U);  // As near to the old file's as we may.
   }
   const int error = replace ? (std::rename(complete.c_str(), target.c_str()) == 0 ? 0 : errno)

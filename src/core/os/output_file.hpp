@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <span>
 
+#include "core/os/temporary_files.hpp"
+
 namespace sarsim::core {
 
 /// A file that appears under its name only when it is complete.
@@ -13,7 +15,8 @@ namespace sarsim::core {
 /// given its name by `commit`. Without `replace` an existing file is refused at construction and never overwritten
 /// later either, even if it appeared meanwhile. With `replace` the new file takes the permissions of the old one.
 /// A symbolic link stays a link: the file that it points to is replaced. Devices, pipes and sockets are written
-/// directly; block devices are refused. Destroyed before `commit`, nothing stays behind.
+/// directly; block devices are refused. Destroyed before `commit`, nothing stays behind;
+/// nor where a second signal ends the process (`remove_temporary_files`).
 ///
 /// Partial writes and interrupted calls are continued. Every failure is a std::system_error whose what() names the
 /// action and the file; after a failed write `commit` refuses. One thread at a time.
@@ -58,6 +61,7 @@ class OutputFile {
   std::filesystem::path path_;
   std::filesystem::path target_;  // The file whose content is made: the end of a chain of links.
   std::filesystem::path working_path_;
+  TemporaryName temporary_;
   int descriptor_ = -1;
   bool replace_ = false;
   bool direct_ = false;

@@ -42,7 +42,8 @@ void append_number(std::string& text, double value, int exponent_shift = 0);
 [[nodiscard]] bool equal_ignoring_case(std::string_view a, std::string_view b);
 
 /// The candidate closest to `word` by edit distance, ignoring case; empty where none is near
-/// (distance above 1 and a third of the length of the word).
+/// (distance above 1 and a third of the length of the word). Words of more than 64 letters have no suggestion, nor do
+/// words among more than 1000 candidates: they are names that a program made.
 template <class Candidates>
 [[nodiscard]] std::string nearest_word(std::string_view word, const Candidates& candidates);
 
@@ -51,9 +52,13 @@ template <class Candidates>
 
 template <class Candidates>
 std::string nearest_word(std::string_view word, const Candidates& candidates) {
+  constexpr std::size_t longest = 64;
+  constexpr std::size_t most_candidates = 1000;
   std::string_view best;
+  if (word.size() > longest || std::size(candidates) > most_candidates) return {};
   std::size_t best_distance = word.size() / 3 + 1;
-  for (const auto& candidate : candidates) {
+  for (const std::string_view candidate : candidates) {
+    if (candidate.size() > word.size() + best_distance || candidate.size() + best_distance < word.size()) continue;
     const std::size_t distance = edit_distance(word, candidate);
     if (distance <= best_distance && (best.empty() || distance < best_distance)) {
       best = candidate;

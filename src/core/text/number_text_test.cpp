@@ -245,6 +245,13 @@ TEST(NearestWord, KeepsTheFirstOfEquallyNearWords) {
 }
 
 // Two letters exchanged count as two changes, so that short words need more than a third of their length.
+TEST(NearestWord, IsNotSoughtAmongWhatProgramsMade) {
+  const std::string name(100000, 'x');
+  EXPECT_EQ(nearest_word(name, std::vector<std::string>{name}), "");
+  EXPECT_EQ(nearest_word("abd", std::vector<std::string>(1001, "abc")), "");
+  EXPECT_EQ(nearest_word("abd", std::vector<std::string>(1000, "abc")), "abc");
+}
+
 TEST(NearestWord, AllowsOneChangeAndAThirdOfTheLength) {
   EXPECT_EQ(nearest_word("ab", std::vector<std::string>{"xb"}), "xb");
   EXPECT_EQ(nearest_word("ab", std::vector<std::string>{"xy"}), "");

@@ -225,6 +225,26 @@ std::filesystem::path envi_header_of(const std::filesystem::path& data) {
   return std::filesystem::exists(replaced) && can_belong(replaced, data) ? replaced : appended;
 }
 
+std::vector<std::filesystem::path> images_of_header(const std::filesystem::path& header_file) {
+  std::vector<std::filesystem::path> images;
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(header_file, failure)) return images;
+  const EnviReading reading = read_envi_header(header_text(header_file), header_file.string());
+  if (!reading.header) return images;
+  const EnviHeader& header = *reading.header;
+  const auto bytes = checked_product(header.samples, header.lines, pixel_bytes(header.pixel));
+  const std::filesystem::path folder = header_file.has_parent_path() ? header_file.parent_path() : ".";
+  for (std::filesystem::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure)) {
+    const std::filesystem::path data = header_file.parent_path() / entry->path().filename();
+    std::error_code ignored;
+    if (data == header_file || data.stem() != header_file.stem() || !entry->is_regular_file(ignored)) continue;
+    if (bytes && entry->file_size(ignored) == *bytes + header.header_offset && can_belong(header_file, data))
+      images.push_back(data);
+  }
+  return images;
+}
+
 EnviWriter::EnviWriter(const std::filesystem::path& data, EnviHeader header, bool replace)
     : header_(std::move(header)), data_(data, replace), text_(header_path(data), replace) {
   CORE_EXPECT(header_.samples > 0);

@@ -55,6 +55,10 @@ struct EnviReading {
 /// the disk fails.
 [[nodiscard]] std::filesystem::path envi_header_of(const std::filesystem::path& data);
 
+/// The data files beside a header, of its own name before the ending, that it describes to the byte. None where it is
+/// missing or not a header.
+[[nodiscard]] std::vector<std::filesystem::path> images_of_header(const std::filesystem::path& header_file);
+
 /// Whether a data file has a header beside it, and that is its own: what a NumPy array says of itself is what the
 /// header says. A header that cannot be read counts for other files, which cannot be read without.
 [[nodiscard]] bool has_envi_header(const std::filesystem::path& data);

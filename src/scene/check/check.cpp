@@ -52,18 +52,17 @@ void check_targets(Findings& findings, NameCheck& platforms, const std::vector<T
 
 // Surfaces are small one by one and may be many: all are filled with points.
 void check_surfaces_together(Findings& findings, const std::vector<Surface>& surfaces) {
-  double area_m2 = 0.0;
+  double points = 0.0;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    const auto& [a, b, c] = surfaces[i].corner_m;
-    const double more_m2 = 0.5 * core::norm(core::cross(b - a, c - a));
-    if (!(more_m2 <= largest_surface_m2)) continue;  // Reported by itself.
-    area_m2 += more_m2;
-    if (area_m2 <= largest_surface_m2) continue;
+    const double more = points_of(surfaces[i]);
+    if (!(more <= largest_surface_m2)) continue;  // Reported by itself.
+    points += more;
+    if (points <= largest_surface_m2) continue;
     findings.about("surface", i);
     findings.error("corner_m", {.message = "the surfaces together are too large to be filled with points, one per "
                                            "square metre",
-                                .found = value_text(area_m2, "m2") + " up to this one",
-                                .expected = value_text(largest_surface_m2, "m2") + " or less of all surfaces",
+                                .found = value_text(points, "points") + " up to this one",
+                                .expected = value_text(largest_surface_m2, "points") + " or less of all surfaces",
                                 .hint = "Corners are given in metres."});
     return;
   }

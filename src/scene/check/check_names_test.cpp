@@ -94,6 +94,18 @@ TEST(CheckNames, PreferTheExactNameToALongerOne) {
   EXPECT_TRUE(check(scene).empty());
 }
 
+TEST(CheckNames, ListTheFirstOfManyNames) {
+  Scene scene = sound_scene();
+  for (int i = 0; i < 12; ++i) {
+    scene.platforms.push_back(scene.platforms[1]);
+    scene.platforms.back().name = "Ship" + std::to_string(i);
+  }
+  scene.targets[0].platform = "Shi";
+  // The first nine by the alphabet decide; they are listed as they are defined.
+  EXPECT_EQ(expect_error(scene, {"target", 0, "platform"}).expected,
+            "one of Ship0, Ship1, Ship2, Ship3, Ship4, Ship5, Ship6, Ship10, ...");
+}
+
 TEST(CheckNames, WarnOfRepeatedDefinitions) {
   Scene platforms = sound_scene();
   platforms.platforms.push_back(platforms.platforms[0]);

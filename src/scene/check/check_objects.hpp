@@ -14,6 +14,8 @@ namespace sarsim::scene {
 void check_platform(Findings& findings, const Platform& platform);
 void check_target(Findings& findings, NameCheck& platforms, const Target& target);
 void check_cloud(Findings& findings, NameCheck& platforms, const Cloud& cloud);
+/// How many points will fill a surface, about: its area in square metres, of a thin one its length in metres.
+[[nodiscard]] double points_of(const Surface& surface);
 void check_surface(Findings& findings, NameCheck& platforms, const Surface& surface);
 void check_radar(Findings& findings, NameCheck& platforms, const Radar& radar);
 void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene, const Simulation& simulation);

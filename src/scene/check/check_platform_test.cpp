@@ -129,6 +129,11 @@ TEST(CheckSurface, WarnsOfCornersOnALine) {
   expect_warning(scene, {"surface", 0, "corner_m"});
   scene.surfaces[0].corner_m = {core::Vec3{1.0, 2.0, 3.0}, core::Vec3{1.0, 2.0, 3.0}, core::Vec3{3.0, 3.0, 3.0}};
   expect_warning(scene, {"surface", 0, "corner_m"});
+  // Half a square metre, but as many points as metres, whichever side is long.
+  for (const auto& [along, up] : {std::pair(1e12, 1e-12), std::pair(1e-12, 1e12)}) {
+    scene.surfaces[0].corner_m = {core::Vec3{}, core::Vec3{along, 0.0, 0.0}, core::Vec3{0.0, 0.0, up}};
+    EXPECT_EQ(expect_error(scene, {"surface", 0, "corner_m"}).found, "1e+12 m long");
+  }
 }
 
 Scene with_low_pass_trajectory(std::initializer_list<double> times_s) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -45,6 +46,12 @@ void check_cloud(Findings& findings, NameCheck& platforms, const Cloud& cloud) {
                             .hint = {}});
 }
 
+double points_of(const Surface& surface) {
+  const auto& [a, b, c] = surface.corner_m;
+  const double area_m2 = 0.5 * core::norm(core::cross(b - a, c - a));
+  return std::max({area_m2, core::norm(b - a), core::norm(c - b), core::norm(a - c)});
+}
+
 void check_surface(Findings& findings, NameCheck& platforms, const Surface& surface) {
   platforms.resolve(findings, "platform", surface.platform);
   check_values(findings, surface);
@@ -57,6 +64,11 @@ void check_surface(Findings& findings, NameCheck& platforms, const Surface& surf
     findings.error("corner_m", {.message = "the surface is too large to be filled with points, one per square metre",
                                 .found = value_text(area_m2, "m2"),
                                 .expected = value_text(largest_surface_m2, "m2") + " or less",
+                                .hint = "Corners are given in metres."});
+  else if (const double points = points_of(surface); points > largest_surface_m2)
+    findings.error("corner_m", {.message = "the surface is too long and thin to be filled with points, one per metre",
+                                .found = value_text(points, "m") + " long",
+                                .expected = value_text(largest_surface_m2, "m") + " or less",
                                 .hint = "Corners are given in metres."});
   if (area_m2 == 0.0)
     findings.warning(Consequence::lost_signal, "corner_m",

@@ -9,7 +9,8 @@ inline constexpr double largest_value = 1e18;
 /// The largest gain of a transmitter or receiver. Losses may be of any size: they only make an echo vanish.
 inline constexpr double largest_gain_db = 300.0;
 
-/// The largest surface, which is filled with a point per square metre; half a gigabyte of them.
+/// The largest surface, which is filled with a point per square metre, one thinner than a metre with a point per metre
+/// of its length: as many points, half a gigabyte of them.
 inline constexpr double largest_surface_m2 = 2e7;
 
 /// The most samples of a row, and of a pulse that is kept as samples: a row is made in memory, by every thread.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 
@@ -27,30 +29,50 @@ bool share_prefix(std::string_view a, std::string_view b) {
 NameTable::NameTable(std::vector<std::string_view> names) : names_(std::move(names)) {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     const auto [first, is_new] = first_.try_emplace(core::lower_case(names_[i]), i);
-    if (!is_new) duplicates_.emplace_back(i, first->second);
+    if (is_new) {
+      lengths_.insert(names_[i].size());
+    } else {
+      duplicates_.emplace_back(i, first->second);
+      repeated_.insert(first->second);
+    }
   }
 }
 
 NameTable::Result NameTable::find(std::string_view name) const {
   if (const auto exact = first_.find(core::lower_case(name)); exact != first_.end())
     return {Match::exact, exact->second};
-  Result result;
-  for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (!share_prefix(names_[i], name)) continue;
-    if (result.match == Match::prefix) return {Match::ambiguous, not_found};
-    result = {Match::prefix, i};
+  const std::vector<std::size_t> alike = sharing_prefix(name, 2);
+  if (alike.empty()) return {};
+  const bool only_one = alike.size() == 1 && !repeated_.contains(alike.front());
+  return only_one ? Result{Match::prefix, alike.front()} : Result{Match::ambiguous, not_found};
+}
+
+// The first so many of the names that begin like this one, or like which it begins, in the order of their definitions.
+std::vector<std::size_t> NameTable::sharing_prefix(std::string_view name, std::size_t most) const {
+  std::vector<std::size_t> found;
+  if (name.empty()) return found;
+  const std::string whole = core::lower_case(name);
+  for (const std::size_t length : lengths_) {
+    if (length >= whole.size() || found.size() == most) break;
+    if (length == 0) continue;
+    if (const auto shorter = first_.find(std::string_view(whole).substr(0, length)); shorter != first_.end())
+      found.push_back(shorter->second);
   }
-  return result;
+  for (auto longer = first_.lower_bound(whole); longer != first_.end() && found.size() < most; ++longer) {
+    if (!longer->first.starts_with(whole)) break;
+    found.push_back(longer->second);
+  }
+  std::ranges::sort(found);
+  return found;
 }
 
 std::string NameTable::candidates(std::string_view name) const {
+  constexpr std::size_t most_listed = 8;
+  const std::vector<std::size_t> alike = sharing_prefix(name, most_listed + 1);
   std::string text;
-  for (const std::string_view candidate : names_) {
-    if (!share_prefix(candidate, name)) continue;
-    if (!text.empty()) text += ", ";
-    text += candidate;
-  }
-  return text;
+  for (std::size_t i = 0; i < std::min(alike.size(), most_listed); ++i)
+    text += fmt::format("{}{}", i > 0 ? ", " : "", names_[alike[i]]);
+  return alike.size() > most_listed ? text + ", ..." : text;
 }
 
 SceneIndex::SceneIndex(const Scene& scene)

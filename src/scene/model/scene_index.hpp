@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -33,15 +36,19 @@ class NameTable {
 
   /// Looks a name up, without regard to case.
   [[nodiscard]] Result find(std::string_view name) const;
-  /// The defined names for which `name` could stand, for messages: "Plane, Planet".
+  /// The first defined names for which `name` could stand, for messages: "Plane, Planet".
   [[nodiscard]] std::string candidates(std::string_view name) const;
   /// Position of each name that was defined before, with the position of its first definition.
   [[nodiscard]] const std::vector<std::pair<std::size_t, std::size_t>>& duplicates() const { return duplicates_; }
   [[nodiscard]] const std::vector<std::string_view>& names() const { return names_; }
 
  private:
+  [[nodiscard]] std::vector<std::size_t> sharing_prefix(std::string_view name, std::size_t most) const;
+
   std::vector<std::string_view> names_;
-  std::unordered_map<std::string, std::size_t> first_;  // lower-case name -> its first definition
+  std::map<std::string, std::size_t, std::less<>> first_;  // lower-case name -> its first definition
+  std::set<std::size_t> lengths_;
+  std::set<std::size_t> repeated_;  // first definitions of names that are defined again
   std::vector<std::pair<std::size_t, std::size_t>> duplicates_;
 };
 

@@ -315,6 +315,14 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
   if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
     problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
                              fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
+  // Of a band so narrow no line of the spectrum may be left.
+  const double least_hz = 2.0 * prf_hz / static_cast<double>(echoes.rows);
+  if (options.doppler_bandwidth_hz > 0.0 && options.doppler_bandwidth_hz < least_hz)
+    problems.push_back(error("the Doppler bandwidth is narrower than what the recorded pulses tell apart",
+                             options.doppler_bandwidth_hz,
+                             fmt::format("at least {:.3g} Hz, twice the pulse repetition frequency over the number of "
+                                         "pulses, or 0 for the whole spectrum",
+                                         least_hz)));
   const double most_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < most_sine * most_hz))
     problems.push_back(error("the Doppler centroid is that of no direction", centroid_hz,

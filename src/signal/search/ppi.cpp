@@ -32,11 +32,8 @@ struct Box {
   }
 };
 
-// First and last index, not before `low` and not behind `high` in units of pixels; empty where last < first.
-struct Indices {
-  std::size_t begin, end;
-};
-
+// Indices from `low` to `high` in units of pixels; empty where there are none.
+template <class Indices>
 Indices indices_in(double low, double high, std::size_t count) {
   const double first = std::max(0.0, std::ceil(low));
   const double last = std::min(std::floor(high), static_cast<double>(count) - 1.0);
@@ -86,16 +83,19 @@ void PpiPicture::paint(const PpiLine& line) {
       return i == parts ? line.end_rad : line.begin_rad + turn * static_cast<double>(i) / static_cast<double>(parts);
     };
     const Sector sector(edge(part), edge(part + 1));
+    constexpr double wide_rad = 0.25;
+    if (turn > wide_rad)
+      paint_pixels(line, sector);
+    else
+      paint_cells(line, sector);
     for (std::size_t i = 0; i < line.strengths.size(); ++i)
-      if (line.edges_m[i + 1] > line.edges_m[i])
-        paint_cell(line, sector, line.edges_m[i], line.edges_m[i + 1], line.strengths[i]);
+      if (line.edges_m[i + 1] > line.edges_m[i] && line.strengths[i] > 0.0F)
+        paint_middle(line, sector, 0.5 * (line.edges_m[i] + line.edges_m[i + 1]), line.strengths[i]);
   }
 }
 
-void PpiPicture::paint_cell(const PpiLine& line, const Sector& sector, double near_m, double far_m, float strength) {
-  if (!(strength > 0.0F)) return;
-  const double middle_m = 0.5 * (near_m + far_m);
-  paint_middle(line.x_m + middle_m * sector.middle.x, line.y_m + middle_m * sector.middle.y, strength);
+// The pixels that may lie between two ranges of a sector.
+PpiPicture::Patch PpiPicture::patch_of(const PpiLine& line, const Sector& sector, double near_m, double far_m) const {
   Box box{far_m * sector.begin.x, far_m * sector.begin.x, far_m * sector.begin.y, far_m * sector.begin.y};
   box.take(far_m * sector.end.x, far_m * sector.end.y);
   box.take(near_m * sector.begin.x, near_m * sector.begin.y);
@@ -103,23 +103,50 @@ void PpiPicture::paint_cell(const PpiLine& line, const Sector& sector, double ne
   if (sector.crosses) box.take(far_m * sector.crossing.x, far_m * sector.crossing.y);
   const double left = line.x_m - grid_.first_x_m;
   const double top = grid_.first_y_m - line.y_m;
-  const Indices columns =
-      indices_in((left + box.low_x) / grid_.pixel_m, (left + box.high_x) / grid_.pixel_m, grid_.columns);
-  const Indices rows = indices_in((top - box.high_y) / grid_.pixel_m, (top - box.low_y) / grid_.pixel_m, grid_.rows);
-  for (std::size_t row = rows.begin; row < rows.end; ++row) {
+  return {indices_in<Indices>((top - box.high_y) / grid_.pixel_m, (top - box.low_y) / grid_.pixel_m, grid_.rows),
+          indices_in<Indices>((left + box.low_x) / grid_.pixel_m, (left + box.high_x) / grid_.pixel_m, grid_.columns)};
+}
+
+// Paints those pixels of a patch that lie in the sector: by what the function says of the square of their range.
+template <class StrengthAt>
+void PpiPicture::paint_patch(const PpiLine& line, const Sector& sector, const Patch& patch, StrengthAt&& strength_at) {
+  for (std::size_t row = patch.rows.begin; row < patch.rows.end; ++row) {
     const double y = grid_.y_m(row) - line.y_m;
-    for (std::size_t column = columns.begin; column < columns.end; ++column) {
+    for (std::size_t column = patch.columns.begin; column < patch.columns.end; ++column) {
       const double x = grid_.x_m(column) - line.x_m;
-      const double square = x * x + y * y;
-      if (square < near_m * near_m || square >= far_m * far_m) continue;
       if (clockwise_of(sector.begin, x, y) < 0.0 || clockwise_of(sector.end, x, y) >= 0.0) continue;
       float& pixel = values_[row * grid_.columns + column];
-      pixel = std::max(pixel, strength);
+      pixel = std::max(pixel, strength_at(x * x + y * y));
     }
   }
 }
 
-void PpiPicture::paint_middle(double x_m, double y_m, float strength) {
+// Cell by cell: of a narrow sector each lies in a few pixels.
+void PpiPicture::paint_cells(const PpiLine& line, const Sector& sector) {
+  for (std::size_t i = 0; i < line.strengths.size(); ++i) {
+    const double near_m = line.edges_m[i];
+    const double far_m = line.edges_m[i + 1];
+    const float strength = line.strengths[i];
+    if (!(far_m > near_m && strength > 0.0F)) continue;
+    paint_patch(line, sector, patch_of(line, sector, near_m, far_m),
+                [&](double square) { return square >= near_m * near_m && square < far_m * far_m ? strength : 0.0F; });
+  }
+}
+
+// Pixel by pixel: of a wide one each cell would look at all pixels within its range.
+void PpiPicture::paint_pixels(const PpiLine& line, const Sector& sector) {
+  std::vector<double> squares(line.edges_m.size());
+  std::ranges::transform(line.edges_m, squares.begin(), [](double edge_m) { return edge_m * edge_m; });
+  paint_patch(line, sector, patch_of(line, sector, line.edges_m.front(), line.edges_m.back()), [&](double square) {
+    const auto behind = std::ranges::upper_bound(squares, square);
+    if (behind == squares.begin() || behind == squares.end()) return 0.0F;
+    return line.strengths[static_cast<std::size_t>(behind - squares.begin()) - 1];
+  });
+}
+
+void PpiPicture::paint_middle(const PpiLine& line, const Sector& sector, double range_m, float strength) {
+  const double x_m = line.x_m + range_m * sector.middle.x;
+  const double y_m = line.y_m + range_m * sector.middle.y;
   const double column = std::floor((x_m - grid_.first_x_m) / grid_.pixel_m + 0.5);
   const double row = std::floor((grid_.first_y_m - y_m) / grid_.pixel_m + 0.5);
   if (!(column >= 0.0 && row >= 0.0 && column < static_cast<double>(grid_.columns) &&

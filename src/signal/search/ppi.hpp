@@ -51,8 +51,18 @@ class PpiPicture {
 
  private:
   struct Sector;
-  void paint_cell(const PpiLine& line, const Sector& sector, double near_m, double far_m, float strength);
-  void paint_middle(double x_m, double y_m, float strength);
+  struct Indices {
+    std::size_t begin, end;
+  };
+  struct Patch {
+    Indices rows, columns;
+  };
+  [[nodiscard]] Patch patch_of(const PpiLine& line, const Sector& sector, double near_m, double far_m) const;
+  template <class StrengthAt>
+  void paint_patch(const PpiLine& line, const Sector& sector, const Patch& patch, StrengthAt&& strength_at);
+  void paint_cells(const PpiLine& line, const Sector& sector);
+  void paint_pixels(const PpiLine& line, const Sector& sector);
+  void paint_middle(const PpiLine& line, const Sector& sector, double range_m, float strength);
 
   PpiGrid grid_;
   std::vector<float> values_;

@@ -111,6 +111,21 @@ TEST(PpiPicture, PaintsSectorsOfAnyWidth) {
   }
 }
 
+// Wide sectors are painted pixel by pixel, narrow ones cell by cell: it makes no difference where cells are larger than
+// pixels.
+TEST(PpiPicture, PaintsWideSectorsAsTheirNarrowParts) {
+  const auto ends = edges(9, 10.0, 10.0);
+  const std::vector<float> strengths{1.0F, 4.0F, 0.0F, 2.0F, 9.0F, 3.0F, 5.0F, 8.0F, 7.0F};
+  PpiPicture wide(ppi_grid(3.0, -2.0, 100.0, 1.0));
+  PpiPicture narrow(wide.grid());
+  const double end_rad = 2.0;
+  constexpr int parts = 32;
+  wide.paint({0.0, 0.0, 0.0, end_rad, ends, strengths});
+  for (int i = 0; i < parts; ++i)
+    narrow.paint({0.0, 0.0, end_rad * i / parts, end_rad * (i + 1) / parts, ends, strengths});
+  EXPECT_EQ(wide.values(), narrow.values());
+}
+
 TEST(PpiPicture, KeepsTheLargestInAnyOrderOfLines) {
   const auto ends = edges(1, 0.0, 50.0);
   const std::vector<float> weak{1.0F}, strong{2.0F};

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
+#include "raster/format/envi.hpp"
 #include "raster/format/recording_hints.hpp"
 #include "raster/table/formats.hpp"
 
@@ -64,7 +67,9 @@ class Namer {
 
   fs::path distinct(const fs::path& path, const core::Subject& subject, bool told) {
     fs::path result = path;
-    for (int number = 2; !taken_.insert(result).second; ++number)
+    // Where the last of this name found a free one, so that many of one name are not all tried again.
+    int& number = numbers_.try_emplace(path.string(), 2).first->second;
+    for (; !taken_.insert(result).second; ++number)
       result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
     if (result != path && !told)
       add(core::Severity::warning, subject,
@@ -77,12 +82,41 @@ class Namer {
   const OutputRules& rules_;
   core::Problems& problems_;
   std::set<fs::path> taken_;
+  std::map<std::string, int> numbers_;
   std::set<std::string> met_;
 };
+
+// A folder that is missing has no links in it.
+bool is_linked_out_of(const fs::path& folder, const fs::path& path) {
+  std::error_code failure;
+  const fs::path inside = fs::canonical(folder, failure);
+  if (failure) return false;
+  const fs::path end = fs::weakly_canonical(core::end_of_links(path), failure);
+  return !failure && std::ranges::mismatch(inside, end).in1 != inside.end();
+}
 
 // What to do where an output cannot have the name that an option or a word of the command line gave it.
 std::string another_file(const std::string& option) {
   return fmt::format("name another file {} {}", option.starts_with('-') ? "with" : "as", option);
+}
+
+// Images of one name and different endings share the name of their header, which can only be that of one of them.
+core::Problems problems_of_header(const fs::path& path, const std::vector<fs::path>& outputs) {
+  core::Problems problems;
+  if (path.extension() != ".hdr") return problems;
+  for (const fs::path& image : raster::images_of_header(path)) {
+    const bool replaced = std::ranges::any_of(outputs, [&](const fs::path& output) {
+      return fs::absolute(output).lexically_normal() == fs::absolute(image).lexically_normal();
+    });
+    if (replaced) continue;
+    core::Problem problem;
+    problem.message = fmt::format(
+        "the header of the image '{}' would be replaced; without it, the image cannot be read", image.string());
+    problem.found = path.string();
+    problem.hint = "give the output a name that differs before its ending, too";
+    problems.push_back(std::move(problem));
+  }
+  return problems;
 }
 
 }  // namespace
@@ -122,11 +156,14 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
   return with_format.found.front();
 }
 
+fs::path chosen_folder(const fs::path& out) { return out == "." ? fs::path() : out; }
+
 void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& care) {
   core::Problems problems;
   std::set<fs::path> taken;
   for (const fs::path& path : paths) {
     std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
+    std::ranges::move(problems_of_header(path, paths), std::back_inserter(problems));
     if (taken.insert(fs::absolute(path).lexically_normal()).second) continue;
     problems.push_back({});
     problems.back().message = fmt::format("'{}' is the name of two outputs", path.string());
@@ -142,6 +179,13 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const fs::path& sou
 
 core::Problems problems_of_output(const fs::path& path, const OutputCare& care) {
   std::error_code ignored;
+  if (!care.folder.empty() && is_linked_out_of(care.folder, path)) {
+    core::Problem problem;
+    problem.message = fmt::format("a symbolic link leads this output out of the folder '{}'", care.folder.string());
+    problem.found = path.string();
+    problem.hint = "remove the link, or choose with --out the folder that it leads to";
+    return {problem};
+  }
   const fs::file_status status = fs::status(path, ignored);
   if (!fs::exists(status)) return {};
   core::Problem problem;

@@ -44,7 +44,12 @@ struct OutputCare {
   /// What names the outputs on the command line, as "--out", "-o or --csv" or "OUT"; empty where the script names them
   /// and --out their folder.
   std::string option = {};
+  /// Where the script names the outputs: the folder that they are not to leave by a symbolic link. Any where empty.
+  std::filesystem::path folder = {};
 };
+
+/// OutputCare::folder for the --out of a command: none where it is the folder one works in, whose links are one's own.
+[[nodiscard]] std::filesystem::path chosen_folder(const std::filesystem::path& out);
 
 /// Throws core::Refused with everything that keeps files from being made: `problems_of_output` of each, and names that
 /// two of them have.

@@ -69,6 +69,12 @@ TEST(OutputNames, RepeatedNamesAreNumbered) {
   EXPECT_EQ(names.problems[0].subject, (core::Subject{"simulation", 2, "file"}));
 }
 
+// Numbers go on where the last one of the name stopped; each trying all of them took minutes.
+TEST(OutputNames, ManyOfOneNameAreNumberedAtOnce) {
+  const scene::Scene scene = scene_with(std::vector<std::string>(20000, "a.bin"));
+  EXPECT_EQ(output_names(scene, {}).simulations.back().filename(), "a-20000.bin");
+}
+
 TEST(OutputNames, NamesThatAFormatMakesAlikeGiveAWarning) {
   OutputRules rules;
   rules.format = scene::FileFormat::hdf5;

@@ -200,8 +200,9 @@ class Recorder {
     // Whether a recording that is made in parts is finished is looked at when its turn comes.
     for (const ProductJob& job : jobs_) {
       const bool later = journaled_ && (!job.table || request_.part.resume || !makes_tables());
-      std::ranges::move(problems_of_output(job.path, {input_.sources, request_.force || later}),
-                        std::back_inserter(problems));
+      std::ranges::move(
+          problems_of_output(job.path, {input_.sources, request_.force || later, "", chosen_folder(request_.folder)}),
+          std::back_inserter(problems));
       files.push_back(job.path);
       if (!journaled_ || job.table) continue;
       std::ranges::move(problems_of_side_files(job.path), std::back_inserter(problems));

@@ -20,7 +20,8 @@ class FirstProblem {
   explicit FirstProblem(const SweepRequest& request) : request_(request) {}
 
   void look_at(const fs::path& path, bool replace) {
-    for (core::Problem& problem : problems_of_output(path, OutputCare{request_.sources, replace})) {
+    for (core::Problem& problem :
+         problems_of_output(path, {request_.sources, replace, "", chosen_folder(request_.folder)})) {
       if (problems_.empty())
         problems_.push_back(std::move(problem));
       else

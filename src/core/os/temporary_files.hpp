@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace sarsim::core {
+
+/// The name of a file that means nothing until it is complete, for as long as it is not: a process that is ended at
+/// once removes all of them first (`remove_temporary_files`). Take the name before the file is made.
+class TemporaryName {
+ public:
+  TemporaryName() = default;
+  explicit TemporaryName(const std::filesystem::path& path);
+  TemporaryName(const TemporaryName&) = delete;
+  TemporaryName& operator=(const TemporaryName&) = delete;
+  TemporaryName(TemporaryName&& other) noexcept;
+  TemporaryName& operator=(TemporaryName&& other) noexcept;
+  ~TemporaryName() { forget(); }
+
+  /// The file is complete or gone.
+  void forget() noexcept;
+
+ private:
+  std::string* name_ = nullptr;
+  std::size_t slot_ = 0;
+};
+
+/// Removes the files whose names are known to be temporary, at most 256 at a time. May be called by a signal handler,
+/// on any thread; the process has to end then.
+void remove_temporary_files() noexcept;
+
+}  // namespace sarsim::core
