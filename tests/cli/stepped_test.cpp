@@ -128,12 +128,13 @@ TEST_F(Profiles, HaveTheSameBytesOnAnyNumberOfThreadsInEveryFormat) {
 }
 
 TEST_F(Profiles, OfScansAndOfTheEncounterAreMeans) {
-  ASSERT_EQ(profiles({"--velocity", "scene", "--set", "scans", "--out", "s.csv"}, "stepped_aircraft.scr").status, 0);
+  ASSERT_EQ(profiles({"--velocity", "scene", "--group", "scans", "--out", "s.csv"}, "stepped_aircraft.scr").status, 0);
   const std::string scans = text_of(folder_ / "s.csv");
   EXPECT_EQ(scans.substr(0, scans.find('\n')), "range_m,scan_1_v,scan_2_v,scan_3_v");
-  ASSERT_EQ(profiles({"--velocity", "scene", "--set", "encounter", "--align", "--out", "e.csv"}, "stepped_aircraft.scr")
-                .status,
-            0);
+  ASSERT_EQ(
+      profiles({"--velocity", "scene", "--group", "encounter", "--align", "--out", "e.csv"}, "stepped_aircraft.scr")
+          .status,
+      0);
   const std::string encounter = text_of(folder_ / "e.csv");
   EXPECT_EQ(encounter.substr(0, encounter.find('\n')), "range_m,encounter_v");
 }
@@ -163,7 +164,7 @@ TEST_F(Profiles, SayWhatIsWrongWithTheirArguments) {
   refused({"--simulation", "7"}, "no simulation 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");
   refused({"--illumination", "-1"}, "--illumination");
-  refused({"--set", "sweeps"}, "scans");
+  refused({"--group", "sweeps"}, "scans");
   EXPECT_EQ(sarsim({"profiles", "missing.h5"}).status, 2);
   EXPECT_EQ(sarsim({"profiles", "missing.scr"}).status, 2);
   EXPECT_TRUE(entries(".").empty());

@@ -45,6 +45,80 @@ TEST_F(Words, SeedsGoAsFarAsThoseOfScripts) {
     expect_refusal({"run", "scene.scr", "--seed", bad}, "is not a whole number from 0 to 18446744073709551615");
 }
 
+TEST_F(Words, HelpIsACommandToo) {
+  EXPECT_EQ(sarsim({"help"}).out, sarsim({"--help"}).out);
+  EXPECT_EQ(sarsim({"help", "run"}).out, sarsim({"run", "--help"}).out);
+  expect_refusal({"help", "rum"}, "did you mean 'run'?");
+}
+
+TEST_F(Words, OutputsHaveOneNameInEveryCommand) {
+  write_scene({});
+  for (const char* command :
+       {"run", "sweep", "geometry", "plot", "merge", "format", "focus", "doppler", "search", "profiles", "isar"})
+    EXPECT_THAT(sarsim({command, "--help"}).out, HasSubstr("-o,--out")) << command;
+  EXPECT_EQ(sarsim({"run", "scene.scr", "-o", "there", "--quiet"}).status, 0);
+  EXPECT_THAT(entries("there"), ElementsAre("sim.bin"));
+  EXPECT_EQ(sarsim({"format", "scene.scr", "--out", "same.scr"}).status, 0);
+  for (const char* command : {"run", "sweep"})
+    expect_refusal({command, "scene.scr", "--set", "seed=2", "--out", "sim.h5"},
+                   "--out takes a folder, and 'sim.h5' is the name of a file");
+}
+
+TEST_F(Words, ScenesToBeginWithAreComplete) {
+  std::istringstream purposes(sarsim({"new"}).out);
+  int count = 0;
+  for (std::string line; std::getline(purposes, line); ++count) {
+    const std::string purpose = line.substr(0, line.find(' '));
+    ASSERT_EQ(sarsim({"new", purpose, "-o", "mine.scr", "--force"}).status, 0) << purpose;
+    const Finished check = sarsim({"check", "mine.scr"});
+    EXPECT_EQ(check.status, 0) << purpose << check.out;
+  }
+  EXPECT_EQ(count, 6);
+  ASSERT_EQ(sarsim({"new", "sar-strip"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "sar_r.scr"), text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr"));
+  ASSERT_EQ(sarsim({"new", "sar-strip", "-o", "mine.scr", "--force"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / "mine.scr"), HasSubstr("mine.h5"));
+  EXPECT_THAT(text_of(folder_ / "mine.scr"), HasSubstr("sar_r_1998.scr"));  // Another example.
+  expect_refusal({"new", "sar-strip"}, "the output exists already");
+  expect_refusal({"new", "sar-stripe"}, "did you mean 'sar-strip'?");
+}
+
+TEST_F(Words, FieldsAreSetWhereverAScriptIsRead) {
+  SceneText scene;
+  scene.geometry = "table.txt";
+  write_scene(scene);
+  const auto set = [&](std::vector<std::string> words) {
+    words.insert(words.end(), {"--set", "Target1.x=700"});
+    const Finished done = sarsim(words);
+    EXPECT_EQ(done.status, 0) << words[0] << ": " << done.err;
+    return done;
+  };
+  const Finished elsewhere = set({"geometry", "scene.scr"});
+  EXPECT_NE(elsewhere.out, sarsim({"geometry", "scene.scr"}).out);
+  set({"check", "scene.scr"});
+  set({"plot", "scene.scr", "-o", "p.png"});
+  expect_refusal({"check", "scene.scr", "--set", "Target9.x=1"}, "Target9");
+  expect_refusal({"profiles", "scene.scr", "--set", "scans"}, "--group");
+}
+
+TEST_F(Words, GeometryOfARecordingIsThatOfItsPulses) {
+  SceneText scene;
+  scene.pulses = 20;
+  write_scene(scene);
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  const auto lines = [](const std::string& text) { return std::ranges::count(text, '\n'); };
+  const std::string whole = sarsim({"geometry", "sim.h5", "--csv"}).out;
+  EXPECT_EQ(lines(whole), 21);
+  EXPECT_THAT(whole, HasSubstr("target 1 distance_m"));
+  const std::string track = sarsim({"geometry", "sim.h5", "--csv", "--no-targets"}).out;
+  EXPECT_EQ(lines(track), 21);
+  EXPECT_THAT(track, testing::Not(HasSubstr("target")));
+  EXPECT_THAT(track, HasSubstr("vx_mps"));
+  expect_refusal({"geometry", "sim.h5", "--set", "seed=3"}, "--set means nothing for 'sim.h5', which was recorded");
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  EXPECT_EQ(sarsim({"geometry", "sim.bin", "--script", "scene.scr", "--csv"}).out, whole);
+}
+
 TEST_F(Words, ProductsThatAreNotChosenAreNotLookedAt) {
   write_scene_with_an_impossible_second();
   expect_refusal({"run", "scene.scr"}, "stands at the position of radar 'Radar2'");

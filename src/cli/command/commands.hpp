@@ -18,6 +18,7 @@ using Action = std::function<ExitStatus(Streams&)>;
 
 /// @param team  processes that run together; none: this one alone
 [[nodiscard]] Action add_run(CLI::App& app, workflow::Team* team = nullptr);
+[[nodiscard]] Action add_new(CLI::App& app);
 [[nodiscard]] Action add_merge(CLI::App& app);
 [[nodiscard]] Action add_sweep(CLI::App& app);
 [[nodiscard]] Action add_check(CLI::App& app);

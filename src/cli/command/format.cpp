@@ -47,7 +47,8 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
 Action add_format_command(CLI::App& app) {
   auto arguments = std::make_shared<FormatArguments>();
   add_text(app, "scene", arguments->scene, "SCENE", "script to rewrite")->required();
-  auto* output = add_text(app, "-o,--output", arguments->output, "FILE", "file to write (default: standard output)");
+  auto* output =
+      add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   auto* in_place = app.add_flag("--in-place", arguments->in_place, "replace the script itself, all or nothing");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   output->excludes(in_place);

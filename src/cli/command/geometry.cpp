@@ -15,6 +15,7 @@
 #include "scene/check/check.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/input/recording_input.hpp"
 #include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
@@ -22,7 +23,8 @@ namespace sarsim::cli {
 namespace {
 
 struct GeometryArguments {
-  std::string scene;
+  std::string input;
+  std::string script;
   std::vector<std::string> numbers;
   std::string radar;
   std::optional<double> start_s;
@@ -30,13 +32,45 @@ struct GeometryArguments {
   std::optional<std::int64_t> columns;
   std::string output;
   bool csv = false;
+  bool no_targets = false;
   bool force = false;
   workflow::SceneOverrides overrides;
 };
 
+// The scene whose tables are wanted, and the simulation that a recording is of.
+struct GeometrySource {
+  scene::Scene scene;
+  std::optional<std::size_t> simulation;
+  std::vector<std::filesystem::path> files;
+};
+
 constexpr double unlimited_m = 1e300;
 
-// The table that --radar, --start and --end describe: every target, wherever it is.
+GeometrySource source_of(const GeometryArguments& arguments) {
+  if (arguments.script.empty() && workflow::holds_script(arguments.input)) {
+    workflow::SceneInput input = workflow::read_scene(arguments.input, arguments.overrides, workflow::Scrutiny::values);
+    workflow::expect_usable(input);
+    return {std::move(input.scene), {}, std::move(input.sources)};
+  }
+  workflow::StoredRecording recording =
+      workflow::open_recording({arguments.input, arguments.script, {}, arguments.overrides}, workflow::records_pulses,
+                               [](const simulate::Plan&) { return core::Problems(); });
+  return {std::move(recording.scene), recording.simulation, std::move(recording.sources)};
+}
+
+// Every target, wherever it is.
+scene::GeometryTable whole_table(const std::string& radar, double start_s, double end_s) {
+  scene::GeometryTable table;
+  table.radar = radar;
+  table.range_start_m = 0.0;
+  table.range_end_m = unlimited_m;
+  table.time_start_s = start_s;
+  table.time_end_s = end_s;
+  table.columns = 255;
+  return table;
+}
+
+// The table that --radar, --start and --end describe.
 scene::GeometryTable described_table(const GeometryArguments& arguments, const scene::Scene& scene) {
   if (!arguments.start_s || !arguments.end_s)
     throw core::Refused("a table of a radar needs --start and --end",
@@ -45,22 +79,21 @@ scene::GeometryTable described_table(const GeometryArguments& arguments, const s
     throw core::Refused(fmt::format("--end {} lies before --start {}", core::format_number(*arguments.end_s),
                                     core::format_number(*arguments.start_s)),
                         "exchange them");
-  scene::GeometryTable table;
-  table.radar = scene.radars[workflow::radar_named(scene, arguments.radar)].name;
-  table.range_start_m = 0.0;
-  table.range_end_m = unlimited_m;
-  table.time_start_s = *arguments.start_s;
-  table.time_end_s = *arguments.end_s;
-  table.columns = 255;
-  return table;
+  return whole_table(scene.radars[workflow::radar_named(scene, arguments.radar)].name, *arguments.start_s,
+                     *arguments.end_s);
 }
 
-std::vector<scene::GeometryTable> chosen_tables(const GeometryArguments& arguments, const scene::Scene& scene) {
+std::vector<scene::GeometryTable> chosen_tables(const GeometryArguments& arguments, const GeometrySource& source) {
+  const scene::Scene& scene = source.scene;
   if (!arguments.radar.empty()) return {described_table(arguments, scene)};
   if (arguments.start_s || arguments.end_s)
     throw core::Refused("--start and --end belong to a table of a radar", "name it with --radar");
+  if (source.simulation && arguments.numbers.empty()) {
+    const scene::Simulation& recorded = scene.simulations[*source.simulation];
+    return {whole_table(recorded.radar, recorded.time_start_s, recorded.time_end_s)};
+  }
   if (scene.geometries.empty())
-    throw core::Refused(arguments.scene + ": the script has no $GEOMETRY",
+    throw core::Refused(arguments.input + ": the script has no $GEOMETRY",
                         "choose pulses with --radar, --start and --end");
   if (arguments.numbers.empty()) return scene.geometries;
   std::vector<scene::GeometryTable> tables;
@@ -72,6 +105,13 @@ std::vector<scene::GeometryTable> chosen_tables(const GeometryArguments& argumen
     tables.push_back(scene.geometries[static_cast<std::size_t>(*number) - 1]);
   }
   return tables;
+}
+
+// Tables tell where platforms are whether or not anything is on them.
+void remove_targets(scene::Scene& scene) {
+  scene.targets.clear();
+  scene.clouds.clear();
+  scene.surfaces.clear();
 }
 
 void write_tables(const GeometryArguments& arguments, const scene::Scene& scene,
@@ -95,21 +135,21 @@ void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene) {
 }
 
 ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) {
-  workflow::SceneInput input = workflow::read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::values);
-  workflow::expect_usable(input);
-  std::vector<scene::GeometryTable> tables = chosen_tables(arguments, input.scene);
-  if (!arguments.radar.empty()) expect_pulses(tables.front(), input.scene);
+  GeometrySource source = source_of(arguments);
+  if (arguments.no_targets) remove_targets(source.scene);
+  std::vector<scene::GeometryTable> tables = chosen_tables(arguments, source);
+  if (!arguments.radar.empty()) expect_pulses(tables.front(), source.scene);
   if (arguments.columns)
     for (scene::GeometryTable& table : tables) table.columns = static_cast<int>(*arguments.columns);
   if (arguments.output.empty()) {
     const auto write = [&](std::string_view piece) { write_out(streams, piece); };
-    write_tables(arguments, input.scene, tables, write, streams.stop);
+    write_tables(arguments, source.scene, tables, write, streams.stop);
     return exit_done;
   }
-  workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
+  workflow::expect_free_outputs({arguments.output}, {source.files, arguments.force, "-o"});
   core::OutputFile file(arguments.output, arguments.force);
   const auto write = [&](std::string_view piece) { file.write(std::as_bytes(std::span(piece))); };
-  write_tables(arguments, input.scene, tables, write, streams.stop);
+  write_tables(arguments, source.scene, tables, write, streams.stop);
   file.commit();
   return exit_done;
 }
@@ -118,7 +158,8 @@ ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) 
 
 Action add_geometry(CLI::App& app) {
   auto arguments = std::make_shared<GeometryArguments>();
-  add_text(app, "scene", arguments->scene, "SCENE", "script")->required();
+  add_text(app, "input", arguments->input, "SCENE|DATA", "script, or a recording, whose pulses are shown")->required();
+  add_text(app, "--script", arguments->script, "SCENE", "script that wrote the recording, where it carries none");
   auto* numbers = app.add_option("numbers", arguments->numbers, "which tables of the script, from 1 (default: all)")
                       ->type_name("NUMBER");
   auto* radar = add_text(app, "--radar", arguments->radar, "NAME", "make a table of this radar instead");
@@ -127,12 +168,16 @@ Action add_geometry(CLI::App& app) {
   add_real(app, "--end", arguments->end_s, "S", "send time of its last pulse, s");
   add_integer(app, "--columns", arguments->columns, 0, 255, "sum of column bits, see docs/formats/geometry-table.md");
   app.add_flag("--csv", arguments->csv, "comma-separated values, all columns, exact numbers");
-  add_text(app, "-o,--output", arguments->output, "FILE", "file to write (default: standard output)");
+  app.add_flag("--no-targets", arguments->no_targets, "the platforms alone: tracks and attitudes");
+  add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   add_scene_overrides(app, arguments->overrides);
+  add_settings(app, arguments->overrides);
   add_examples(app, {{"sarsim geometry scene.scr", "the $GEOMETRY tables of the script"},
                      {"sarsim geometry sar_r.scr --radar Radar1 --start 0 --end 0.1", "any other pulses"},
-                     {"sarsim geometry scene.scr 1 --csv -o table.csv", "for other programs"}});
+                     {"sarsim geometry scene.scr 1 --csv -o table.csv", "for other programs"},
+                     {"sarsim geometry sar_r.h5 --no-targets --csv -o track.csv",
+                      "the track and attitude of a recording, pulse by pulse"}});
   return [arguments](Streams& streams) { return print_geometry(*arguments, streams); };
 }
 

@@ -1,5 +1,4 @@
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -31,31 +30,6 @@ struct InfoArguments {
   std::optional<std::int64_t> workers;
   std::optional<std::int64_t> threads;
 };
-
-// Whether the beginning of a file holds a command of the script language at the start of a line.
-bool begins_like_script(const std::string& path) {
-  std::error_code failure;
-  if (!std::filesystem::is_regular_file(path, failure)) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string text(1U << 16U, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.find('\0') != std::string::npos) return false;
-  for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
-    const std::size_t before = text.find_last_not_of(" \t", i == 0 ? 0 : i - 1);
-    const bool starts_line = i == 0 || before == std::string::npos || text[before] == '\n' || text[before] == '\r';
-    if (starts_line && i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) return true;
-  }
-  return false;
-}
-
-bool holds_script(const std::string& path) {
-  const std::filesystem::path name(path);
-  if (core::equal_ignoring_case(name.extension().string(), ".scr")) return true;
-  const auto format = raster::format_from_path(name);
-  if (format && !raster::format_of(*format).script_like) return false;
-  return begins_like_script(path);
-}
 
 // An option that was given, and whether it is for scripts or for files of samples.
 struct InputUse {
@@ -96,7 +70,7 @@ void expect_used(const InfoArguments& arguments, bool script) {
 ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
   if (!arguments.plan && (arguments.workers || arguments.threads))
     throw core::Refused("info: --workers and --threads belong to --plan", "add --plan");
-  const bool script = holds_script(arguments.path);
+  const bool script = workflow::holds_script(arguments.path);
   if (arguments.plan && !script)
     throw core::Refused("info: '" + arguments.path + "' is no script, and only a script can be planned",
                         "leave --plan out to see what the file holds");

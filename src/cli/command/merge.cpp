@@ -50,7 +50,7 @@ Action add_merge(CLI::App& app) {
   app.add_option("folders", arguments->request.folders, "folders with the parts of one recording (NAME.parts)")
       ->required()
       ->type_name("FOLDER");
-  add_text(app, "-o,--output", arguments->output, "FILE", "file to make (default: NAME beside the first folder)");
+  add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to make (default: NAME beside the first folder)");
   add_integer(app, "--threads", arguments->threads, 0, 4096, "threads; 0 for one per core (default)");
   app.add_flag("--force", arguments->request.force, "replace the output where it exists");
   app.add_flag("--remove", arguments->request.remove, "remove the parts once they are joined");

@@ -119,6 +119,7 @@ void expect_used(const PlotArguments& a) {
                               {"--screen", a.screen, echoes},
                               {"--tolerance", a.overrides.tolerance.has_value(), echoes},
                               {"--seed", a.overrides.seed.has_value(), echoes},
+                              {"--set", !a.overrides.settings.empty(), of_radars},
                               {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
                               {"--at-time", a.at_s.has_value(), of_samples},
                               {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
@@ -186,6 +187,7 @@ void expect_used_by_input(const PlotArguments& a) {
                                    {"--pulse", overrides.pulse.has_value(), true},
                                    {"--tolerance", overrides.tolerance.has_value(), true},
                                    {"--seed", overrides.seed.has_value(), true},
+                                   {"--set", !overrides.settings.empty(), true},
                                    {"--from", samples.format.has_value(), false},
                                    {"--columns", samples.columns.has_value(), false},
                                    {"--bits", samples.bits.has_value(), false},
@@ -356,7 +358,7 @@ void take_look(const PlotArguments& a, picture::DisplayQuantity usual, picture::
 Action add_plot(CLI::App& app) {
   auto a = std::make_shared<PlotArguments>();
   add_text(app, "input", a->input, "SCENE|FILE", "script (.scr), file of samples or focused image")->required();
-  add_text(app, "-o,--output", a->out, "PICTURE", "picture to write: .png, .svg or .pdf");
+  add_text(app, "-o,--out,--output", a->out, "PICTURE", "picture to write: .png, .svg or .pdf");
   add_kind(app, *a);
   add_choice_of_samples(app, *a);
   add_choice_of_values(app, *a);
@@ -365,6 +367,7 @@ Action add_plot(CLI::App& app) {
   app.add_flag("--force", a->force, "replace files that exist");
   add_sample_arguments(app, a->samples);
   add_scene_overrides(app, a->overrides);
+  add_settings(app, a->overrides);
   add_examples(
       app, {{"sarsim plot sar_r.scr -o echoes.png", "what its first simulation records"},
             {"sarsim plot sar_r.scr --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},

@@ -133,7 +133,7 @@ ExitStatus run(const RunArguments& arguments, Streams& streams, workflow::Team* 
 }
 
 void add_run_options(CLI::App& app, RunArguments& a) {
-  add_text(app, "--out", a.folder, "DIR", "folder for the products; made when missing (default: the current one)");
+  add_text(app, "-o,--out", a.folder, "DIR", "folder for the products; made when missing (default: the current one)");
   add_format(app, "--format", a.request.overrides.format, "format of all recordings, with its extension");
   add_engine(app, a.engine,
              "how echoes are added up: the faster one (default), or one of them; all within --tolerance");

@@ -23,7 +23,7 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   app.add_flag("--zip", a.paired, "pair the values of several --set instead of combining them");
   app.add_flag("--fields", a.fields, "print the fields that can be set, with their values, and end");
   app.add_flag("--dry-run", a.dry_run, "check every variation, print what would run, and end");
-  add_text(app, "--out", a.folder, "DIR", "folder for all files; made when missing (default: the current one)");
+  add_text(app, "-o,--out", a.folder, "DIR", "folder for all files; made when missing (default: the current one)");
   add_text(app, "--table", a.table, "NAME", "name of the tables and the journal (default: sweep)");
   add_integer(app, "--jobs", a.jobs, 0, 4096, "variations at a time; 0 for as many as there are threads (default)");
   add_integer(app, "--threads", a.threads, 0, 4096, "threads of all of them; 0 for one per core (default)");

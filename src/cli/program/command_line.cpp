@@ -56,6 +56,7 @@ struct Program {
     prepare();
     add("run", "simulate: everything that a script asks for, or some of it",
         [](CLI::App& command) { return add_run(command); });
+    add("new", "write a commented script to begin with", add_new);
     add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
     add("check", "say everything that is wrong with scripts", add_check);
     add("info", "describe a script or a file of samples", add_info);
@@ -78,7 +79,7 @@ struct Program {
     });
     add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},
                        {"sarsim check scene.scr", "before computing anything"},
-                       {"sarsim run --help", "options and examples of a command"}});
+                       {"sarsim help run", "options and examples of a command, as sarsim run --help"}});
   }
   // For processes that run together.
   explicit Program(workflow::Team& team) {
@@ -97,6 +98,7 @@ struct Program {
     app.set_version_flag("--version", "", "version, build, libraries and licence");
     app.get_formatter()->column_width(34);
     app.allow_extras();
+    app.require_subcommand(0, 1);  // A word behind a command is no other command: "new isar".
   }
 
   void add(const char* name, const char* description, std::function<Action(CLI::App&)> add_options) {
@@ -127,6 +129,14 @@ void supply_run(std::vector<std::string>& words, const std::vector<std::string>&
   const bool option_first = words.front().starts_with("-");
   const bool scene = option_first ? std::ranges::any_of(words, looks_like_scene) : looks_like_scene(words.front());
   if (scene) words.insert(words.begin(), "run");
+}
+
+// "help run" is "run --help". A word that is no command is left alone, to be refused as one.
+void turn_help(std::vector<std::string>& words, const std::vector<std::string>& commands) {
+  if (words.empty() || words.front() != "help") return;
+  words.erase(words.begin());
+  words.resize(std::min<std::size_t>(words.size(), 1));
+  if (words.empty() || std::ranges::find(commands, words.front()) != commands.end()) words.emplace_back("--help");
 }
 
 std::vector<std::string> option_names(const CLI::App& app) {
@@ -187,6 +197,9 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
+  if (command != nullptr && command->get_name() == "profiles" && name == "--set")
+    throw core::Refused("profiles: unknown option '--set'",
+                        "one profile for each burst, scan or encounter is asked for with --group");
   if (const std::string hint = option && command != nullptr ? set_in_script(*command, name) : ""; !hint.empty())
     throw core::Refused(fmt::format("{}{} '{}'", where, what, name), hint);
   throw core::Refused(fmt::format("{}{} '{}'", where, what, name),
@@ -196,6 +209,7 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
 }
 
 ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& streams) {
+  turn_help(words, program.command_names());
   supply_run(words, program.command_names());
   const auto chosen = std::ranges::find_if(program.commands, [&](const Program::Command& entry) {
     return !words.empty() && entry.app->get_name() == words.front();

@@ -13,6 +13,7 @@ namespace sarsim::cli {
 namespace {
 
 constexpr double redraw_interval_s = 0.1;
+constexpr double shortest_told_s = 0.5;  // Lines about work that takes less, as far as one knows, are noise in a log.
 constexpr int bar_cells = 24;
 
 double machine_time_s() {
@@ -52,7 +53,7 @@ void ProgressDisplay::update(const core::Progress& progress) {
   if (style_ == Style::bar)
     draw_bar(share, figures, now_s);
   else
-    print_line(share, figures);
+    print_line(share, figures, now_s - begin_s_);
 }
 
 void ProgressDisplay::draw_bar(double share, const std::string& figures, double now_s) {
@@ -67,10 +68,11 @@ void ProgressDisplay::draw_bar(double share, const std::string& figures, double 
   drawn_width_ = std::max(drawn_width_, line.size());
 }
 
-void ProgressDisplay::print_line(double share, const std::string& figures) {
+void ProgressDisplay::print_line(double share, const std::string& figures, double elapsed_s) {
   const int tenths = static_cast<int>(share * 10.0 + 1e-9);
   if (tenths <= tenths_told_) return;
   tenths_told_ = tenths;
+  if (elapsed_s < shortest_told_s * share) return;
   out_ << fmt::format("{}: {} %{}{}\n", label_, 10 * tenths, figures.empty() ? "" : ", ", figures) << std::flush;
 }
 

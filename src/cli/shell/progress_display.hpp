@@ -27,7 +27,7 @@ class ProgressDisplay {
 
  private:
   void draw_bar(double share, const std::string& figures, double now_s);
-  void print_line(double share, const std::string& figures);
+  void print_line(double share, const std::string& figures, double elapsed_s);
 
   std::ostream& out_;
   Style style_;

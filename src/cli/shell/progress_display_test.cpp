@@ -37,8 +37,20 @@ TEST(ProgressDisplay, BigStepsGiveOneLine) {
   std::ostringstream out;
   Clock clock;
   ProgressDisplay display(out, Style::lines, "a", clock.reader());
+  clock.now_s += 2.0;
   display.update({8, 10, 0});
-  EXPECT_EQ(out.str(), "a: 80 %\n");
+  EXPECT_EQ(out.str(), "a: 80 %, 4 lines/s, 0.5 s left\n");
+}
+
+TEST(ProgressDisplay, ShortWorkGivesNoLines) {
+  std::ostringstream out;
+  Clock clock;
+  ProgressDisplay display(out, Style::lines, "a", clock.reader());
+  for (std::size_t done = 1; done <= 10; ++done) {
+    clock.now_s += 0.049;
+    display.update({done, 10, 0});
+  }
+  EXPECT_EQ(out.str(), "");
 }
 
 TEST(ProgressDisplay, BarIsRedrawnAtMostTenTimesASecond) {

@@ -13,7 +13,9 @@ CLI::Option* add_worded_option(CLI::App& app, const workflow::Option& option,
       throw CLI::ValidationError(option.name, mistake);
     take(word);
   };
-  return app.add_option_function<std::string>(option.name, read, option.help)->type_name(option.placeholder);
+  // What is written has the same two names in every command.
+  const std::string names = option.name == "--out" ? "-o,--out" : option.name;
+  return app.add_option_function<std::string>(names, read, option.help)->type_name(option.placeholder);
 }
 
 workflow::GivenWords RequestArguments::given() const {

@@ -11,6 +11,7 @@ namespace sarsim::core {
 class TemporaryName {
  public:
   TemporaryName() = default;
+  /// Takes the name of a file that is about to be made.
   explicit TemporaryName(const std::filesystem::path& path);
   TemporaryName(const TemporaryName&) = delete;
   TemporaryName& operator=(const TemporaryName&) = delete;

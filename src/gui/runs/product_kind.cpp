@@ -62,7 +62,7 @@ const std::vector<ProductKind>& all_kinds() {
        }},
       {"profiles",
        QT_TRANSLATE_NOOP("ProductKind", "Range profiles of stepped frequencies"),
-       "--set",
+       "--group",
        QT_TRANSLATE_NOOP("ProductKind", "A profile for"),
        {"bursts", "scans", "encounter"},
        [] { return workflow::profiles_option_table().options(); },

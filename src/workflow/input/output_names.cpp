@@ -156,6 +156,15 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
   return with_format.found.front();
 }
 
+void expect_output_folder(const fs::path& out) {
+  if (fs::is_directory(out)) return;
+  if (fs::exists(out))
+    throw core::Refused("'" + out.string() + "' is not a folder", "name a folder with --out; it is made when missing");
+  if (raster::format_from_path(out))
+    throw core::Refused(fmt::format("--out takes a folder, and '{}' is the name of a file", out.string()),
+                        "name a folder; the files in it have the names that the script gives them");
+}
+
 fs::path chosen_folder(const fs::path& out) { return out == "." ? fs::path() : out; }
 
 void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& care) {

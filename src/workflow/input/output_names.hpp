@@ -51,6 +51,9 @@ struct OutputCare {
 /// OutputCare::folder for the --out of a command: none where it is the folder one works in, whose links are one's own.
 [[nodiscard]] std::filesystem::path chosen_folder(const std::filesystem::path& out);
 
+/// Throws core::Refused where --out names no folder: a file, or what has the name of a recording and is not there.
+void expect_output_folder(const std::filesystem::path& out);
+
 /// Throws core::Refused with everything that keeps files from being made: `problems_of_output` of each, and names that
 /// two of them have.
 void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const OutputCare& care);

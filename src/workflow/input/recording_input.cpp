@@ -1,9 +1,11 @@
 #include "workflow/input/recording_input.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <complex>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <span>
 
@@ -95,7 +97,8 @@ void expect_no_overrides(const RecordingArguments& arguments) {
   const std::pair<const char*, bool> given[] = {{"--profile", overrides.profile.has_value()},
                                                 {"--pulse", overrides.pulse.has_value()},
                                                 {"--tolerance", overrides.tolerance.has_value()},
-                                                {"--seed", overrides.seed.has_value()}};
+                                                {"--seed", overrides.seed.has_value()},
+                                                {"--set", !overrides.settings.empty()}};
   for (const auto& [option, there] : given)
     if (there)
       throw core::Refused(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
@@ -181,6 +184,23 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
           }};
 }
 
+// Whether the beginning of a file holds a command of the script language at the start of a line.
+bool begins_like_script(const std::string& path) {
+  std::error_code failure;
+  if (!fs::is_regular_file(path, failure)) return false;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(1U << 16U, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.find('\0') != std::string::npos) return false;
+  for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
+    const std::size_t before = text.find_last_not_of(" \t", i == 0 ? 0 : i - 1);
+    const bool starts_line = i == 0 || before == std::string::npos || text[before] == '\n' || text[before] == '\r';
+    if (starts_line && i + 1 < text.size() && std::isalpha(static_cast<unsigned char>(text[i + 1])) != 0) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
@@ -191,6 +211,14 @@ std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
 
 bool names_script(const RecordingArguments& arguments) {
   return core::equal_ignoring_case(fs::path(arguments.path).extension().string(), ".scr");
+}
+
+bool holds_script(const std::string& path) {
+  const fs::path name(path);
+  if (core::equal_ignoring_case(name.extension().string(), ".scr")) return true;
+  const auto format = raster::format_from_path(name);
+  if (format && !raster::format_of(*format).script_like) return false;
+  return begins_like_script(path);
 }
 
 bool records_pulses(const scene::Scene& /*scene*/, const scene::Simulation& simulation) {
@@ -217,10 +245,10 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
     expect_no_overrides(arguments);
     file = opened(arguments.path, {}, recording.problems);
   }
-  const scene::Scene scene =
+  recording.scene =
       file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording);
-  recording.simulation = simulation_of_file(scene, arguments, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, recording.simulation));
+  recording.simulation = simulation_of_file(recording.scene, arguments, suits);
+  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);

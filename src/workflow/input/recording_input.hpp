@@ -28,6 +28,9 @@ struct RecordingArguments {
 /// Whether the arguments name a script rather than a file of samples.
 [[nodiscard]] bool names_script(const RecordingArguments& arguments);
 
+/// Whether a file is a script: by its ending, or where that says nothing, by how it begins.
+[[nodiscard]] bool holds_script(const std::string& path);
+
 /// Whether a command can use a simulation of a scene; the first such one is taken where none is named.
 using Suits = std::function<bool(const scene::Scene& scene, const scene::Simulation& simulation)>;
 
@@ -49,6 +52,7 @@ struct ScriptedRecording {
 struct StoredRecording {
   std::shared_ptr<const simulate::Plan> plan;
   std::size_t simulation = 0;                  ///< Position in the script's list.
+  scene::Scene scene;                          ///< Of the script.
   core::SampleRows<double> rows;               ///< Like those of the plan, in V, or in counts where no LSB is known.
   core::Problems problems;                     ///< Warnings about script and file.
   std::vector<std::filesystem::path> sources;  ///< The file, its script and the data files of that.

@@ -209,9 +209,7 @@ class Recorder {
       std::ranges::move(side_files_of(job.path), std::back_inserter(files));
     }
     if (!request_.discard) std::ranges::move(problems_of_same_files(files), std::back_inserter(problems));
-    if (fs::exists(request_.folder) && !fs::is_directory(request_.folder))
-      throw core::Refused("'" + request_.folder.string() + "' is not a folder",
-                          "name a folder with --out; it is made when missing");
+    expect_output_folder(request_.folder);
     if (!problems.empty()) throw core::Refused(std::move(problems));
   }
 

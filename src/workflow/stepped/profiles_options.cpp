@@ -51,7 +51,7 @@ OptionTable<ProfilesRequest> profiles_option_table() {
                          raster::image_extensions(true)),
              &ProfilesRequest::output);
   table.choice<Grouping>(
-      "--set", {{"bursts", Grouping::bursts}, {"scans", Grouping::scans}, {"encounter", Grouping::encounter}},
+      "--group", {{"bursts", Grouping::bursts}, {"scans", Grouping::scans}, {"encounter", Grouping::encounter}},
       "a profile for each burst (default), or the mean power of each scan or of all scans", &ProfilesRequest::set);
   add_speeds(table);
   add_profile(table);

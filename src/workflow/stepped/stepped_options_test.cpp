@@ -7,7 +7,7 @@
 namespace sarsim::workflow::stepped_options_test {
 
 TEST(ProfilesRequest, IsMadeOfWords) {
-  const ProfilesRequest request = profiles_request("a.scr", {{"--set", "scans"},
+  const ProfilesRequest request = profiles_request("a.scr", {{"--group", "scans"},
                                                              {"--velocity", "-12.5"},
                                                              {"--window", "hamming"},
                                                              {"--burst", "3"},

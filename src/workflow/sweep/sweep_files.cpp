@@ -57,10 +57,7 @@ SweepFiles::SweepFiles(const SweepRequest& request)
 }
 
 void expect_free_files(const SweepRequest& request, const std::vector<SweepRow>& rows) {
-  const fs::path folder(request.folder);
-  if (fs::exists(folder) && !fs::is_directory(folder))
-    throw core::Refused("'" + request.folder + "' is not a folder",
-                        "name a folder with --out; it is made when missing");
+  expect_output_folder(request.folder);
   const SweepFiles files(request);
   FirstProblem problem(request);
   for (const SweepRow& row : rows)

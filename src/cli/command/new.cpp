@@ -1,0 +1,79 @@
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <span>
+
+#include <fmt/format.h>
+
+#include "cli/command/commands.hpp"
+#include "cli/shell/options.hpp"
+#include "core/os/output_file.hpp"
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/edit/starting_scenes.hpp"
+#include "workflow/input/output_names.hpp"
+
+namespace sarsim::cli {
+
+namespace {
+
+struct NewArguments {
+  std::string purpose;
+  std::string output;
+  bool force = false;
+};
+
+std::string purposes() {
+  std::string text;
+  for (const scene::StartingScene& scene : scene::starting_scenes())
+    text += fmt::format("{:<18} {}\n", scene.purpose, scene.meaning);
+  return text;
+}
+
+const scene::StartingScene& chosen(const std::string& purpose) {
+  std::vector<std::string> words;
+  for (const scene::StartingScene& scene : scene::starting_scenes()) {
+    if (core::equal_ignoring_case(scene.purpose, purpose)) return scene;
+    words.emplace_back(scene.purpose);
+  }
+  const std::string nearest = core::nearest_word(purpose, words);
+  throw core::Refused(fmt::format("there is no scene to begin with for '{}'", purpose),
+                      nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
+                                      : fmt::format("did you mean '{}'?", nearest));
+}
+
+ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
+  if (arguments.purpose.empty()) {
+    write_out(streams, purposes());
+    return exit_done;
+  }
+  const scene::StartingScene& scene = chosen(arguments.purpose);
+  const std::filesystem::path path = arguments.output.empty() ? fmt::format("{}.scr", scene.stem) : arguments.output;
+  workflow::expect_free_outputs({path}, {{}, arguments.force, "-o"});
+  const std::string text = scene::text_named(scene, path.stem().string());
+  core::OutputFile file(path, arguments.force);
+  file.write(std::as_bytes(std::span(text)));
+  file.commit();
+  streams.err << fmt::format(
+      "{0}: {1}\n    sarsim check {0}    what it asks for\n    sarsim run {0}      its recordings\n", path.string(),
+      scene.meaning);
+  return exit_done;
+}
+
+}  // namespace
+
+Action add_new(CLI::App& app) {
+  auto arguments = std::make_shared<NewArguments>();
+  std::string words;
+  for (const scene::StartingScene& scene : scene::starting_scenes())
+    words += fmt::format("{}{}", words.empty() ? "" : "|", scene.purpose);
+  add_text(app, "purpose", arguments->purpose, words, "what it is to begin with; without, a list of them");
+  add_text(app, "-o,--out", arguments->output, "FILE", "script to write (default: the name of the example)");
+  app.add_flag("--force", arguments->force, "replace the script where it exists");
+  add_examples(app, {{"sarsim new", "which scenes there are"},
+                     {"sarsim new sar-strip -o mine.scr", "an aircraft that maps 24 points, to be changed"},
+                     {"sarsim check mine.scr", "what it asks for"}});
+  return [arguments](Streams& streams) { return write_scene(*arguments, streams); };
+}
+
+}  // namespace sarsim::cli

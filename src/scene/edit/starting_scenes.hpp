@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sarsim::scene {
+
+/// A commented script to begin with: one of the examples, which is complete and says what to look at.
+struct StartingScene {
+  std::string_view purpose;  ///< One word: "isar".
+  std::string_view meaning;  ///< "an image of a ship that turns (inverse synthetic aperture)"
+  std::string_view stem;     ///< The name of the script, and of what it records, before the ending.
+  std::string_view text;
+};
+
+/// All of them, the simplest first.
+[[nodiscard]] std::span<const StartingScene> starting_scenes();
+
+/// The text of a scene that is called otherwise: its recordings, and the commands in its comments, have the new name.
+/// @param stem  without folder and ending
+[[nodiscard]] std::string text_named(const StartingScene& scene, std::string_view stem);
+
+}  // namespace sarsim::scene
