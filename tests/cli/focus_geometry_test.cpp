@@ -252,7 +252,7 @@ TEST_F(FocusGeometry, MakesTheFolderOfThePhasesOrSaysThatItCannot) {
   const Finished run = sarsim({"focus", "scene.scr", "--quiet", "--autofocus", "--autofocus-phase", "new/deep/p.csv"});
   EXPECT_EQ(run.status, 0) << run.err;
   EXPECT_TRUE(std::filesystem::exists(folder_ / "new/deep/p.csv"));
-  expect_refused({"--autofocus", "--autofocus-phase", "scene.scr/p.csv"}, "'scene.scr' is no folder",
+  expect_refused({"--autofocus", "--autofocus-phase", "scene.scr/p.csv"}, "'scene.scr' is not a folder",
                  "give the output another name");
 }
 

@@ -104,8 +104,8 @@ TEST_F(Focus, SaysWhatIsWrongWithItsArguments) {
     EXPECT_EQ(run.status, 2) << text;
     EXPECT_THAT(run.err, HasSubstr(text));
   };
-  refused({"--window", "hammond"}, "'hammond' is no window");
-  refused({"--memory", "much"}, "--memory: 'much' is no size");
+  refused({"--window", "hammond"}, "'hammond' is not a valid window");
+  refused({"--memory", "much"}, "--memory: 'much' is not a valid size");
   refused({"--doppler-centroid", "left"}, "--doppler-centroid: 'left' is none");
   refused({"--doppler-bandwidth", "1000"}, "Doppler bandwidth");
   refused({"--simulation", "7"}, "no simulation 7");

@@ -183,7 +183,7 @@ TEST_F(Inputs, AnImageMustNameASimulation) {
     std::string other = header;
     other.replace(other.find(field), field.size(), std::string("simulation = {") + number + "}");
     write_text(folder_ / "r.hdr", other);
-    expect_refusal({"measure", "r.img"}, "'simulation' is no number from 1");
+    expect_refusal({"measure", "r.img"}, "'simulation' is not a number from 1");
   }
 }
 

@@ -153,7 +153,7 @@ TEST_F(Profiles, SayWhatIsWrongWithTheirArguments) {
     EXPECT_EQ(run.status, 2) << text;
     EXPECT_THAT(run.err, HasSubstr(text));
   };
-  refused({"--window", "hammond"}, "'hammond' is no window");
+  refused({"--window", "hammond"}, "'hammond' is not a valid window");
   refused({"--velocity", "fast"}, "--velocity: 'fast' is none");
   refused({"--velocity", "1e9"}, "--velocity: '1e9' is none");
   refused({"--fastest", "-3"}, "--fastest");
@@ -253,7 +253,7 @@ TEST_F(Isar, SaysWhatIsWrongWithItsArguments) {
     EXPECT_EQ(run.status, 2) << text;
     EXPECT_THAT(run.err, HasSubstr(text));
   };
-  refused({"--window", "hammond"}, "'hammond' is no window");
+  refused({"--window", "hammond"}, "'hammond' is not a valid window");
   refused({"--platform", "Shop"}, "did you mean 'Ship'?");
   refused({"--platform", "Earth"}, "carries the radar itself");
   refused({"--turn-rate", "0"}, "without turning");

@@ -227,7 +227,7 @@ TEST_F(Words, InfoRefusesOptionsThatItWouldIgnoreAllAtOnce) {
                                 "--pulse", "ideal", "--tolerance", "1e-3", "--all"});
   EXPECT_EQ(file.status, 2);
   for (const char* option : {"--set", "--seed", "--profile", "--pulse", "--tolerance", "--all"})
-    EXPECT_THAT(file.err, HasSubstr(option + std::string(" means nothing for 'sim.h5', which is no script")));
+    EXPECT_THAT(file.err, HasSubstr(option + std::string(" means nothing for 'sim.h5', which is not a script")));
   expect_refusal({"info", "scene.scr", "--plan", "--columns", "3"}, "--columns means nothing");
   expect_refusal({"info", "scene.scr", "--plan", "--all"}, "--all means nothing with --plan");
   EXPECT_EQ(sarsim({"info", "scene.scr", "--seed", "3", "--all"}).status, 0);

@@ -240,7 +240,7 @@ class PanelTest : public QObject {
     QVERIFY(!bench.session.document().history().can_undo());
     QLineEdit* edit = bench.line("pulse_width_s");
     QCOMPARE(edit->text(), QString("5 kg"));
-    QVERIFY2(bench.problem("pulse_width_s").startsWith("Error: '5 kg' is no time"),
+    QVERIFY2(bench.problem("pulse_width_s").startsWith("Error: '5 kg' is not a valid time"),
              qPrintable(bench.problem("pulse_width_s")));
     QVERIFY(edit->accessibleDescription().contains("5 kg"));
     QVERIFY(edit->palette().color(QPalette::Text) != bench.panel.palette().color(QPalette::Text));

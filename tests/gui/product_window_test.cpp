@@ -316,7 +316,7 @@ class ProductWindowTest : public QObject {
     QTest::newRow("missing") << "--memory"
                              << "--memory: SIZE is missing behind it";
     QTest::newRow("size") << "--memory lots"
-                          << "--memory: 'lots' is no size";
+                          << "--memory: 'lots' is not a valid size";
     QTest::newRow("quote") << "--scratch 'my disk"
                            << "a quote ' is not closed";
     QTest::newRow("name") << "--out a.npy"

@@ -97,7 +97,7 @@ class TargetTableTest : public QObject {
     const scene::Scene before = bench.session.scene();
     bench.type(0, "position_m.x", "3 kg");
     QVERIFY(bench.session.scene() == before);
-    QVERIFY2(bench.message().contains("'3 kg' is no length"), qPrintable(bench.message()));
+    QVERIFY2(bench.message().contains("'3 kg' is not a valid length"), qPrintable(bench.message()));
     QLineEdit* editor = nullptr;
     QTRY_VERIFY((editor = bench.view->viewport()->findChild<QLineEdit*>("cell_editor")) != nullptr &&
                 editor->text() == "3 kg");

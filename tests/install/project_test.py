@@ -1,4 +1,4 @@
-"""Installs the library, builds another program with it, and holds what that computes against `sarsim run`.
+"""Installs the library, builds another program with it, and compares what that computes with `sarsim run`.
 
 usage: project_test.py CMAKE BUILD_FOLDER GENERATOR COMPILER BUILD_TYPE
 """

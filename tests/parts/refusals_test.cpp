@@ -75,8 +75,8 @@ TEST_F(PartRefusals, PartsThatAreMissing) {
   ASSERT_EQ(run({"--part", "1/4"}).status, 0);
   ASSERT_EQ(run({"--part", "3/4"}).status, 0);
   const Finished merged = sarsim({"merge", "sim.bin.parts"});
-  expect_refusal(merged, "nobody vouches for pulses 11 to 20 of 40");
-  expect_refusal(merged, "nobody vouches for pulses 31 to 40 of 40");
+  expect_refusal(merged, "no part holds pulses 11 to 20 of 40");
+  expect_refusal(merged, "no part holds pulses 31 to 40 of 40");
 }
 
 TEST_F(PartRefusals, PartsOfAnotherSeed) {

@@ -59,7 +59,7 @@ void expect_used(const InfoArguments& arguments, bool script) {
     if (!use.given || use.of_script == script) continue;
     core::Problem& problem = problems.emplace_back();
     problem.message = std::string(use.option) + " means nothing for '" + arguments.path +
-                      (script ? "', which is a script" : "', which is no script");
+                      (script ? "', which is a script" : "', which is not a script");
     problem.hint = use.of_script ? "leave it out: it is for scripts" : "leave it out: it is for files of samples";
   }
   if (script && arguments.plan && arguments.all)

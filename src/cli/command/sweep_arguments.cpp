@@ -48,7 +48,7 @@ workflow::SweepPart read_part(const std::string& text) {
   const auto index = core::parse_integer(text.substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
   if (!index || !count)
-    throw core::Refused(fmt::format("--part: '{}' is no part", text),
+    throw core::Refused(fmt::format("--part: '{}' is not a valid part", text),
                         "write K/N, for instance 2/4 for the second of four");
   if (*count < 1 || *count > static_cast<std::int64_t>(workflow::most_variations) || *index < 1 || *index > *count)
     throw core::Refused(fmt::format("--part: there is no part {}", text),

@@ -65,13 +65,13 @@ struct Program {
     add("merge", "join the parts of recordings that were made apart", add_merge);
     add("convert", "convert files of samples between formats", add_convert);
     add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
-    add("measure", "find a script's targets in a focused image and hold them against theory", add_measure);
+    add("measure", "find a script's targets in a focused image and compare them with theory", add_measure);
     add("doppler", "make range-Doppler maps and detect what moves, interval by interval", add_doppler);
     add("search", "make the picture of a rotating antenna (PPI) and detect targets", add_search);
     add("profiles", "make synthetic range profiles from bursts of stepped frequencies", add_profiles);
     add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
     add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
-    add("verify", "hold the simulator against formulas, the thesis and itself", add_verify);
+    add("verify", "compare the simulator with formulas, the thesis and itself", add_verify);
     add("completion", "print a completion script for a shell", [this](CLI::App& command) {
       for (const Command& other : commands)
         if (other.app != &command) actions_of_others.push_back(other.add_options(*other.app));
@@ -325,7 +325,7 @@ int team_program(int argc, const char* const* argv, workflow::Team* team) {
                  "    start it as mpirun -n P sarsim-mpi run SCENE, or use sarsim run SCENE\n";
     return exit_bad_input;
   }
-  const core::StopFlag& stop = handle_signals();
+  const core::StopFlag& stop = handle_signals(Company::team);
   const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   Program program(*team);
   Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};

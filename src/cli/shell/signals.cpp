@@ -16,6 +16,7 @@ namespace {
 
 core::StopFlag stop_flag;
 std::atomic<int> signal_number{0};
+std::atomic<bool> ends_alone{true};
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use lock-free atomics only");
 
 // How long work may take to notice a request, and to end once it has: what it keeps has to reach a slow disk.
@@ -53,7 +54,7 @@ extern "C" void on_signal(int number) {
   }
   signal_number.store(number, std::memory_order_relaxed);
   stop_flag.request();
-  wait_for_the_end(to_notice);
+  if (ends_alone.load(std::memory_order_relaxed)) wait_for_the_end(to_notice);
   errno = error;
 }
 
@@ -67,7 +68,8 @@ void install(int number, void (*handler)(int)) {
 
 }  // namespace
 
-const core::StopFlag& handle_signals() {
+const core::StopFlag& handle_signals(Company company) {
+  ends_alone = company == Company::alone;
   install(SIGINT, on_signal);
   install(SIGTERM, on_signal);
   install(SIGALRM, on_alarm);

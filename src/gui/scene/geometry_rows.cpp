@@ -120,7 +120,8 @@ NumberChoice read_numbers(std::string_view text, std::size_t count) {
     const auto first = core::parse_integer(core::trimmed(piece.substr(0, dash)));
     const auto last =
         dash == std::string_view::npos ? first : core::parse_integer(core::trimmed(piece.substr(dash + 1)));
-    if (!first || !last || *first < 1 || *last < *first) return refuse(piece, "is no number or range such as 1-20");
+    if (!first || !last || *first < 1 || *last < *first)
+      return refuse(piece, "is not a number or a range such as 1-20");
     if (static_cast<std::uint64_t>(*last) > count)
       return refuse(piece, "goes beyond the last, number " + std::to_string(count));
     for (auto number = *first; number <= *last; ++number) chosen.insert(static_cast<std::size_t>(number - 1));

@@ -1,4 +1,4 @@
-// What an echo costs in each kernel. Every case is held against the reference before it is timed.
+// What an echo costs in each kernel. Every case is compared with the reference before it is timed.
 //
 //   items_per_second   echoes
 //   echo_samples       echoes times samples of a pulse, per second

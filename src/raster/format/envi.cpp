@@ -119,7 +119,7 @@ std::optional<core::Problem> problem_of_kind(const std::filesystem::path& path) 
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(path, ignored);
   if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return std::nullopt;
-  return file_problem(path.string(), "this is no ordinary file", "", "an image and its header, both of them files");
+  return file_problem(path.string(), "this is not a regular file", "", "an image and its header, both of them files");
 }
 
 std::filesystem::path header_path(std::filesystem::path data) { return data.replace_extension(".hdr"); }
@@ -196,7 +196,7 @@ EnviReading read_envi_header(std::string_view text, const std::string& file) {
   EnviReading reading;
   if (!core::trimmed(text.substr(0, text.find('\n'))).starts_with("ENVI")) {
     reading.problems.push_back(
-        file_problem(file, "this is no header of an ENVI image", "", "'ENVI' in the first line"));
+        file_problem(file, "this is not the header of an ENVI image", "", "'ENVI' in the first line"));
     return reading;
   }
   Fields fields = fields_of(text);

@@ -185,12 +185,12 @@ TEST_F(Envi, RefusesImagesWithoutPixels) {
 TEST_F(Envi, WaitsForNoPipeInTheirPlace) {
   write("image.hdr", to_text(small_header()));
   ASSERT_EQ(::mkfifo(file("image.img").c_str(), 0600), 0);
-  EXPECT_EQ(EnviImage::open(file("image.img")).second.at(0).message, "this is no ordinary file");
+  EXPECT_EQ(EnviImage::open(file("image.img")).second.at(0).message, "this is not a regular file");
   fs::remove(file("image.hdr"));
   fs::remove(file("image.img"));
   write("image.img", std::string(48, '\0'));
   ASSERT_EQ(::mkfifo(file("image.hdr").c_str(), 0600), 0);
-  EXPECT_EQ(EnviImage::open(file("image.img")).second.at(0).message, "this is no ordinary file");
+  EXPECT_EQ(EnviImage::open(file("image.img")).second.at(0).message, "this is not a regular file");
 }
 
 TEST_F(Envi, ReadsNoMoreOfAHeaderThanAHeaderHas) {

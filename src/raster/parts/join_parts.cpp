@@ -393,7 +393,7 @@ core::Problems join_problems(const std::vector<Journal>& journals, std::size_t r
   for (const simulate::RowRange& missing : missing_rows({0, rows}, journals)) {
     if (problems.size() >= most) break;
     core::Problem problem =
-        file_problem({}, fmt::format("parts are missing: nobody vouches for {} of {}", rows_text(missing), rows));
+        file_problem({}, fmt::format("parts are missing: no part holds {} of {}", rows_text(missing), rows));
     problem.hint = owner_text(journals, missing);
     problems.push_back(std::move(problem));
   }

@@ -131,7 +131,7 @@ class JournalReader {
 core::Problem damage(const std::filesystem::path& path, std::size_t line) {
   core::Problem problem = file_problem(path.string(), "the journal is damaged");
   problem.place.line = line;
-  problem.hint = "delete this journal: the rows that it vouches for are then computed again";
+  problem.hint = "delete this journal: the rows that it lists are then computed again";
   return problem;
 }
 

@@ -83,7 +83,8 @@ void check_points_are_even(Findings& findings, const FunctionRule& rule, std::si
   if (!(farthest > even_within)) return;
   findings.warning(
       Consequence::lost_signal, rule.field,
-      {.message = fmt::format("the points of the {} are not evenly spaced: MFILTER passes them by", title(rule, part)),
+      {.message = fmt::format("the points of the {} are not evenly spaced: an MFILTER path does not pass through them",
+                              title(rule, part)),
        .found = fmt::format("x = {:.9g} at point {}, {:.3g} spacings from its even place", knots[worst].x, worst + 1,
                             farthest),
        .expected = fmt::format("points {:.9g} apart, within {:g} %", spacing, 100.0 * even_within),

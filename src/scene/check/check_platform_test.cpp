@@ -148,7 +148,8 @@ Scene with_low_pass_trajectory(std::initializer_list<double> times_s) {
 TEST(CheckFunctions, WarnOfUnevenPointsThatALowPassFilterMisses) {
   const Scene scene = with_low_pass_trajectory({0.0, 1.0, 2.0, 10.0});  // even places: 0, 3.33, 6.67, 10
   const core::Problem problem = expect_warning(scene, {"platform", 1, "trajectory_m"});
-  EXPECT_EQ(problem.message, "the points of the trajectory X are not evenly spaced: MFILTER passes them by");
+  EXPECT_EQ(problem.message,
+            "the points of the trajectory X are not evenly spaced: an MFILTER path does not pass through them");
   EXPECT_EQ(problem.found, "x = 2 at point 3, 1.4 spacings from its even place");
   EXPECT_EQ(problem.expected, "points 3.33333333 apart, within 5 %");
   EXPECT_THAT(problem.hint, testing::HasSubstr("CUBIC"));

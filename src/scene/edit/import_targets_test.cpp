@@ -65,7 +65,8 @@ TEST(ImportTargets, ABadLineIsAProblemWithItsNumberAndTheOthersAreTaken) {
   ASSERT_EQ(import.problems.size(), 2U);
   EXPECT_EQ(import.problems[0].place.line, 2U);
   EXPECT_EQ(import.problems[0].found, "five");
-  EXPECT_NE(import.problems[0].message.find("y: 'five' is no length"), std::string::npos) << import.problems[0].message;
+  EXPECT_NE(import.problems[0].message.find("y: 'five' is not a valid length"), std::string::npos)
+      << import.problems[0].message;
   EXPECT_EQ(import.problems[1].place.line, 3U);
   EXPECT_EQ(import.problems[1].message, "z is missing");
   EXPECT_TRUE(core::has_errors(import.problems));
@@ -94,7 +95,7 @@ TEST(ImportTargets, ALineOfOtherWordsIsABadLine) {
 
 TEST(ImportTargets, NumbersTooLargeToComputeWithAreRefused) {
   EXPECT_NE(printed(import_targets("1e19 0 0\n", "Ship")).find("too large"), std::string::npos);
-  EXPECT_NE(printed(import_targets("nan 0 0\n", "Ship")).find("is no length"), std::string::npos);
+  EXPECT_NE(printed(import_targets("nan 0 0\n", "Ship")).find("is not a valid length"), std::string::npos);
 }
 
 TEST(ImportTargets, MoreColumnsThanExpectedAreOneWarning) {

@@ -43,7 +43,7 @@ bool fits_integer(double value) {
   return value >= std::numeric_limits<int>::min() && value <= std::numeric_limits<int>::max();
 }
 
-// A number for a field, held against the limits of the script language.
+// A number for a field, checked against the limits of the script language.
 struct NumberReading {
   double value = 0.0;
   std::string failure;
@@ -145,7 +145,8 @@ std::string set_seed(std::uint64_t& value, std::string_view text) {
   std::uint64_t seed = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
   if (error != std::errc{} || end != text.data() + text.size())
-    return fmt::format("'{}' is no seed; expected a whole number, 0 to 18446744073709551615", text.substr(0, 60));
+    return fmt::format("'{}' is not a valid seed; expected a whole number, 0 to 18446744073709551615",
+                       text.substr(0, 60));
   value = seed;
   return {};
 }

@@ -250,9 +250,10 @@ NamedField find_named_field(const Scene& scene, std::string_view name, std::stri
   const std::size_t dot = name.find('.');
   if (dot != std::string_view::npos) return failed(no_object(scene, name.substr(0, dot)));
   const std::string nearest = core::nearest_word(name, short_names(option_fields()));
-  return failed(nearest.empty()
-                    ? fmt::format("'{}' is no option; a field is written OBJECT.FIELD, as in Radar1.bandwidth", name)
-                    : fmt::format("'{}' is no option; did you mean {}?", name, nearest));
+  return failed(
+      nearest.empty()
+          ? fmt::format("'{}' is not a valid option; a field is written OBJECT.FIELD, as in Radar1.bandwidth", name)
+          : fmt::format("'{}' is not a valid option; did you mean {}?", name, nearest));
 }
 
 std::string short_name(const std::vector<Field>& fields, const Field& field) {

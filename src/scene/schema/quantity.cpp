@@ -171,7 +171,8 @@ UnitSearch find_unit(std::string_view typed, Quantity quantity, std::string_view
   else if (units.empty())
     search.failure = fmt::format("{} has a unit, '{}'; expected a {} alone", quoted(text), typed, noun_of(quantity));
   else
-    search.failure = fmt::format("{} is no {}; try {}", quoted(text), noun_of(quantity), units_listed(quantity));
+    search.failure =
+        fmt::format("{} is not a valid {}; try {}", quoted(text), noun_of(quantity), units_listed(quantity));
   return search;
 }
 
@@ -198,7 +199,7 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
     return fmt::format("{} has a blank within the number; write {}", quoted(text), mended.substr(0, length));
   }
   if (rest.front() == '.' || rest.front() == '+' || rest.front() == '-')
-    return fmt::format("{} is no number: '{}' does not belong behind one", quoted(text), rest);
+    return fmt::format("{} is not a valid number: '{}' does not belong behind one", quoted(text), rest);
   return {};
 }
 
@@ -217,7 +218,7 @@ QuantityReading read_factor(std::string_view typed, std::string_view text) {
   const auto factor = number_length(number) == number.size() ? core::parse_number(number) : std::nullopt;
   if (!factor || *factor <= 0.0)
     return no_quantity(
-        fmt::format("{} is no ratio; a factor is written as x100, with a number above zero", quoted(text)));
+        fmt::format("{} is not a valid ratio; a factor is written as x100, with a number above zero", quoted(text)));
   return {10.0 * std::log10(*factor), {}};
 }
 
@@ -226,9 +227,9 @@ std::string no_number(std::string_view text, std::string_view typed, Quantity qu
   if (typed.front() == ',' && typed.size() > 1 && core::is_digit(typed[1]))
     return comma_failure(text, "0" + std::string(typed));
   const auto units = table_of(quantity);
-  return units.empty() ? fmt::format("{} is no {}", quoted(text), noun_of(quantity))
-                       : fmt::format("{} is no {}; expected a number, with {} where it has a unit", quoted(text),
-                                     noun_of(quantity), units_listed(quantity));
+  return units.empty() ? fmt::format("{} is not a valid {}", quoted(text), noun_of(quantity))
+                       : fmt::format("{} is not a valid {}; expected a number, with {} where it has a unit",
+                                     quoted(text), noun_of(quantity), units_listed(quantity));
 }
 
 const Unit& unit_named(Quantity quantity, std::string_view name) {
@@ -236,7 +237,7 @@ const Unit& unit_named(Quantity quantity, std::string_view name) {
     if (unit.name == name) return unit;
   static constexpr Unit pure{};
   if (name.empty()) return table_of(quantity).empty() ? pure : table_of(quantity).front();
-  throw std::invalid_argument(fmt::format("'{}' is no unit of a {}", name, noun_of(quantity)));
+  throw std::invalid_argument(fmt::format("'{}' is not a valid unit of a {}", name, noun_of(quantity)));
 }
 
 std::string text_in(double value, const Unit& unit) {
@@ -292,7 +293,7 @@ QuantityReading read_quantity(std::string_view text, Quantity quantity, std::str
   if (!value) return no_quantity(fmt::format("{} is too large for a number", quoted(text)));
   if (quantity == Quantity::count && *value != std::floor(*value))
     return no_quantity(
-        fmt::format("{} is no whole number; try {}", quoted(text), core::format_number(std::round(*value))));
+        fmt::format("{} is not a valid whole number; try {}", quoted(text), core::format_number(std::round(*value))));
   return {*value, {}};
 }
 
@@ -326,7 +327,7 @@ std::vector<std::string_view> units_of(Quantity quantity) {
 int exponent_of(std::string_view name, Quantity quantity) {
   const Unit& unit = unit_named(quantity, name);
   if (unit.law != Unit::Law::decimal)
-    throw std::invalid_argument(fmt::format("'{}' is no power of ten of a {}", name, noun_of(quantity)));
+    throw std::invalid_argument(fmt::format("'{}' is not a valid power of ten of a {}", name, noun_of(quantity)));
   return unit.exponent;
 }
 

@@ -26,7 +26,7 @@ enum class Quantity {
 /// A value read from what was typed, in the unit in which the quantity is held, or why it could not be read, in words.
 struct QuantityReading {
   std::optional<double> value;
-  std::string failure;  ///< "'5 kg' is no length; try m, km or mm"
+  std::string failure;  ///< "'5 kg' is not a valid length; try m, km or mm"
 };
 
 /// Reads "50 MHz", "3us", "10 km", "1e3", "1,5" is refused with a hint at the point. Case matters only where it must

@@ -85,11 +85,11 @@ struct Wrong {
 };
 
 TEST(Quantity, WrongTextsAreRefusedWithTheReasonAndTheRemedy) {
-  const Wrong table[] = {{"5 kg", Quantity::length, "'5 kg' is no length; try m, nm"},
+  const Wrong table[] = {{"5 kg", Quantity::length, "'5 kg' is not a valid length; try m, nm"},
                          {"", Quantity::length, "nothing is typed; expected a length"},
-                         {"abc", Quantity::time, "'abc' is no time"},
-                         {"nan", Quantity::length, "'nan' is no length"},
-                         {"inf m", Quantity::length, "is no length"},
+                         {"abc", Quantity::time, "'abc' is not a valid time"},
+                         {"nan", Quantity::length, "'nan' is not a valid length"},
+                         {"inf m", Quantity::length, "is not a valid length"},
                          {"1,5 m", Quantity::length, "the decimal mark is the point: 1.5"},
                          {",5", Quantity::length, "the decimal mark is the point: 0.5"},
                          {"1,000,000", Quantity::length, "has commas"},
@@ -100,14 +100,14 @@ TEST(Quantity, WrongTextsAreRefusedWithTheReasonAndTheRemedy) {
                          {"1e999", Quantity::length, "is too large for a number"},
                          {"1e5000 dBm", Quantity::power, "is too large for a number"},
                          {"99999 dBW", Quantity::power, "is too large for a number"},
-                         {"2.5", Quantity::count, "is no whole number; try 3"},
+                         {"2.5", Quantity::count, "is not a valid whole number; try 3"},
                          {"3 m", Quantity::count, "has a unit, 'm'"},
                          {"x0", Quantity::ratio_db, "with a number above zero"},
                          {"x", Quantity::ratio_db, "a factor is written as x100"},
                          {"x1,5", Quantity::ratio_db, "a factor is written as x100"},
                          {"1.2.3", Quantity::number, "does not belong"},
-                         {"-", Quantity::number, "is no number"},
-                         {"5 m s", Quantity::length, "is no length"}};
+                         {"-", Quantity::number, "is not a valid number"},
+                         {"5 m s", Quantity::length, "is not a valid length"}};
   for (const Wrong& wrong : table) {
     const QuantityReading reading = read_quantity(wrong.text, wrong.quantity);
     EXPECT_FALSE(reading.value) << wrong.text;

@@ -119,7 +119,7 @@ class Reader {
     const auto from = core::parse_integer(first.number);
     const auto to = core::parse_integer(last.number);
     if (!from || !to)
-      return fmt::format("'{}' is no range of whole numbers; it is written first..last, others start:step:end",
+      return fmt::format("'{}' is not a valid range of whole numbers; it is written first..last, others start:step:end",
                          core::clipped(item));
     if (first.unit != last.unit)
       return fmt::format("'{}' begins and ends in different units; write both in {}", core::clipped(item),
@@ -144,7 +144,7 @@ class Reader {
       parts.push_back(std::string_view(item).substr(begin, colon - begin));
     }
     if (parts.size() != 3 || std::ranges::any_of(parts, [](auto part) { return core::trimmed(part).empty(); }))
-      return fmt::format("'{}' is no range; it is written start:step:end", core::clipped(item));
+      return fmt::format("'{}' is not a valid range; it is written start:step:end", core::clipped(item));
     const Term end = term_of(parts[2], unit_);
     const std::array<Term, 3> terms{term_of(parts[0], end.unit), term_of(parts[1], end.unit), end};
     for (const Term& term : terms) {

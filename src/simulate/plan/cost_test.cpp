@@ -3,7 +3,7 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 
-// Estimates are held against each other: how long a machine takes is another matter on each, and on a busy one.
+// Estimates are compared with each other: how long a machine takes is another matter on each, and on a busy one.
 
 namespace sarsim::simulate {
 namespace cost_test {

@@ -30,7 +30,8 @@ std::size_t memory_of(const std::string& text) {
   }
   const auto value = core::parse_number(number);
   if (value && *value * scale >= 1048576.0 && *value * scale < 0x1p60) return static_cast<std::size_t>(*value * scale);
-  throw core::Refused(fmt::format("--memory: '{}' is no size", text), "give 1M or more, for instance 800M or 4G");
+  throw core::Refused(fmt::format("--memory: '{}' is not a valid size", text),
+                      "give 1M or more, for instance 800M or 4G");
 }
 
 void take_centroid(FocusRequest& request, const std::string& text) {

@@ -60,7 +60,7 @@ void expect_outputs_to_be_free(const FocusRequest& request) {
     const fs::path folder = first_that_exists(path.parent_path());
     std::error_code ignored;
     if (!folder.empty() && !fs::is_directory(folder, ignored))
-      throw core::Refused(fmt::format("'{}' cannot be made: '{}' is no folder", path.string(), folder.string()),
+      throw core::Refused(fmt::format("'{}' cannot be made: '{}' is not a folder", path.string(), folder.string()),
                           "give the output another name");
   }
 }

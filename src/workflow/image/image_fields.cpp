@@ -33,7 +33,7 @@ class FieldTaker {
   // A number from 1, as the position from 0.
   [[nodiscard]] std::size_t position(const std::string& name) const {
     const auto value = core::parse_integer(text(name));
-    if (!value || *value < 1) refuse(name, "is no number from 1");
+    if (!value || *value < 1) refuse(name, "is not a number from 1");
     return static_cast<std::size_t>(*value) - 1;
   }
   [[nodiscard]] core::Vec3 vector(const std::string& name) const {
@@ -64,7 +64,7 @@ class FieldTaker {
     const std::size_t begin = value.find_first_not_of(' ');
     value.erase(0, begin);
     const auto number = core::parse_number(value);
-    if (!number) refuse(name, "is no number");
+    if (!number) refuse(name, "is not a number");
     return *number;
   }
 

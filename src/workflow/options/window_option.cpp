@@ -9,7 +9,7 @@ namespace sarsim::workflow {
 signal::SarWindow window_of(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   if (const auto window = signal::window_from_text(text)) return *window;
-  throw core::Refused(fmt::format("{}: '{}' is no window", option, text),
+  throw core::Refused(fmt::format("{}: '{}' is not a valid window", option, text),
                       "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
 }
 

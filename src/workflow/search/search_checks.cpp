@@ -214,13 +214,13 @@ class Remarks {
          fmt::format("a beam that points to {:.3g} degrees all the time",
                      azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
          "a ROTATING beam",
-         "targets outside the beam are not held against detections; give intervals of pulses with --interval, or take "
+         "targets outside the beam are not compared with detections; give intervals of pulses with --interval, or take "
          "sarsim doppler");
   }
 
   void detector() {
     if (plan_.noise_stddev_v == 0.0)
-      warn("the radar has no noise: detections are held against sidelobes and rounding errors", "0 K",
+      warn("the radar has no noise: detections are compared with sidelobes and rounding errors", "0 K",
            "a noise temperature above 0", "give the receiver its temperature, 290 K for instance");
     if (options_.canceller > 0 && options_.cfar.reference_rows > 0)
       warn("after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead",

@@ -96,7 +96,7 @@ void find_problems(SteppedInput& input, const SeriesOptions& options) {
   input.problems = core::ranked(std::move(input.problems));
 }
 
-// The row that is held against the scene.
+// The row that is compared with the scene.
 std::size_t held_row_of(const ProfileSeries& series, std::optional<std::size_t> burst, std::size_t bursts) {
   if (!burst) return typical_row(series);
   const auto found = std::ranges::find(series.rows, *burst, &ProfileRow::burst);

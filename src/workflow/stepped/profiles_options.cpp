@@ -37,7 +37,7 @@ void add_profile(OptionTable<ProfilesRequest>& table) {
                "bursts within so many dB of the strongest, two-way, belong to a scan (default: 6)",
                &ProfilesRequest::illumination_db);
   table.whole("--burst", 1, std::uint64_t{1} << 40,
-              "which burst is held against the script (default: the middle of the strongest scan)",
+              "which burst is compared with the script (default: the middle of the strongest scan)",
               [](ProfilesRequest& request, std::uint64_t n) { request.burst = static_cast<std::size_t>(n - 1); });
 }
 
