@@ -196,10 +196,10 @@ TEST_F(RunCommand, DiscardComputesButWritesNothing) {
 
 TEST_F(RunCommand, ProgressIsOneLinePerTenth) {
   SceneText scene;
-  scene.pulses = 20000;
+  scene.pulses = 120000;  // Work of less than half a second is not told.
   scene.lsb_mv = "1e-6";
   write_scene(scene);
-  const Finished run = sarsim({"run", "scene.scr", "--discard"});
+  const Finished run = sarsim({"run", "scene.scr", "--discard", "--threads", "1"});
   EXPECT_EQ(run.status, 0);
   for (int percent = 10; percent <= 100; percent += 10)
     EXPECT_THAT(run.err, HasSubstr("sim.bin: " + std::to_string(percent) + " %"));

@@ -10,7 +10,7 @@ namespace watch_test {
 TEST(Watch, ShowsStagesProblemsAndAnnouncementsInTheirOrder) {
   std::ostringstream out;
   std::ostringstream err;
-  Streams streams{out, err};
+  Streams streams{out, err, true};  // On a terminal a bar is drawn at once.
   Watch watch(streams, false);
   const core::Observer observer = watch.observer();
   observer.announces("a.h5: 10 x 20 samples");

@@ -92,10 +92,10 @@ TEST(ValueList, RefusesWhatIsNoList) {
   EXPECT_THAT(failure("", bandwidth()), HasSubstr("no value"));
   EXPECT_THAT(failure("1,,2", bandwidth()), HasSubstr("nothing between two commas"));
   EXPECT_THAT(failure("1,2,", bandwidth()), HasSubstr("nothing between two commas"));
-  EXPECT_THAT(failure("fast", bandwidth()), HasSubstr("no frequency"));
-  EXPECT_THAT(failure("5kg", bandwidth()), HasSubstr("no frequency"));
-  EXPECT_THAT(failure("nan", bandwidth()), HasSubstr("no frequency"));
-  EXPECT_THAT(failure("2.5", bits()), HasSubstr("no whole number"));
+  EXPECT_THAT(failure("fast", bandwidth()), HasSubstr("not a valid frequency"));
+  EXPECT_THAT(failure("5kg", bandwidth()), HasSubstr("not a valid frequency"));
+  EXPECT_THAT(failure("nan", bandwidth()), HasSubstr("not a valid frequency"));
+  EXPECT_THAT(failure("2.5", bits()), HasSubstr("not a valid whole number"));
 }
 
 TEST(ValueList, RefusesRangesThatMakeNoSense) {
@@ -106,11 +106,11 @@ TEST(ValueList, RefusesRangesThatMakeNoSense) {
   EXPECT_THAT(failure("1:-1:3", length()), HasSubstr("never reaches its end"));
   EXPECT_THAT(failure("3:1:1", length()), HasSubstr("never reaches its end"));
   EXPECT_THAT(failure("1:1:1e999", length()), HasSubstr("too large"));
-  EXPECT_THAT(failure("1:x:3", length()), HasSubstr("no length"));
+  EXPECT_THAT(failure("1:x:3", length()), HasSubstr("not a valid length"));
   EXPECT_THAT(failure("5..1", length()), HasSubstr("goes down; write 1..5, or 5:-1:1"));
-  EXPECT_THAT(failure("1.5..3", length()), HasSubstr("no range of whole numbers"));
-  EXPECT_THAT(failure("1...3", length()), HasSubstr("no range of whole numbers"));
-  EXPECT_THAT(failure("1..", length()), HasSubstr("no range of whole numbers"));
+  EXPECT_THAT(failure("1.5..3", length()), HasSubstr("not a valid range of whole numbers"));
+  EXPECT_THAT(failure("1...3", length()), HasSubstr("not a valid range of whole numbers"));
+  EXPECT_THAT(failure("1..", length()), HasSubstr("not a valid range of whole numbers"));
   EXPECT_THAT(failure("1m..3km", length()), HasSubstr("different units"));
   EXPECT_THAT(failure("-9223372036854775808..9223372036854775807", seed()), HasSubstr("more than 1000"));
 }

@@ -107,7 +107,7 @@ TEST(SweepAxes, RefuseWhatIsNoSettingAllAtOnce) {
   EXPECT_THAT(text, HasSubstr("--set seed: there is no '='"));
   EXPECT_THAT(text, HasSubstr("no field is named"));
   EXPECT_THAT(text, HasSubstr("did you mean seed?"));
-  EXPECT_THAT(text, HasSubstr("no frequency"));
+  EXPECT_THAT(text, HasSubstr("not a valid frequency"));
   EXPECT_THAT(text, HasSubstr("the value 2 is given twice"));
   EXPECT_THAT(text, HasSubstr("set by Target1.x already"));
   EXPECT_THAT(complaint({}), HasSubstr("nothing varies"));
