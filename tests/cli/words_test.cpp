@@ -98,7 +98,7 @@ TEST_F(Words, FieldsAreSetWhereverAScriptIsRead) {
   set({"check", "scene.scr"});
   set({"plot", "scene.scr", "-o", "p.png"});
   expect_refusal({"check", "scene.scr", "--set", "Target9.x=1"}, "Target9");
-  expect_refusal({"profiles", "scene.scr", "--set", "scans"}, "--group");
+  expect_refusal({"profiles", "scene.scr", "--set", "scans"}, "--group scans");
 }
 
 TEST_F(Words, GeometryOfARecordingIsThatOfItsPulses) {
@@ -284,12 +284,31 @@ TEST_F(Words, OnlyNearWordsAreSuggested) {
   EXPECT_THAT(suggestion("--jsno"), HasSubstr("did you mean '--json'?"));
 }
 
-TEST_F(Words, ChoicesThatOnlyAScriptMakesForACommandAreNamed) {
-  for (const char* command : {"focus", "doppler", "search"}) {
-    expect_refusal({command, "x.scr", "--seed", "3"}, "'$OPTIONS SEED 2'");
-    expect_refusal({command, "x.scr", "--pulse=ideal"}, "'$OPTIONS PULSE BAND_LIMITED'");
+TEST_F(Words, ValuesOfAScriptGiveWayInEveryCommandThatSimulates) {
+  write_scene({});
+  for (const char* command : {"doppler", "search"}) {
+    ASSERT_EQ(
+        sarsim({command, "scene.scr", "--seed", "3", "--set", "Target1.x=900", "--quiet", "--out", "b.img", "--no-map"})
+            .status,
+        0)
+        << command;
+    expect_refusal({command, "scene.scr", "--set", "Target9.x=1", "--no-map", "--out", "c.img"}, "Target9");
+    std::filesystem::remove(folder_ / "b-detections.csv");
   }
+  ASSERT_EQ(sarsim({"doppler", "scene.scr", "--seed", "3", "--pulse=ideal", "--quiet", "--out", "a.img"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / "a.hdr"), HasSubstr("settings = {--pulse ideal --seed 3}"));
   expect_refusal({"merge", "x.parts", "--seed", "3"}, "see sarsim merge --help");
+}
+
+TEST_F(Words, NumbersWithoutUnitsAreWarnedOfWhereTheUnitOfTheScriptWasMeant) {
+  write_scene({});
+  const auto warned = [&](const std::string& setting) {
+    const Finished check = sarsim({"check", "scene.scr", "--set", setting});
+    return check.err + check.out;
+  };
+  EXPECT_THAT(warned("Radar1.power=200"), HasSubstr("a number without a unit counts in W; found '200 W', expected"));
+  for (const char* setting : {"Radar1.power=20000", "Radar1.power=200W", "Radar1.prf=2", "Target1.x=40"})
+    EXPECT_THAT(warned(setting), Not(HasSubstr("without a unit"))) << setting;
 }
 
 TEST_F(Words, OneOfAKindIsSingular) {

@@ -105,7 +105,6 @@ Action add_check(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   app.add_option("scenes", arguments->scenes, "scripts to check")->type_name("SCENE")->required();
   add_scene_overrides(app, arguments->overrides);
-  add_settings(app, arguments->overrides);
   app.add_flag("--json", arguments->json, "the problems as JSON on standard output");
   app.add_flag("--strict", arguments->strict, "warnings, too, give exit status 2");
   add_examples(app, {{"sarsim check sar_r.scr", "all problems of a script, with line and column"},

@@ -172,7 +172,6 @@ Action add_geometry(CLI::App& app) {
   add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   add_scene_overrides(app, arguments->overrides);
-  add_settings(app, arguments->overrides);
   add_examples(app, {{"sarsim geometry scene.scr", "the $GEOMETRY tables of the script"},
                      {"sarsim geometry sar_r.scr --radar Radar1 --start 0 --end 0.1", "any other pulses"},
                      {"sarsim geometry scene.scr 1 --csv -o table.csv", "for other programs"},

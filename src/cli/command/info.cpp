@@ -98,7 +98,6 @@ Action add_info(CLI::App& app) {
   add_integer(app, "--workers", arguments->workers, 1, 1000000, "of --plan: also the time of so many machines");
   add_integer(app, "--threads", arguments->threads, 0, 4096,
               "of --plan: threads of each; 0 for one per core (default)");
-  add_settings(app, arguments->overrides);
   add_scene_overrides(app, arguments->overrides);
   add_sample_arguments(app, arguments->sample);
   add_examples(app, {{"sarsim info sar_r.scr", "resolution, ambiguities, SNR, size and time of a script"},

@@ -367,7 +367,6 @@ Action add_plot(CLI::App& app) {
   app.add_flag("--force", a->force, "replace files that exist");
   add_sample_arguments(app, a->samples);
   add_scene_overrides(app, a->overrides);
-  add_settings(app, a->overrides);
   add_examples(
       app, {{"sarsim plot sar_r.scr -o echoes.png", "what its first simulation records"},
             {"sarsim plot sar_r.scr --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},

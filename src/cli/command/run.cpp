@@ -141,7 +141,6 @@ void add_run_options(CLI::App& app, RunArguments& a) {
            "instruction set to use (avx512, avx2, sse4, ...), for the same bytes on other processors");
   add_integer(app, "--threads", a.threads, 0, 4096, "threads; 0 for one per core (default); never changes a byte");
   add_scene_overrides(app, a.request.overrides);
-  add_settings(app, a.request.overrides);
   app.add_flag("--force", a.request.force, "replace files that exist");
   app.add_flag("--keep-paths", a.request.keep_paths, "keep the folders of output names");
   app.add_flag("--double", a.request.doubles, "in HDF5 and NPY: volts in double precision (complex128)");

@@ -32,7 +32,7 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   add_format(app, "--format", a.overrides.format, "format of all recordings, with its extension");
   add_engine(app, a.engine, "how echoes are added up, as for run");
   add_text(app, "--simd", a.simd, "LEVEL", "instruction set to use, as for run");
-  add_scene_overrides(app, a.overrides);
+  add_run_choices(app, a.overrides);
   app.add_flag("--force", a.force, "replace files that exist");
   app.add_flag("--counts", a.counts, "converter counts instead of volts in HDF5 and NPY");
   app.add_flag("--header", a.header, "a header line in CSV");

@@ -1,7 +1,6 @@
 #include "cli/program/command_line.hpp"
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <filesystem>
 #include <functional>
@@ -167,22 +166,6 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
 }
 
-// What to do instead of an option of the commands that simulate, in a command that takes these choices from its script;
-// empty for all others.
-std::string set_in_script(const CLI::App& command, std::string_view option) {
-  constexpr std::array<std::string_view, 3> commands{"focus", "doppler", "search"};
-  if (std::ranges::find(commands, command.get_name()) == commands.end()) return {};
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> choices{{{"--seed", "SEED 2"},
-                                                                                  {"--tolerance", "TOLERANCE 1e-9"},
-                                                                                  {"--profile", "PROFILE CLASSIC"},
-                                                                                  {"--pulse", "PULSE BAND_LIMITED"}}};
-  const auto found =
-      std::ranges::find(choices, option, [](const auto& choice) -> std::string_view { return choice.first; });
-  if (found == choices.end()) return {};
-  return fmt::format("the script sets it, with a line such as '$OPTIONS {}'; sarsim run takes {}, too", found->second,
-                     option);
-}
-
 // What stands on the command line and belongs nowhere.
 void expect_no_extras(const Program& program, const CLI::App* command) {
   const CLI::App& app = command != nullptr ? *command : program.app;
@@ -197,11 +180,6 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
-  if (command != nullptr && command->get_name() == "profiles" && name == "--set")
-    throw core::Refused("profiles: unknown option '--set'",
-                        "one profile for each burst, scan or encounter is asked for with --group");
-  if (const std::string hint = option && command != nullptr ? set_in_script(*command, name) : ""; !hint.empty())
-    throw core::Refused(fmt::format("{}{} '{}'", where, what, name), hint);
   throw core::Refused(fmt::format("{}{} '{}'", where, what, name),
                       nearest.empty()
                           ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")

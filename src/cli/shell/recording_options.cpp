@@ -6,7 +6,7 @@
 namespace sarsim::cli {
 
 void add_recording_arguments(CLI::App& app, workflow::RecordingArguments& arguments, const std::string& otherwise) {
-  for (const auto& option : workflow::recording_options(otherwise))
+  for (const auto& option : workflow::script_options(otherwise))
     add_worded_option(app, option,
                       [take = option.take, &arguments](const std::string& word) { take(arguments, word); });
 }

@@ -11,7 +11,7 @@
 
 namespace sarsim::cli {
 
-/// Adds an option that takes a word.
+/// Adds an option that takes a word, or several times one.
 /// @param take  gets each word that the option takes
 CLI::Option* add_worded_option(CLI::App& app, const workflow::Option& option,
                                std::function<void(const std::string&)> take);

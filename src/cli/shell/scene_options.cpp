@@ -5,16 +5,23 @@
 
 namespace sarsim::cli {
 
-void add_scene_overrides(CLI::App& app, workflow::SceneOverrides& overrides) {
-  for (const auto& option : workflow::scene_override_options())
+namespace {
+
+void add_options(CLI::App& app, const workflow::OptionTable<workflow::SceneOverrides>& table,
+                 workflow::SceneOverrides& overrides) {
+  for (const auto& option : table)
     add_worded_option(app, option,
                       [take = option.take, &overrides](const std::string& word) { take(overrides, word); });
 }
 
-void add_settings(CLI::App& app, workflow::SceneOverrides& overrides) {
-  app.add_option("--set", overrides.settings, "a field of the script and its value, as Radar1.bandwidth=10MHz; repeat")
-      ->type_name("FIELD=VALUE")
-      ->allow_extra_args(false);
+}  // namespace
+
+void add_run_choices(CLI::App& app, workflow::SceneOverrides& overrides) {
+  add_options(app, workflow::run_choice_options(), overrides);
+}
+
+void add_scene_overrides(CLI::App& app, workflow::SceneOverrides& overrides) {
+  add_options(app, workflow::scene_override_options(), overrides);
 }
 
 }  // namespace sarsim::cli

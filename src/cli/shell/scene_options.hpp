@@ -7,9 +7,9 @@
 namespace sarsim::cli {
 
 /// Adds --profile, --pulse, --tolerance and --seed.
-void add_scene_overrides(CLI::App& app, workflow::SceneOverrides& overrides);
+void add_run_choices(CLI::App& app, workflow::SceneOverrides& overrides);
 
-/// Adds --set, which takes one value for a field.
-void add_settings(CLI::App& app, workflow::SceneOverrides& overrides);
+/// The same and --set, which takes one value for a field.
+void add_scene_overrides(CLI::App& app, workflow::SceneOverrides& overrides);
 
 }  // namespace sarsim::cli

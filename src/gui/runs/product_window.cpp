@@ -11,7 +11,6 @@
 #include <QLineEdit>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QTemporaryDir>
 #include <QVBoxLayout>
@@ -23,6 +22,7 @@
 
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/shell_word.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/image/image_viewer.hpp"
@@ -41,10 +41,7 @@ constexpr int product_bar_steps = 1000;
 constexpr std::size_t most_viewers = 8;  // that are opened for the images of one run
 constexpr qsizetype most_problems = 20;  // that are shown at a time
 
-QString quoted(const QString& word) {
-  static const QRegularExpression plain("^[A-Za-z0-9_./:=,+-]+$");
-  return plain.match(word).hasMatch() ? word : "'" + QString(word).replace("'", "'\\''") + "'";
-}
+QString quoted(const QString& word) { return QString::fromStdString(core::shell_word(word.toStdString())); }
 
 // The words of the line, as far as they can be told apart.
 QStringList words_of(const QString& line) {
@@ -216,8 +213,9 @@ workflow::GivenWords ProductWindow::given_words() const {
   for (const QString& word : chosen_words()) words.push_back(word.toStdString());
   workflow::GivenWords given = workflow::given_words(kind().options(), words);
   const std::string out = folder_->filePath(QString(kind().command) + ".npy").toStdString();
-  if (!given.emplace("--out", out).second)
+  if (given.contains("--out"))
     throw core::Refused("--out: the image goes to a viewer", "leave it out, and export the image there");
+  given.emplace("--out", out);
   return given;
 }
 

@@ -21,6 +21,7 @@
 #include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/focus/swath_remark.hpp"
 #include "workflow/image/image_output.hpp"
+#include "workflow/input/override_words.hpp"
 
 namespace sarsim::workflow {
 
@@ -228,8 +229,9 @@ signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& requ
 void write_outputs(const FocusReport& report, const FocusWork& work, const FocusRequest& request,
                    const core::StopFlag* stop) {
   const ImageOrigin origin{
-      request.input.path, request.input.script,   work.input.simulation,       word_of(request.algorithm),
-      work.options,       to_string(work.motion), work.input.plan->radar.name, work.input.plan->scene->options};
+      request.input.path,     request.input.script,        words_of_overrides(request.input.overrides),
+      work.input.simulation,  word_of(request.algorithm),  work.options,
+      to_string(work.motion), work.input.plan->radar.name, work.input.plan->scene->options};
   for (const fs::path& path : report.files)
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
   if (!request.output.empty()) write_image(report.image, origin, request.output, request.force, false, stop);

@@ -96,6 +96,25 @@ TEST_F(FocusWorkflow, WhatIsWrittenCanBeMeasuredAgainstTheory) {
   EXPECT_TRUE(target.picture.empty());
 }
 
+// The image says with which values it was made, so that `measure` compares with the target where it was.
+TEST_F(FocusWorkflow, AnImageOfOtherValuesIsMeasuredAgainstThem) {
+  request_.output = folder_ / "a.img";
+  request_.input.overrides.settings = {"Target1.x=7m", "Target1.y=-9m"};
+  static_cast<void>(focus(request_, {}));
+  const MeasureReport report = measure(of_image(), {});
+  EXPECT_EQ(report.origin.settings, "--set Target1.x=7m --set Target1.y=-9m");
+  EXPECT_TRUE(report.problems.empty());
+  ASSERT_EQ(report.targets.size(), 1U);
+  ASSERT_TRUE(report.targets.front().found);
+  EXPECT_NEAR(report.targets.front().found->place.azimuth_m, report.targets.front().theory.place.azimuth_m, 0.05);
+  request_.input.overrides = {};
+  request_.force = true;
+  static_cast<void>(focus(request_, {}));
+  EXPECT_GT(std::abs(measure(of_image(), {}).targets.front().theory.place.azimuth_m -
+                     report.targets.front().theory.place.azimuth_m),
+            5.0);
+}
+
 // The mean over all pulses of matched filters leaves k T/Tp over their number of the noise, and no image less. (More
 // where the band of Doppler frequencies that is focused is wider than the flight fills, as here.)
 TEST_F(FocusWorkflow, MeasuringTellsNoiseFromTargets) {

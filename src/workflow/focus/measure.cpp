@@ -20,6 +20,7 @@
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/image/image_script.hpp"
+#include "workflow/input/override_words.hpp"
 
 namespace sarsim::workflow {
 
@@ -51,6 +52,7 @@ RecordingArguments input_of(const MeasureRequest& request, const WayBack& way, c
   if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
   input.path = way.source;
   input.script = way.script;
+  input.overrides = overrides_from_words(origin.settings);
   return input;
 }
 

@@ -31,8 +31,8 @@ class FocusOfMovers : public testing::Test {
   }
 
   [[nodiscard]] FocusRequest request(GivenWords words) const {
-    words["--doppler-centroid"] = "0";
-    words["--threads"] = "2";
+    words.emplace("--doppler-centroid", "0");
+    words.emplace("--threads", "2");
     FocusRequest made = focus_request((folder_ / "cars.scr").string(), words);
     made.output = folder_ / "cars.img";
     made.force = true;

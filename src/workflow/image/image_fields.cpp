@@ -99,6 +99,7 @@ raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigi
   fields.emplace_back("light speed mps", fmt::format("{}", image.light_speed_mps));
   fields.emplace_back("source", origin.source);
   fields.emplace_back("script", origin.script);
+  if (!origin.settings.empty()) fields.emplace_back("settings", origin.settings);
   fields.emplace_back("simulation", fmt::format("{}", origin.simulation + 1));
   fields.emplace_back("algorithm", origin.algorithm);
   fields.emplace_back("motion compensation", origin.motion);
@@ -121,6 +122,7 @@ void read_header(const raster::EnviHeader& header, const std::string& file, sign
   image.light_speed_mps = fields.number("light speed mps");
   origin.source = fields.text("source");
   origin.script = fields.text("script");
+  origin.settings = header.field("settings").value_or("");
   origin.simulation = fields.position("simulation");
   origin.algorithm = fields.text("algorithm");
   origin.motion = header.field("motion compensation").value_or("none");

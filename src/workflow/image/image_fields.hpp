@@ -13,8 +13,9 @@ namespace sarsim::workflow {
 
 /// How an image came to be, as its header tells it.
 struct ImageOrigin {
-  std::string source;  ///< What was focused: a path.
-  std::string script;  ///< What --script said.
+  std::string source;    ///< What was focused: a path.
+  std::string script;    ///< What --script said.
+  std::string settings;  ///< What stood in for values of the script (workflow/input/override_words.hpp).
   std::size_t simulation = 0;
   std::string algorithm;
   signal::FocusOptions options;

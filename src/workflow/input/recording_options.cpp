@@ -4,18 +4,7 @@
 
 namespace sarsim::workflow {
 
-OptionTable<RecordingArguments> recording_options(const std::string& otherwise) {
-  OptionTable<RecordingArguments> table;
-  table.text("--script", "SCENE", "script that wrote the file of samples, where it carries none",
-             &RecordingArguments::script);
-  table.whole(
-      "--simulation", 1, std::uint64_t{1} << 40,
-      "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")",
-      [](RecordingArguments& arguments, std::uint64_t n) { arguments.simulation = static_cast<std::int64_t>(n); });
-  return table;
-}
-
-OptionTable<SceneOverrides> scene_override_options() {
+OptionTable<SceneOverrides> run_choice_options() {
   using scene::Profile;
   using scene::PulseDefinition;
   OptionTable<SceneOverrides> table;
@@ -29,8 +18,26 @@ OptionTable<SceneOverrides> scene_override_options() {
   return table;
 }
 
-OptionTable<RecordingArguments> stepped_recording_options() {
-  OptionTable<RecordingArguments> table = recording_options("the first that suits");
+OptionTable<SceneOverrides> scene_override_options() {
+  OptionTable<SceneOverrides> table = run_choice_options();
+  table.texts("--set", "FIELD=VALUE", "a field of the script and its value, as Radar1.bandwidth=10MHz; repeat",
+              [](SceneOverrides& overrides, const std::string& word) { overrides.settings.push_back(word); });
+  return table;
+}
+
+OptionTable<RecordingArguments> script_options(const std::string& otherwise) {
+  OptionTable<RecordingArguments> table;
+  table.text("--script", "SCENE", "script that wrote the file of samples, where it carries none",
+             &RecordingArguments::script);
+  table.whole(
+      "--simulation", 1, std::uint64_t{1} << 40,
+      "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")",
+      [](RecordingArguments& arguments, std::uint64_t n) { arguments.simulation = static_cast<std::int64_t>(n); });
+  return table;
+}
+
+OptionTable<RecordingArguments> recording_options(const std::string& otherwise) {
+  OptionTable<RecordingArguments> table = script_options(otherwise);
   table.include(scene_override_options(), &RecordingArguments::overrides);
   return table;
 }

@@ -9,12 +9,15 @@ namespace sarsim::workflow {
 
 /// --script and --simulation.
 /// @param otherwise  the simulation of a script that is taken where none is named, in words
+[[nodiscard]] OptionTable<RecordingArguments> script_options(const std::string& otherwise = "the first");
+
+/// The same and what stands in for values of the script.
 [[nodiscard]] OptionTable<RecordingArguments> recording_options(const std::string& otherwise = "the first");
 
 /// --profile, --pulse, --tolerance and --seed, which stand in for values of the script.
-[[nodiscard]] OptionTable<SceneOverrides> scene_override_options();
+[[nodiscard]] OptionTable<SceneOverrides> run_choice_options();
 
-/// Both, of stepped recordings: the first simulation that suits is taken.
-[[nodiscard]] OptionTable<RecordingArguments> stepped_recording_options();
+/// The same and --set for any other value.
+[[nodiscard]] OptionTable<SceneOverrides> scene_override_options();
 
 }  // namespace sarsim::workflow

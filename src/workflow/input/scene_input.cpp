@@ -1,7 +1,6 @@
 #include "workflow/input/scene_input.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <set>
 
@@ -15,6 +14,7 @@
 #include "scene/schema/field_names.hpp"
 #include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/input/bare_number.hpp"
 #include "workflow/input/cloud_input.hpp"
 
 namespace sarsim::workflow {
@@ -72,29 +72,6 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
     for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
 
-// A number without a unit counts in the base unit; if the result is far from the script's value, another unit was
-// probably meant.
-std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, const scene::NamedField& field,
-                                                   const std::string& setting, const std::string& value) {
-  constexpr double far = 1e4;
-  const scene::Quantity quantity = field.field->quantity;
-  const auto units = scene::units_of(quantity);
-  if (units.size() < 2 || scene::number_length(value) != value.size()) return std::nullopt;
-  const std::string old_text = scene::named_field_text(scene, field);
-  const std::optional<double> given = scene::read_quantity(value, quantity).value;
-  const std::optional<double> old = scene::read_quantity(old_text, quantity).value;
-  if (!given || !old || *given == 0.0 || *old == 0.0) return std::nullopt;
-  const double ratio = std::abs(*given / *old);
-  if (ratio < far && ratio > 1.0 / far) return std::nullopt;
-  std::string written = old_text;
-  std::erase(written, ' ');
-  return core::problem_of(
-      core::Severity::warning,
-      fmt::format("--set {}: a number without a unit counts in {}", setting.substr(0, 80), units[0]),
-      scene::quantity_text(*given, quantity), "a value near that of the script, " + old_text,
-      fmt::format("Write the unit, as in {}={}.", setting.substr(0, setting.find('=')), written));
-}
-
 // One field after the other, so that a later one may need what an earlier one chose.
 // @param[out] remarks  what is allowed but probably not meant
 core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene,
@@ -109,7 +86,7 @@ core::Problems problems_of_setting(const std::vector<std::string>& settings, sce
     if (equals == setting.size())
       failure = "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz";
     else if (field.field != nullptr) {
-      if (auto remark = remark_on_bare_number(scene, field, setting, value)) remarks.push_back(std::move(*remark));
+      if (auto remark = remark_on_bare_number(scene, field, name, value)) remarks.push_back(std::move(*remark));
       failure = scene::set_named_field(scene, field, value);
     }
     if (failure.empty()) continue;

@@ -57,7 +57,8 @@ std::string mistake_in_whole(const Option& option, const std::string& word) {
 std::string mistake_in(const Option& option, const std::string& word) {
   switch (option.kind) {
     case OptionKind::flag: break;
-    case OptionKind::text: return mistake_in_text(word);
+    case OptionKind::text:
+    case OptionKind::texts: return mistake_in_text(word);
     case OptionKind::number: return core::parse_number(word) ? std::string() : unlike(word, "a number");
     case OptionKind::whole: return mistake_in_whole(option, word);
     case OptionKind::choice: return mistake_in_choice(option.words, word);
@@ -77,7 +78,8 @@ core::Problems problems_with(const std::vector<Option>& options, const GivenWord
   core::Problems problems;
   std::vector<std::string> names;
   for (const Option& option : options) names.push_back(option.name);
-  for (const auto& [name, unused] : given) {
+  for (auto entry = given.begin(); entry != given.end(); entry = given.upper_bound(entry->first)) {
+    const std::string& name = entry->first;
     if (std::ranges::find(names, name) != names.end()) continue;
     core::Problem& problem = problems.emplace_back();
     problem.message = fmt::format("unknown option '{}'", name);
@@ -85,8 +87,8 @@ core::Problems problems_with(const std::vector<Option>& options, const GivenWord
     if (!nearest.empty()) problem.hint = fmt::format("did you mean '{}'?", nearest);
   }
   for (const Option& option : options)
-    if (const auto found = given.find(option.name); found != given.end())
-      if (const std::string mistake = mistake_in(option, found->second); !mistake.empty())
+    for (auto [word, end] = given.equal_range(option.name); word != end; ++word)
+      if (const std::string mistake = mistake_in(option, word->second); !mistake.empty())
         problems.push_back(problem_with(option, mistake));
   return problems;
 }

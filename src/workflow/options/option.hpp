@@ -14,6 +14,7 @@ namespace sarsim::workflow {
 enum class OptionKind {
   flag,    ///< Nothing: it is there or not.
   text,    ///< A name or a text that the request reads; not empty, and no option by mistake.
+  texts,   ///< The same, and the option may be given several times.
   number,  ///< A decimal number, finite.
   whole,   ///< A whole number from `low` to `high`.
   choice,  ///< One of `words`, ignoring case.
@@ -31,8 +32,9 @@ struct Option {
   bool told_late = false;  ///< What is wrong with its word is told after what is wrong with the words of others.
 };
 
-/// The words that were given for options, by the names of the options; for a flag, any text.
-using GivenWords = std::map<std::string, std::string>;
+/// The words that were given for options, by the names of the options; for a flag, any text. Several words of one
+/// option are in the order in which they were given.
+using GivenWords = std::multimap<std::string, std::string>;
 
 /// What is wrong with a word for an option: "'x' is not a number"; empty where the option takes it.
 [[nodiscard]] std::string mistake_in(const Option& option, const std::string& word);

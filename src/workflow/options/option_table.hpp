@@ -46,6 +46,12 @@ class OptionTable {
     return add({std::move(name), OptionKind::text, std::move(placeholder), std::move(help)},
                [take](Request& request, const std::string& word) { hand(request, word, take); });
   }
+  /// Takes each of the words of an option that may be given several times.
+  template <class Take>
+  Option& texts(std::string name, std::string placeholder, std::string help, Take take) {
+    return add({std::move(name), OptionKind::texts, std::move(placeholder), std::move(help)},
+               [take](Request& request, const std::string& word) { take(request, word); });
+  }
   /// Takes a double.
   /// @param unit  as the help shows it: "M/S"
   template <class Take>
@@ -93,15 +99,15 @@ class OptionTable {
   [[nodiscard]] TakenProblems take_words(const GivenWords& given, Request& request) const {
     TakenProblems problems;
     problems.early = problems_with(options(), given);
-    for (const RequestOption<Request>& option : options_) {
-      const auto found = given.find(option.name);
-      if (found == given.end() || !mistake_in(option, found->second).empty()) continue;
-      try {
-        option.take(request, found->second);
-      } catch (const core::Refused& refused) {
-        std::ranges::copy(refused.problems, std::back_inserter(option.told_late ? problems.late : problems.early));
+    for (const RequestOption<Request>& option : options_)
+      for (auto [word, last] = given.equal_range(option.name); word != last; ++word) {
+        if (!mistake_in(option, word->second).empty()) continue;
+        try {
+          option.take(request, word->second);
+        } catch (const core::Refused& refused) {
+          std::ranges::copy(refused.problems, std::back_inserter(option.told_late ? problems.late : problems.early));
+        }
       }
-    }
     return problems;
   }
 

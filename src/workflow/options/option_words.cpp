@@ -30,8 +30,10 @@ void take_word(const Option& option, const std::vector<std::string>& words, std:
     return;
   }
   const std::string word = sign == std::string::npos ? words[++i] : words[i].substr(sign + 1);
-  if (!given.emplace(option.name, word).second)
+  if (option.kind != OptionKind::texts && given.contains(option.name))
     problems.push_back(problem_in_words(option.name + " is given twice", "leave one of them out"));
+  else
+    given.emplace(option.name, word);
 }
 
 }  // namespace
@@ -72,7 +74,7 @@ GivenWords given_words(const std::vector<Option>& options, const std::vector<std
       take_word(*option, words, i, given, problems);
       continue;
     }
-    given.emplace(name, "");
+    if (!given.contains(name)) given.emplace(name, "");
     if (option != options.end() && name != words[i]) problems.push_back(problem_in_words(name + " takes no word"));
     // What an unknown one seems to take is not told of besides.
     if (option == options.end() && i + 1 < words.size() && !words[i + 1].starts_with("--")) ++i;

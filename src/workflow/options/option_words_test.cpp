@@ -10,7 +10,8 @@ namespace {
 
 const std::vector<Option> options{{"--window", OptionKind::text, "WINDOW", ""},
                                   {"--pfa", OptionKind::number, "P", ""},
-                                  {"--force", OptionKind::flag, "", ""}};
+                                  {"--force", OptionKind::flag, "", ""},
+                                  {"--set", OptionKind::texts, "FIELD=VALUE", ""}};
 
 std::vector<std::string> refusals(const std::vector<std::string>& words) {
   std::vector<std::string> told;
@@ -35,6 +36,11 @@ TEST(GivenWords, AreReadAsTheyAreTyped) {
   const GivenWords expected{{"--window", "hann"}, {"--pfa", "-1"}, {"--force", ""}};
   EXPECT_EQ(given_words(options, {"--window", "hann", "--force", "--pfa=-1"}), expected);
   EXPECT_TRUE(given_words(options, {}).empty());
+}
+
+TEST(GivenWords, OfSomeOptionsAreSeveralInTheirOrder) {
+  const GivenWords expected{{"--set", "a.b=1"}, {"--set", "a.b=0"}};
+  EXPECT_EQ(given_words(options, {"--set", "a.b=1", "--set=a.b=0"}), expected);
 }
 
 TEST(GivenWords, TellEverythingThatIsWrongAtOnce) {

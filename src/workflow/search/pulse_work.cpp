@@ -11,6 +11,7 @@
 #include "core/text/number_text.hpp"
 #include "workflow/image/image_output.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/input/override_words.hpp"
 #include "workflow/search/search_checks.hpp"
 
 namespace sarsim::workflow {
@@ -145,6 +146,7 @@ PulseReport PulseWork::report() const {
 std::vector<std::pair<std::string, std::string>> PulseWork::origin_fields() const {
   return {{"source", request_.input.path},
           {"script", request_.input.script},
+          {"settings", words_of_overrides(request_.input.overrides)},
           {"simulation", fmt::format("{}", input_.simulation + 1)},
           {"interval pulses", fmt::format("{}", options_.pulses)},
           {"interval step pulses", fmt::format("{}", options_.step_pulses())},

@@ -12,6 +12,7 @@
 #include "core/text/number_text.hpp"
 #include "workflow/image/image_output.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/input/override_words.hpp"
 #include "workflow/stepped/stepped_input.hpp"
 #include "workflow/stepped/velocity_choice.hpp"
 
@@ -157,8 +158,15 @@ class IsarRun {
     focus.range_window = options_.range_window;
     focus.azimuth_window = options_.azimuth_window;
     const simulate::Plan& plan = *input_.rows.plan;
-    const ImageOrigin origin{request_.input.path, request_.input.script, input_.simulation, algorithm(), focus, "none",
-                             plan.radar.name,     plan.scene->options};
+    const ImageOrigin origin{request_.input.path,
+                             request_.input.script,
+                             words_of_overrides(request_.input.overrides),
+                             input_.simulation,
+                             algorithm(),
+                             focus,
+                             "none",
+                             plan.radar.name,
+                             plan.scene->options};
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
     write_image(rows, origin, path, request_.replace, false, observer_.stop);
     if (request_.magnitude) write_image(rows, origin, magnitude_path(path), request_.replace, true, observer_.stop);

@@ -72,7 +72,7 @@ OptionTable<IsarRequest> isar_option_table() {
   add_target(table);
   add_bursts(table);
   table.include(image_options(), &IsarRequest::options);
-  table.include(stepped_recording_options(), &IsarRequest::input);
+  table.include(recording_options("the first that suits"), &IsarRequest::input);
   table.whole("--threads", 0, 4096, "threads; 0 for one per core (default); never changes a byte",
               &IsarRequest::threads);
   table.flag("--magnitude", "also an ENVI image of magnitudes, NAME-magnitude.img", &IsarRequest::magnitude);

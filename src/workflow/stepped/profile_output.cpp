@@ -47,6 +47,7 @@ raster::EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& o
                    {"light speed mps", core::format_number(origin.light_speed_mps)},
                    {"source", origin.source},
                    {"script", origin.script},
+                   {"settings", origin.settings},
                    {"simulation", fmt::format("{}", origin.simulation + 1)},
                    {"velocity", origin.velocity},
                    {"window", origin.window}};

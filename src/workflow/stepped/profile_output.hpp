@@ -14,6 +14,7 @@ namespace sarsim::workflow {
 struct ProfileOrigin {
   std::string source;
   std::string script;
+  std::string settings;        ///< What stood in for values of the script.
   std::size_t simulation = 0;  ///< From 0.
   std::string set;             ///< "bursts", "scans" or "encounter".
   std::string velocity;        ///< As the command line says.

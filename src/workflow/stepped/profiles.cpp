@@ -11,6 +11,7 @@
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/input/override_words.hpp"
 #include "workflow/stepped/profile_output.hpp"
 #include "workflow/stepped/stepped_input.hpp"
 
@@ -116,6 +117,7 @@ void write_set(const ProfileSeries& series, const SteppedInput& input, const Pro
                const fs::path& output, const core::StopFlag* stop) {
   const ProfileOrigin origin{request.input.path,
                              request.input.script,
+                             words_of_overrides(request.input.overrides),
                              input.simulation,
                              word_of(request.set),
                              request.velocity.words,

@@ -55,7 +55,7 @@ OptionTable<ProfilesRequest> profiles_option_table() {
       "a profile for each burst (default), or the mean power of each scan or of all scans", &ProfilesRequest::set);
   add_speeds(table);
   add_profile(table);
-  table.include(stepped_recording_options(), &ProfilesRequest::input);
+  table.include(recording_options("the first that suits"), &ProfilesRequest::input);
   table.whole("--threads", 0, 4096, "threads; 0 for one per core (default); never changes a byte",
               &ProfilesRequest::threads);
   table.flag("--force", "replace files that exist", &ProfilesRequest::replace);
@@ -63,6 +63,12 @@ OptionTable<ProfilesRequest> profiles_option_table() {
 }
 
 ProfilesRequest profiles_request(const std::string& input, const GivenWords& given) {
+  // What was said so until --set came to mean values of the script, here as elsewhere.
+  for (auto [word, last] = given.equal_range("--set"); word != last; ++word)
+    if (word->second == "bursts" || word->second == "scans" || word->second == "encounter")
+      throw core::Refused(
+          fmt::format("--set {}: a field of the script and its value are expected", word->second),
+          fmt::format("one profile for each burst, scan or encounter is asked for with --group {}", word->second));
   ProfilesRequest request;
   request.input.path = input;
   const TakenProblems problems = profiles_option_table().take_words(given, request);
