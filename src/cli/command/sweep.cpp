@@ -9,6 +9,7 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/command/sweep_arguments.hpp"
+#include "cli/command/sweep_commands.hpp"
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/watch.hpp"
@@ -37,8 +38,10 @@ SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart 
   request.script = arguments.scene;
   request.places = std::move(input.places);
   request.sources = std::move(input.sources);
-  request.settings = arguments.settings;
-  request.paired = arguments.paired;
+  request.values = arguments.values;
+  request.values.table = arguments.table_of_values;
+  request.values.draws = static_cast<std::size_t>(arguments.draws.value_or(0));
+  request.values.folder = std::filesystem::path(arguments.scene).parent_path();
   request.products = arguments.products;
   request.format = arguments.overrides.format;
   request.folder = arguments.folder;
@@ -133,6 +136,10 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   if (plan.refused && arguments.json)
     write_out(streams, workflow::sweep_json(frame_of(request, plan, "bad input"), {}));
   workflow::expect_sound(plan);
+  if (arguments.commands) {
+    write_out(streams, run_commands(arguments, plan));
+    return exit_done;
+  }
   if (arguments.dry_run) return print_plan(arguments, request, plan, streams);
   const SweepReport report = workflow::run_sweep(request, std::move(plan), observer);
   watch.close();
@@ -148,6 +155,10 @@ Action add_sweep(CLI::App& app) {
                      {"sarsim sweep scene.scr --set Radar1.bandwidth=10MHz:10MHz:100MHz --set seed=1..10 --dry-run",
                       "what a hundred combinations would be"},
                      {"sarsim sweep scene.scr --set 'Target1.x=1km,2km' --discard", "figures alone, no recordings"},
+                     {"sarsim sweep scene.scr --values cases.csv --out runs", "a variation for each line of a table"},
+                     {"sarsim sweep scene.scr --zip --set 'Target1.rcs=normal(1, 0.2)' --set seed=1..100",
+                      "random values, each with its own noise"},
+                     {"sarsim sweep scene.scr --set seed=1..100 --dry-run --commands", "a command for each variation"},
                      {"sarsim sweep scene.scr --fields", "what can be set"}});
   return [arguments](Streams& streams) { return sweep_scene(*arguments, streams); };
 }

@@ -16,13 +16,19 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   app.add_option("products", a.products,
                  "which products: numbers of simulations from 1, or output names (default: all)")
       ->type_name("NUMBER|NAME");
-  app.add_option("--set", a.settings,
-                 "a field and its values: x, a,b,c, start:step:end or first..last; repeat for combinations")
+  app.add_option(
+         "--set", a.values.settings,
+         "a field and its values: x, a,b,c, start:step:end, first..last, or random ones as normal(1, 0.2); repeat for "
+         "combinations")
       ->type_name("FIELD=VALUES")
       ->allow_extra_args(false);
-  app.add_flag("--zip", a.paired, "pair the values of several --set instead of combining them");
+  add_text(app, "--values", a.table_of_values, "CSV",
+           "table of values: a column for each field, a line for each variation");
+  app.add_flag("--zip", a.values.paired, "pair all values instead of combining them");
+  add_integer(app, "--draws", a.draws, 1, workflow::most_variations, "how many random values are drawn");
   app.add_flag("--fields", a.fields, "print the fields that can be set, with their values, and end");
   app.add_flag("--dry-run", a.dry_run, "check every variation, print what would run, and end");
+  app.add_flag("--commands", a.commands, "with --dry-run: print a 'sarsim run' command for each variation instead");
   add_text(app, "-o,--out", a.folder, "DIR", "folder for all files; made when missing (default: the current one)");
   add_text(app, "--table", a.table, "NAME", "name of the tables and the journal (default: sweep)");
   add_integer(app, "--jobs", a.jobs, 0, 4096, "variations at a time; 0 for as many as there are threads (default)");

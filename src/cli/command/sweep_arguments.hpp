@@ -17,8 +17,9 @@ namespace sarsim::cli {
 struct SweepArguments {
   std::string scene;
   std::vector<std::string> products;
-  std::vector<std::string> settings;  ///< "OBJECT.FIELD=VALUES"
-  bool paired = false;
+  workflow::SweepValues values;  ///< Without what follows.
+  std::string table_of_values;
+  std::optional<std::int64_t> draws;
   std::string folder = ".";
   std::string table;  ///< Stem of the names of table and journal, in the folder.
   workflow::SceneOverrides overrides;
@@ -33,6 +34,7 @@ struct SweepArguments {
   bool force = false;
   bool resume = false;
   bool dry_run = false;
+  bool commands = false;
   bool fields = false;
   bool json = false;
   bool strict = false;

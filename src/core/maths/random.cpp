@@ -37,14 +37,19 @@ RandomStream::RandomStream(std::uint64_t seed, RandomKind kind, std::uint64_t ob
   key_high_ = high_word(key);
 }
 
-std::array<double, 2> RandomStream::normals(std::int64_t major, std::int64_t minor) const {
+std::array<double, 2> RandomStream::uniforms(std::int64_t major, std::int64_t minor) const {
   const auto a = static_cast<std::uint64_t>(major);
   const auto b = static_cast<std::uint64_t>(minor);
   const r123::Philox4x32::ctr_type counter = {{low_word(b), high_word(b), low_word(a), high_word(a)}};
   const r123::Philox4x32::key_type key = {{key_low_, key_high_}};
   const auto bits = r123::Philox4x32()(counter, key);
-  const double radius = std::sqrt(-2.0 * std::log(unit_interval(bits[0], bits[1])));
-  const double angle = 2.0 * pi * unit_interval(bits[2], bits[3]);
+  return {unit_interval(bits[0], bits[1]), unit_interval(bits[2], bits[3])};
+}
+
+std::array<double, 2> RandomStream::normals(std::int64_t major, std::int64_t minor) const {
+  const auto [first, second] = uniforms(major, minor);
+  const double radius = std::sqrt(-2.0 * std::log(first));
+  const double angle = 2.0 * pi * second;
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 

@@ -16,6 +16,7 @@ enum class RandomKind : std::uint32_t {
   target_position = 6,
   target_rcs = 7,
   target_pointing = 8,
+  sweep_value = 9,
 };
 
 /// A stream of random numbers without state: each number is a function of the stream's key and of
@@ -32,6 +33,9 @@ class RandomStream {
   /// Two independent normal variates, mean 0 and variance 1, for the counters (major, minor).
   /// Box-Muller on two 64-bit uniform numbers; never infinite (the largest magnitude is 9.4).
   [[nodiscard]] std::array<double, 2> normals(std::int64_t major, std::int64_t minor) const;
+
+  /// Two independent numbers, uniform between 0 and 1 and never these, for the counters: those of `normals`.
+  [[nodiscard]] std::array<double, 2> uniforms(std::int64_t major, std::int64_t minor) const;
 
   /// Philox's key, low word first. What `normals` makes of it, for kernels that draw many streams at once: the counter
   /// words are minor low, minor high, major low, major high; output words 0 and 1, the high and the low one, give the

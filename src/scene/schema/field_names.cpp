@@ -9,6 +9,7 @@
 
 #include "core/text/number_text.hpp"
 #include "scene/model/object_lists.hpp"
+#include "scene/schema/function_table.hpp"
 
 namespace sarsim::scene {
 
@@ -154,8 +155,7 @@ ObjectSearch objects_called(const Scene& scene, std::string_view word) {
 
 std::vector<std::string> short_names(const std::vector<Field>& fields) {
   std::vector<std::string> names;
-  for (const Field& field : fields)
-    if (field.kind != FieldKind::function) names.push_back(short_name(fields, field));
+  for (const Field& field : fields) names.push_back(short_name(fields, field));
   return names;
 }
 
@@ -215,10 +215,16 @@ NamedField failed(std::string failure) {
   return named;
 }
 
-NamedField expect_settable(NamedField named, std::string_view name) {
-  if (named.field->kind == FieldKind::function)
-    return failed(fmt::format("{} is a user-defined function, which has no single value to set", name));
-  return named;
+// Gives a function the points of a data file.
+std::string set_function(AnyObject& object, const Field& field, std::string_view file, const PointsLoader& load) {
+  if (file.empty()) return "the name of a data file is missing";
+  if (!load) return field.label + " is a user-defined function, which only a data file can give";
+  NamedPoints points = load(std::string(file), *field.spec->block);
+  if (!points.failure.empty()) return points.failure;
+  const FunctionRef function = function_tables::function_in(object, field.id);
+  for (std::size_t i = 0; i < function.parts.size(); ++i) function.parts[i].knots = std::move(points.functions.at(i));
+  *function.file = file;
+  return {};
 }
 
 // The choice that a word of the script language stands for; the text itself where it is none.
@@ -238,14 +244,14 @@ NamedField find_named_field(const Scene& scene, std::string_view name, std::stri
   for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.', dot + 1)) {
     const std::string_view object = name.substr(0, dot);
     std::vector<NamedField> found = cut_at(scene, object, name.substr(dot + 1), value, failure);
-    if (found.size() == 1) return expect_settable(std::move(found.front()), name);
+    if (found.size() == 1) return std::move(found.front());
     if (found.size() > 1)
       return failed(fmt::format("{} can mean {}{} and {}{}; write one of these", object,
                                 capital(name_of(found[0].objects.front().kind)), found[0].objects.front().index + 1,
                                 capital(name_of(found[1].objects.front().kind)), found[1].objects.front().index + 1));
   }
   NamedField option = option_called(name, value);
-  if (option.field != nullptr) return expect_settable(std::move(option), name);
+  if (option.field != nullptr) return option;
   if (!failure.empty()) return failed(std::move(failure));
   const std::size_t dot = name.find('.');
   if (dot != std::string_view::npos) return failed(no_object(scene, name.substr(0, dot)));
@@ -272,7 +278,7 @@ std::string address_of(const Scene& scene, ObjectId id) {
   return own && !name.empty() && name.find_first_of(" \t=,\"'*") == std::string::npos ? name : numbered;
 }
 
-std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text) {
+std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text, const PointsLoader& load) {
   const std::string_view typed = choice_text(named, text);
   if (named.objects.empty()) return set_field(scene.options, named.field->id, typed);
   for (const ObjectId id : named.objects) {
@@ -280,7 +286,9 @@ std::string set_named_field(Scene& scene, const NamedField& named, std::string_v
     // `set_field` takes the value that is there, whether it means something or not.
     if (!field_applies(object, named.field->id))
       return named.field->label + " means nothing with what is chosen elsewhere; change that choice first";
-    if (std::string failure = set_field(object, named.field->id, typed); !failure.empty()) return failure;
+    std::string failure = named.field->kind == FieldKind::function ? set_function(object, *named.field, text, load)
+                                                                   : set_field(object, named.field->id, typed);
+    if (!failure.empty()) return failure;
     visit_list(scene, id.kind, [&](auto& list) {
       list.at(id.index) = std::get<std::remove_cvref_t<decltype(list.front())>>(std::move(object));
     });

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/maths/sampled_function.hpp"
 #include "scene/schema/fields.hpp"
+#include "scene/schema/function_block.hpp"
 
 namespace sarsim::scene {
 
@@ -33,10 +36,22 @@ struct NamedField {
 /// that no other object has and that holds neither blanks nor '=', else its kind and number.
 [[nodiscard]] std::string address_of(const Scene& scene, ObjectId id);
 
+/// The points of a data file for each function of a block, or why there are none, in words.
+struct NamedPoints {
+  std::vector<std::vector<core::Knot>> functions;
+  std::string failure;
+};
+
+/// Reads the data file of a name, as a script gives it.
+using PointsLoader = std::function<NamedPoints(const std::string& name, const FunctionBlock& block)>;
+
 /// Sets the field of every one of its objects as `set_field` does; words of the script language are taken for choices,
-/// too ("MATCHED_FILTER").
+/// too ("MATCHED_FILTER"). Of a user-defined function the text is the name of a data file; its method of interpolation
+/// stays.
+/// @param load  reads data files; without it functions cannot be set
 /// @returns empty, or why not, in words; the scene is then half changed where several objects are concerned
-[[nodiscard]] std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text);
+[[nodiscard]] std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text,
+                                          const PointsLoader& load = {});
 
 /// The value as text, of the first object.
 [[nodiscard]] std::string named_field_text(const Scene& scene, const NamedField& named);

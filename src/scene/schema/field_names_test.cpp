@@ -95,7 +95,6 @@ TEST(FieldNames, SaysWhatIsWrongWithAName) {
   EXPECT_THAT(id_of(scene, "bandwidth"), HasSubstr("OBJECT.FIELD"));
   EXPECT_THAT(id_of(scene, ""), HasSubstr("no field is named"));
   EXPECT_THAT(id_of(scene, "."), HasSubstr("none"));
-  EXPECT_THAT(id_of(scene, "Radar1.pri"), HasSubstr("user-defined function"));
 }
 
 TEST(FieldNames, SetsNumbersChoicesAndOptionsInTheScene) {
@@ -134,13 +133,32 @@ TEST(FieldNames, RefusesValuesInWords) {
   EXPECT_EQ(scene, small_scene());
 }
 
+TEST(FieldNames, FunctionsAreSetByTheNamesOfDataFiles) {
+  Scene scene = small_scene();
+  scene.platforms.resize(1);
+  scene.platforms[0].path = Platform::Path::trajectory;
+  scene.platforms[0].trajectory_m.part[1].method = core::Interpolation::cubic;
+  const NamedField named = find_named_field(scene, scene.platforms[0].name + ".trajectory", "a.dat");
+  ASSERT_NE(named.field, nullptr) << named.failure;
+  const PointsLoader load = [](const std::string& name, const FunctionBlock& block) -> NamedPoints {
+    if (name != "a.dat") return {{}, "no file " + name};
+    return {std::vector<std::vector<core::Knot>>(block.count, {{0.0, 1.0}, {2.0, 3.0}}), {}};
+  };
+  EXPECT_EQ(set_named_field(scene, named, "b.dat", load), "no file b.dat");
+  EXPECT_THAT(set_named_field(scene, named, "a.dat"), HasSubstr("only a data file"));
+  EXPECT_EQ(set_named_field(scene, named, "a.dat", load), "");
+  const UserFunction<3>& path = scene.platforms[0].trajectory_m;
+  EXPECT_EQ(path.file, "a.dat");
+  EXPECT_EQ(path.part[2].knots, (std::vector<core::Knot>{{0.0, 1.0}, {2.0, 3.0}}));
+  EXPECT_EQ(path.part[1].method, core::Interpolation::cubic);
+}
+
 TEST(FieldNames, EveryShortNameAndAddressFindsItsField) {
   const Scene scene = small_scene();
   const auto value_for = [](const Field& field) { return field.kind == FieldKind::quantity ? "1" : "a"; };
   for (const ObjectKind kind : all_object_kinds)
     for (std::size_t i = 0; i < count_of(scene, kind); ++i)
       for (const Field& field : fields_of(kind)) {
-        if (field.kind == FieldKind::function) continue;
         const std::string name = address_of(scene, {kind, i}) + "." + short_name(fields_of(kind), field);
         const NamedField named = find_named_field(scene, name, value_for(field));
         ASSERT_EQ(named.field, &field) << name << ": " << named.failure;

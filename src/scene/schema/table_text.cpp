@@ -42,10 +42,11 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 
 ColumnHeading heading_of(std::string_view cell) {
   const std::size_t open = cell.find_first_of("[(");
-  if (open == std::string_view::npos) return {core::lower_case(cell), {}};
+  if (open == std::string_view::npos) return {core::lower_case(cell), {}, std::string(cell)};
   const std::size_t close = std::min(cell.find_first_of("])", open), cell.size());
-  return {core::lower_case(core::trimmed(cell.substr(0, open))),
-          std::string(core::trimmed(cell.substr(open + 1, close - open - 1)))};
+  const std::string_view name = core::trimmed(cell.substr(0, open));
+  return {core::lower_case(name), std::string(core::trimmed(cell.substr(open + 1, close - open - 1))),
+          std::string(name)};
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ struct TableLine {
 struct ColumnHeading {
   std::string name;
   std::string unit;
+  std::string written;  ///< The name as it stands there.
 };
 [[nodiscard]] std::vector<ColumnHeading> headings_of(const TableLine& line);
 

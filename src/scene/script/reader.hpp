@@ -8,6 +8,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
+#include "scene/schema/field_names.hpp"
 #include "scene/script/data_file.hpp"
 #include "scene/script/field_places.hpp"
 
@@ -43,6 +44,9 @@ struct ReadControl {
 
 /// Finds data files on disk: in the script's folder first, then in the current one.
 [[nodiscard]] DataFileLoader disk_loader(const std::filesystem::path& script_folder);
+
+/// Reads data files that `disk_loader` finds, for `set_named_field`; what is wrong with one is told with its place.
+[[nodiscard]] PointsLoader disk_points(const std::filesystem::path& script_folder);
 
 /// The file that `disk_loader` finds for a name; empty where there is none.
 [[nodiscard]] std::filesystem::path data_file_on_disk(const std::filesystem::path& script_folder,

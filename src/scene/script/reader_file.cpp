@@ -167,6 +167,17 @@ DataFileLoader disk_loader(const fs::path& script_folder) {
   return [script_folder](const std::string& name) { return load(script_folder, name); };
 }
 
+PointsLoader disk_points(const fs::path& script_folder) {
+  return [script_folder](const std::string& name, const FunctionBlock& block) -> NamedPoints {
+    DataFileText data = load(script_folder, name);
+    if (!data.failure.empty()) return {{}, std::move(data.failure)};
+    DataFileReading reading = read_data_file(data.text, data.path, block);
+    for (const core::Problem& problem : reading.problems)
+      if (problem.severity == core::Severity::error) return {{}, core::to_string(problem)};
+    return {std::move(reading.functions), {}};
+  };
+}
+
 fs::path data_file_on_disk(const fs::path& script_folder, const std::string& name) {
   for (fs::path& place : places_to_look(script_folder, name)) {
     std::error_code ignored;

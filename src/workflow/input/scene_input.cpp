@@ -75,7 +75,7 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
 // One field after the other, so that a later one may need what an earlier one chose.
 // @param[out] remarks  what is allowed but probably not meant
 core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene,
-                                   core::Problems& remarks) {
+                                   const scene::PointsLoader& load, core::Problems& remarks) {
   core::Problems problems;
   for (const std::string& setting : settings) {
     const std::size_t equals = std::min(setting.find('='), setting.size());
@@ -87,7 +87,7 @@ core::Problems problems_of_setting(const std::vector<std::string>& settings, sce
       failure = "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz";
     else if (field.field != nullptr) {
       if (auto remark = remark_on_bare_number(scene, field, name, value)) remarks.push_back(std::move(*remark));
-      failure = scene::set_named_field(scene, field, value);
+      failure = scene::set_named_field(scene, field, value, load);
     }
     if (failure.empty()) continue;
     problems.push_back({});
@@ -171,7 +171,8 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
-    if (core::Problems mistakes = problems_of_setting(overrides.settings, input.scene, reading.problems);
+    if (core::Problems mistakes =
+            problems_of_setting(overrides.settings, input.scene, scene::disk_points(folder), reading.problems);
         !mistakes.empty())
       throw core::Refused(std::move(mistakes));
   if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems))
@@ -204,6 +205,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   append(sources, data_files_of(reading.scene, folder));
   SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
+  append(sources, data_files_of(input.scene, folder));  // Those that settings name, too.
   input.sources = std::move(sources);
   return input;
 }
@@ -214,6 +216,7 @@ SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, c
   reading.scene = std::move(scene);
   std::vector<std::filesystem::path> sources = data_files_of(reading.scene, folder);
   SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
+  append(sources, data_files_of(input.scene, folder));  // Those that settings name, too.
   input.sources = std::move(sources);
   return input;
 }

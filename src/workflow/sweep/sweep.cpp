@@ -159,7 +159,7 @@ core::Problems failures_of(const SweepPlan& plan) {
 }  // namespace
 
 SweepReport run_sweep(const SweepRequest& request, SweepPlan plan, const core::Observer& observer) {
-  expect_free_files(request, plan.rows);
+  expect_free_files(request, plan.sweep, plan.rows);
   if (!request.discard)
     core::expect_room(request.folder, sum_of(plan.checks, &ProductSize::least_bytes),
                       "choose another folder with --out, or keep the tables alone with --discard");

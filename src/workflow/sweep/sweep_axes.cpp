@@ -1,41 +1,108 @@
 #include "workflow/sweep/sweep_axes.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
 #include <set>
 #include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/hash/fnv1a.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/schema/value_list.hpp"
+#include "scene/script/reader.hpp"
+#include "workflow/input/bare_number.hpp"
+#include "workflow/input/cloud_input.hpp"
+#include "workflow/sweep/random_values.hpp"
+#include "workflow/sweep/value_table.hpp"
 
 namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
 
 namespace {
 
 // Room for the temporary name and for the file system's own limit of 255 bytes.
 constexpr std::size_t longest_name = 200;
 
-core::Problem mistake(const std::string& setting, std::string message, std::string hint = {}) {
+core::Problem mistake(std::string message, std::string hint = {}) {
   core::Problem problem;
-  problem.message = fmt::format("--set {}: {}", setting.substr(0, 80), message);
+  problem.message = std::move(message);
   problem.hint = std::move(hint);
   return problem;
 }
 
+core::Problem mistake_in(const std::string& setting, const std::string& message, std::string hint = {}) {
+  return mistake(fmt::format("--set {}: {}", setting.substr(0, 80), message), std::move(hint));
+}
+
+// The same word for the same value, another one for each other value.
 std::vector<std::string> distinct_words(const std::vector<std::string>& values) {
   std::vector<std::string> words;
   std::set<std::string> taken;
+  std::map<std::string, std::string> known;
   for (const std::string& value : values) {
-    const std::string word = safe_word(value);
-    std::string unique = word;
-    for (int number = 2; !taken.insert(unique).second; ++number) unique = fmt::format("{}-{}", word, number);
-    words.push_back(std::move(unique));
+    const auto [word, is_new] = known.try_emplace(value);
+    if (is_new) {
+      const std::string safe = safe_word(value);
+      word->second = safe;
+      for (int number = 2; !taken.insert(word->second).second; ++number)
+        word->second = fmt::format("{}-{}", safe, number);
+    }
+    words.push_back(word->second);
   }
   return words;
+}
+
+// What random values of a field are drawn with: the field itself, however it is called.
+std::string key_of(const scene::NamedField& named) {
+  std::string key = named.field->id;
+  for (const scene::ObjectId id : named.objects) key += fmt::format(" {}{}", scene::name_of(id.kind), id.index);
+  return key;
+}
+
+// Changes where a file is written anew.
+std::uint64_t stamp_of(const fs::path& file) {
+  std::error_code failure;
+  const auto size = fs::file_size(file, failure);
+  const auto time = fs::last_write_time(file, failure);
+  return core::fnv1a(failure ? "missing" : fmt::format("{} {}", size, time.time_since_epoch().count()));
+}
+
+// "Radar1.bandwidth=10MHz,20MHz"; random values are not drawn yet.
+std::optional<SweepAxis> axis_of(const scene::Scene& scene, const std::string& setting, core::Problems& problems) {
+  const std::size_t equals = setting.find('=');
+  if (equals == std::string::npos) {
+    problems.push_back(
+        mistake_in(setting, "there is no '='", "write OBJECT.FIELD=VALUES, as in Radar1.bandwidth=10MHz,20MHz"));
+    return std::nullopt;
+  }
+  const std::string texts(core::trimmed(std::string_view(setting).substr(equals + 1)));
+  SweepAxis axis;
+  axis.name = core::trimmed(std::string_view(setting).substr(0, equals));
+  axis.field = scene::find_named_field(scene, axis.name, is_random(texts) ? "0" : texts);
+  std::string failure = axis.field.failure;
+  if (axis.field.field != nullptr && is_random(texts)) {
+    axis.law = texts;
+  } else if (axis.field.field != nullptr) {
+    scene::ValueList list = scene::read_value_list(texts, *axis.field.field, most_variations);
+    failure = std::move(list.failure);
+    axis.values = std::move(list.texts);
+  }
+  if (failure.empty()) return axis;
+  problems.push_back(mistake_in(setting, failure));
+  return std::nullopt;
+}
+
+bool set_the_same(const SweepAxis& a, const SweepAxis& b) {
+  if (a.field.field != b.field.field) return false;
+  return a.field.objects.empty() || std::ranges::any_of(a.field.objects, [&](scene::ObjectId id) {
+           return std::ranges::find(b.field.objects, id) != b.field.objects.end();
+         });
 }
 
 }  // namespace
@@ -58,6 +125,11 @@ std::string SweepAxis::unit() const {
   return units.empty() ? std::string() : std::string(units.front());
 }
 
+bool SweepAxis::names_files() const {
+  if (field.field->kind == scene::FieldKind::function) return true;
+  return field.field->id == "file" && !field.objects.empty() && field.objects.front().kind == scene::ObjectKind::cloud;
+}
+
 std::string SweepAxis::table_text(std::size_t value) const {
   const std::string& text = values.at(value);
   if (!is_number() || is_seed()) return text;
@@ -65,90 +137,135 @@ std::string SweepAxis::table_text(std::size_t value) const {
   return reading.value ? core::format_number(*reading.value) : text;
 }
 
-Sweep::Sweep(const scene::Scene& scene, const std::vector<std::string>& settings, bool paired) : paired_(paired) {
+Sweep::Sweep(const scene::Scene& scene, const SweepValues& values) : folder_(values.folder), table_(values.table) {
+  if (values.settings.empty() && values.table.empty())
+    throw core::Refused("sweep: nothing varies",
+                        "say what does with --set, for instance --set seed=1..10, or with --values FILE.csv");
   core::Problems problems;
-  for (const std::string& setting : settings) add_axis(scene, setting, problems);
-  if (settings.empty())
-    throw core::Refused("sweep: nothing varies", "say what does with --set, for instance --set seed=1..10");
-  if (problems.empty()) set_size(paired, problems);
+  read_axes(scene, values, problems);
+  group_axes(values.paired);
+  if (problems.empty()) draw(scene.options.seed, values, problems);
+  if (problems.empty()) set_size(problems);
+  name_values(problems);
   if (!problems.empty()) throw core::Refused(std::move(problems));
 }
 
-void Sweep::add_axis(const scene::Scene& scene, const std::string& setting, core::Problems& problems) {
-  const std::size_t equals = setting.find('=');
-  if (equals == std::string::npos) {
-    problems.push_back(
-        mistake(setting, "there is no '='", "write OBJECT.FIELD=VALUES, as in Radar1.bandwidth=10MHz,20MHz"));
-    return;
-  }
-  SweepAxis axis;
-  axis.name = core::trimmed(std::string_view(setting).substr(0, equals));
-  const std::string values(core::trimmed(std::string_view(setting).substr(equals + 1)));
-  axis.field = scene::find_named_field(scene, axis.name, values);
-  if (axis.field.field == nullptr) {
-    problems.push_back(mistake(setting, axis.field.failure));
-    return;
-  }
-  for (const SweepAxis& other : axes_)
-    if (other.field.field == axis.field.field &&
-        (axis.field.objects.empty() || std::ranges::any_of(axis.field.objects, [&](scene::ObjectId id) {
-           return std::ranges::find(other.field.objects, id) != other.field.objects.end();
-         })))
-      problems.push_back(mistake(setting, fmt::format("this field is set by {} already", other.name)));
-  scene::ValueList list = scene::read_value_list(values, *axis.field.field, most_variations);
-  if (!list.failure.empty()) {
-    problems.push_back(mistake(setting, list.failure));
-    return;
-  }
-  std::set<std::string_view> met;
-  for (const std::string& value : list.texts)
-    if (!met.insert(value).second) {
-      problems.push_back(mistake(setting, fmt::format("the value {} is given twice", value)));
-      break;
+void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core::Problems& problems) {
+  const auto add = [&](SweepAxis axis, const std::string& setting) {
+    for (const SweepAxis& other : axes_)
+      if (set_the_same(axis, other))
+        problems.push_back(mistake_in(setting, fmt::format("this field is set by {} already", other.name)));
+    axes_.push_back(std::move(axis));
+  };
+  if (!values.table.empty())
+    for (SweepAxis& axis : read_value_table(scene, values.table, problems)) {
+      axis.of_table = true;
+      const std::string name = axis.name;
+      add(std::move(axis), name);
     }
-  axis.values = std::move(list.texts);
-  axis.words = distinct_words(axis.values);
-  axes_.push_back(std::move(axis));
+  for (const std::string& setting : values.settings)
+    if (std::optional<SweepAxis> axis = axis_of(scene, setting, problems)) add(*std::move(axis), setting);
 }
 
-void Sweep::set_size(bool paired, core::Problems& problems) {
-  strides_.assign(axes_.size(), 1);
-  if (paired) {
-    size_ = axes_.front().values.size();
-    for (const SweepAxis& axis : axes_)
-      if (axis.values.size() != size_)
-        problems.push_back(
-            mistake(axis.name,
-                    fmt::format("with --zip all lists are of one length; this one has {} values and that of {} has {}",
-                                axis.values.size(), axes_.front().name, size_)));
-    return;
+void Sweep::group_axes(bool paired) {
+  std::optional<std::size_t> of_table;
+  std::optional<std::size_t> drawn;
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    std::optional<std::size_t> alone;
+    std::optional<std::size_t>& group = paired || axes_[i].of_table ? of_table : axes_[i].law.empty() ? alone : drawn;
+    if (!group) {
+      group = groups_.size();
+      groups_.emplace_back();
+    }
+    groups_[*group].push_back(i);
   }
+}
+
+void Sweep::draw(std::uint64_t seed, const SweepValues& values, core::Problems& problems) {
+  const bool random = std::ranges::any_of(axes_, [](const SweepAxis& axis) { return !axis.law.empty(); });
+  const auto listed = std::ranges::find_if(axes_, [](const SweepAxis& axis) { return axis.law.empty(); });
+  std::size_t count = values.draws;
+  if (count == 0 && values.paired && listed != axes_.end()) count = listed->values.size();
+  if (random && count == 0)
+    problems.push_back(mistake("--set: it is not said how often random values are drawn",
+                               "add --draws N, or pair them with other values, as in --zip --set seed=1..N"));
+  if (!random && count > 0 && values.draws > 0)
+    problems.push_back(mistake("--draws: no value is random", "write one as in --set 'Target1.rcs=normal(1, 0.2)'"));
+  for (SweepAxis& axis : axes_) {
+    if (axis.law.empty() || !problems.empty()) continue;
+    scene::ValueList list = draw_values(axis.law, *axis.field.field, count, seed, key_of(axis.field));
+    if (!list.failure.empty()) problems.push_back(mistake_in(axis.name + "=" + axis.law, list.failure));
+    axis.values = std::move(list.texts);
+  }
+}
+
+void Sweep::set_size(core::Problems& problems) {
   double size = 1.0;
-  for (const SweepAxis& axis : axes_) size *= static_cast<double>(axis.values.size());
-  if (size > static_cast<double>(most_variations)) {
-    core::Problem problem;
-    problem.message = fmt::format("the sweep would have {:.0f} variations", size);
-    problem.expected = fmt::format("{} at most", most_variations);
-    problem.hint = "vary less at once, or pair the values with --zip";
-    problems.push_back(std::move(problem));
-    return;
+  for (const std::vector<std::size_t>& group : groups_) {
+    const SweepAxis& first = axes_[group.front()];
+    for (const std::size_t i : group)
+      if (axes_[i].values.size() != first.values.size())
+        problems.push_back(mistake_in(
+            axes_[i].name,
+            fmt::format("with --zip all lists are of one length; this one has {} values and that of {} has {}",
+                        axes_[i].values.size(), first.name, first.values.size())));
+    size *= static_cast<double>(first.values.size());
   }
+  if (size > static_cast<double>(most_variations)) {
+    problems.push_back(mistake(fmt::format("the sweep would have {:.0f} variations", size),
+                               "vary less at once, or pair the values with --zip"));
+    problems.back().expected = fmt::format("{} at most", most_variations);
+  }
+  if (!problems.empty()) return;
   size_ = 1;
-  for (std::size_t axis = axes_.size(); axis-- > 0;) {
-    strides_[axis] = size_;
-    size_ *= axes_[axis].values.size();
+  for (std::size_t group = groups_.size(); group-- > 0;) {
+    for (const std::size_t i : groups_[group]) axes_[i].stride = size_;
+    size_ *= axes_[groups_[group].front()].values.size();
+  }
+}
+
+void Sweep::name_values(core::Problems& problems) {
+  for (SweepAxis& axis : axes_) {
+    axis.words = distinct_words(axis.values);
+    if (!axis.names_files()) continue;
+    for (const std::string& value : axis.values)
+      axis.stamps.push_back(stamp_of(scene::data_file_on_disk(folder_, value)));
+  }
+  for (const std::vector<std::size_t>& group : groups_) refuse_repetition(group, problems);
+}
+
+// Two variations of the same values would have files of one name.
+void Sweep::refuse_repetition(const std::vector<std::size_t>& group, core::Problems& problems) const {
+  const auto length = [&](std::size_t i) { return axes_[i].values.size(); };
+  if (std::ranges::any_of(group, [&](std::size_t i) { return length(i) != length(group.front()); })) return;
+  std::map<std::string, std::size_t> known;
+  for (std::size_t number = 0; number < axes_[group.front()].values.size(); ++number) {
+    std::string values;
+    for (const std::size_t i : group) values += fmt::format("{}={} ", axes_[i].name, axes_[i].values[number]);
+    values.pop_back();
+    const auto [first, is_new] = known.try_emplace(values, number);
+    if (is_new) continue;
+    problems.push_back(group.size() == 1
+                           ? mistake(fmt::format("--set {}: the value is given twice", values),
+                                     "values of several fields that are paired (--zip) may be repeated")
+                           : mistake(fmt::format("variations {} and {} have the same values: {}", first->second + 1,
+                                                 number + 1, values),
+                                     "pair them with something that differs, as in --zip --set seed=1..N"));
+    return;
   }
 }
 
 std::size_t Sweep::value_of(std::size_t variation, std::size_t axis) const {
-  return variation / strides_[axis] % axes_[axis].values.size();
+  return variation / axes_[axis].stride % axes_[axis].values.size();
 }
 
-std::string Sweep::label(std::size_t variation) const {
-  std::string text;
+std::string Sweep::label(std::size_t variation) const { return fmt::format("{}", fmt::join(settings(variation), " ")); }
+
+std::vector<std::string> Sweep::settings(std::size_t variation) const {
+  std::vector<std::string> settings;
   for (std::size_t i = 0; i < axes_.size(); ++i)
-    text += fmt::format("{}{}={}", i == 0 ? "" : " ", axes_[i].name, axes_[i].values[value_of(variation, i)]);
-  return text;
+    settings.push_back(fmt::format("{}={}", axes_[i].name, axes_[i].values[value_of(variation, i)]));
+  return settings;
 }
 
 std::string Sweep::file_name(const std::string& stem, const std::string& extension, std::size_t variation) const {
@@ -163,12 +280,33 @@ std::string Sweep::file_name(const std::string& stem, const std::string& extensi
 
 scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const {
   scene::Scene scene = base;
+  const scene::PointsLoader load = scene::disk_points(folder_);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
     const std::string& value = axes_[i].values[value_of(variation, i)];
-    if (const std::string failure = scene::set_named_field(scene, axes_[i].field, value); !failure.empty())
-      problems.push_back(mistake(axes_[i].name + "=" + value, failure));
+    if (const std::string failure = scene::set_named_field(scene, axes_[i].field, value, load); !failure.empty())
+      problems.push_back(mistake_in(axes_[i].name + "=" + value, failure));
   }
+  if (problems.empty()) std::ranges::move(read_clouds(scene, folder_, {1}), std::back_inserter(problems));
   return scene;
+}
+
+std::uint64_t Sweep::stamp(std::size_t variation) const {
+  std::uint64_t stamp = 0;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (!axes_[i].stamps.empty())
+      stamp = core::fnv1a(fmt::format("{:016x}", axes_[i].stamps[value_of(variation, i)]), stamp);
+  return stamp;
+}
+
+std::vector<fs::path> Sweep::sources() const {
+  std::vector<fs::path> sources;
+  if (!table_.empty()) sources.push_back(table_);
+  for (const SweepAxis& axis : axes_) {
+    if (!axis.names_files()) continue;
+    for (const std::string& value : axis.values)
+      if (fs::path file = scene::data_file_on_disk(folder_, value); !file.empty()) sources.push_back(std::move(file));
+  }
+  return sources;
 }
 
 bool Sweep::varies(const core::Subject& subject) const {
@@ -183,10 +321,21 @@ bool Sweep::varies(const core::Subject& subject) const {
   });
 }
 
+core::Problems Sweep::remarks(const scene::Scene& scene) const {
+  core::Problems remarks;
+  for (const SweepAxis& axis : axes_)
+    for (const std::string& value : axis.values)
+      if (auto remark = remark_on_bare_number(scene, axis.field, axis.name, value)) {
+        remarks.push_back(*std::move(remark));
+        break;
+      }
+  return remarks;
+}
+
 std::size_t Sweep::first_alike(std::size_t variation) const {
-  if (paired_) return variation;
-  for (std::size_t i = 0; i < axes_.size(); ++i)
-    if (axes_[i].is_seed()) return variation - value_of(variation, i) * strides_[i];
+  for (const std::vector<std::size_t>& group : groups_)
+    if (const std::size_t i = group.front(); group.size() == 1 && axes_[i].is_seed())
+      return variation - value_of(variation, i) * axes_[i].stride;
   return variation;
 }
 

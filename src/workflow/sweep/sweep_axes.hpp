@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,12 +15,27 @@ namespace sarsim::workflow {
 /// More variations are taken for a mistake.
 inline constexpr std::size_t most_variations = 100000;
 
+/// What varies in a sweep, in words.
+struct SweepValues {
+  /// "OBJECT.FIELD=VALUES" (scene/schema/field_names.hpp), with values as of scene/schema/value_list.hpp or random ones
+  /// (workflow/sweep/random_values.hpp).
+  std::vector<std::string> settings{};
+  bool paired = false;             ///< All values are paired instead of combined, see Sweep.
+  std::filesystem::path table{};   ///< CSV file of values: a column for each field, a line for each variation.
+  std::size_t draws = 0;           ///< Of random values; 0: as many as there are other values, where they are paired.
+  std::filesystem::path folder{};  ///< Of the script: where data files are looked for.
+};
+
 /// A field and the values that it takes, one after the other.
 struct SweepAxis {
   std::string name;  ///< As typed: "Radar1.bandwidth".
   scene::NamedField field;
-  std::vector<std::string> values;  ///< As `set_named_field` takes them.
-  std::vector<std::string> words;   ///< The values as parts of file names; no two are alike.
+  std::vector<std::string> values{};    ///< As `set_named_field` takes them.
+  std::vector<std::string> words{};     ///< The values as parts of file names; no two values have one word.
+  std::vector<std::uint64_t> stamps{};  ///< Of the files that the values name; empty where they name none.
+  std::string law{};                    ///< That values are drawn by, as "normal(1, 0.2)"; empty where they are given.
+  bool of_table = false;                ///< From the table of values.
+  std::size_t stride = 1;               ///< So many variations have the same value before the next one follows.
 
   /// "Hz"; empty for pure numbers and for what is no number.
   [[nodiscard]] std::string unit() const;
@@ -28,15 +45,17 @@ struct SweepAxis {
   [[nodiscard]] std::string table_text(std::size_t value) const;
   /// Whether this is the seed, which `check` does not look at.
   [[nodiscard]] bool is_seed() const { return field.objects.empty() && field.field->id == "seed"; }
+  /// Whether the values are names of files: of the points of a function, or of a cloud.
+  [[nodiscard]] bool names_files() const;
 };
 
-/// The variations of a scene: every combination of the values of the axes, the last axis varying fastest, or, paired,
-/// the first values of all axes, then the second ones and so on.
+/// The variations of a scene: every combination of the values of the axes, the last axis varying fastest. Axes whose
+/// values are paired go through them together: all axes, where that is asked for, else those of a table, and those that
+/// are random.
 class Sweep {
  public:
-  /// @param settings  texts "OBJECT.FIELD=VALUES" (scene/schema/field_names.hpp, scene/schema/value_list.hpp)
-  /// @throws core::Refused with everything that is wrong with them
-  Sweep(const scene::Scene& scene, const std::vector<std::string>& settings, bool paired);
+  /// @throws core::Refused with everything that is wrong with the values
+  Sweep(const scene::Scene& scene, const SweepValues& values);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::vector<SweepAxis>& axes() const { return axes_; }
@@ -44,26 +63,40 @@ class Sweep {
   [[nodiscard]] std::size_t value_of(std::size_t variation, std::size_t axis) const;
   /// "Radar1.bandwidth=10MHz seed=1".
   [[nodiscard]] std::string label(std::size_t variation) const;
+  /// The same as settings, one for each axis.
+  [[nodiscard]] std::vector<std::string> settings(std::size_t variation) const;
   /// The file of a product in a variation, from its file in the script: "sim1_Radar1.bandwidth=10MHz_seed=1.bin". Holds
   /// nothing but letters, digits and "._+=-"; depends on the values of this variation alone. Names that would be
   /// longer than a file system takes end in a number made from the values instead.
   [[nodiscard]] std::string file_name(const std::string& stem, const std::string& extension,
                                       std::size_t variation) const;
-  /// The scene with the values of a variation; where they cannot be set, `problems` says why.
+  /// The scene with the values of a variation, and what they name read; where they cannot be set, `problems` says why.
   [[nodiscard]] scene::Scene scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const;
+  /// Of what a variation is made of besides the scene and the words of its values: the files that these name.
+  [[nodiscard]] std::uint64_t stamp(std::size_t variation) const;
+  /// The files that values name, and the table of values.
+  [[nodiscard]] std::vector<std::filesystem::path> sources() const;
   /// Whether a problem is about a field that varies, so that the script is not to blame.
   [[nodiscard]] bool varies(const core::Subject& subject) const;
+  /// What is allowed but probably not meant, of values as they were typed.
+  [[nodiscard]] core::Problems remarks(const scene::Scene& scene) const;
 
   /// The first of the variations that differ from this one by the seed alone.
   [[nodiscard]] std::size_t first_alike(std::size_t variation) const;
 
  private:
-  void add_axis(const scene::Scene& scene, const std::string& setting, core::Problems& problems);
-  void set_size(bool paired, core::Problems& problems);
+  void read_axes(const scene::Scene& scene, const SweepValues& values, core::Problems& problems);
+  void group_axes(bool paired);
+  void draw(std::uint64_t seed, const SweepValues& values, core::Problems& problems);
+  void set_size(core::Problems& problems);
+  void name_values(core::Problems& problems);
+  void refuse_repetition(const std::vector<std::size_t>& group, core::Problems& problems) const;
 
   std::vector<SweepAxis> axes_;
-  std::vector<std::size_t> strides_;  // Of each axis in the number of a variation; paired: all 1.
-  bool paired_ = false;
+  std::vector<std::vector<std::size_t>>
+      groups_;  // Axes that go through their values together; the last varies fastest.
+  std::filesystem::path folder_;
+  std::filesystem::path table_;
   std::size_t size_ = 0;
 };
 

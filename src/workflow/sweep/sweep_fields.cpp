@@ -27,6 +27,7 @@ std::string takes(const scene::Field& field) {
     case scene::FieldKind::quantity: return fmt::format("{}", fmt::join(scene::units_of(field.quantity), ", "));
     case scene::FieldKind::choice: return fmt::format("{}", fmt::join(field.choices, " | "));
     case scene::FieldKind::check: return "yes | no";
+    case scene::FieldKind::function: return "name of a data file";
     default: return {};
   }
 }
@@ -36,7 +37,7 @@ void add_object(std::vector<Line>& lines, const scene::Scene& scene, scene::Obje
   const std::vector<scene::Field>& fields = scene::fields_of(id.kind);
   const std::string address = scene::address_of(scene, id);
   for (const scene::Field& field : fields)
-    if (field.kind != scene::FieldKind::function && scene::field_applies(object, field.id))
+    if (scene::field_applies(object, field.id))
       lines.push_back({fmt::format("{}.{}", address, scene::short_name(fields, field)),
                        scene::field_text(object, field.id), takes(field)});
 }

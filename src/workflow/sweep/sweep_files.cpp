@@ -17,11 +17,11 @@ namespace {
 // The first of all problems stands for the others.
 class FirstProblem {
  public:
-  explicit FirstProblem(const SweepRequest& request) : request_(request) {}
+  FirstProblem(const SweepRequest& request, std::vector<fs::path> sources)
+      : request_(request), sources_(std::move(sources)) {}
 
   void look_at(const fs::path& path, bool replace) {
-    for (core::Problem& problem :
-         problems_of_output(path, {request_.sources, replace, "", chosen_folder(request_.folder)})) {
+    for (core::Problem& problem : problems_of_output(path, {sources_, replace, "", chosen_folder(request_.folder)})) {
       if (problems_.empty())
         problems_.push_back(std::move(problem));
       else
@@ -44,6 +44,7 @@ class FirstProblem {
 
  private:
   const SweepRequest& request_;
+  std::vector<fs::path> sources_;
   core::Problems problems_;
   std::size_t more_ = 0;
 };
@@ -56,10 +57,12 @@ SweepFiles::SweepFiles(const SweepRequest& request)
   if (part.count > 1) part_stem_ = fmt::format("{}-{}-of-{}", stem_, part.index + 1, part.count);
 }
 
-void expect_free_files(const SweepRequest& request, const std::vector<SweepRow>& rows) {
+void expect_free_files(const SweepRequest& request, const Sweep& sweep, const std::vector<SweepRow>& rows) {
   expect_output_folder(request.folder);
   const SweepFiles files(request);
-  FirstProblem problem(request);
+  std::vector<fs::path> sources = request.sources;
+  std::ranges::move(sweep.sources(), std::back_inserter(sources));
+  FirstProblem problem(request, std::move(sources));
   for (const SweepRow& row : rows)
     if (!row.done && !request.discard) problem.look_at(files.beside(row.file), request.force);
   for (const char* extension : {".csv", ".json", ".journal"}) {

@@ -32,6 +32,6 @@ class SweepFiles {
 };
 
 /// Throws core::Refused where a file, or what is in the place of the folder, stands in the way of what a sweep makes.
-void expect_free_files(const SweepRequest& request, const std::vector<SweepRow>& rows);
+void expect_free_files(const SweepRequest& request, const Sweep& sweep, const std::vector<SweepRow>& rows);
 
 }  // namespace sarsim::workflow

@@ -91,7 +91,7 @@ void share_threads(const SweepRequest& request, unsigned threads, SweepPlan& pla
 
 SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer) {
   const unsigned threads = core::thread_count(request.threads);
-  Sweep sweep(request.scene, request.settings, request.paired);
+  Sweep sweep(request.scene, request.values);
   SweepPlan plan{std::move(sweep), products_of(request)};
   name_rows(request, plan);
   if (request.resume) take_journals(request, plan.rows);
@@ -100,6 +100,7 @@ SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer
   plan.checks =
       check_sweep({request.scene, request.places, plan.sweep, plan.products, plan.open, request.counts, request.engine},
                   observer.control(threads));
+  std::ranges::move(plan.sweep.remarks(request.scene), std::back_inserter(plan.checks.problems));
   plan.refused = is_fatal(plan.checks.problems, request.strict);
   if (!plan.refused) observer.remarks(shortened(plan.checks.problems));
   return plan;

@@ -9,6 +9,7 @@
 #include "scene/model/scene.hpp"
 #include "scene/script/field_places.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
 
 namespace sarsim::workflow {
 
@@ -24,8 +25,7 @@ struct SweepRequest {
   std::string script;                          ///< Its file, as tables and messages name it.
   scene::FieldPlaces places;                   ///< Where its values stand, for problems.
   std::vector<std::filesystem::path> sources;  ///< Script and data files, which no output may replace.
-  std::vector<std::string> settings;           ///< "OBJECT.FIELD=VALUES", see Sweep.
-  bool paired = false;                         ///< Values are paired instead of combined, see Sweep.
+  SweepValues values;                          ///< What varies.
   std::vector<std::string> products;           ///< Those that are made, see `chosen_products`; none: all.
   std::optional<scene::FileFormat> format;     ///< Set where all of `scene` were given it: names follow it.
   std::string folder = ".";                    ///< Of all files; made when missing.

@@ -169,8 +169,9 @@ SweepRow VariationNames::row(std::size_t variation, std::size_t product) const {
   row.product = product;
   row.table = job.table;
   row.file = sweep_.file_name(stems_[product], extension, variation);
-  row.stamp = core::fnv1a(
-      fmt::format("{}\n{}{}", sweep_.label(variation), job.table ? "geometry" : "simulation", job.index), stamp_);
+  row.stamp =
+      core::fnv1a(fmt::format("{}\n{}{}", sweep_.label(variation), job.table ? "geometry" : "simulation", job.index),
+                  stamp_ ^ sweep_.stamp(variation));
   return row;
 }
 

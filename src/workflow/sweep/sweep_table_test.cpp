@@ -33,7 +33,7 @@ class SweepTable : public testing::Test {
     return found;
   }
 
-  Sweep sweep_{scene(), {"Radar1.bandwidth=1MHz,2MHz", "seed=1..2"}, false};
+  Sweep sweep_{scene(), {{"Radar1.bandwidth=1MHz,2MHz", "seed=1..2"}, false}};
   std::vector<workflow::ProductJob> products_{{false, 0, "a.bin"}, {true, 1, "t.txt"}};
   core::Problems problems_;
   SweepFrame frame_{"scene.scr", &sweep_, &products_, "done", &problems_};

@@ -34,7 +34,7 @@ SweepRequest request_for(const test::TestFolder& folder, std::vector<std::string
   simulation.lsb_v = 2e-9;
   request.scene.simulations = {simulation};
   request.script = "flight.scr";
-  request.settings = std::move(settings);
+  request.values.settings = std::move(settings);
   request.folder = (folder / "out").string();
   request.threads = 2;
   return request;
@@ -120,7 +120,7 @@ TEST(SweepWorkflow, LeavesOutWhatIsDoneWhereItResumes) {
   SweepRequest request = request_for(folder, {"seed=1,2"});
   static_cast<void>(sweep(request, {}));
   EXPECT_THROW(static_cast<void>(sweep(request, {})), core::Refused);
-  request.settings = {"seed=1..3"};
+  request.values.settings = {"seed=1..3"};
   request.resume = true;
   const SweepPlan plan = plan_sweep(request, {});
   EXPECT_THAT(plan.open, ElementsAre(2));

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "workflow/sweep/sweep_axes.hpp"
+
+namespace sarsim::workflow {
+
+/// Reads a table of values for a sweep: a first line of names of fields ("Target1.rcs", or "Target1.rcs [m2]" for
+/// numbers in that unit), then a line for each variation. Separators, comments and quotes as of
+/// scene/schema/table_text.hpp. What is wrong is added to `problems`, with its line.
+[[nodiscard]] std::vector<SweepAxis> read_value_table(const scene::Scene& scene, const std::filesystem::path& file,
+                                                      core::Problems& problems);
+
+}  // namespace sarsim::workflow
