@@ -13,6 +13,7 @@
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/watch.hpp"
+#include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
@@ -32,6 +33,23 @@ using workflow::SweepReport;
 using workflow::SweepRequest;
 using workflow::SweepRow;
 
+workflow::FollowUp follow_up_of(const SweepArguments& arguments) {
+  using Kind = workflow::FollowUp::Kind;
+  workflow::FollowUp follow_up;
+  for (const auto& [kind, given] : {std::pair{Kind::focus, arguments.focus}, std::pair{Kind::search, arguments.search},
+                                    std::pair{Kind::profiles, arguments.profiles}}) {
+    if (!given) continue;
+    if (follow_up)
+      throw core::Refused(
+          fmt::format("--{} and --{} cannot be made of one sweep", word_of(follow_up.kind), word_of(kind)),
+          "leave one of them out, and make the other in a sweep of its own");
+    follow_up.kind = kind;
+  }
+  follow_up.measure = arguments.measure;
+  follow_up.words = arguments.with;
+  return follow_up;
+}
+
 SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart part, workflow::SceneInput input) {
   SweepRequest request;
   request.scene = std::move(input.scene);
@@ -43,6 +61,8 @@ SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart 
   request.values.draws = static_cast<std::size_t>(arguments.draws.value_or(0));
   request.values.folder = std::filesystem::path(arguments.scene).parent_path();
   request.products = arguments.products;
+  request.overrides = arguments.overrides;
+  request.follow_up = follow_up_of(arguments);
   request.format = arguments.overrides.format;
   request.folder = arguments.folder;
   request.table = arguments.table;
@@ -136,6 +156,10 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   if (plan.refused && arguments.json)
     write_out(streams, workflow::sweep_json(frame_of(request, plan, "bad input"), {}));
   workflow::expect_sound(plan);
+  if (arguments.commands && request.follow_up)
+    throw core::Refused(
+        "--commands prints the recordings alone",
+        "leave out --focus, --search or --profiles, and follow up each recording in a command of its own");
   if (arguments.commands) {
     write_out(streams, run_commands(arguments, plan));
     return exit_done;
@@ -158,6 +182,8 @@ Action add_sweep(CLI::App& app) {
                      {"sarsim sweep scene.scr --values cases.csv --out runs", "a variation for each line of a table"},
                      {"sarsim sweep scene.scr --zip --set 'Target1.rcs=normal(1, 0.2)' --set seed=1..100",
                       "random values, each with its own noise"},
+                     {"sarsim sweep sar.scr --set seed=1..100 --discard --focus --measure",
+                      "the errors of a hundred images, as columns of the table"},
                      {"sarsim sweep scene.scr --set seed=1..100 --dry-run --commands", "a command for each variation"},
                      {"sarsim sweep scene.scr --fields", "what can be set"}});
   return [arguments](Streams& streams) { return sweep_scene(*arguments, streams); };

@@ -29,6 +29,11 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   app.add_flag("--fields", a.fields, "print the fields that can be set, with their values, and end");
   app.add_flag("--dry-run", a.dry_run, "check every variation, print what would run, and end");
   app.add_flag("--commands", a.commands, "with --dry-run: print a 'sarsim run' command for each variation instead");
+  app.add_flag("--focus", a.focus, "focus each recording to an image, NAME.img");
+  app.add_flag("--measure", a.measure, "measure each image against theory: columns of the table");
+  app.add_flag("--search", a.search, "make a picture and detections of each recording: columns of the table");
+  app.add_flag("--profiles", a.profiles, "make range profiles of each recording: columns of the table");
+  app.add_option("--with", a.with, "options of --focus, --search or --profiles, in quotes")->type_name("OPTIONS");
   add_text(app, "-o,--out", a.folder, "DIR", "folder for all files; made when missing (default: the current one)");
   add_text(app, "--table", a.table, "NAME", "name of the tables and the journal (default: sweep)");
   add_integer(app, "--jobs", a.jobs, 0, 4096, "variations at a time; 0 for as many as there are threads (default)");

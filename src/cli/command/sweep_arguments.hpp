@@ -35,6 +35,11 @@ struct SweepArguments {
   bool resume = false;
   bool dry_run = false;
   bool commands = false;
+  bool focus = false;
+  bool measure = false;
+  bool search = false;
+  bool profiles = false;
+  std::string with;  ///< Options of what follows up.
   bool fields = false;
   bool json = false;
   bool strict = false;

@@ -1,10 +1,16 @@
 #include "workflow/sweep/sweep.hpp"
 
+#include <algorithm>
+#include <cerrno>
 #include <condition_variable>
+#include <cstdlib>
 #include <functional>
 #include <future>
+#include <iterator>
 #include <mutex>
+#include <optional>
 #include <span>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,6 +20,7 @@
 #include "core/task/clock.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
+#include "workflow/sweep/sweep_causes.hpp"
 #include "workflow/sweep/sweep_files.hpp"
 #include "workflow/sweep/sweep_journal.hpp"
 #include "workflow/sweep/sweep_run.hpp"
@@ -88,6 +95,28 @@ std::size_t mean_samples(const SweepPlan& plan) {
   return static_cast<std::size_t>(samples / static_cast<double>(std::max<std::size_t>(plan.open.size(), 1)));
 }
 
+// A folder for temporary files, gone with the object.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::string name = (fs::temp_directory_path() / "sarsim-sweep-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr)
+      throw std::system_error(errno, std::generic_category(),
+                              fmt::format("cannot make a folder for temporary files '{}'", name));
+    path_ = name;
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
 // The variations of a plan at work.
 class SweepRunner {
  public:
@@ -98,6 +127,11 @@ class SweepRunner {
         rules_(variation_rules(request)),
         journal_(SweepFiles(request).of_part(".journal"), request.resume) {
     rules_.threads = plan.threads;
+    rules_.jobs = plan.jobs;
+    if (request.discard && request.follow_up) {
+      scratch_.emplace();
+      rules_.follow_up_folder = scratch_->path();
+    }
   }
 
   void run() {
@@ -114,6 +148,7 @@ class SweepRunner {
                                       core::counted(plan_.variations.size(), "variation")));
       throw;
     }
+    observer_.remarks(shortened(remarks_.problems(plan_.sweep, plan_.open.size())));
   }
 
  private:
@@ -134,8 +169,10 @@ class SweepRunner {
     const auto note = [this](const SweepRow& row) {
       if (row.done) journal_.add(row);
     };
-    run_variation(plan_.sweep.scene(request_.scene, variation, none), plan_.products, rows, rules_, observer_.stop,
-                  note);
+    const scene::Scene scene = plan_.sweep.scene(request_.scene, variation, none);
+    SweptScene swept{scene, {request_.script, {}, {}, request_.overrides}};
+    std::ranges::move(plan_.sweep.settings(variation), std::back_inserter(swept.source.overrides.settings));
+    remarks_.add(variation, 1, run_variation(swept, plan_.products, rows, rules_, observer_.stop, note));
   }
 
   const SweepRequest& request_;
@@ -143,6 +180,8 @@ class SweepRunner {
   const core::Observer& observer_;
   VariationRules rules_;
   SweepJournal journal_;
+  std::optional<ScratchFolder> scratch_;  // Of images that are measured and then of no use.
+  Causes remarks_;                        // Of follow-ups.
   FinishedCount finished_;
 };
 

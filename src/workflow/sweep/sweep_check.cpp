@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <mutex>
-#include <tuple>
 
 #include <fmt/format.h>
 
@@ -14,62 +12,11 @@
 #include "simulate/plan/plan.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/record/known_machine.hpp"
+#include "workflow/sweep/sweep_causes.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
-
-// One cause, as the first variation that has it words it.
-struct Cause {
-  core::Problem problem;
-  std::size_t first = 0;  // Variation.
-  std::size_t order = 0;  // Among the problems of that variation.
-  std::size_t variations = 0;
-};
-
-// The causes met so far; the same whatever the order in which variations come.
-class Causes {
- public:
-  void add(std::size_t variation, std::size_t alike, const core::Problems& problems) {
-    const std::scoped_lock hold(lock_);
-    for (std::size_t i = 0; i < problems.size(); ++i) {
-      const core::Problem& p = problems[i];
-      const auto [found, is_new] = causes_.try_emplace(
-          Key{p.severity, p.message, p.subject.kind, p.subject.index, p.subject.field}, Cause{p, variation, i, 0});
-      Cause& cause = found->second;
-      cause.variations += alike;
-      if (!is_new && variation < cause.first) {
-        cause.problem = p;
-        cause.first = variation;
-        cause.order = i;
-      }
-    }
-  }
-
-  [[nodiscard]] core::Problems problems(const Sweep& sweep, std::size_t variations) const {
-    std::vector<const Cause*> causes;
-    for (const auto& [key, cause] : causes_) causes.push_back(&cause);
-    std::ranges::sort(causes, {}, [](const Cause* c) { return std::tuple(c->problem.severity, c->first, c->order); });
-    core::Problems problems;
-    for (const Cause* cause : causes) {
-      problems.push_back(cause->problem);
-      if (cause->variations >= variations) continue;
-      const std::string where = cause->variations == 1
-                                    ? fmt::format("with {}", sweep.label(cause->first))
-                                    : fmt::format("in {} of {} variations, first with {}", cause->variations,
-                                                  variations, sweep.label(cause->first));
-      std::string& hint = problems.back().hint;
-      if (hint.ends_with('.')) hint.pop_back();
-      hint += hint.empty() ? where : "; " + where;
-    }
-    return problems;
-  }
-
- private:
-  using Key = std::tuple<core::Severity, std::string, std::string, std::size_t, std::string>;
-  std::map<Key, Cause> causes_;
-  std::mutex lock_;
-};
 
 // Of objects those at some positions.
 template <class Object>

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <limits>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
@@ -18,7 +21,7 @@ namespace {
 
 constexpr const char* heading =
     "sarsim sweep 2: stamp, file, bytes, written, seconds, engine, lsb_estimated, rows, columns, "
-    "maximum_v, lsb_v, best_lsb_v, range_used, saturated, zero, end\n";
+    "maximum_v, lsb_v, best_lsb_v, range_used, saturated, zero, figures, end\n";
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
@@ -65,6 +68,30 @@ class CellReader {
   bool good_ = true;
 };
 
+// "name=value name=value"; what is no number is empty.
+std::string text_of_figures(const std::vector<SweepFigure>& figures) {
+  std::string text;
+  for (const SweepFigure& figure : figures) {
+    text += fmt::format("{}{}=", text.empty() ? "" : " ", figure.name);
+    if (std::isfinite(figure.value)) core::append_number(text, figure.value);
+  }
+  return text;
+}
+
+bool read_figures(std::string_view text, std::vector<SweepFigure>& figures) {
+  while (!text.empty()) {
+    const std::string_view one = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(one.size() + 1, text.size()));
+    const std::size_t equals = one.find('=');
+    if (equals == std::string_view::npos || equals == 0) return false;
+    const std::string_view value = one.substr(equals + 1);
+    const auto number = core::parse_number(value);
+    if (!number && !value.empty()) return false;
+    figures.push_back({std::string(one.substr(0, equals)), number.value_or(std::numeric_limits<double>::quiet_NaN())});
+  }
+  return true;
+}
+
 // Empty where the file cannot be read: then everything is made again.
 std::string text_of_journal(const fs::path& path) try {
   return core::read_journal_file(path);
@@ -84,12 +111,14 @@ std::string journal_line(const SweepRow& row) {
     line += '\t';
     core::append_number(line, value);
   }
-  return line + fmt::format("\t{}\t{}\t.", run.saturated, run.zero);
+  return line + fmt::format("\t{}\t{}\t{}\t.", run.saturated, run.zero, text_of_figures(row.figures));
 }
 
 bool read_journal_line(const std::string& line, SweepRow& row) {
   const std::vector<std::string> cells = cells_of(line);
-  if (cells.size() != 16 || cells.back() != ".") return false;
+  // Without figures before there were any.
+  constexpr std::size_t before = 16;
+  if ((cells.size() != before && cells.size() != before + 1) || cells.back() != ".") return false;
   CellReader reader(cells);
   row.stamp = reader.whole(16);
   row.file = reader.word();
@@ -106,7 +135,8 @@ bool read_journal_line(const std::string& line, SweepRow& row) {
   row.run.saturated = reader.whole();
   row.run.zero = reader.whole();
   row.table = row.engine.empty();
-  row.done = reader.good() && !row.file.empty();
+  const bool figures = cells.size() == before || read_figures(reader.word(), row.figures);
+  row.done = reader.good() && figures && !row.file.empty();
   return row.done;
 }
 

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <cmath>
 #include <fstream>
 #include <system_error>
 
@@ -29,6 +30,7 @@ SweepRow example(const std::string& file, std::uint64_t stamp = 0x123456789abcde
   row.run.range_used = 0.97;
   row.run.saturated = 3;
   row.run.zero = 18446744073709551615U;
+  row.figures = {{"target1_snr_db", 1.0 / 3.0}, {"target2_snr_db", std::nan("")}, {"found", 1.0}};
   return row;
 }
 
@@ -55,6 +57,21 @@ TEST(SweepJournalLine, IsExact) {
   EXPECT_EQ(back.run.zero, row.run.zero);
   EXPECT_TRUE(back.done);
   EXPECT_FALSE(back.table);
+  ASSERT_EQ(back.figures.size(), 3U);
+  EXPECT_EQ(back.figures[0], row.figures[0]);
+  EXPECT_EQ(back.figures[1].name, "target2_snr_db");
+  EXPECT_TRUE(std::isnan(back.figures[1].value));
+}
+
+TEST(SweepJournalLine, HadNoFiguresOnce) {
+  SweepRow row = example("sim1.bin");
+  row.figures.clear();
+  std::string line = journal_line(row);
+  line.erase(line.rfind('\t'), 1);  // "...zero<tab><no figures><tab>." had a tab less.
+  SweepRow back;
+  ASSERT_TRUE(read_journal_line(line, back));
+  EXPECT_EQ(back.run.zero, row.run.zero);
+  EXPECT_TRUE(back.figures.empty());
 }
 
 TEST(SweepJournalLine, IsNoneWhereAnyOfItIsMissing) {

@@ -47,9 +47,12 @@ void name_rows(const SweepRequest& request, SweepPlan& plan) {
                         "use no more parts than there are variations");
 }
 
-// Whether the file is there as it was written; a sweep that discarded everything vouches for none.
-bool holds(const fs::path& file, const SweepRow& row) {
+// Whether the file is there as it was written, with what was made of it; of a sweep that discarded everything none is.
+bool holds(const fs::path& file, const SweepRow& row, const FollowUp& follow_up) {
   std::error_code none;
+  if (!row.table && !std::ranges::all_of(files_of(follow_up, file.parent_path() / file.stem()),
+                                         [&](const fs::path& made) { return fs::exists(made, none); }))
+    return false;
   const auto size = fs::file_size(file, none);
   return !none && row.written && static_cast<double>(size) == row.bytes && modification_time(file) == row.written;
 }
@@ -60,7 +63,7 @@ void take_journals(const SweepRequest& request, std::vector<SweepRow>& rows) {
   for (SweepRow& row : rows) {
     const auto found = known.find(row.file);
     if (found == known.end() || found->second.stamp != row.stamp) continue;
-    if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second)) continue;
+    if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second, request.follow_up)) continue;
     SweepRow done = found->second;
     done.variation = row.variation;
     done.product = row.product;
@@ -91,8 +94,13 @@ void share_threads(const SweepRequest& request, unsigned threads, SweepPlan& pla
 
 SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer) {
   const unsigned threads = core::thread_count(request.threads);
+  expect_sense(request.follow_up);
   Sweep sweep(request.scene, request.values);
   SweepPlan plan{std::move(sweep), products_of(request)};
+  if (request.follow_up && std::ranges::all_of(plan.products, &ProductJob::table))
+    throw core::Refused(
+        fmt::format("--{}: no recording is made that could be followed up", word_of(request.follow_up.kind)),
+        "choose a $SIMULATION");
   name_rows(request, plan);
   if (request.resume) take_journals(request, plan.rows);
   plan.open = open_variations(plan);

@@ -9,6 +9,8 @@
 #include "scene/model/scene.hpp"
 #include "scene/script/field_places.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/input/scene_input.hpp"
+#include "workflow/sweep/follow_up.hpp"
 #include "workflow/sweep/sweep_axes.hpp"
 
 namespace sarsim::workflow {
@@ -22,11 +24,13 @@ struct SweepPart {
 /// What varies, and what is made of it.
 struct SweepRequest {
   scene::Scene scene;                          ///< As read; values that vary may be wrong in it.
-  std::string script;                          ///< Its file, as tables and messages name it.
+  std::string script;                          ///< Its file, as tables and messages name it; follow-ups read it.
+  SceneOverrides overrides;                    ///< That `scene` was read with, for follow-ups.
   scene::FieldPlaces places;                   ///< Where its values stand, for problems.
   std::vector<std::filesystem::path> sources;  ///< Script and data files, which no output may replace.
   SweepValues values;                          ///< What varies.
   std::vector<std::string> products;           ///< Those that are made, see `chosen_products`; none: all.
+  FollowUp follow_up;                          ///< What is made of each recording besides.
   std::optional<scene::FileFormat> format;     ///< Set where all of `scene` were given it: names follow it.
   std::string folder = ".";                    ///< Of all files; made when missing.
   std::string table;                           ///< Stem of tables and journal; empty: "sweep".

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "simulate/plan/sink.hpp"
+#include "workflow/sweep/follow_up.hpp"
 
 namespace sarsim::workflow {
 
@@ -23,6 +25,7 @@ struct SweepRow {
   std::string engine;
   bool lsb_estimated = false;
   simulate::RunReport run;
+  std::vector<SweepFigure> figures;  ///< Of what was made of the recording.
 };
 
 }  // namespace sarsim::workflow

@@ -5,12 +5,14 @@
 #include <set>
 #include <span>
 #include <stdexcept>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
 #include "core/hash/fnv1a.hpp"
 #include "core/os/output_file.hpp"
+#include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
@@ -34,8 +36,8 @@ constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
 // One variation at work.
 class VariationRunner {
  public:
-  VariationRunner(const scene::Scene& scene, const VariationRules& rules, const core::StopFlag* stop)
-      : scene_(scene), rules_(rules), stop_(stop) {}
+  VariationRunner(const SweptScene& swept, const VariationRules& rules, const core::StopFlag* stop)
+      : swept_(swept), scene_(swept.scene), rules_(rules), stop_(stop) {}
 
   void make(const ProductJob& job, SweepRow& row) {
     const double begin_s = core::now_s();
@@ -44,15 +46,20 @@ class VariationRunner {
         make_table(scene_.geometries.at(job.index), row);
       else
         make_recording(job.index, row);
+      if (rules_.follow_up && !job.table) follow_up(job.index, row);
       if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
       row.done = true;
     } catch (const simulate::ImpossibleEcho& error) {
       row.failure = error.problem.message;
     } catch (const std::overflow_error& error) {
       row.failure = error.what();
+    } catch (const core::Refused& refused) {
+      row.failure = refused.problems.front().message;
     }
     row.seconds = core::now_s() - begin_s;
   }
+
+  [[nodiscard]] core::Problems take_remarks() { return std::move(remarks_); }
 
  private:
   void make_recording(std::size_t simulation, SweepRow& row) {
@@ -72,6 +79,24 @@ class VariationRunner {
     row.bytes = report.bytes.value_or(0.0);
   }
 
+  // Works on what was written, or, where nothing was, on the scene.
+  void follow_up(std::size_t simulation, SweepRow& row) {
+    FollowedRecording recording{swept_.source, rules_.follow_up_folder / fs::path(row.file).stem(), rules_.threads,
+                                rules_.jobs, rules_.replace};
+    recording.input.simulation = static_cast<std::int64_t>(simulation) + 1;
+    if (!rules_.discard) {
+      recording.input.script = std::exchange(recording.input.path, (rules_.folder / row.file).string());
+      // Counts are volts again by the LSB that was found for them.
+      const scene::FileFormat format = scene_.simulations.at(simulation).format;
+      if (row.lsb_estimated && row.run.lsb_v > 0.0 && raster::holds_counts(format, rules_.counts))
+        recording.input.overrides.settings.push_back(
+            fmt::format("Simulation{}.lsb={}V", simulation + 1, core::format_number(row.run.lsb_v)));
+    }
+    FollowedUp followed = follow(rules_.follow_up, recording, stop_);
+    row.figures = std::move(followed.figures);
+    std::ranges::move(followed.remarks, std::back_inserter(remarks_));
+  }
+
   void make_table(const scene::GeometryTable& table, SweepRow& row) const {
     const auto count = [&](std::string_view piece) { row.bytes += static_cast<double>(piece.size()); };
     if (rules_.discard) {
@@ -87,10 +112,12 @@ class VariationRunner {
     file.commit();
   }
 
+  const SweptScene& swept_;
   const scene::Scene& scene_;
   const VariationRules& rules_;
   const core::StopFlag* stop_;
   std::shared_ptr<const simulate::ResolvedScene> resolved_;
+  core::Problems remarks_;
 };
 
 // What data files hold; a script only names them.
@@ -121,7 +148,10 @@ std::uint64_t hash_of_scene(const scene::Scene& scene) {
 }  // namespace
 
 VariationRules variation_rules(const SweepRequest& request) {
-  return {request.folder, request.engine, request.counts, request.header, request.force, request.discard, 1};
+  VariationRules rules{request.folder, request.engine, request.counts, request.header, request.force, request.discard};
+  rules.follow_up = request.follow_up;
+  rules.follow_up_folder = request.folder;
+  return rules;
 }
 
 VariationNames::VariationNames(const scene::Scene& base, const Sweep& sweep, const std::vector<ProductJob>& products,
@@ -130,6 +160,9 @@ VariationNames::VariationNames(const scene::Scene& base, const Sweep& sweep, con
   stamp_ = core::fnv1a(
       fmt::format("{} {} {} {}", core::program_version, simulate::name_of(rules.engine), rules.counts, rules.header),
       hash_of_scene(base));
+  if (rules.follow_up)
+    stamp_ = core::fnv1a(
+        fmt::format("{} {} {}", word_of(rules.follow_up.kind), rules.follow_up.measure, rules.follow_up.words), stamp_);
   std::set<std::string> taken;
   for (const ProductJob& job : products) {
     // One stem for two products is fine where their extensions always differ, which is simplest never to rely on.
@@ -175,14 +208,15 @@ SweepRow VariationNames::row(std::size_t variation, std::size_t product) const {
   return row;
 }
 
-void run_variation(const scene::Scene& scene, const std::vector<ProductJob>& products, std::vector<SweepRow*>& rows,
-                   const VariationRules& rules, const core::StopFlag* stop,
-                   const std::function<void(const SweepRow&)>& done) {
-  VariationRunner runner(scene, rules, stop);
+core::Problems run_variation(const SweptScene& swept, const std::vector<ProductJob>& products,
+                             std::vector<SweepRow*>& rows, const VariationRules& rules, const core::StopFlag* stop,
+                             const std::function<void(const SweepRow&)>& done) {
+  VariationRunner runner(swept, rules, stop);
   for (SweepRow* row : rows) {
     runner.make(products.at(row->product), *row);
     done(*row);
   }
+  return runner.take_remarks();
 }
 
 }  // namespace sarsim::workflow

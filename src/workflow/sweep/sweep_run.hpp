@@ -18,11 +18,20 @@ namespace sarsim::workflow {
 struct VariationRules {
   std::filesystem::path folder = ".";
   simulate::Engine engine = simulate::Engine::automatic;
-  bool counts = false;   ///< As in SinkOptions.
-  bool header = false;   ///< As in SinkOptions.
-  bool replace = false;  ///< Replace existing files.
-  bool discard = false;  ///< Compute and encode everything, write nothing.
-  unsigned threads = 1;  ///< Of each variation.
+  bool counts = false;                       ///< As in SinkOptions.
+  bool header = false;                       ///< As in SinkOptions.
+  bool replace = false;                      ///< Replace existing files.
+  bool discard = false;                      ///< Compute and encode everything, write nothing.
+  unsigned threads = 1;                      ///< Of each variation.
+  FollowUp follow_up{};                      ///< What is made of each recording besides.
+  std::filesystem::path follow_up_folder{};  ///< Of its files.
+  std::size_t jobs = 1;                      ///< Variations beside each other.
+};
+
+/// A variation's scene, and how a follow-up finds it.
+struct SweptScene {
+  const scene::Scene& scene;
+  RecordingArguments source;  ///< The script, with the values of the variation.
 };
 
 /// Those of a request, with one thread for each variation.
@@ -53,10 +62,10 @@ class VariationNames {
 ///
 /// May be called on several threads at once.
 ///
-/// @param scene  of the variation
 /// @param done   told each row as soon as its product is complete
-void run_variation(const scene::Scene& scene, const std::vector<workflow::ProductJob>& products,
-                   std::vector<SweepRow*>& rows, const VariationRules& rules, const core::StopFlag* stop,
-                   const std::function<void(const SweepRow&)>& done);
+/// @return what follow-ups remarked on
+core::Problems run_variation(const SweptScene& swept, const std::vector<workflow::ProductJob>& products,
+                             std::vector<SweepRow*>& rows, const VariationRules& rules, const core::StopFlag* stop,
+                             const std::function<void(const SweepRow&)>& done);
 
 }  // namespace sarsim::workflow

@@ -1,5 +1,10 @@
 #include "workflow/sweep/sweep_table.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string_view>
+
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
@@ -30,13 +35,31 @@ std::string product_name(const SweepFrame& frame, const SweepRow& row) {
 // A recording that was discarded has no size.
 bool is_sized(const SweepRow& row) { return row.table || row.written; }
 
+// The names of the figures of all rows, in the order in which they are met.
+std::vector<std::string> figures_of(const std::vector<SweepRow>& rows) {
+  std::vector<std::string> names;
+  std::set<std::string_view> met;
+  for (const SweepRow& row : rows)
+    for (const SweepFigure& figure : row.figures)
+      if (met.insert(figure.name).second) names.push_back(figure.name);
+  return names;
+}
+
+void add_figures(std::string& line, const std::vector<std::string>& names, const SweepRow& row) {
+  for (const std::string& name : names) {
+    line += ',';
+    const auto figure = std::ranges::find(row.figures, name, &SweepFigure::name);
+    if (figure != row.figures.end() && std::isfinite(figure->value)) core::append_number(line, figure->value);
+  }
+}
+
 std::string heading_line(const SweepFrame& frame) {
   std::string line = "variation";
   for (const SweepAxis& axis : frame.sweep->axes())
     line += fmt::format(",{}", cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
   return line +
          ",product,file,status,rows,columns,bytes,maximum_v,lsb_v,lsb_estimated,best_lsb_v,range_used,saturated,zero,"
-         "engine,seconds\n";
+         "engine,seconds";
 }
 
 std::string line_of(const SweepFrame& frame, const SweepRow& row) {
@@ -44,8 +67,8 @@ std::string line_of(const SweepFrame& frame, const SweepRow& row) {
   for (std::size_t i = 0; i < frame.sweep->axes().size(); ++i)
     line += fmt::format(",{}", cell(frame.sweep->axes()[i].table_text(frame.sweep->value_of(row.variation, i))));
   line += fmt::format(",{},{},{}", product_name(frame, row), cell(row.file), status_of(row));
-  if (!row.done) return line + std::string(12, ',') + "\n";
-  if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}\n", core::format_number(row.bytes), row.seconds);
+  if (!row.done) return line + std::string(12, ',');
+  if (row.table) return line + fmt::format(",,,{},,,,,,,,,{:.6g}", core::format_number(row.bytes), row.seconds);
   const simulate::RunReport& run = row.run;
   line +=
       fmt::format(",{},{},{}", run.rows, run.columns, is_sized(row) ? core::format_number(row.bytes) : std::string());
@@ -53,7 +76,7 @@ std::string line_of(const SweepFrame& frame, const SweepRow& row) {
                       row.lsb_estimated ? 1 : 0);
   line += fmt::format(",{},{},{},{}", core::format_number(run.best_lsb_v), core::format_number(run.range_used),
                       run.saturated, run.zero);
-  return line + fmt::format(",{},{:.6g}\n", row.engine, row.seconds);
+  return line + fmt::format(",{},{:.6g}", row.engine, row.seconds);
 }
 
 void write_axes(core::JsonWriter& json, const Sweep& sweep) {
@@ -101,14 +124,29 @@ void write_row(core::JsonWriter& json, const SweepFrame& frame, const SweepRow& 
     json.member("range_used", run.range_used).member("saturated", run.saturated).member("zero", run.zero);
     json.member("engine", row.engine);
   }
+  if (!row.figures.empty()) {
+    json.key("figures").begin_object();
+    for (const SweepFigure& figure : row.figures) {
+      json.key(figure.name);
+      std::isfinite(figure.value) ? json.value(figure.value) : json.null();
+    }
+    json.end_object();
+  }
   json.end_object();
 }
 
 }  // namespace
 
 std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows) {
+  const std::vector<std::string> figures = figures_of(rows);
   std::string text = heading_line(frame);
-  for (const SweepRow& row : rows) text += line_of(frame, row);
+  for (const std::string& name : figures) text += "," + name;
+  text += '\n';
+  for (const SweepRow& row : rows) {
+    text += line_of(frame, row);
+    add_figures(text, figures, row);
+    text += '\n';
+  }
   return text;
 }
 

@@ -20,7 +20,8 @@ struct SweepFrame {
 };
 
 /// The table as comma-separated values (RFC 4180, lines end in LF): a line with the names of the columns, then a line
-/// for each row in their order. A column for each axis, with its unit in brackets, in that base unit.
+/// for each row in their order. A column for each axis, with its unit in brackets, in that base unit; behind all others
+/// one for each figure of follow-ups.
 [[nodiscard]] std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows);
 
 /// The same as a JSON object, exact, with the values as typed.

@@ -1,6 +1,7 @@
 #include "workflow/sweep/sweep_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <gmock/gmock.h>
 
@@ -62,6 +63,18 @@ TEST_F(SweepTable, HasALineForEachRowWithAsManyCellsAsTheHeading) {
   EXPECT_THAT(table[2], StartsWith("3,2000000,1,Geometry2,"));
   EXPECT_THAT(table[3], HasSubstr(",failed,"));
   EXPECT_THAT(table[4], HasSubstr("4,2000000,2,Simulation1,,not made,"));
+}
+
+TEST_F(SweepTable, HasAColumnForEachFigureOfAnyRow) {
+  std::vector<SweepRow> rows(3);
+  rows[0].figures = {{"found", 1.0}, {"target1_snr_db", 20.5}};
+  rows[2].figures = {{"found", 0.0}, {"target1_snr_db", std::nan("")}, {"target2_snr_db", 3.0}};
+  const std::vector<std::string> table = lines(sweep_csv(frame_, rows));
+  EXPECT_THAT(table[0], testing::EndsWith(",engine,seconds,found,target1_snr_db,target2_snr_db"));
+  EXPECT_THAT(table[1], testing::EndsWith(",1,20.5,"));
+  EXPECT_THAT(table[2], testing::EndsWith(",,,"));
+  EXPECT_THAT(table[3], testing::EndsWith(",0,,3"));
+  EXPECT_THAT(sweep_json(frame_, rows), HasSubstr("\"target1_snr_db\": null"));
 }
 
 TEST_F(SweepTable, QuotesCellsThatHoldCommasAndQuotationMarks) {
