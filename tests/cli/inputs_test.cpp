@@ -76,6 +76,26 @@ TEST_F(Inputs, ASampleThatIsNotANumberIsNamedBeforeItSpreads) {
   expect_done({"doppler", "sim.npy", "--script", "scene.scr", "--out", "m.img", "--quiet"});
 }
 
+TEST_F(Inputs, ValuesThatAreNotFiniteAreNoLineOfNames) {
+  for (const char* first : {"nan,inf", "-inf,1", "1,nan", "Infinity,NaN"}) {
+    write_text(folder_ / "a.csv", std::string(first) + "\n1,2\n3,4\n");
+    const Finished info = sarsim({"info", "a.csv", "--statistics"});
+    EXPECT_EQ(info.status, 2) << first << info.out;
+    EXPECT_THAT(info.err, HasSubstr("a.csv:1:")) << first;
+  }
+  write_text(folder_ / "a.csv", "I0,Q0\n1,2\n3,4\n");
+  EXPECT_EQ(sarsim({"info", "a.csv", "--statistics"}).status, 0);
+}
+
+TEST_F(Inputs, VoltsOfACountKeepSamplesFinite) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
+  const Finished large = sarsim({"convert", "sim.bin", "sim.npy", "--columns", "334", "--bits", "8", "--lsb", "1e300"});
+  EXPECT_EQ(large.status, 2);
+  EXPECT_THAT(large.err, HasSubstr("--lsb is too large; found 1e+300 V"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "sim.npy"));
+}
+
 TEST_F(Inputs, ArraysTakeTheHeaderThatIsTheirs) {
   write_scene({});
   expect_done({"doppler", "scene.scr", "--out", "map.npy", "--quiet"});

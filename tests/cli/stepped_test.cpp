@@ -147,6 +147,18 @@ TEST_F(Profiles, PrintATableOfTargetsAgainstTheProfile) {
   EXPECT_THAT(run.err, HasSubstr("resolution 0.4684 m"));
 }
 
+TEST_F(Profiles, SayWhichTargetsShareAPeak) {
+  write_text(folder_ / "truck.scr", truck);
+  const Finished apart = sarsim({"profiles", "truck.scr", "--out", "a.img"});
+  ASSERT_EQ(apart.status, 0) << apart.err;
+  EXPECT_THAT(apart.out, testing::Not(HasSubstr("of another")));
+  // The cell is c/(2 N df) = 0.293 m.
+  const Finished close =
+      sarsim({"profiles", "truck.scr", "--out", "b.img", "--set", "Target4.x=6m", "--set", "Target4.y=0.05m"});
+  EXPECT_THAT(close.out, HasSubstr("2 of 4 targets lie within a resolution cell (0.2928 m) of another (*)"));
+  EXPECT_THAT(close.out, HasSubstr("\n     4* "));
+}
+
 TEST_F(Profiles, SayWhatIsWrongWithTheirArguments) {
   const auto refused = [&](const std::vector<std::string>& words, const char* text) {
     const Finished run = profiles(words);

@@ -92,7 +92,8 @@ std::string text_of(const std::string& path, const raster::RasterInfo& info, std
   std::string text = failure ? path + "\n" : path + ", " + core::bytes_text(static_cast<double>(bytes)) + "\n";
   text += figures_text(figures);
   if (!info.attributes.empty()) text += "attributes\n";
-  for (const auto& attribute : info.attributes) text += fmt::format("  {:<24} {}\n", attribute.first, shown(attribute));
+  for (const auto& attribute : info.attributes)
+    text += core::printable(fmt::format("  {:<24} {}\n", attribute.first, shown(attribute)));
   return text;
 }
 

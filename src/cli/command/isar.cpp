@@ -1,5 +1,6 @@
 #include <memory>
 #include <ostream>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -22,28 +23,32 @@ namespace {
 std::string summary_text(const workflow::WrittenIsarImage& written) {
   const workflow::IsarImage& made = written.image;
   return fmt::format(
-      "{}: {} x {} pixels of {:.4g} x {:.4g} m, bursts {} to {}, {:.6g} to {:.6g} s; centre at {:.2f} m and {:.4g} "
+      "{}: {} x {} pixels of {:.4g} x {:.4g} m, bursts {} to {}, {:.6g} to {:.6g} s; centre at {:.2f} m and {} "
       "m/s; turned by {:.4g} degrees; resolution {:.4g} m in cross-range (unambiguous {:.4g} m), {:.4g} m in range\n",
       written.file.string(), made.image.azimuth.count, made.image.range.count, made.image.azimuth.step_m,
       made.image.range.step_m, written.first_burst + 1, written.first_burst + written.bursts, made.from_s, made.to_s,
-      made.range_m, made.speed_mps, made.turn_rad * 180.0 / core::pi, made.cross_range_resolution_m,
+      made.range_m, decimals(made.speed_mps, 3), made.turn_rad * 180.0 / core::pi, made.cross_range_resolution_m,
       made.unambiguous_cross_range_m, made.range_resolution_m);
 }
 
 std::string points_text(const workflow::IsarImage& made) {
-  std::string text = fmt::format("{:>6} {:>14} {:>10} {:>11} {:>11} {:>10} {:>10} {:>9}\n", "target", "cross-range m",
-                                 "range m", "error m", "error m", "width m", "width m", "error dB");
-  for (const workflow::HeldPoint& point : made.points) {
+  constexpr std::size_t most = 20;
+  std::string text = fmt::format("{:>6} {:>25} {:>25} {:>25}\n", "", "expected m", "error m", "width m");
+  text += fmt::format("{:>6} {:>14} {:>10} {:>14} {:>10} {:>14} {:>10} {:>9}\n", "target", "cross-range", "range",
+                      "cross-range", "range", "cross-range", "range", "error dB");
+  for (const workflow::HeldPoint& point : made.points | std::views::take(most)) {
     text +=
         fmt::format("{:>6} {:>14.3f} {:>10.3f}", point.target + 1, point.expected.azimuth_m, point.expected.range_m);
     if (point.found)
-      text += fmt::format(" {:>11.3f} {:>11.3f} {:>10.3f} {:>10.3f} {:>9.2f}\n",
+      text += fmt::format(" {:>14.3f} {:>10.3f} {:>14.3f} {:>10.3f} {:>9.2f}\n",
                           point.found->place.azimuth_m - point.expected.azimuth_m,
                           point.found->place.range_m - point.expected.range_m, point.found->azimuth.width,
                           point.found->range.width, core::amplitude_db(point.found->amplitude / point.amplitude));
     else
       text += "  no peak\n";
   }
+  if (made.points.size() > most)
+    text += fmt::format("and {}; --json lists them\n", counted(made.points.size() - most, "more target"));
   return text;
 }
 

@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <ostream>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -43,14 +46,28 @@ std::string summary_text(const workflow::ProfilesReport& report) {
   return text;
 }
 
+// Why the figures of some targets are those of several.
+std::string crowd_text(const workflow::ProfilesReport& report) {
+  const double cell_m = report.series.limits.resolution_m;
+  const auto crowded = std::ranges::count_if(
+      report.targets, [cell_m](const workflow::HeldTarget& target) { return target.nearest_m < cell_m; });
+  if (crowded == 0) return {};
+  return fmt::format(
+      "{} of {} lie within a resolution cell ({:.4g} m) of another (*): they share peaks, whose places and heights "
+      "are those of their sums\n",
+      crowded, counted(report.targets.size(), "target"), cell_m);
+}
+
 // Targets against the profile of one burst.
 std::string targets_text(const workflow::ProfilesReport& report) {
+  constexpr std::size_t most = 20;
   const workflow::ProfileRow& row = report.series.rows[report.held_row];
-  std::string text = fmt::format("burst {} at {:.6g} s:\n{:>6} {:>12} {:>10} {:>12} {:>9} {:>12} {:>9} {:>8} {:>9}\n",
+  std::string text = fmt::format("burst {} at {:.6g} s:\n{:>7} {:>12} {:>10} {:>12} {:>9} {:>12} {:>9} {:>8} {:>9}\n",
                                  row.burst + 1, row.time_s, "target", "range m", "speed m/s", "expected m", "bin",
                                  "found m", "error m", "width m", "error dB");
-  for (const workflow::HeldTarget& target : report.targets) {
-    text += fmt::format("{:>6} {:>12.3f} {:>10.2f} {:>12.3f} {:>9.2f}", target.truth.target + 1, target.truth.range_m,
+  for (const workflow::HeldTarget& target : report.targets | std::views::take(most)) {
+    text += fmt::format("{:>6}{} {:>12.3f} {:>10.2f} {:>12.3f} {:>9.2f}", target.truth.target + 1,
+                        target.nearest_m < report.series.limits.resolution_m ? '*' : ' ', target.truth.range_m,
                         target.truth.speed_mps, target.expected_m, target.expected_bin);
     if (target.found)
       text += fmt::format(" {:>12.3f} {:>9.3f} {:>8.3f} {:>9.2f}\n", target.found->range_m,
@@ -59,7 +76,9 @@ std::string targets_text(const workflow::ProfilesReport& report) {
     else
       text += "  no peak\n";
   }
-  return text;
+  if (report.targets.size() > most)
+    text += fmt::format("and {}; --json lists them\n", counted(report.targets.size() - most, "more target"));
+  return text + crowd_text(report);
 }
 
 void write_scan(core::JsonWriter& json, const workflow::ScanRecord& scan) {
@@ -76,7 +95,8 @@ void write_held_target(core::JsonWriter& json, const workflow::HeldTarget& targe
   json.begin_object().member("target", target.truth.target + 1).member("range_m", target.truth.range_m);
   json.member("speed_mps", target.truth.speed_mps).member("amplitude_v", target.truth.amplitude);
   json.member("expected_m", target.expected_m).member("expected_bin", target.expected_bin);
-  json.member("smear_cells", target.smear_cells);
+  json.member("smear_cells", target.smear_cells).key("nearest_target_m");
+  std::isfinite(target.nearest_m) ? json.value(target.nearest_m) : json.null();
   json.key("found");
   if (target.found) {
     json.begin_object().member("range_m", target.found->range_m);

@@ -28,6 +28,21 @@ bool has_errors(const Problems& problems) {
   return std::ranges::any_of(problems, [](const Problem& p) { return p.severity == Severity::error; });
 }
 
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F)
+      shown += fmt::format("\\x{:02x}", byte);
+    else if (byte == 0xC2 && next >= 0x80 && next < 0xA0)
+      shown += fmt::format("\\u{:04x}", next), ++i;
+    else
+      shown += text[i];
+  }
+  return shown;
+}
+
 std::string to_string(const Problem& problem) {
   std::string text;
   const Place& place = problem.place;
@@ -41,7 +56,7 @@ std::string to_string(const Problem& problem) {
     text += fmt::format("{} expected {}", problem.found.empty() ? ";" : ",", problem.expected);
   if (problem.count > 1) text += fmt::format(" ({} times)", problem.count);
   if (!problem.hint.empty()) text += fmt::format("\n    {}", problem.hint);
-  return text;
+  return printable(text);
 }
 
 Problems ranked(Problems problems) {

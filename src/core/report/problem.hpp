@@ -58,6 +58,10 @@ using Problems = std::vector<Problem>;
 /// True where at least one problem is an error.
 [[nodiscard]] bool has_errors(const Problems& problems);
 
+/// A text whose control characters, which could give orders to a terminal, stand as "\x1b" or "\u009b"; line feeds and
+/// tabs stay.
+[[nodiscard]] std::string printable(std::string_view text);
+
 /// One printable paragraph: "file:line:column: error: message; found 'x', expected y" and a second,
 /// indented line with the hint where there is one. No trailing newline.
 [[nodiscard]] std::string to_string(const Problem& problem);

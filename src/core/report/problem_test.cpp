@@ -21,6 +21,14 @@ TEST(Problem, PrintsItsPlaceSeverityAndTexts) {
   EXPECT_EQ(to_string(p), "a.scr:12:3: error: pulse width is not a number; found '8oo', expected a number in ns");
 }
 
+TEST(Problem, GivesNoOrdersToATerminal) {
+  Problem p = problem(Severity::error, "a\x1b[31mb\x7f\tc\r", {}, {"\x07.scr", 0, 0});
+  p.found =
+      "\xC2\x9B"
+      "2J\xC3\xA9";
+  EXPECT_EQ(to_string(p), "\\x07.scr: error: a\\x1b[31mb\\x7f\tc\\x0d; found '\\u009b2J\xC3\xA9'");
+}
+
 TEST(Problem, PrintsOnlyWhatItKnows) {
   Problem p = problem(Severity::warning, "odd");
   EXPECT_EQ(to_string(p), "warning: odd");

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/letters.hpp"
+
 namespace sarsim::raster {
 
 namespace {
@@ -17,6 +19,13 @@ TextScanner scanner_at_start(const core::InputFile& file) {
   const std::size_t got = file.read_at(0, std::as_writable_bytes(std::span(begin)));
   const bool marked = std::string_view(begin.data(), got) == byte_order_mark;
   return {file, marked ? byte_order_mark.size() : 0U, 1};
+}
+
+// A value that is not finite: of samples, whose reader refuses it, and not of a line of names.
+bool is_not_finite(std::string_view token) {
+  if (token.starts_with('+') || token.starts_with('-')) token.remove_prefix(1);
+  const std::string word = core::lower_case(token);
+  return word == "nan" || word == "inf" || word == "infinity";
 }
 
 bool is_name(const std::string& token) {
@@ -36,7 +45,7 @@ void skip_header(TextScanner& scanner, const core::InputFile& file) {
       ahead.advance();
       continue;
     }
-    if (ahead.take_number(number, token) || (first && !is_name(token))) return;
+    if (ahead.take_number(number, token) || is_not_finite(token) || (first && !is_name(token))) return;
     first = false;
     ahead.skip_blanks();
   }

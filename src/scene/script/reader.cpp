@@ -182,12 +182,49 @@ class PiecewiseReader {
 
 }  // namespace
 
+namespace {
+
+// The first place where editors show a new line and the language has none, so that a comment hides commands.
+std::size_t find_hidden_line(std::string_view text) {
+  const bool feeds = text.find('\n') != std::string_view::npos;
+  for (const std::string_view mark : {"\xE2\x80\xA8", "\xE2\x80\xA9", "\r"}) {
+    if (mark == "\r" && !feeds) continue;  // Then it ends lines.
+    for (std::size_t at = text.find(mark); at != std::string_view::npos;) {
+      const std::size_t end = std::min(text.find('\n', at), text.size());
+      const std::size_t feed = text.rfind('\n', at);
+      const std::string_view before = text.substr(feed + 1, at - (feed + 1));  // npos + 1 is 0.
+      if (before.find('!') != std::string_view::npos && text.substr(at, end - at).find('$') != std::string_view::npos)
+        return at;
+      at = text.find(mark, end);
+    }
+  }
+  return std::string_view::npos;
+}
+
+void warn_of_hidden_line(std::string_view text, const std::string& file_name, core::Problems& problems) {
+  const std::size_t at = find_hidden_line(text);
+  if (at == std::string_view::npos) return;
+  ProblemLog log(problem_limit);
+  Reporter(log, file_name, {})
+      .warning(token_at(text, at), "",
+               {"the comment goes on behind a mark that ends no line, and hides commands",
+                text[at] == '\r' ? "a carriage return" : "a line separator of Unicode (U+2028 or U+2029)",
+                "a line feed", "save the script with line ends of one kind, LF or CR LF"});
+  for (core::Problem& problem : log.take()) problems.push_back(std::move(problem));
+}
+
+}  // namespace
+
 ScriptReading read_script(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
                           const ReadControl& control) {
   const Tokens whole(text);
   const std::size_t control_byte = find_control_byte(text, control.work);
-  if (control_byte == std::string_view::npos) return PiecewiseReader(file_name, loader, whole, control).read();
   ScriptReading result;
+  if (control_byte == std::string_view::npos) {
+    result = PiecewiseReader(file_name, loader, whole, control).read();
+    warn_of_hidden_line(text, file_name, result.problems);
+    return result;
+  }
   ProblemLog log(problem_limit);
   const bool wide = text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF");
   Reporter(log, file_name, {})

@@ -49,6 +49,21 @@ TEST(ReaderProblem, NeverTakesATextForZero) {
   }
 }
 
+// Editors show a new line there, and the language has none.
+TEST(ReaderProblem, WarnsWhereACommentHidesCommands) {
+  for (const char* mark : {"\xE2\x80\xA8", "\xE2\x80\xA9", "\r"}) {
+    const core::Problem problem =
+        only_problem("$TARGET E 0 0 0 0 0 0 1 0 ISO\n! a comment" + std::string(mark) + "$TARGET E 1 0 0\n");
+    EXPECT_EQ(problem.severity, core::Severity::warning);
+    EXPECT_TRUE(holds(problem.message, "hides commands")) << problem.message;
+    EXPECT_EQ(problem.place, (core::Place{"t.scr", 2, 12}));
+  }
+  for (const char* fine : {"! a comment \xE2\x80\xA8 goes on\n", "! a comment\r\n$TARGET E 0 0 0 0 0 0 1 0 ISO\r\n",
+                           "! a comment\r$TARGET E 0 0 0 0 0 0 1 0 ISO\r", "! a\n\r$TARGET E 0 0 0 0 0 0 1 0 ISO\n"})
+    for (const core::Problem& problem : problems_of(fine))
+      EXPECT_FALSE(holds(problem.message, "hides commands")) << fine;
+}
+
 TEST(ReaderProblem, SaysThatANumberIsTooLarge) {
   EXPECT_TRUE(holds(target_problem("1e999 0 0 0 0 0 1 0 ISO").message, "too large"));
 }

@@ -17,6 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Of converters of 32 bits, whose largest counts are then volts of single precision.
+constexpr double largest_lsb_v = 1e29;
+
 // How a command lets its user choose the simulation of a script.
 struct Choice {
   bool by_number = false;  // It has --simulation.
@@ -84,6 +87,10 @@ raster::RasterHints hints_said(const std::string& path, const SampleArguments& a
   if (arguments.bits) hints.bits = static_cast<int>(*arguments.bits);
   if (arguments.lsb_v) {
     if (!(*arguments.lsb_v > 0.0)) throw core::Refused("--lsb must be above 0", "give the volts of one count");
+    if (!(*arguments.lsb_v <= largest_lsb_v))
+      throw core::Refused(
+          fmt::format("--lsb is too large; found {:g} V, expected at most {:g} V", *arguments.lsb_v, largest_lsb_v),
+          "volts of samples are numbers of single precision, below 3.4e38");
     hints.lsb_v = *arguments.lsb_v;
   }
   return hints;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
@@ -94,11 +95,16 @@ double energy_of(std::span<const std::complex<double>> profile) {
   return energy;
 }
 
-// Half way to the nearest other target, from 3/4 of a cell to two cells and what the peak may be smeared over.
-double search_around(const std::vector<HeldTarget>& targets, std::size_t index, double cell_m) {
-  double nearest_m = 2.0 * cell_m * (2.0 + targets[index].smear_cells);
+double distance_to_next(const std::vector<HeldTarget>& targets, std::size_t index) {
+  double nearest_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (i != index) nearest_m = std::min(nearest_m, std::abs(targets[i].expected_m - targets[index].expected_m));
+  return nearest_m;
+}
+
+// Half way to the nearest other target, from 3/4 of a cell to two cells and what the peak may be smeared over.
+double search_around(const HeldTarget& target, double cell_m) {
+  const double nearest_m = std::min(target.nearest_m, 2.0 * cell_m * (2.0 + target.smear_cells));
   return std::max(0.75 * cell_m, 0.5 * nearest_m);
 }
 
@@ -190,9 +196,11 @@ std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const Profil
     target.smear_cells = series.limits.smear_cells(left_mps);
     targets.push_back(target);
   }
-  for (std::size_t i = 0; i < targets.size(); ++i)
+  for (std::size_t i = 0; i < targets.size(); ++i) {
+    targets[i].nearest_m = distance_to_next(targets, i);
     targets[i].found = signal::peak_near(series.row(row), series.axis, targets[i].expected_m,
-                                         search_around(targets, i, series.limits.resolution_m));
+                                         search_around(targets[i], series.limits.resolution_m));
+  }
   return targets;
 }
 
