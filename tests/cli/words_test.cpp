@@ -311,6 +311,36 @@ TEST_F(Words, NumbersWithoutUnitsAreWarnedOfWhereTheUnitOfTheScriptWasMeant) {
     EXPECT_THAT(warned(setting), Not(HasSubstr("without a unit"))) << setting;
 }
 
+TEST_F(Words, TargetsComeFromTablesInEveryCommand) {
+  write_scene({});
+  write_text(folder_ / "points.csv", "x,y,z,rcs\n1100,0,0,2\n1200,0,5,3\n");
+  const Finished check = sarsim({"check", "scene.scr", "--targets", "points.csv", "--targets", "Earth=points.csv"});
+  EXPECT_THAT(check.out + check.err, HasSubstr("of 5 targets in the window"));
+  ASSERT_EQ(sarsim({"format", "scene.scr", "--targets", "Earth=points.csv", "--set", "Target2.rcs=7", "-o", "more.scr"})
+                .status,
+            0);
+  EXPECT_THAT(text_of(folder_ / "more.scr"), testing::ContainsRegex("TARGET +Earth"));
+  ASSERT_EQ(sarsim({"run", "more.scr", "--out", "a", "--quiet"}).status, 0);
+  ASSERT_EQ(
+      sarsim({"run", "scene.scr", "--targets", "Earth=points.csv", "--set", "Target2.rcs=7", "--out", "b", "--quiet"})
+          .status,
+      0);
+  EXPECT_EQ(text_of(folder_ / "a/sim.bin"), text_of(folder_ / "b/sim.bin"));
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--out", "c", "--quiet"}).status, 0);
+  EXPECT_NE(text_of(folder_ / "c/sim.bin"), text_of(folder_ / "b/sim.bin"));
+  expect_refusal({"run", "scene.scr", "--targets", "none.csv"}, "none.csv");
+  write_text(folder_ / "bad.csv", "x,y,z\n1,2,3\n4,five,6\n");
+  expect_refusal({"check", "scene.scr", "--targets", "bad.csv"}, "bad.csv:3");
+  write_text(folder_ / "empty.csv", "x,y,z\n");
+  expect_refusal({"check", "scene.scr", "--targets", "empty.csv"}, "the table holds no targets");
+  expect_refusal({"run", "scene.scr", "--targets", "points.csv", "--set", "Simulation1.file=points.csv", "--force"},
+                 "points.csv");
+  EXPECT_THAT(text_of(folder_ / "points.csv"), testing::StartsWith("x,y,z,rcs"));
+  const Finished sweep =
+      sarsim({"sweep", "scene.scr", "--targets", "points.csv", "--set", "Target3.rcs=1,2", "--out", "s"});
+  EXPECT_EQ(sweep.status, 0) << sweep.err;
+}
+
 TEST_F(Words, OneOfAKindIsSingular) {
   write_scene({});
   const Finished map = sarsim({"doppler", "scene.scr"});

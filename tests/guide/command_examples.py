@@ -87,6 +87,7 @@ class Stage:
         for name in ("sar_r", "stripmap_motion", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
             self.write(f"{name}.scr", self.example(name))
         self.write("old.scr", SCENE)
+        self.write("points.csv", "x,y,z,rcs\n1000,5,0,2\n")
         self.write("cases.csv", "Target1.rcs [m2],seed\n1,1\n1,2\n4,1\n")
         kinds = {
             "focus": "sar_r",

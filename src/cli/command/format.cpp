@@ -4,6 +4,7 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
 #include "scene/script/writer.hpp"
 #include "workflow/input/output_names.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct FormatArguments {
   std::string scene;
   std::string output;
+  workflow::SceneOverrides overrides;
   bool in_place = false;
   bool force = false;
 };
@@ -27,7 +29,8 @@ void write_file(const std::string& path, bool replace, const std::string& text) 
 }
 
 ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
-  const workflow::SceneInput input = workflow::read_scene(arguments.scene, {}, workflow::Scrutiny::reading);
+  const workflow::SceneInput input =
+      workflow::read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::reading);
   workflow::expect_usable(input);
   if (!arguments.output.empty())
     workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
@@ -52,8 +55,11 @@ Action add_format_command(CLI::App& app) {
   auto* in_place = app.add_flag("--in-place", arguments->in_place, "replace the script itself, all or nothing");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   output->excludes(in_place);
+  add_scene_overrides(app, arguments->overrides);
   add_examples(app, {{"sarsim format old.scr", "the script as understood, on standard output"},
                      {"sarsim format old.scr -o new.scr", "into another file"},
+                     {"sarsim format scene.scr --targets points.csv --set seed=2 -o more.scr",
+                      "with other values and more targets"},
                      {"sarsim format old.scr --in-place", "instead of the old text; its own comments are lost"}});
   return [arguments](Streams& streams) { return format_scene(*arguments, streams); };
 }

@@ -44,6 +44,7 @@ void expect_used(const InfoArguments& arguments, bool script) {
   const workflow::SampleArguments& sample = arguments.sample;
   const InputUse uses[] = {{"--all", arguments.all, true},
                            {"--set", !overrides.settings.empty(), true},
+                           {"--targets", !overrides.targets.empty(), true},
                            {"--profile", overrides.profile.has_value(), true},
                            {"--pulse", overrides.pulse.has_value(), true},
                            {"--tolerance", overrides.tolerance.has_value(), true},

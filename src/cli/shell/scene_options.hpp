@@ -6,7 +6,7 @@
 
 namespace sarsim::cli {
 
-/// Adds --profile, --pulse, --tolerance and --seed.
+/// Adds --profile, --pulse, --tolerance, --seed and --targets.
 void add_run_choices(CLI::App& app, workflow::SceneOverrides& overrides);
 
 /// The same and --set, which takes one value for a field.

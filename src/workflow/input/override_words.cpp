@@ -18,6 +18,7 @@ std::string words_of_overrides(const SceneOverrides& overrides) {
     add("--pulse", *overrides.pulse == scene::PulseDefinition::band_limited ? "band-limited" : "ideal");
   if (overrides.tolerance) add("--tolerance", core::format_number(*overrides.tolerance));
   if (overrides.seed) add("--seed", std::to_string(*overrides.seed));
+  for (const std::string& table : overrides.targets) add("--targets", table);
   for (const std::string& setting : overrides.settings) add("--set", setting);
   return line;
 }

@@ -13,6 +13,7 @@ TEST(OverrideWords, LeadBackToTheSameOverrides) {
   overrides.pulse = scene::PulseDefinition::ideal;
   overrides.tolerance = 1e-7;
   overrides.seed = UINT64_MAX;
+  overrides.targets = {"a b.csv", "Ship=c.csv"};
   overrides.settings = {"Radar1.bandwidth=10MHz", "Platform1.name=it's \"here\"", "Target1.x=-3 km"};
   const std::string line = words_of_overrides(overrides);
   EXPECT_THAT(line, testing::StartsWith("--profile classic --pulse ideal --tolerance 1E-07 --seed "));
@@ -22,6 +23,7 @@ TEST(OverrideWords, LeadBackToTheSameOverrides) {
   EXPECT_EQ(read.tolerance, overrides.tolerance);
   EXPECT_EQ(read.seed, overrides.seed);
   EXPECT_EQ(read.settings, overrides.settings);
+  EXPECT_EQ(read.targets, overrides.targets);
 }
 
 TEST(OverrideWords, AreNothingElse) {

@@ -94,11 +94,10 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
 // A file that carries its script was recorded with the options that stand there.
 void expect_no_overrides(const RecordingArguments& arguments) {
   const SceneOverrides& overrides = arguments.overrides;
-  const std::pair<const char*, bool> given[] = {{"--profile", overrides.profile.has_value()},
-                                                {"--pulse", overrides.pulse.has_value()},
-                                                {"--tolerance", overrides.tolerance.has_value()},
-                                                {"--seed", overrides.seed.has_value()},
-                                                {"--set", !overrides.settings.empty()}};
+  const std::pair<const char*, bool> given[] = {
+      {"--profile", overrides.profile.has_value()},     {"--pulse", overrides.pulse.has_value()},
+      {"--tolerance", overrides.tolerance.has_value()}, {"--seed", overrides.seed.has_value()},
+      {"--targets", !overrides.targets.empty()},        {"--set", !overrides.settings.empty()}};
   for (const auto& [option, there] : given)
     if (there)
       throw core::Refused(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),

@@ -15,6 +15,8 @@ OptionTable<SceneOverrides> run_choice_options() {
                                 "hard-edged pulses, or pulses confined to their band", &SceneOverrides::pulse);
   table.number("--tolerance", "X", "relative error that fast engines may make", &SceneOverrides::tolerance);
   table.whole("--seed", 0, std::numeric_limits<std::uint64_t>::max(), "of the random numbers", &SceneOverrides::seed);
+  table.texts("--targets", "[PLATFORM=]CSV", "targets to add, from a table of x, y, z and cross-section; repeat",
+              [](SceneOverrides& overrides, const std::string& word) { overrides.targets.push_back(word); });
   return table;
 }
 

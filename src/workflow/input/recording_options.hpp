@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 /// The same and what stands in for values of the script.
 [[nodiscard]] OptionTable<RecordingArguments> recording_options(const std::string& otherwise = "the first");
 
-/// --profile, --pulse, --tolerance and --seed, which stand in for values of the script.
+/// --profile, --pulse, --tolerance and --seed, which stand in for values of the script, and --targets.
 [[nodiscard]] OptionTable<SceneOverrides> run_choice_options();
 
 /// The same and --set for any other value.

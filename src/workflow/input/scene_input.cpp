@@ -16,6 +16,7 @@
 #include "simulate/survey/survey.hpp"
 #include "workflow/input/bare_number.hpp"
 #include "workflow/input/cloud_input.hpp"
+#include "workflow/input/target_tables.hpp"
 
 namespace sarsim::workflow {
 
@@ -70,6 +71,12 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
   if (overrides.seed) options.seed = *overrides.seed;
   if (overrides.format)
     for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
+}
+
+std::vector<TargetTable> tables_of(const SceneOverrides& overrides, const scene::Scene& scene) {
+  std::vector<TargetTable> tables;
+  for (const std::string& word : overrides.targets) tables.push_back(target_table_of(word, scene));
+  return tables;
 }
 
 // One field after the other, so that a later one may need what an earlier one chose.
@@ -170,6 +177,10 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
+  if (core::Problems found = add_targets(tables_of(overrides, input.scene), input.scene); core::has_errors(found))
+    throw core::Refused(std::move(found));
+  else
+    append(reading.problems, std::move(found));
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
     if (core::Problems mistakes =
             problems_of_setting(overrides.settings, input.scene, scene::disk_points(folder), reading.problems);
@@ -206,6 +217,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   append(sources, data_files_of(reading.scene, folder));
   SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
   append(sources, data_files_of(input.scene, folder));  // Those that settings name, too.
+  for (TargetTable& table : tables_of(overrides, input.scene)) sources.push_back(std::move(table.file));
   input.sources = std::move(sources);
   return input;
 }
@@ -217,6 +229,7 @@ SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, c
   std::vector<std::filesystem::path> sources = data_files_of(reading.scene, folder);
   SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
   append(sources, data_files_of(input.scene, folder));  // Those that settings name, too.
+  for (TargetTable& table : tables_of(overrides, input.scene)) sources.push_back(std::move(table.file));
   input.sources = std::move(sources);
   return input;
 }

@@ -24,6 +24,7 @@ struct SceneOverrides {
   std::optional<double> tolerance;
   std::optional<std::uint64_t> seed;
   std::optional<scene::FileFormat> format;  ///< Of every simulation.
+  std::vector<std::string> targets{};       ///< Tables of targets to add (workflow/input/target_tables.hpp).
   std::vector<std::string>
       settings;  ///< "FIELD=VALUE" (scene/schema/field_names.hpp), in this order, after the others.
 };
