@@ -14,6 +14,7 @@
 #include "core/text/number_text.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
+#include "workflow/focus/image_forecast.hpp"
 #include "workflow/input/cloud_input.hpp"
 #include "workflow/input/echo_words.hpp"
 #include "workflow/input/scene_words.hpp"
@@ -227,9 +228,31 @@ class SceneInfo {
     if (summary != echoes_->end()) {
       workflow::write_echoes(json_, *summary);
       text_ += workflow::echo_text(scene_, *summary);
+      add_image(index, *summary);
     }
     add_targets(plan, survey, summary != echoes_->end() && summary->directive);
     json_.end_object();
+  }
+
+  // What focusing will make of the strongest target.
+  void add_image(std::size_t index, const simulate::EchoSummary& summary) {
+    json_.key("image");
+    const bool listed = !summary.sights.empty() && summary.strongest().target < scene_.targets.size();
+    const auto image = listed ? workflow::forecast_image(scene_, index, summary.strongest().target, control_)
+                              : std::optional<workflow::ImageForecast>();
+    if (!image) {
+      json_.null();
+      return;
+    }
+    text_ += fmt::format("    image of target {}: {:.4g} m in azimuth", image->target + 1, image->azimuth_width_m);
+    if (image->range_width_m) text_ += fmt::format(", {:.4g} m in range", *image->range_width_m);
+    text_ += fmt::format(" (-3 dB), by an aperture of {:.4g} m", image->aperture_m);
+    if (summary.noise) text_ += fmt::format("; SNR {}", workflow::decibel_text(summary.strongest().processed_snr));
+    text_ += "\n";
+    json_.begin_object().member("target", image->target + 1).member("azimuth_width_m", image->azimuth_width_m);
+    json_.key("range_width_m");
+    image->range_width_m ? json_.value(*image->range_width_m) : json_.null();
+    json_.member("range_m", image->range_m).member("aperture_m", image->aperture_m).end_object();
   }
 
   void add_targets(const simulate::Plan& plan, const simulate::EchoSurvey& survey, bool directive) {
