@@ -1,7 +1,37 @@
 // Searches the headings and texts of all pages, whose list (search-index.js) is loaded when the field is first used. A script
 // and not a request, because pages that are opened from a disk may load no other files.
+
+// The part of an English word that its forms have alike: "quantised", "quantization" and "quantising" are "quant".
+function sarsimStem(word) {
+  const root = word
+    .replace(/(is|iz)(e|ed|es|er|ers|ing|ation|ations)$/, "")
+    .replace(/(ations|ation|itional|ities|ity|ous|ings|ing|ers|ies|ied|ed|es|er|al|s|e|y)$/, "");
+  return root.length >= 3 ? root : word;
+}
+
+// How well an entry of the list answers some words: all of them have to be somewhere, in any of their forms. A word in
+// the heading counts more than one in the text, one as it was typed more than another form, and one that is written
+// otherwise there (docs/site/synonyms.toml) as much as one in the text.
+function sarsimRank(entry, words) {
+  const title = (entry.page + " " + entry.heading).toLowerCase();
+  const text = entry.text.toLowerCase();
+  const also = entry.also || "";
+  const phrase = words.join(" ");
+  let sum = words.length > 1 && (title.includes(phrase) || text.includes(phrase) || also.includes(phrase)) ? 20 : 0;
+  for (const word of words) {
+    const stem = sarsimStem(word);
+    if (title.includes(word)) sum += 10;
+    else if (title.includes(stem)) sum += 8;
+    else if (text.includes(word)) sum += 2;
+    else if (text.includes(stem) || also.includes(stem)) sum += 1;
+    else return 0;
+  }
+  return sum;
+}
+
 (function () {
   "use strict";
+  if (typeof document === "undefined") return;  // A test asks for the functions above alone.
   const root = document.body.dataset.root;
   const field = document.getElementById("search");
   const list = document.getElementById("found");
@@ -16,21 +46,10 @@
     document.head.appendChild(script);
   }
 
-  // A word in the heading counts more than one in the text; all words have to be somewhere.
-  function rank(entry, words) {
-    const title = (entry.page + " " + entry.heading).toLowerCase();
-    const text = entry.text.toLowerCase();
-    let sum = 0;
-    for (const word of words) {
-      if (title.includes(word)) sum += 10;
-      else if (text.includes(word)) sum += 1;
-      else return 0;
-    }
-    return sum;
-  }
-
   function excerpt(text, word) {
-    const at = Math.max(0, text.toLowerCase().indexOf(word) - 40);
+    const small = text.toLowerCase();
+    const found = small.indexOf(word) >= 0 ? small.indexOf(word) : small.indexOf(sarsimStem(word));
+    const at = Math.max(0, found - 40);
     return (at > 0 ? "… " : "") + text.slice(at, at + 120);
   }
 
@@ -39,7 +58,7 @@
     list.replaceChildren();
     list.hidden = words.length === 0 || !window.sarsimPages;
     if (list.hidden) return;
-    const hits = window.sarsimPages.map((entry) => [rank(entry, words), entry]).filter((hit) => hit[0] > 0);
+    const hits = window.sarsimPages.map((entry) => [sarsimRank(entry, words), entry]).filter((hit) => hit[0] > 0);
     hits.sort((a, b) => b[0] - a[0]);
     for (const [, entry] of hits.slice(0, 20)) {
       const line = document.createElement("a");
