@@ -145,6 +145,24 @@ TEST_F(PlotTable, IsWrittenWithoutAPictureWhereNoneIsWanted) {
   EXPECT_EQ(entries("."), (std::vector<std::string>{"a.csv", "scene.scr"}));
 }
 
+// The echo of 1000 ns fills 150 of the 500 m, from 1000 m on: the middle of the window, 1150 m, is its last sample.
+TEST_F(PlotTable, ARangeThatNobodyNamedIsThatOfTheEchoes) {
+  SceneText scene;
+  scene.noise_k = "0";
+  scene.target_m = 960.0;
+  write_scene(scene);
+  const auto largest = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"plot", "scene.scr", "--kind", "range", "--csv", "a.csv", "--force"});
+    EXPECT_EQ(sarsim(more).status, 0);
+    double value = 0.0;
+    for (const auto& row : numbers_of(text_of(folder_ / "a.csv"))) value = std::max(value, row[3]);
+    return value;
+  };
+  EXPECT_EQ(largest({"--at-range", "1150"}), 0.0);
+  EXPECT_GT(largest({}), 0.0);
+  EXPECT_NEAR(largest({}) / largest({"--at-range", "1030"}), 1.0, 1e-6);
+}
+
 TEST_F(PlotTable, OfTheRecordedSamplesIsWhatARunSaves) {
   write_scene({});
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);

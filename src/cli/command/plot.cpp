@@ -253,7 +253,7 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
   add_two_reals(app, "--range", a.range_m, "FROM TO", "slant ranges that are seen, m");
   add_two_reals(app, "--time", a.time_s, "FROM TO", "azimuth times that are seen, s");
   add_two_reals(app, "--azimuth", a.azimuth_m, "FROM TO", "of a focused image, what is seen along the track, m");
-  add_real(app, "--at-range", a.at_m, "M", "range of one range cell (default: the middle)");
+  add_real(app, "--at-range", a.at_m, "M", "range of one range cell (default: the strongest)");
   add_real(app, "--at-time", a.at_s, "S", "time of one pulse, or of the middle of several (default: the middle)");
   add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the middle)");
   add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "so many about --at-time (default: all that are seen)");

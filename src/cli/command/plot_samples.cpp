@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -68,6 +69,29 @@ picture::EchoBlock read_block(const picture::SampleSource& samples, simulate::In
   return samples.read(rows, columns);
 }
 
+// Where the echoes are: the middle of the columns about the largest power, in up to 64 of the rows that are shown, that
+// have half of it. So all samples of a long pulse, whose powers differ by rounding alone, lead to its middle.
+std::size_t strongest_column(const picture::SampleSource& samples, simulate::IndexSpan rows) {
+  constexpr std::size_t most_rows = 64;
+  std::vector<double> power(samples.column_place.size(), 0.0);
+  const std::size_t step = (rows.end - rows.begin + most_rows - 1) / most_rows;
+  for (std::size_t row = rows.begin + (step - 1) / 2; row < rows.end; row += step) {
+    const picture::EchoBlock block = samples.read({row, row + 1}, {0, power.size()});
+    for (std::size_t column = 0; column < power.size(); ++column)
+      if (const double sample = std::norm(block.samples[column]); std::isfinite(sample)) power[column] += sample;
+  }
+  const auto strongest = std::ranges::max_element(power);
+  const auto weak = [half = 0.5 * *strongest](double value) { return value < half; };
+  const auto end = std::find_if(strongest, power.end(), weak);
+  const auto begin = std::find_if(std::make_reverse_iterator(strongest), power.rend(), weak).base();
+  return static_cast<std::size_t>(begin - power.begin() + (end - begin - 1) / 2);
+}
+
+// Of the kinds that show one range, or add the spectrum of one.
+bool needs_column(PlotKind kind) {
+  return kind == PlotKind::range || kind == PlotKind::range_doppler || kind == PlotKind::phase;
+}
+
 picture::Figure radar_view(const PlotArguments& a, const picture::SampleSource& samples, std::size_t row,
                            std::size_t column) {
   const picture::RadarViewChoice choice = choice_of(a);
@@ -100,7 +124,9 @@ Plotted plot_samples(const PlotArguments& a, const picture::SampleSource& sample
   expect_quantity(a);
   if (samples.row_place.empty() || samples.column_place.empty()) throw core::Refused("there are no samples to look at");
   const std::size_t row = nearest(samples.row_place, a.at_s, samples.look.rows);
-  const std::size_t column = nearest(samples.column_place, a.at_m, samples.look.columns);
+  const std::size_t column = a.at_m || !needs_column(a.kind)
+                                 ? nearest(samples.column_place, a.at_m, samples.look.columns)
+                                 : strongest_column(samples, burst(a, row, samples.row_place.size()));
   Plotted plotted;
   if (a.kind == PlotKind::pulse || a.kind == PlotKind::range) {
     picture::CutLook look = samples.look;
