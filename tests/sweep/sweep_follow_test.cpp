@@ -78,6 +78,28 @@ TEST_F(SweepFollowUp, MeasuresWhatTheCommandsMeasure) {
   EXPECT_TRUE(fs::exists(folder_ / (name + ".img")));
 }
 
+// What was recorded before, by a sweep without follow-ups or one that was ended among them, is not recorded again.
+TEST_F(SweepFollowUp, IsMadeOfRecordingsThatAreThere) {
+  write_flight();
+  const std::vector<std::string> words{"sweep", "sar.scr", "--set", "seed=1,2"};
+  ASSERT_EQ(sarsim(words).status, 0);
+  const auto before = fs::last_write_time(folder_ / "flight_seed=2.npy");
+  std::vector<std::string> more = words;
+  more.insert(more.end(), {"--resume", "--focus", "--measure"});
+  const Finished followed = sarsim(more);
+  EXPECT_EQ(followed.status, 0) << followed.err;
+  EXPECT_EQ(fs::last_write_time(folder_ / "flight_seed=2.npy"), before);
+  EXPECT_EQ(read_csv(text_of(folder_ / "sweep.csv")).at(1).at("found"), "2");
+  EXPECT_THAT(sarsim(more).err, HasSubstr("2 done before, 0 to run"));
+  // An image without its line in the journal, as after a process was killed, is made again.
+  const std::string journal = text_of(folder_ / "sweep.journal");
+  write_text(folder_ / "sweep.journal", journal.substr(0, journal.rfind('\n', journal.rfind("focus-")) + 1));
+  EXPECT_THAT(sarsim(more).err, HasSubstr("1 done before, 1 to run"));
+  more.insert(more.end(), {"--with", "--window hamming"});
+  EXPECT_THAT(sarsim(more).err, HasSubstr("2 variations, 2 to run"));
+  EXPECT_EQ(fs::last_write_time(folder_ / "flight_seed=2.npy"), before);
+}
+
 // Counts of a converter whose LSB is found from the data are volts again.
 TEST_F(SweepFollowUp, KnowsTheVoltsOfCounts) {
   write_flight("BINARY");

@@ -177,10 +177,9 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
   apply(overrides, input.scene);
-  if (core::Problems found = add_targets(tables_of(overrides, input.scene), input.scene); core::has_errors(found))
-    throw core::Refused(std::move(found));
-  else
-    append(reading.problems, std::move(found));
+  core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene);
+  if (core::has_errors(of_tables)) throw core::Refused(std::move(of_tables));
+  append(reading.problems, std::move(of_tables));
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))
     if (core::Problems mistakes =
             problems_of_setting(overrides.settings, input.scene, scene::disk_points(folder), reading.problems);

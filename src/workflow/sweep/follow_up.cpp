@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "core/hash/fnv1a.hpp"
 #include "core/maths/decibels.hpp"
 #include "core/maths/rounding.hpp"
 #include "core/os/free_memory.hpp"
@@ -169,6 +170,11 @@ FollowedUp followed_by_profiles(const FollowUp& follow_up, const FollowedRecordi
 }
 
 }  // namespace
+
+std::string mark_of(const FollowUp& follow_up) {
+  const std::uint64_t hash = core::fnv1a(fmt::format("{} {}", follow_up.measure, follow_up.words));
+  return fmt::format("{}-{:016x}", word_of(follow_up.kind), hash);
+}
 
 const char* word_of(FollowUp::Kind kind) {
   switch (kind) {

@@ -21,6 +21,9 @@ struct FollowUp {
   [[nodiscard]] explicit operator bool() const { return kind != Kind::none; }
 };
 
+/// A word that stands for a follow-up and no other: "focus-1a2b3c4d".
+[[nodiscard]] std::string mark_of(const FollowUp& follow_up);
+
 /// The command of that kind: "focus".
 [[nodiscard]] const char* word_of(FollowUp::Kind kind);
 

@@ -64,7 +64,7 @@ void expect_free_files(const SweepRequest& request, const Sweep& sweep, const st
   std::ranges::move(sweep.sources(), std::back_inserter(sources));
   FirstProblem problem(request, std::move(sources));
   for (const SweepRow& row : rows)
-    if (!row.done && !request.discard) {
+    if (!row.done && !row.recorded && !request.discard) {
       problem.look_at(files.beside(row.file), request.force);
       if (row.table) continue;
       for (const fs::path& path : files_of(request.follow_up, files.beside(fs::path(row.file).stem().string())))

@@ -68,17 +68,19 @@ class CellReader {
   bool good_ = true;
 };
 
-// "name=value name=value"; what is no number is empty.
-std::string text_of_figures(const std::vector<SweepFigure>& figures) {
-  std::string text;
-  for (const SweepFigure& figure : figures) {
-    text += fmt::format("{}{}=", text.empty() ? "" : " ", figure.name);
+// "focus-1a2b name=value name=value"; what is no number is empty.
+std::string text_of_figures(const SweepRow& row) {
+  std::string text = row.followed;
+  for (const SweepFigure& figure : row.figures) {
+    text += fmt::format(" {}=", figure.name);
     if (std::isfinite(figure.value)) core::append_number(text, figure.value);
   }
   return text;
 }
 
-bool read_figures(std::string_view text, std::vector<SweepFigure>& figures) {
+bool read_figures(std::string_view text, SweepRow& row) {
+  row.followed = text.substr(0, text.find(' '));
+  text.remove_prefix(std::min(row.followed.size() + 1, text.size()));
   while (!text.empty()) {
     const std::string_view one = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(one.size() + 1, text.size()));
@@ -87,7 +89,8 @@ bool read_figures(std::string_view text, std::vector<SweepFigure>& figures) {
     const std::string_view value = one.substr(equals + 1);
     const auto number = core::parse_number(value);
     if (!number && !value.empty()) return false;
-    figures.push_back({std::string(one.substr(0, equals)), number.value_or(std::numeric_limits<double>::quiet_NaN())});
+    row.figures.push_back(
+        {std::string(one.substr(0, equals)), number.value_or(std::numeric_limits<double>::quiet_NaN())});
   }
   return true;
 }
@@ -111,7 +114,7 @@ std::string journal_line(const SweepRow& row) {
     line += '\t';
     core::append_number(line, value);
   }
-  return line + fmt::format("\t{}\t{}\t{}\t.", run.saturated, run.zero, text_of_figures(row.figures));
+  return line + fmt::format("\t{}\t{}\t{}\t.", run.saturated, run.zero, text_of_figures(row));
 }
 
 bool read_journal_line(const std::string& line, SweepRow& row) {
@@ -135,7 +138,7 @@ bool read_journal_line(const std::string& line, SweepRow& row) {
   row.run.saturated = reader.whole();
   row.run.zero = reader.whole();
   row.table = row.engine.empty();
-  const bool figures = cells.size() == before || read_figures(reader.word(), row.figures);
+  const bool figures = cells.size() == before || read_figures(reader.word(), row);
   row.done = reader.good() && figures && !row.file.empty();
   return row.done;
 }

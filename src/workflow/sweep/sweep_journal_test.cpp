@@ -30,6 +30,7 @@ SweepRow example(const std::string& file, std::uint64_t stamp = 0x123456789abcde
   row.run.range_used = 0.97;
   row.run.saturated = 3;
   row.run.zero = 18446744073709551615U;
+  row.followed = "focus-1a2b";
   row.figures = {{"target1_snr_db", 1.0 / 3.0}, {"target2_snr_db", std::nan("")}, {"found", 1.0}};
   return row;
 }
@@ -57,6 +58,7 @@ TEST(SweepJournalLine, IsExact) {
   EXPECT_EQ(back.run.zero, row.run.zero);
   EXPECT_TRUE(back.done);
   EXPECT_FALSE(back.table);
+  EXPECT_EQ(back.followed, "focus-1a2b");
   ASSERT_EQ(back.figures.size(), 3U);
   EXPECT_EQ(back.figures[0], row.figures[0]);
   EXPECT_EQ(back.figures[1].name, "target2_snr_db");
@@ -66,6 +68,7 @@ TEST(SweepJournalLine, IsExact) {
 TEST(SweepJournalLine, HadNoFiguresOnce) {
   SweepRow row = example("sim1.bin");
   row.figures.clear();
+  row.followed.clear();
   std::string line = journal_line(row);
   line.erase(line.rfind('\t'), 1);  // "...zero<tab><no figures><tab>." had a tab less.
   SweepRow back;

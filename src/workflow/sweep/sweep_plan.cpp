@@ -47,14 +47,23 @@ void name_rows(const SweepRequest& request, SweepPlan& plan) {
                         "use no more parts than there are variations");
 }
 
-// Whether the file is there as it was written, with what was made of it; of a sweep that discarded everything none is.
-bool holds(const fs::path& file, const SweepRow& row, const FollowUp& follow_up) {
+// Whether the file is there as it was written; of a sweep that discarded everything none is.
+bool holds(const fs::path& file, const SweepRow& row) {
   std::error_code none;
-  if (!row.table && !std::ranges::all_of(files_of(follow_up, file.parent_path() / file.stem()),
-                                         [&](const fs::path& made) { return fs::exists(made, none); }))
-    return false;
   const auto size = fs::file_size(file, none);
   return !none && row.written && static_cast<double>(size) == row.bytes && modification_time(file) == row.written;
+}
+
+// Whether a recording was followed up as the request wants it, and what was made of it is there.
+bool is_followed(const SweepRequest& request, const SweepRow& row) {
+  if (!request.follow_up || row.table) return true;
+  if (row.followed != mark_of(request.follow_up)) return false;
+  if (request.discard) return true;
+  const std::vector<fs::path> made = files_of(request.follow_up, fs::path(request.folder) / fs::path(row.file).stem());
+  return std::ranges::all_of(made, [](const fs::path& file) {
+    std::error_code none;
+    return fs::exists(file, none);
+  });
 }
 
 // Completes the rows of products that are there already, from the same scene.
@@ -63,10 +72,17 @@ void take_journals(const SweepRequest& request, std::vector<SweepRow>& rows) {
   for (SweepRow& row : rows) {
     const auto found = known.find(row.file);
     if (found == known.end() || found->second.stamp != row.stamp) continue;
-    if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second, request.follow_up)) continue;
+    if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second)) continue;
     SweepRow done = found->second;
     done.variation = row.variation;
     done.product = row.product;
+    if (!is_followed(request, done)) {
+      if (request.discard) continue;
+      done.done = false;
+      done.recorded = true;
+      done.figures.clear();
+      done.followed.clear();
+    }
     row = std::move(done);
   }
 }

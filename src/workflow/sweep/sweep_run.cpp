@@ -39,15 +39,19 @@ class VariationRunner {
   VariationRunner(const SweptScene& swept, const VariationRules& rules, const core::StopFlag* stop)
       : swept_(swept), scene_(swept.scene), rules_(rules), stop_(stop) {}
 
-  void make(const ProductJob& job, SweepRow& row) {
+  // @param done  told what is complete: a recording before it is followed up, too
+  void make(const ProductJob& job, SweepRow& row, const std::function<void(const SweepRow&)>& done) {
     const double begin_s = core::now_s();
     try {
       if (job.table)
         make_table(scene_.geometries.at(job.index), row);
-      else
+      else if (!row.recorded)
         make_recording(job.index, row);
-      if (rules_.follow_up && !job.table) follow_up(job.index, row);
       if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
+      if (rules_.follow_up && !job.table) {
+        if (!rules_.discard && !row.recorded) tell_recorded(row, done);
+        follow_up(job.index, row);
+      }
       row.done = true;
     } catch (const simulate::ImpossibleEcho& error) {
       row.failure = error.problem.message;
@@ -79,10 +83,16 @@ class VariationRunner {
     row.bytes = report.bytes.value_or(0.0);
   }
 
+  // What ends the process from here on leaves a recording that is known.
+  static void tell_recorded(SweepRow row, const std::function<void(const SweepRow&)>& done) {
+    row.done = true;
+    done(row);
+  }
+
   // Works on what was written, or, where nothing was, on the scene.
   void follow_up(std::size_t simulation, SweepRow& row) {
     FollowedRecording recording{swept_.source, rules_.follow_up_folder / fs::path(row.file).stem(), rules_.threads,
-                                rules_.jobs, rules_.replace};
+                                rules_.jobs, rules_.replace || row.recorded};
     recording.input.simulation = static_cast<std::int64_t>(simulation) + 1;
     if (!rules_.discard) {
       recording.input.script = std::exchange(recording.input.path, (rules_.folder / row.file).string());
@@ -94,6 +104,7 @@ class VariationRunner {
     }
     FollowedUp followed = follow(rules_.follow_up, recording, stop_);
     row.figures = std::move(followed.figures);
+    row.followed = mark_of(rules_.follow_up);
     std::ranges::move(followed.remarks, std::back_inserter(remarks_));
   }
 
@@ -160,9 +171,6 @@ VariationNames::VariationNames(const scene::Scene& base, const Sweep& sweep, con
   stamp_ = core::fnv1a(
       fmt::format("{} {} {} {}", core::program_version, simulate::name_of(rules.engine), rules.counts, rules.header),
       hash_of_scene(base));
-  if (rules.follow_up)
-    stamp_ = core::fnv1a(
-        fmt::format("{} {} {}", word_of(rules.follow_up.kind), rules.follow_up.measure, rules.follow_up.words), stamp_);
   std::set<std::string> taken;
   for (const ProductJob& job : products) {
     // One stem for two products is fine where their extensions always differ, which is simplest never to rely on.
@@ -213,7 +221,7 @@ core::Problems run_variation(const SweptScene& swept, const std::vector<ProductJ
                              const std::function<void(const SweepRow&)>& done) {
   VariationRunner runner(swept, rules, stop);
   for (SweepRow* row : rows) {
-    runner.make(products.at(row->product), *row);
+    runner.make(products.at(row->product), *row, done);
     done(*row);
   }
   return runner.take_remarks();

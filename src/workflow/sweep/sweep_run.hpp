@@ -62,7 +62,7 @@ class VariationNames {
 ///
 /// May be called on several threads at once.
 ///
-/// @param done   told each row as soon as its product is complete
+/// @param done   told each row as soon as its product is complete, and of what is followed up before that, too
 /// @return what follow-ups remarked on
 core::Problems run_variation(const SweptScene& swept, const std::vector<workflow::ProductJob>& products,
                              std::vector<SweepRow*>& rows, const VariationRules& rules, const core::StopFlag* stop,
