@@ -116,8 +116,13 @@ ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwid
                                     const std::function<double(double)>& filter) {
   CORE_EXPECT(time_bandwidth >= 0.0);
   CORE_EXPECT(sampling >= 0.0);
+  // Memory must not grow with what a scene asks for; beyond these the figures change by less than 1e-4.
+  constexpr double most_time_bandwidth = 32768.0;
+  constexpr double most_sampling = 64.0;
   const bool chirp = time_bandwidth > 0.0;
-  const double per_lag = chirp && sampling > 0.0 ? sampling : 16.0;  // samples to the inverse bandwidth
+  time_bandwidth = std::min(time_bandwidth, most_time_bandwidth);
+  // Samples to the inverse bandwidth.
+  const double per_lag = chirp && sampling > 0.0 ? std::min(sampling, most_sampling) : 16.0;
   const double lags = chirp ? std::max(2.0 * time_bandwidth, 256.0) : 4096.0;
   const std::size_t size = core::good_fft_size(static_cast<std::size_t>(lags * per_lag));
   std::vector<std::complex<double>> spectrum(size);

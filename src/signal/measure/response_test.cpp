@@ -53,6 +53,17 @@ TEST(TheoreticalFigures, OfACoarselySampledChirpKnowWhatFoldsBack) {
   EXPECT_NEAR(theoretical_figures({}, 80.0, 16.0).width, theoretical_figures({}, 80.0).width, 0.0005);
 }
 
+// 64 samples of each cell of 1e9 cells would take a terabyte: the figures are those of an even spectrum.
+TEST(TheoreticalFigures, OfAnyChirpFitIntoMemory) {
+  const ResponseFigures even = theoretical_figures({});
+  for (const double time_bandwidth : {3e4, 1e6, 1e9})
+    for (const double sampling : {1.25, 2.4e6}) {
+      const ResponseFigures chirp = theoretical_figures({}, time_bandwidth, sampling);
+      EXPECT_NEAR(chirp.width, even.width, 2e-3) << time_bandwidth << ", " << sampling;
+      EXPECT_NEAR(chirp.pslr_db, even.pslr_db, 0.05) << time_bandwidth << ", " << sampling;
+    }
+}
+
 TEST(FiguresOf, IsNothingForAResponseWithoutMinima) {
   EXPECT_FALSE(figures_of(std::vector<std::complex<double>>{0.1, 0.5, 1.0, 0.5, 0.1}, 2));
   EXPECT_FALSE(figures_of(std::vector<std::complex<double>>{0.1, 0.0, 0.5, 1.0, 0.5}, 3));

@@ -153,8 +153,9 @@ signal::WindowFunction pulse_weight(const simulate::Plan& plan, const signal::Sa
 
 std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, const signal::SarWaveform& waveform,
                                                     const signal::SarWindow& window) {
-  if (!is_plain_chirp(plan.radar.pulse)) return std::nullopt;
   const double band_hz = std::abs(waveform.bandwidth_hz);
+  // A pulse of less than a cycle of its sweep is no chirp: its length gives the resolution.
+  if (!is_plain_chirp(plan.radar.pulse) || !(band_hz * waveform.pulse_width_s >= 1.0)) return std::nullopt;
   signal::ResponseFigures figures = signal::theoretical_figures(
       window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
   const double cell_m = radar::range_of_cycle(band_hz, waveform.light_speed_mps);
