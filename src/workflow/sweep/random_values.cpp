@@ -126,8 +126,11 @@ scene::ValueList draw_values(std::string_view text, const scene::Field& field, s
   if (const std::string mistake = mistake_in(law, scale.parameters); !mistake.empty()) return {{}, mistake};
   const core::RandomStream stream(seed, core::RandomKind::sweep_value, core::name_key(key));
   scene::ValueList list;
-  for (std::size_t i = 0; i < count; ++i)
-    list.texts.push_back(text_of(law.draw(scale.parameters, stream, static_cast<std::int64_t>(i)), scale, field));
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = law.draw(scale.parameters, stream, static_cast<std::int64_t>(i));
+    if (!std::isfinite(value)) return {{}, fmt::format("'{}' gives values that are too large", core::clipped(text))};
+    list.texts.push_back(text_of(value, scale, field));
+  }
   return list;
 }
 

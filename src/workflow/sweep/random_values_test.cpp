@@ -91,6 +91,8 @@ TEST(RandomValues, AreRefusedInWords) {
   for (const char* text : {"normal(1)", "normal(1,2", "normal()", "uniform(1,2,3)", "exponential(1,2)"})
     EXPECT_THAT(failure(text), HasSubstr("expected ")) << text;
   EXPECT_THAT(failure("normal(1, x)"), HasSubstr("'x'"));
+  EXPECT_THAT(draw_values("normal(1e308, 1e308)", field_called("Target1.rcs"), 100, 1, "a").failure,
+              HasSubstr("too large"));
   EXPECT_THAT(failure("normal(1, -2)"), HasSubstr("not negative"));
   EXPECT_THAT(failure("uniform(2, 1)"), HasSubstr("above the highest"));
   EXPECT_THAT(failure("uniform(10dBsm, 12m2)"), HasSubstr("decibels"));

@@ -36,7 +36,8 @@ class TableReader {
       return {};
     }
     std::vector<SweepAxis> axes = axes_of(lines[0]);
-    for (std::size_t i = 1; i < lines.size() && problems_.size() < most_told; ++i) add_line(lines[i], axes);
+    for (std::size_t i = 1; i < lines.size() && !axes.empty() && problems_.size() < most_told; ++i)
+      add_line(lines[i], axes);
     return axes;
   }
 
