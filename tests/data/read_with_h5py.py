@@ -17,8 +17,9 @@ def main():
                 # Volts arrive as complex64, counts as a structure of r and i.
                 parts = (value.real, value.imag) if samples.dtype.kind == "c" else (value["r"], value["i"])
                 print(row, column, "%.17g %.17g" % tuple(float(part) for part in parts))
-        for name in ("pulse_time_s", "carrier_hz", "slant_range_m"):
-            print(name, *("%.17g" % value for value in file[name][...]))
+        for name in ("pulse_time_s", "carrier_hz", "slant_range_m", "platform_position_m", "platform_velocity_mps",
+                     "platform_rotation_rad"):
+            print(name, *("%.17g" % value for value in file[name][...].flat))
         for name in sorted(file.attrs):
             print(name, repr(file.attrs[name]) if isinstance(file.attrs[name], str) else file.attrs[name])
         print("unit", file["samples"].attrs["unit"])

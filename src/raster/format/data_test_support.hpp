@@ -36,6 +36,10 @@ inline simulate::Product test_product(std::size_t rows, std::size_t columns, int
   product.columns = columns;
   product.row_time_s = [](std::size_t row) { return 0.5 + 0.001 * static_cast<double>(row); };
   product.row_carrier_hz = [](std::size_t row) { return 1e9 + 1e6 * static_cast<double>(row); };
+  product.row_pose = [](std::size_t row) {
+    const auto x = static_cast<double>(row);
+    return simulate::RowPose{{100.0 * x, -0.5, 3.0}, {100.0, 0.25, x}, {0.125, 0.0, -x}};
+  };
   product.column_range_m = [](std::size_t column) { return 1000.0 + 1.5 * static_cast<double>(column); };
   product.sample_rate_hz = 100e6;
   product.bits = bits;

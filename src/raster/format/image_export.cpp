@@ -1,6 +1,7 @@
 #include "raster/format/image_export.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -48,11 +49,12 @@ double largest_magnitude(const Raster& source, const ImageWindow& window, const 
   return largest;
 }
 
-// Picks what a window takes of an axis.
-std::function<double(std::size_t)> picked(std::vector<double> axis, std::size_t first, std::size_t step) {
-  return [axis = std::move(axis), first, step](std::size_t i) {
+// Picks what a window takes of an axis; `unknown` where the axis ends before.
+template <class Value>
+std::function<Value(std::size_t)> picked(std::vector<Value> axis, std::size_t first, std::size_t step, Value unknown) {
+  return [axis = std::move(axis), first, step, unknown](std::size_t i) {
     const std::size_t at = first + i * step;
-    return at < axis.size() ? axis[at] : std::numeric_limits<double>::quiet_NaN();
+    return at < axis.size() ? axis[at] : unknown;
   };
 }
 
@@ -62,9 +64,14 @@ simulate::Product product_of(const Raster& source, const ImageWindow& window, co
   product.rows = window.rows;
   product.columns = window.cols;
   if (auto axes = source.axes()) {
-    product.row_time_s = picked(std::move(axes->row_time_s), window.row0, window.row_step);
-    product.row_carrier_hz = picked(std::move(axes->row_carrier_hz), window.row0, window.row_step);
-    product.column_range_m = picked(std::move(axes->column_range_m), window.col0, window.col_step);
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    product.row_time_s = picked(std::move(axes->row_time_s), window.row0, window.row_step, unknown);
+    product.row_carrier_hz = picked(std::move(axes->row_carrier_hz), window.row0, window.row_step, unknown);
+    product.column_range_m = picked(std::move(axes->column_range_m), window.col0, window.col_step, unknown);
+    constexpr std::array nowhere{unknown, unknown, unknown};
+    if (!axes->row_pose.empty())
+      product.row_pose =
+          picked(std::move(axes->row_pose), window.row0, window.row_step, simulate::RowPose{nowhere, nowhere, nowhere});
   }
   product.sample_rate_hz = info.sample_rate_hz.value_or(0.0) / static_cast<double>(window.col_step);
   product.bits = options.bits > 0 ? options.bits : info.bits > 0 ? info.bits : 16;

@@ -96,6 +96,9 @@ TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {
   EXPECT_DOUBLE_EQ(axes->row_time_s[1], 0.5 + 0.005);
   EXPECT_DOUBLE_EQ(axes->row_carrier_hz[4], 1e9 + 14e6);
   EXPECT_DOUBLE_EQ(axes->column_range_m[3], 1000.0 + 7 * 1.5);
+  ASSERT_EQ(axes->row_pose.size(), part.rows);
+  EXPECT_THAT(axes->row_pose[1].position_m, testing::ElementsAre(500.0, -0.5, 3.0));
+  EXPECT_THAT(axes->row_pose[4].rotation_rad, testing::ElementsAre(0.125, 0.0, -14.0));
   EXPECT_EQ(stored->info().sample_rate_hz, 50e6);
 }
 

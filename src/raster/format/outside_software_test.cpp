@@ -131,6 +131,9 @@ TEST(OutsideSoftwareOnHdf5, H5pyFindsTheSameNumbersAxesAndAttributes) {
       EXPECT_NE(text.find("pulse_time_s 0.5 0.501"), std::string::npos) << text;
       EXPECT_NE(text.find("carrier_hz 1000000000 1001000000 1002000000"), std::string::npos) << text;
       EXPECT_NE(text.find("slant_range_m 1000 1001.5 1003"), std::string::npos) << text;
+      EXPECT_NE(text.find("platform_position_m 0 -0.5 3 100 -0.5 3 200"), std::string::npos) << text;
+      EXPECT_NE(text.find("platform_velocity_mps 100 0.25 0 100 0.25 1"), std::string::npos) << text;
+      EXPECT_NE(text.find("platform_rotation_rad 0.125 0 -0 0.125 0 -1"), std::string::npos) << text;
       EXPECT_NE(text.find("seed 18446744073709551615\n"), std::string::npos) << text;
       EXPECT_NE(text.find("lsb_v 2.5e-09\n"), std::string::npos) << text;
       EXPECT_NE(text.find(fmt::format("bits {}\n", bits)), std::string::npos) << text;

@@ -18,6 +18,7 @@
 #include "raster/hdf5/hdf5_attributes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
+#include "raster/hdf5/hdf5_poses.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -86,7 +87,7 @@ class Hdf5Raster final : public Raster {
     auto carrier = read_axis("/carrier_hz", rows());
     auto range = read_axis("/slant_range_m", columns());
     if (!time || !carrier || !range) return std::nullopt;
-    return RasterAxes{std::move(*time), std::move(*carrier), std::move(*range)};
+    return RasterAxes{std::move(*time), std::move(*carrier), std::move(*range), read_poses()};
   }
 
   // From here on rows are read from the file itself, where they stand in it as they are wanted: the library lets one
@@ -114,6 +115,7 @@ class Hdf5Raster final : public Raster {
     try_axis("/pulse_time_s", rows());
     try_axis("/carrier_hz", rows());
     try_axis("/slant_range_m", columns());
+    for (const PoseAxis& axis : pose_axes) try_axis(axis.name, rows(), 3);
   }
 
  protected:
@@ -161,36 +163,51 @@ class Hdf5Raster final : public Raster {
     numbers_.convert(stored, numbers);
   }
 
-  // The axis, where it is there and of numbers, one for each of `length`.
-  [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const char* path, std::size_t length) const {
+  // The axis, where it is there and of numbers, `width` of them for each of `length`.
+  [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const char* path, std::size_t length, std::size_t width) const {
     auto opened = open_dataset(file_.get(), path, file_bytes_);
     auto* dataset = std::get_if<Hdf5Dataset>(&opened);
-    if (dataset == nullptr || dataset->shape.size() != 1 || dataset->shape[0] != length) return std::nullopt;
+    const auto shape = width == 1 ? std::vector<std::uint64_t>{length} : std::vector<std::uint64_t>{length, width};
+    if (dataset == nullptr || dataset->shape != shape) return std::nullopt;
     const H5T_class_t kind = H5Tget_class(dataset->type.get());
     if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
     return std::move(*dataset);
   }
 
-  void read_axis_part(const Hdf5Dataset& axis, const char* path, std::size_t first, std::span<double> out) const {
-    read_part(axis, H5T_NATIVE_DOUBLE, first, out.size(), out.data(), fmt::format("{} of {}", path, name_));
+  void read_axis_part(const Hdf5Dataset& axis, const char* path, std::size_t first, std::size_t count,
+                      std::span<double> out) const {
+    read_part(axis, H5T_NATIVE_DOUBLE, first, count, out.data(), fmt::format("{} of {}", path, name_));
   }
 
-  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length) const {
-    const auto axis = open_axis(path, length);
+  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length,
+                                                             std::size_t width = 1) const {
+    const auto axis = open_axis(path, length, width);
     if (!axis) return std::nullopt;
-    std::vector<double> values(length);
-    read_axis_part(*axis, path, 0, values);
+    std::vector<double> values(length * width);
+    read_axis_part(*axis, path, 0, length, values);
     return values;
   }
 
-  void try_axis(const char* path, std::size_t length) const {
-    constexpr std::size_t at_once = std::size_t{1} << 22U;
-    const auto axis = open_axis(path, length);
+  // Empty where the file lacks one of the datasets, as those of older versions do.
+  [[nodiscard]] std::vector<simulate::RowPose> read_poses() const {
+    std::vector<simulate::RowPose> poses(rows());
+    for (const PoseAxis& axis : pose_axes) {
+      const auto values = read_axis(axis.name, rows(), 3);
+      if (!values) return {};
+      for (std::size_t i = 0; i < poses.size(); ++i)
+        std::copy_n(values->data() + 3 * i, 3, (poses[i].*axis.part).begin());
+    }
+    return poses;
+  }
+
+  void try_axis(const char* path, std::size_t length, std::size_t width = 1) const {
+    constexpr std::size_t at_once = std::size_t{1} << 20U;
+    const auto axis = open_axis(path, length, width);
     if (!axis) return;
-    std::vector<double> values(std::min(length, at_once));
-    for (std::size_t first = 0; first < length; first += values.size()) {
-      values.resize(std::min(values.size(), length - first));
-      read_axis_part(*axis, path, first, values);
+    std::vector<double> values(width * std::min(length, at_once));
+    for (std::size_t first = 0; first < length; first += at_once) {
+      const std::size_t count = std::min(at_once, length - first);
+      read_axis_part(*axis, path, first, count, std::span(values).first(count * width));
     }
   }
 

@@ -362,7 +362,7 @@ TEST(Hdf5Sink, RecordsNoTimes) {
   write_test_file(folder / "a.h5", test_product(2, 3, 8), {scene::FileFormat::hdf5});
   const Hdf5Handle file(H5Fopen((folder / "a.h5").c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   ASSERT_TRUE(file);
-  for (const char* name : {"/", "/samples", "/pulse_time_s", "/carrier_hz", "/slant_range_m"}) {
+  for (const char* name : {"/", "/samples", "/pulse_time_s", "/carrier_hz", "/slant_range_m", "/platform_position_m"}) {
     H5O_info_t object{};
     ASSERT_GE(H5Oget_info_by_name2(file.get(), name, &object, H5O_INFO_TIME, H5P_DEFAULT), 0) << name;
     EXPECT_EQ(object.btime, 0) << name;

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "raster/hdf5/hdf5_poses.hpp"
 #include "raster/table/product_attributes.hpp"
 
 namespace sarsim::raster {
@@ -94,6 +95,26 @@ bool write_part(hid_t dataset, hid_t type, std::size_t first, std::size_t count,
          H5Dwrite(dataset, type, memory.get(), place.get(), H5P_DEFAULT, data) >= 0;
 }
 
+bool write_poses(const std::array<Hdf5Handle, 3>& datasets, std::size_t first, std::size_t count,
+                 const std::function<simulate::RowPose(std::size_t)>& pose) {
+  if (!pose) return true;
+  std::array<std::vector<double>, pose_axes.size()> values;
+  for (std::size_t begin = first, done = 0; begin < first + count; begin += done) {
+    done = std::min(axis_chunk, first + count - begin);
+    for (auto& of_axis : values) of_axis.clear();
+    for (std::size_t i = 0; i < done; ++i) {
+      const simulate::RowPose at = pose(begin + i);
+      for (std::size_t a = 0; a < pose_axes.size(); ++a) {
+        const std::array<double, 3>& part = at.*pose_axes[a].part;
+        values[a].insert(values[a].end(), part.begin(), part.end());
+      }
+    }
+    for (std::size_t a = 0; a < pose_axes.size(); ++a)
+      if (!write_part(datasets[a].get(), H5T_NATIVE_DOUBLE, begin, done, 3, values[a].data())) return false;
+  }
+  return true;
+}
+
 bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
                 const std::function<double(std::size_t)>& value) {
   if (!value) return true;
@@ -173,6 +194,10 @@ void Hdf5Sink::create_datasets() {
   add_axis("pulse_time_s", product_.row_time_s, pulse_time_, std::span(shape).first(1));
   add_axis("carrier_hz", product_.row_carrier_hz, carrier_, std::span(shape).first(1));
   add_axis("slant_range_m", product_.column_range_m, slant_range_, std::span(shape).last(1));
+  for (std::size_t a = 0; product_.row_pose && a < pose_axes.size(); ++a) {
+    pose_[a] = create_dataset(file, pose_axes[a].name, H5T_IEEE_F64LE, std::array<hsize_t, 2>{product_.rows, 3});
+    expect(pose_[a] && write_attribute(pose_[a].get(), "meaning", std::string(pose_axes[a].meaning)));
+  }
   // Of a recording; images and profiles have times of their own.
   if (product_.row_time_s && product_.processing != scene::Processing::srp && is_known(product_, "processing"))
     expect(write_attribute(pulse_time_.get(), "meaning", std::string("when the middle of the pulse leaves, s")));
@@ -184,7 +209,8 @@ void Hdf5Sink::write_column_axis() { expect(write_axis(slant_range_, 0, product_
 
 void Hdf5Sink::write_row_axes(std::size_t first_row, std::size_t rows) {
   expect(write_axis(pulse_time_, first_row, rows, product_.row_time_s) &&
-         write_axis(carrier_, first_row, rows, product_.row_carrier_hz));
+         write_axis(carrier_, first_row, rows, product_.row_carrier_hz) &&
+         write_poses(pose_, first_row, rows, product_.row_pose));
 }
 
 void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) {
@@ -216,7 +242,8 @@ void Hdf5Sink::finish(const simulate::RunReport& report) {
   const Hdf5Use use;
   expect(!is_known(product_, "lsb_v") || write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
   bool closed = true;
-  for (Hdf5Handle* handle : {&slant_range_, &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})
+  for (Hdf5Handle* handle :
+       {&slant_range_, &pose_[0], &pose_[1], &pose_[2], &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})
     closed = handle->close() && closed;
   expect(closed);
   file_.commit();

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 
 #include "core/os/output_file.hpp"
@@ -12,9 +13,10 @@
 
 namespace sarsim::raster {
 
-/// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`
-/// and `/slant_range_m`, but for what is not known. Contiguous datasets of known size; rows and their axes are written
-/// as they come. No time stamps, and a fixed version of the format: the same input gives the same bytes.
+/// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`,
+/// `/slant_range_m` and the poses of the radar's platform, but for what is not known. Contiguous datasets of known
+/// size; rows and their axes are written as they come. No time stamps, and a fixed version of the format: the same
+/// input gives the same bytes.
 class Hdf5Sink final : public simulate::Sink {
  public:
   /// Begins the file; an existing one is refused unless `replace`.
@@ -54,6 +56,7 @@ class Hdf5Sink final : public simulate::Sink {
   Hdf5Handle samples_;
   Hdf5Handle pulse_time_;
   Hdf5Handle carrier_;
+  std::array<Hdf5Handle, 3> pose_;  // Position, velocity, rotation.
   Hdf5Handle slant_range_;
 };
 

@@ -281,6 +281,9 @@ TEST(StoredProduct, ComesBackWhole) {
             std::tie(a.radar, a.rows, a.columns, a.sample_rate_hz, a.bits, a.lsb_v, a.options, a.engine, a.script));
   EXPECT_EQ(b.row_time_s(rows - 1), a.row_time_s(rows - 1));
   EXPECT_EQ(b.row_carrier_hz(3), a.row_carrier_hz(3));
+  EXPECT_EQ(b.row_pose(3).position_m, a.row_pose(3).position_m);
+  EXPECT_EQ(b.row_pose(rows - 1).velocity_mps, a.row_pose(rows - 1).velocity_mps);
+  EXPECT_EQ(b.row_pose(rows - 1).rotation_rad, a.row_pose(rows - 1).rotation_rad);
   EXPECT_EQ(b.column_range_m(columns - 1), a.column_range_m(columns - 1));
   EXPECT_EQ(back.options.format, scene::FileFormat::hdf5);
   EXPECT_TRUE(back.options.counts);

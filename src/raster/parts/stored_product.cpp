@@ -18,9 +18,10 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'02U;
+constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'03U;
 
 using Axis = std::function<double(std::size_t)>;
+using Poses = std::function<simulate::RowPose(std::size_t)>;
 
 // Words of 64 bits and texts, one after the other; a checksum at the end.
 class Packer {
@@ -38,6 +39,14 @@ class Packer {
   void put_axis(const Axis& axis, std::size_t count) {
     put(axis ? count : 0);
     for (std::size_t i = 0; axis && i < count; ++i) put_real(axis(i));
+  }
+  void put_poses(const Poses& poses, std::size_t count) {
+    put(poses ? count : 0);
+    for (std::size_t i = 0; poses && i < count; ++i) {
+      const simulate::RowPose pose = poses(i);
+      for (const auto& triple : {pose.position_m, pose.velocity_mps, pose.rotation_rad})
+        for (const double value : triple) put_real(value);
+    }
   }
   std::vector<std::byte> take() {
     core::Checksum sum;
@@ -87,6 +96,18 @@ class Unpacker {
     for (std::uint64_t i = 0; i < count; ++i) values->push_back(real());
     return [values](std::size_t i) { return values->at(i); };
   }
+  [[nodiscard]] Poses poses() {
+    const std::uint64_t count = word();
+    if (count == 0) return {};
+    const auto values = std::make_shared<std::vector<simulate::RowPose>>();
+    for (std::uint64_t i = 0; i < count; ++i) {
+      simulate::RowPose pose;
+      for (auto* triple : {&pose.position_m, &pose.velocity_mps, &pose.rotation_rad})
+        for (double& value : *triple) value = real();
+      values->push_back(pose);
+    }
+    return [values](std::size_t i) { return values->at(i); };
+  }
   void fail() const { throw std::runtime_error("cannot read " + name_ + ": it is damaged; compute one part again"); }
 
  private:
@@ -129,6 +150,7 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
   packer.put_axis(axes ? product.row_time_s : Axis(), product.rows);
   packer.put_axis(axes ? product.row_carrier_hz : Axis(), product.rows);
   packer.put_axis(axes ? product.column_range_m : Axis(), product.columns);
+  packer.put_poses(axes ? product.row_pose : Poses(), product.rows);
   static_cast<void>(core::replace_file(path, packer.take()));
 }
 
@@ -162,6 +184,7 @@ StoredProduct load_product(const std::filesystem::path& path) {
   product.row_time_s = from.axis();
   product.row_carrier_hz = from.axis();
   product.column_range_m = from.axis();
+  product.row_pose = from.poses();
   return stored;
 }
 

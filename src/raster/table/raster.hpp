@@ -16,6 +16,7 @@
 #include "raster/table/formats.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
+#include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
 
@@ -34,9 +35,10 @@ struct RasterInfo {
 
 /// The axes of a recording.
 struct RasterAxes {
-  std::vector<double> row_time_s;      ///< Send time of each row's (first) pulse.
-  std::vector<double> row_carrier_hz;  ///< Its carrier.
-  std::vector<double> column_range_m;  ///< One-way slant range of each column.
+  std::vector<double> row_time_s;                ///< Send time of each row's (first) pulse.
+  std::vector<double> row_carrier_hz;            ///< Its carrier.
+  std::vector<double> column_range_m;            ///< One-way slant range of each column.
+  std::vector<simulate::RowPose> row_pose = {};  ///< The radar's platform then; empty where the file does not say.
 };
 
 /// A table of samples of any size: a file, or what is computed. Any part of it can be read at any spacing; only what a

@@ -1,6 +1,7 @@
 #include "simulate/plan/plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -144,6 +145,12 @@ void plan_rows(Plan& plan, std::size_t count) {
                                                           plan.scene->conventions.light_speed_mps);
 }
 
+// What files hold of a pose.
+RowPose row_pose(const radar::Pose& pose) {
+  const auto numbers = [](const core::Vec3& v) { return std::array{v.x, v.y, v.z}; };
+  return {numbers(pose.position_world_m), numbers(pose.velocity_world_mps), pose.rotation_rad};
+}
+
 }  // namespace
 
 std::int64_t Plan::first_pulse_of_row(std::size_t row) const {
@@ -209,6 +216,12 @@ Product product_of(const Plan& plan, std::string script) {
   };
   product.row_carrier_hz = [pulse_of, carrier = plan.radar.carrier](std::size_t row) {
     return carrier.carrier_hz(pulse_of(row));
+  };
+  const radar::Track& track = plan.scene->platforms[plan.radar.platform].track;
+  product.row_pose = [pulse_of, repetition = plan.radar.repetition,
+                      track = std::make_shared<const radar::Track>(track)](std::size_t row) {
+    const std::int64_t pulse = pulse_of(row);
+    return row_pose(track->at(repetition.send_time_s(pulse), pulse));
   };
   product.column_range_m = [ranges = plan.column_range_m](std::size_t column) { return ranges[column]; };
   product.sample_rate_hz = plan.simulation.sample_rate_hz;

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/maths/constants.hpp"
+#include "simulate/plan/flight_test_scene.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
@@ -266,6 +268,27 @@ TEST(Product, DescribesTheAxesOfTheRecording) {
   EXPECT_EQ(raw.row_carrier_hz(0), 1e9 + 7 * 2e6);
   EXPECT_EQ(raw.column_range_m(0), 1090.0);
   EXPECT_EQ(raw.script, "text");
+}
+
+// 120 m/s along x from 0, 10 m/s upwards from 1 km, and the yaw of a function and a rate.
+TEST(Product, SaysWhereTheRadarIs) {
+  scene::Scene scene = flight_scene();
+  scene::Platform& plane = scene.platforms[1];
+  plane.position_stddev_m = {0.0, 0.0, 0.0};
+  plane.rotation_stddev = {};
+  plane.rotation_rate[2] = core::Angle::from_deg(3.0);
+  scene.simulations = {flight_recording(0.0, scene::FileFormat::hdf5)};
+  const Product product = product_of(make_plan(scene, 0), "text");
+  for (const std::size_t row : {std::size_t{0}, product.rows - 1}) {
+    const double time_s = product.row_time_s(row);
+    const RowPose pose = product.row_pose(row);
+    EXPECT_NEAR(pose.position_m[0], 120.0 * time_s, 1e-9);
+    EXPECT_NEAR(pose.position_m[1], -2000.0, 1e-9);
+    EXPECT_NEAR(pose.position_m[2], 1000.0 + 10.0 * time_s, 1e-9);
+    EXPECT_NEAR(pose.velocity_mps[0], 120.0, 1e-9);
+    EXPECT_NEAR(pose.velocity_mps[2], 10.0, 1e-9);
+    EXPECT_NEAR(pose.rotation_rad[2], 3.0 * core::rad_per_deg * time_s, 1e-12);
+  }
 }
 
 TEST(Plan, OfManyTargetsIsGivenUpWhenAskedTo) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <complex>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,13 @@
 
 namespace sarsim::simulate {
 
+/// Where the radar's platform is and how it moves when the (first) pulse of a row leaves, motion errors included.
+struct RowPose {
+  std::array<double, 3> position_m{};    ///< World axes.
+  std::array<double, 3> velocity_mps{};  ///< World axes.
+  std::array<double, 3> rotation_rad{};  ///< About x, y and z, as radar::world_from_platform takes them.
+};
+
 /// What a recording is: its shape, its axes and where its numbers come from. Everything a file can carry.
 struct Product {
   std::string radar;
@@ -21,6 +29,7 @@ struct Product {
   std::size_t columns = 0;                            ///< Complex samples of a row.
   std::function<double(std::size_t)> row_time_s;      ///< Send time of a row's (first) pulse.
   std::function<double(std::size_t)> row_carrier_hz;  ///< Its carrier.
+  std::function<RowPose(std::size_t)> row_pose;       ///< The radar's platform then.
   std::function<double(std::size_t)> column_range_m;  ///< One-way slant range of a column.
   double sample_rate_hz = 0.0;
   int bits = 8;

@@ -54,6 +54,7 @@ simulate::Product product_of_file(const raster::Raster& file) {
     const auto shared = std::make_shared<const raster::RasterAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
     product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
+    if (!shared->row_pose.empty()) product.row_pose = [shared](std::size_t row) { return shared->row_pose[row]; };
     product.column_range_m = [shared](std::size_t column) { return shared->column_range_m[column]; };
   }
   return product;
