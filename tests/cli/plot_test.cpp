@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "program.hpp"
@@ -52,6 +53,53 @@ TEST_F(Plot, OfAPulseGivesItsValuesAsATable) {
   const std::string table = text_of(folder_ / "c.csv");
   EXPECT_EQ(table.substr(0, table.find('\n')), "slant range [m],I [V],Q [V],magnitude [V],phase [deg]");
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 10);
+}
+
+TEST_F(Plot, DrawsACurveForEachValueAndEachInput) {
+  SceneText scene;
+  scene.noise_k = "0";
+  write_scene(scene);
+  const Finished varied = sarsim({"plot", "scene.scr", "--kind", "pulse", "--vary", "Target1.rcs=1,4", "--recorded",
+                                  "--show", "magnitude", "--csv", "v.csv", "-o", "v.svg"});
+  ASSERT_EQ(varied.status, 0) << varied.err;
+  std::istringstream table(text_of(folder_ / "v.csv"));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_NE(line.find("Target1.rcs=1"), std::string::npos) << line;
+  EXPECT_NE(line.find("Target1.rcs=4"), std::string::npos) << line;
+  double largest = 0.0;
+  while (std::getline(table, line)) {
+    double range = 0.0, one = 0.0, four = 0.0;
+    ASSERT_EQ(std::sscanf(line.c_str(), "%lf,%lf,%lf", &range, &one, &four), 3) << line;
+    EXPECT_NEAR(four, 2.0 * one, 1e-5 * four + 1e-30);  // Amplitude goes with the root of the cross-section.
+    largest = std::max(largest, one);
+  }
+  EXPECT_GT(largest, 0.0);
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  const Finished with =
+      sarsim({"plot", "scene.scr", "--kind", "pulse", "--with", "sim.h5", "--show", "real", "-o", "w.png"});
+  EXPECT_EQ(with.status, 0) << with.err;
+  EXPECT_EQ(signature(folder_ / "w.png", 4), "\x89PNG");
+}
+
+TEST_F(Plot, RefusesCurvesThatDoNotFitTogether) {
+  write_scene({});
+  const std::vector<std::string> pulse{"plot", "scene.scr", "--kind", "pulse", "-o", "a.png"};
+  const auto refused = [&](std::vector<std::string> more, const std::string& words) {
+    std::vector<std::string> all = pulse;
+    all.insert(all.end(), more.begin(), more.end());
+    const Finished done = sarsim(all);
+    EXPECT_EQ(done.status, 2);
+    EXPECT_NE(done.err.find(words), std::string::npos) << done.err;
+  };
+  refused({"--vary", "Target1.rcs=1..6"}, "6 curves in one picture cannot be told apart");
+  refused({"--vary", "Target9.rcs=1,2"}, "Target9");
+  refused({"--with", "none.h5"}, "none.h5");
+  const Finished picture = sarsim({"plot", "scene.scr", "--vary", "Target1.rcs=1,2", "-o", "a.png"});
+  EXPECT_NE(picture.err.find("--vary means nothing for --kind picture"), std::string::npos) << picture.err;
+  write_text(folder_ / "precious.scr", text_of(folder_ / "scene.scr"));
+  refused({"--with", "precious.scr", "--csv", "precious.scr", "--force"}, "precious.scr");
+  EXPECT_EQ(text_of(folder_ / "precious.scr"), text_of(folder_ / "scene.scr"));
 }
 
 TEST_F(Plot, LeavesWhatStandsUnderTheName) {

@@ -7,6 +7,7 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/command/plot_arguments.hpp"
+#include "cli/command/plot_overlay.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/sample_options.hpp"
 #include "cli/shell/scene_options.hpp"
@@ -60,6 +61,7 @@ void expect_names(const PlotArguments& a) {
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty()) paths.emplace_back(path);
   workflow::OutputCare care{{a.input}, a.force, "-o or --csv"};
+  care.sources.insert(care.sources.end(), a.others.begin(), a.others.end());
   if (a.force)
     std::ranges::move(workflow::sources_of_script(is_script(a) ? a.input : a.samples.script),
                       std::back_inserter(care.sources));
@@ -109,6 +111,7 @@ void expect_used(const PlotArguments& a) {
   const std::vector<K> levels{K::picture,       K::pulse,    K::range,   K::profile,
                               K::range_doppler, K::spectrum, K::antenna, K::sent};
   const std::vector<K> colours{K::picture};
+  const std::vector<K> of_curves{K::pulse, K::range, K::profile, K::spectrum, K::phase, K::antenna, K::sent};
   const std::vector<Use> uses{{"--simulation", a.simulation.has_value(), of_radars},
                               {"--radar", !a.radar.empty(), of_radars},
                               {"--data", a.processing.has_value(), echoes},
@@ -136,6 +139,8 @@ void expect_used(const PlotArguments& a) {
                               {"--function", !a.function.empty(), {K::function}},
                               {"--compare", a.compare, {K::function}},
                               {"--angles", !a.angles_deg.empty(), {K::antenna}},
+                              {"--with", !a.others.empty(), of_curves},
+                              {"--vary", !a.variations.empty(), of_curves},
                               {"--draw", a.draw_as.has_value(), colours},
                               {"--colours", a.map.has_value(), colours},
                               {"--invert", a.inverted, colours},
@@ -190,6 +195,7 @@ void expect_used_by_input(const PlotArguments& a) {
                                    {"--seed", overrides.seed.has_value(), true},
                                    {"--set", !overrides.settings.empty(), true},
                                    {"--targets", !overrides.targets.empty(), true},
+                                   {"--vary", !a.variations.empty(), true},
                                    {"--from", samples.format.has_value(), false},
                                    {"--columns", samples.columns.has_value(), false},
                                    {"--bits", samples.bits.has_value(), false},
@@ -222,7 +228,11 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
   expect_used_by_input(a);
   expect_size(a);
   expect_limits(a);
-  Plotted plotted = is_script(a) ? plot_scene(a, streams) : plot_file(a, streams);
+  const auto plot_one = [&streams](const PlotArguments& one) {
+    expect_used_by_input(one);
+    return is_script(one) ? plot_scene(one, streams) : plot_file(one, streams);
+  };
+  Plotted plotted = is_overlaid(a) ? plot_overlaid(a, plot_one) : plot_one(a);
   plotted.figure.title = title_for(a, plotted.figure);
   if (!a.out.empty())
     picture::write_picture(plotted.figure, a.out,
@@ -365,17 +375,27 @@ Action add_plot(CLI::App& app) {
   add_choice_of_samples(app, *a);
   add_choice_of_values(app, *a);
   add_look(app, *a);
+  app.add_option("--with", a->others,
+                 "lay the same curves of another script, recording or image over these; repeatable")
+      ->type_name("SCENE|FILE")
+      ->allow_extra_args(false);
+  app.add_option("--vary", a->variations, "a curve for each value of a field of the script; repeatable")
+      ->type_name("FIELD=VALUE,VALUE")
+      ->allow_extra_args(false);
   add_text(app, "--csv", a->csv, "FILE", "the values as a table, beside the picture or instead of it");
   app.add_flag("--force", a->force, "replace files that exist");
   add_sample_arguments(app, a->samples);
   add_scene_overrides(app, a->overrides);
   add_examples(
-      app, {{"sarsim plot sar_r.scr -o echoes.png", "what its first simulation records"},
-            {"sarsim plot sar_r.scr --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
-            {"sarsim plot scene.scr --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
-            {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
-            {"sarsim plot sar_r.img --show db --peak -o image.png", "a focused image, every point of it seen"},
-            {"sarsim plot sar_r.scr --kind antenna --csv pattern.csv", "a table alone"}});
+      app,
+      {{"sarsim plot sar_r.scr -o echoes.png", "what its first simulation records"},
+       {"sarsim plot sar_r.scr --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
+       {"sarsim plot scene.scr --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
+       {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
+       {"sarsim plot sar_r.img --show db --peak -o image.png", "a focused image, every point of it seen"},
+       {"sarsim plot sar_r.scr --kind pulse --data compressed --show db --vary Radar1.window=RECT,HAMMING -o c.png",
+        "two curves in one picture"},
+       {"sarsim plot sar_r.scr --kind antenna --csv pattern.csv", "a table alone"}});
   return [a](Streams& streams) { return plot(*a, streams); };
 }
 

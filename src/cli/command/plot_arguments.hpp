@@ -33,6 +33,8 @@ struct PlotArguments {
   std::string out;
   std::string csv;
   std::optional<std::string> title;
+  std::vector<std::string> others;      ///< Inputs whose curves are laid over those of the first.
+  std::vector<std::string> variations;  ///< "FIELD=VALUES" of the script, a curve for each value.
   std::optional<PlotKind> wanted_kind;
   PlotKind kind = PlotKind::picture;  ///< The wanted one, once everything is read.
   // Which samples.

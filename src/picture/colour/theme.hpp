@@ -26,6 +26,8 @@ enum class Role {
   curve,  ///< Of plots.
   curve_2,
   curve_3,
+  curve_4,
+  curve_5,
   count
 };
 

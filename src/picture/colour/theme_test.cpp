@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -81,16 +82,17 @@ TEST(Theme, FaintIsFainterThanText) {
 
 // A difference of 20 in L*a*b* is seen at a glance; 2.3 is just noticeable.
 TEST(Theme, ColoursThatAreToldApartStayApartForColourBlindEyes) {
-  constexpr std::array<std::array<Role, 3>, 3> groups{{{Role::x_axis, Role::y_axis, Role::z_axis},
-                                                       {Role::curve, Role::curve_2, Role::curve_3},
-                                                       {Role::target, Role::selected, Role::radar}}};
+  const std::vector<std::vector<Role>> groups{{Role::x_axis, Role::y_axis, Role::z_axis},
+                                              {Role::curve, Role::curve_2, Role::curve_3, Role::curve_4, Role::curve_5},
+                                              {Role::target, Role::selected, Role::radar}};
   for (const bool dark : {false, true})
     for (const core::Mat3& eye : eyes)
       for (const auto& group : groups)
-        for (std::size_t i = 0; i < 3; ++i)
-          EXPECT_GT(difference(colour(group[i], dark), colour(group[(i + 1) % 3], dark), eye), 20.0)
-              << "roles " << static_cast<int>(group[i]) << " and " << static_cast<int>(group[(i + 1) % 3])
-              << (dark ? " dark" : " light");
+        for (std::size_t i = 0; i < group.size(); ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            EXPECT_GT(difference(colour(group[i], dark), colour(group[j], dark), eye), 20.0)
+                << "roles " << static_cast<int>(group[i]) << " and " << static_cast<int>(group[j])
+                << (dark ? " dark" : " light");
 }
 
 TEST(Theme, AxesAreRedGreenAndBlue) {
