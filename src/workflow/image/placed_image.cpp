@@ -1,10 +1,13 @@
 #include "workflow/image/placed_image.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "core/report/refused.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/envi.hpp"
@@ -35,12 +38,40 @@ raster::ImagePlaces places_said(const raster::EnviHeader& header, const raster::
   return {wanted.label, wanted.unit, *first, *step};
 }
 
+// The places that a header lists one by one, where they are evenly spaced to a tenth of a step.
+std::optional<raster::ImagePlaces> even_places(const raster::EnviHeader& header, const std::string& key,
+                                               const char* label, const char* unit) {
+  const std::string listed = header.field(key).value_or("");
+  std::vector<double> places;
+  for (std::size_t begin = 0; begin < listed.size();) {
+    const std::size_t end = std::min(listed.find(',', begin), listed.size());
+    const auto number = core::parse_number(core::trimmed(std::string_view(listed).substr(begin, end - begin)));
+    if (!number) return std::nullopt;
+    places.push_back(*number);
+    begin = end + 1;
+  }
+  if (places.size() < 2 || places.size() != header.lines) return std::nullopt;
+  const double step = (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (!(std::abs(places[i] - places.front() - step * static_cast<double>(i)) <= 0.1 * std::abs(step)))
+      return std::nullopt;
+  if (step == 0.0) return std::nullopt;
+  return raster::ImagePlaces{label, unit, places.front(), step};
+}
+
+// From where the target was seen, or when; burst after burst where neither grows evenly.
+raster::ImagePlaces places_of_profiles(const raster::EnviHeader& header) {
+  if (const auto aspect = even_places(header, "aspect deg", "Aspect", "deg")) return *aspect;
+  if (const auto time = even_places(header, "time s", "Time", "s")) return *time;
+  return {"Profile", "", 1.0};
+}
+
 // Search pictures, range-Doppler maps and range profiles.
 raster::FocusedPlaces places_of_product(const raster::EnviHeader& header) {
   if (header.field("map") == "ppi")
     return {places_said(header, {"North", "m"}, "y", "Row"), places_said(header, {"East", "m"}, "x", "Column")};
   const raster::ImagePlaces range = places_said(header, {"Slant range", "m"}, "range", "Column");
-  if (!header.field("map")) return {{"Profile", "", 1.0}, range};
+  if (!header.field("map")) return {places_of_profiles(header), range};
   if (header.field("intervals") != "1") return {{"Row of all maps", "", 1.0}, range};
   raster::ImagePlaces doppler = places_said(header, {"Doppler frequency", "hz"}, "doppler", "Row");
   if (doppler.unit == "hz") doppler.unit = "Hz";

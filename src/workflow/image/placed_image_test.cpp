@@ -54,6 +54,18 @@ TEST_F(PlacedImageTest, NumbersWhatItsHeaderDoesNotPlace) {
   EXPECT_EQ(image.focused->range, (raster::ImagePlaces{"Column", "", 0.0, 1.0}));
 }
 
+TEST_F(PlacedImageTest, PutsProfilesWhereTheTargetWasSeenFromOrWhen) {
+  const auto rows_of = [&](const std::string& aspects, const std::string& times) {
+    write({{"range first m", "100"}, {"range step m", "0.5"}, {"aspect deg", aspects}, {"time s", times}});
+    return opened().focused.value().azimuth;
+  };
+  EXPECT_EQ(rows_of("10, 8, 6", "0, 1, 2"), (raster::ImagePlaces{"Aspect", "deg", 10.0, -2.0}));
+  EXPECT_EQ(rows_of("10, 8, 7", "0, 0.5, 1"), (raster::ImagePlaces{"Time", "s", 0.0, 0.5}));
+  EXPECT_EQ(rows_of("3, 3, 3", "0, 0.5, 1"), (raster::ImagePlaces{"Time", "s", 0.0, 0.5}));
+  EXPECT_EQ(rows_of("", "0, 0.5, 3"), (raster::ImagePlaces{"Profile", "", 1.0, 1.0}));
+  EXPECT_EQ(rows_of("1, x, 3", "0, 1"), (raster::ImagePlaces{"Profile", "", 1.0, 1.0}));
+}
+
 TEST_F(PlacedImageTest, NeedsNothingSaidWhereAHeaderSaysIt) {
   write({{"map", "ppi"}});
   PlacedImageRequest request{file_.string(), {}, {}};

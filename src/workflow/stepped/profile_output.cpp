@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "core/maths/constants.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
@@ -28,20 +29,26 @@ void look_at(const core::StopFlag* stop) {
   if (stop != nullptr && stop->requested()) throw core::Interrupted();
 }
 
+std::string listed(const std::vector<double>& numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    if (!text.empty()) text += ", ";
+    core::append_number(text, number);
+  }
+  return text;
+}
+
 raster::EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& origin) {
   raster::EnviHeader header;
   header.samples = series.axis.count;
   header.lines = series.rows.size();
   header.description = fmt::format("Synthetic range profiles by sarsim {}: lines are {}, samples are slant ranges",
                                    core::program_version, origin.set);
-  std::string times;
-  for (const ProfileRow& row : series.rows) {
-    if (!times.empty()) times += ", ";
-    core::append_number(times, row.time_s);
-  }
+  std::vector<double> times;
+  for (const ProfileRow& row : series.rows) times.push_back(row.time_s);
   header.fields = {{"range first m", core::format_number(series.axis.first_m)},
                    {"range step m", core::format_number(series.axis.step_m)},
-                   {"time s", times},
+                   {"time s", listed(times)},
                    {"carrier hz", core::format_number(series.centre_hz)},
                    {"bandwidth hz", core::format_number(series.band_hz)},
                    {"light speed mps", core::format_number(origin.light_speed_mps)},
@@ -51,6 +58,11 @@ raster::EnviHeader header_of(const ProfileSeries& series, const ProfileOrigin& o
                    {"simulation", fmt::format("{}", origin.simulation + 1)},
                    {"velocity", origin.velocity},
                    {"window", origin.window}};
+  if (!origin.aspects_rad.empty()) {
+    std::vector<double> degrees;
+    for (const double aspect : origin.aspects_rad) degrees.push_back(core::deg_per_rad * aspect);
+    header.fields.emplace_back("aspect deg", listed(degrees));
+  }
   return header;
 }
 

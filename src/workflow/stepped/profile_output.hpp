@@ -20,7 +20,8 @@ struct ProfileOrigin {
   std::string velocity;        ///< As the command line says.
   std::string window;
   double light_speed_mps = 0.0;
-  std::string radar;  ///< This and what follows stand in HDF5 files alone.
+  std::vector<double> aspects_rad{};  ///< Of the profiles, see `aspects_rad`.
+  std::string radar;                  ///< This and what follows stand in HDF5 files alone.
   scene::RunOptions run;
 };
 

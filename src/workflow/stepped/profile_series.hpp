@@ -105,6 +105,11 @@ struct HeldTarget {
 [[nodiscard]] std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const ProfileSeries& series,
                                                          const SeriesOptions& options, std::size_t row);
 
+/// From where the radar looks at the platform of the targets, one angle for each profile: that of the radar in the x-y
+/// plane of the platform, from its x axis (0: from ahead) towards y, in rad, continued over whole turns. Empty where
+/// the radar's own platform carries the targets.
+[[nodiscard]] std::vector<double> aspects_rad(const SteppedRows& rows, const ProfileSeries& series);
+
 /// The row to hold against the scene where nothing else is said: in the middle of the scan with the strongest echoes.
 [[nodiscard]] std::size_t typical_row(const ProfileSeries& series);
 

@@ -115,20 +115,27 @@ std::string window_words_of(const ProfilesRequest& request) {
 
 void write_set(const ProfileSeries& series, const SteppedInput& input, const ProfilesRequest& request,
                const fs::path& output, const core::StopFlag* stop) {
-  const ProfileOrigin origin{request.input.path,
-                             request.input.script,
-                             words_of_overrides(request.input.overrides),
-                             input.simulation,
-                             word_of(request.set),
-                             request.velocity.words,
-                             window_words_of(request),
-                             input.rows.band->waveform().light_speed_mps,
-                             input.rows.plan->radar.name,
-                             input.rows.plan->scene->options};
+  ProfileOrigin origin{request.input.path,
+                       request.input.script,
+                       words_of_overrides(request.input.overrides),
+                       input.simulation,
+                       word_of(request.set),
+                       request.velocity.words,
+                       window_words_of(request),
+                       input.rows.band->waveform().light_speed_mps,
+                       {},
+                       input.rows.plan->radar.name,
+                       input.rows.plan->scene->options};
   if (output.has_parent_path()) fs::create_directories(output.parent_path());
-  if (request.set == ProfileGrouping::bursts) return write_profiles(series, origin, output, request.replace, stop);
-  const ProfileSeries means = request.set == ProfileGrouping::scans ? mean_of_scans(series) : mean_of_encounter(series);
-  write_profiles(means, origin, output, request.replace, stop);
+  const auto write = [&](const ProfileSeries& made) {
+    origin.aspects_rad = aspects_rad(input.rows, made);
+    write_profiles(made, origin, output, request.replace, stop);
+  };
+  switch (request.set) {
+    case ProfileGrouping::bursts: return write(series);
+    case ProfileGrouping::scans: return write(mean_of_scans(series));
+    case ProfileGrouping::encounter: return write(mean_of_encounter(series));
+  }
 }
 
 SteppedInput input_of_profiles(const ProfilesRequest& request, const fs::path& output,

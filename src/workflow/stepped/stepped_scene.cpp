@@ -2,10 +2,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/run/sampled_views.hpp"
 #include "workflow/focus/recorded_gain.hpp"
+#include "workflow/stepped/profile_series.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
 namespace sarsim::workflow {
@@ -105,6 +107,24 @@ std::optional<std::size_t> platform_of_targets(const simulate::Plan& plan) {
   const auto strongest = std::ranges::max_element(rcs_m2);
   if (strongest == rcs_m2.end() || !(*strongest > 0.0)) return std::nullopt;
   return static_cast<std::size_t>(strongest - rcs_m2.begin());
+}
+
+std::vector<double> aspects_rad(const SteppedRows& rows, const ProfileSeries& series) {
+  const simulate::Plan& plan = *rows.plan;
+  const std::optional<std::size_t> platform = platform_of_targets(plan);
+  if (!platform) return {};
+  std::vector<double> aspects;
+  for (const ProfileRow& row : series.rows) {
+    const std::int64_t pulse = pulse_of(rows, row.burst, 0);
+    const radar::Pose target = plan.scene->platforms[*platform].track.at(row.time_s, pulse);
+    const radar::Pose radar = plan.scene->platforms[plan.radar.platform].track.at(row.time_s, pulse);
+    const core::Vec3 sight =
+        core::transposed(target.world_from_platform) * (radar.position_world_m - target.position_world_m);
+    const double angle = std::atan2(sight.y, sight.x);
+    const double before = aspects.empty() ? angle : aspects.back();
+    aspects.push_back(before + std::remainder(angle - before, 2.0 * core::pi));
+  }
+  return aspects;
 }
 
 std::vector<signal::TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform, std::size_t first,

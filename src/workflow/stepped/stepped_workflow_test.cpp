@@ -4,10 +4,12 @@
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <sstream>
 #include <string>
 
 #include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
+#include "raster/format/envi.hpp"
 #include "scene/script/writer.hpp"
 #include "support/test_folder.hpp"
 #include "workflow/stepped/isar.hpp"
@@ -83,6 +85,27 @@ TEST_F(SteppedWorkflow, ProfilesShowBothPointsWhereTheyAre) {
   }
   ASSERT_GE(report.peaks.size(), 2U);
   EXPECT_NEAR(report.peaks[0].range_m, 3000.0, 0.1);
+}
+
+// The radar is abeam, at -90 degrees, and the ship turns away by 60 degrees a second.
+TEST_F(SteppedWorkflow, ProfilesSayFromWhereTheShipWasSeen) {
+  ProfilesRequest request = profiles_request();
+  request.input.path = script(0.4, true);
+  request.output = folder_ / "ship.img";
+  static_cast<void>(profiles(request, {}));
+  const auto [image, problems] = raster::EnviImage::open((folder_ / "ship.img").string());
+  ASSERT_TRUE(image);
+  const auto numbers = [&](const char* key) {
+    std::istringstream words(image->header().field(key).value_or(""));
+    std::vector<double> list;
+    for (std::string word; std::getline(words, word, ',');) list.push_back(std::stod(word));
+    return list;
+  };
+  const std::vector<double> times = numbers("time s");
+  const std::vector<double> aspects = numbers("aspect deg");
+  ASSERT_GT(times.size(), 40U);
+  ASSERT_EQ(aspects.size(), times.size());
+  for (std::size_t i = 0; i < times.size(); ++i) EXPECT_NEAR(aspects[i], -90.0 + 60.0 * times[i], 1e-9);
 }
 
 TEST_F(SteppedWorkflow, ProfilesNameTheirWindowAndVelocityAsTheyWereAskedFor) {
