@@ -231,14 +231,14 @@ def try_fault(stage, fault, at, earlier):
         if end.status == 0 and call in WRITES + SYNCS and not fault.harmless and pathlib.Path(path).is_file():
             found.append("a failure that may have lost data was not told")
     if stage.story.resumes and end.status not in (None, 0):
-        found += faults_of_resumption(stage, folder)
+        found += faults_of_resumption(stage, folder, earlier)
     where = f"{stage.story.name}: {fault.name}, call {at}, {call} of {pathlib.Path(path).name}{', over an earlier result' if earlier else ''}"
     return [f"{where}: {text}" for text in found]
 
 
-def faults_of_resumption(stage, folder):
-    """After the fault has gone, the same command goes on and makes the whole."""
-    command = [*stage.story.command, *(["--resume"] if "--resume" not in stage.story.command else [])]
+def faults_of_resumption(stage, folder, earlier):
+    """After the fault has gone, the same command goes on and makes the whole; what it did not make, it replaces if told to."""
+    command = [*stage.command(earlier), *(["--resume"] if "--resume" not in stage.story.command else [])]
     end = run(command, folder)
     if end.status != 0:
         return [f"cannot be resumed: {end.err!r}"]

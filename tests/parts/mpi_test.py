@@ -79,7 +79,7 @@ def refusals(folder):
     write_scene(folder, 100)
     for words, sentence in (
         (["run", "nothing.scr"], "nothing.scr"),
-        (["run", "scene.scr", "--part", "1/2"], "MPI deals the pulses out by itself"),
+        (["run", "scene.scr", "--part", "1/2"], "MPI distributes the pulses itself"),
         (["run", "scene.scr", "--discard"], "measure with sarsim run --discard"),
         (["run", "scene.scr", "--out", "whole"], "the output exists already"),
         (["check", "scene.scr"], "unknown command 'check'"),

@@ -157,6 +157,64 @@ TEST_F(PartRefusals, AnOutputAmongTheParts) {
   EXPECT_EQ(sarsim({"merge", "sim.bin.parts", "-o", "sim.bin.parts.bin"}).status, 0);
 }
 
+TEST_F(PartRefusals, FilesToBeWrittenThatHaveOtherNames) {
+  fs::create_directory(folder_ / "sim.bin.parts");
+  write_text(folder_ / "sim.bin.parts/lock", "");
+  write_text(folder_ / "victim", "mine");
+  for (const char* name : {"samples", "part-1-of-2.rows"})
+    fs::create_hard_link(folder_ / "victim", folder_ / "sim.bin.parts" / name);
+  const std::string sentence = "the file to be written has other names, which would change with it";
+  expect_refusal(run({"--part", "1/1"}), sentence);
+  expect_refusal(run({"--part", "1/2", "--part-file"}), sentence);
+  EXPECT_EQ(text_of(folder_ / "victim"), "mine");
+}
+
+TEST_F(PartRefusals, AReceiptWhoseFirstLineIsDamaged) {
+  const std::string text = "sarsim journal 1 #x\nprecious\n";
+  write_text(folder_ / "sim.bin.journal", text);
+  for (const char* option : {"--resume", "--part=1/1"}) expect_refusal(run({option}), "is taken by something else");
+  EXPECT_EQ(text_of(folder_ / "sim.bin.journal"), text);
+  EXPECT_FALSE(fs::exists(folder_ / "sim.bin"));
+}
+
+TEST_F(PartRefusals, FilesTooLargeToBeRead) {
+  ASSERT_EQ(run({"--part", "1/1", "--part-file"}).status, 0);
+  const fs::path product = folder_ / "sim.bin.parts/product";
+  fs::resize_file(product, std::uintmax_t{1} << 40U);
+  expect_refusal(sarsim({"merge", "sim.bin.parts"}), "found '1099511627776 bytes', expected 16 to 17179869184 bytes");
+  fs::resize_file(journal("part-1-of-1"), std::uintmax_t{1} << 40U);
+  expect_refusal(sarsim({"merge", "sim.bin.parts"}),
+                 "the file is too large for a journal; found '1099511627776 bytes'");
+  expect_refusal(run({"--part", "1/1", "--part-file", "--resume"}), "the file is too large for a journal");
+}
+
+TEST_F(PartRefusals, ADescriptionThatIsNotThere) {
+  ASSERT_EQ(run({"--part", "1/1", "--part-file"}).status, 0);
+  const fs::path product = folder_ / "sim.bin.parts/product";
+  const std::string text = text_of(product);
+  const auto expect_refused = [&](const std::string& sentence) {
+    const Finished merged = sarsim({"merge", "sim.bin.parts"});
+    expect_refusal(merged, sentence);
+    expect_refusal(merged, "sim.bin.parts/product: error: ");
+    EXPECT_THAT(merged.err, testing::Not(HasSubstr("Invalid argument")));
+  };
+  write_text(product, text.substr(0, text.size() - 1));
+  expect_refused("the description of the recording is damaged; found ");
+  write_text(product, "");
+  expect_refused("the size is not that of the description of a recording; found '0 bytes'");
+  fs::remove(product);
+  ASSERT_EQ(::mkfifo(product.c_str(), 0600), 0);
+  expect_refused("found 'a pipe', expected a regular file");
+  fs::remove(product);
+  fs::create_directory(product);
+  expect_refused("found 'a folder', expected a regular file");
+  fs::remove(product);
+  expect_refused("the description of the recording is missing; expected ");
+  // What the hint says.
+  ASSERT_EQ(run({"--part", "1/1", "--part-file", "--resume"}).status, 0);
+  EXPECT_EQ(sarsim({"merge", "sim.bin.parts"}).status, 0);
+}
+
 TEST_F(PartRefusals, TwoRunsOnOneFileAtOnce) {
   SceneText scene;
   scene.pulses = 400000;

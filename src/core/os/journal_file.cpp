@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "core/report/refused.hpp"
 
 namespace sarsim::core {
 
@@ -14,6 +15,16 @@ namespace {
 constexpr std::string_view seal_mark = " #";
 
 std::span<const std::byte> bytes_of(std::string_view text) { return std::as_bytes(std::span(text)); }
+
+std::uint64_t size_of_journal(const RawFile& file) {
+  const std::uint64_t bytes = file.size();
+  if (bytes <= most_journal_bytes) return bytes;
+  Problem problem = problem_of(Severity::error, "the file is too large for a journal", fmt::format("{} bytes", bytes),
+                               fmt::format("at most {}", most_journal_bytes),
+                               "delete this journal: what it lists is then computed again");
+  problem.place.file = file.path().string();
+  throw Refused(Problems{std::move(problem)});
+}
 
 }  // namespace
 
@@ -43,7 +54,7 @@ std::string read_journal_file(const std::filesystem::path& path) {
   const RawFile file(path, RawFile::Mode::read);
   std::string text;
   // Whoever goes on with a journal may cut a line off it meanwhile.
-  do text.resize(file.size());
+  do text.resize(size_of_journal(file));
   while (!file.read_at(0, std::as_writable_bytes(std::span(text))));
   return text;
 }

@@ -4,6 +4,7 @@
 
 #include <system_error>
 
+#include "core/report/refused.hpp"
 #include "support/test_folder.hpp"
 
 namespace sarsim::core {
@@ -81,6 +82,21 @@ TEST(JournalFile, TakesLinesOfSeveralProcesses) {
   b.add("b\n");
   a.add("a\n");
   EXPECT_EQ(contents(folder / "j"), "heading\n\na\nb\na\n");
+}
+
+TEST(JournalFile, IsRefusedByItsSizeBeforeAnyMemoryIsTaken) {
+  const TestFolder folder;
+  put(folder / "j", "heading\n");
+  std::filesystem::resize_file(folder / "j", std::uintmax_t{1} << 40U);
+  try {
+    static_cast<void>(read_journal_file(folder / "j"));
+    FAIL() << "read";
+  } catch (const Refused& refused) {
+    const Problem& problem = refused.problems.at(0);
+    EXPECT_EQ(problem.message, "the file is too large for a journal");
+    EXPECT_EQ(problem.found, "1099511627776 bytes");
+    EXPECT_EQ(problem.place.file, (folder / "j").string());
+  }
 }
 
 TEST(JournalFile, NamesTheFileThatFails) {

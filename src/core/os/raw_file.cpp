@@ -6,12 +6,14 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <string>
 #include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
+#include "core/report/refused.hpp"
 
 namespace sarsim::core {
 
@@ -31,6 +33,37 @@ int flags_of(RawFile::Mode mode) {
   return O_RDONLY | all;
 }
 
+std::string kind_of(mode_t mode) {
+  if (S_ISLNK(mode)) return "a symbolic link";
+  if (S_ISDIR(mode)) return "a folder";
+  if (S_ISFIFO(mode)) return "a pipe";
+  return S_ISSOCK(mode) ? "a socket" : "a device";
+}
+
+[[noreturn]] void refuse(const fs::path& path, Problem problem) {
+  problem.place.file = path.string();
+  throw Refused(Problems{std::move(problem)});
+}
+
+[[noreturn]] void refuse_kind(const fs::path& path, mode_t mode) {
+  refuse(path, problem_of(Severity::error, "this is not a regular file", kind_of(mode), "a regular file",
+                          "move it away, or put the file itself in its place"));
+}
+
+// What is written in place changes under all names of a file, wherever they are.
+[[noreturn]] void refuse_names(const fs::path& path, nlink_t names) {
+  refuse(path, problem_of(Severity::error, "the file to be written has other names, which would change with it",
+                          fmt::format("{} hard links", names), "a file with one name",
+                          "move it away, or put a copy of it in its place"));
+}
+
+// Of a name that cannot be opened because of what it stands for.
+void expect_regular(const fs::path& path, bool through_links) {
+  struct stat status {};
+  const int failure = through_links ? ::stat(path.c_str(), &status) : ::lstat(path.c_str(), &status);
+  if (failure == 0 && !S_ISREG(status.st_mode)) refuse_kind(path, status.st_mode);
+}
+
 int flock_patiently(int descriptor, int operation) {
   while (::flock(descriptor, operation) != 0)
     if (errno != EINTR) return errno;
@@ -43,13 +76,19 @@ RawFile::RawFile(fs::path path, Mode mode) : path_(std::move(path)) {
   do descriptor_ = ::open(path_.c_str(), flags_of(mode), 0666);
   while (descriptor_ < 0 && errno == EINTR);
   const char* const action = mode == Mode::read ? "read" : mode == Mode::append ? "write" : "open";
-  if (descriptor_ < 0) fail(action);
+  if (descriptor_ < 0) {
+    const int error = errno;
+    expect_regular(path_, mode == Mode::read);
+    errno = error;
+    fail(action);
+  }
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0) fail(action);
-  if (S_ISREG(status.st_mode)) return;
+  const bool regular = S_ISREG(status.st_mode);
+  if (regular && (mode == Mode::read || status.st_nlink <= 1)) return;
   ::close(std::exchange(descriptor_, -1));
-  throw std::system_error(std::make_error_code(std::errc::invalid_argument),
-                          fmt::format("cannot {} {}, which is not a regular file", action, path_.string()));
+  if (!regular) refuse_kind(path_, status.st_mode);
+  refuse_names(path_, status.st_nlink);
 }
 
 RawFile::RawFile(RawFile&& other) noexcept
@@ -66,10 +105,7 @@ RawFile::~RawFile() {
 }
 
 void RawFile::fail(const char* action) const {
-  const int error = errno;
-  throw std::system_error(
-      error, std::generic_category(),
-      fmt::format("cannot {} {}{}", action, path_.string(), error == ELOOP ? ", which is a symbolic link" : ""));
+  throw std::system_error(errno, std::generic_category(), fmt::format("cannot {} {}", action, path_.string()));
 }
 
 std::uint64_t RawFile::size() const {
@@ -149,6 +185,7 @@ bool RawFile::still_there() const {
 void RawFile::unlink() noexcept { ::unlink(path_.c_str()); }
 
 RawFile replace_file(const fs::path& path, std::span<const std::byte> bytes) {
+  expect_regular(path, false);
   OutputFile output(path, true);
   output.write(bytes);
   RawFile file(output.working_path(), RawFile::Mode::write);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cstddef>
+#include <atomic>
 #include <filesystem>
 #include <string>
 
@@ -24,8 +24,18 @@ class TemporaryName {
 
  private:
   std::string* name_ = nullptr;
-  std::size_t slot_ = 0;
+  std::atomic<std::string*>* slot_ = nullptr;  // None where the list was full.
 };
+
+/// A list of such names.
+struct TemporaryNames;
+
+/// The list that names go into.
+[[nodiscard]] TemporaryNames& temporary_names() noexcept;
+
+/// Names go into another list from now on. A module that is loaded has its own copy of this code, and of the list: it
+/// has to take the program's, which is the one that a signal handler there knows.
+void use_temporary_names(TemporaryNames& list) noexcept;
 
 /// Removes the files whose names are known to be temporary, at most 256 at a time. May be called by a signal handler,
 /// on any thread; the process has to end then.

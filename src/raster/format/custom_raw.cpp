@@ -94,7 +94,7 @@ core::Problems check_raw_layout(const RawLayout& layout, const std::string& file
   if (layout.width == 0)
     problems.push_back(file_problem(file, "the number of samples of a row is not known", "0", "1 or more"));
   if (layout.header_bytes >= file_bytes)
-    problems.push_back(file_problem(file, "the file holds nothing behind the header",
+    problems.push_back(file_problem(file, "the file holds nothing after the header",
                                     fmt::format("{} bytes", file_bytes),
                                     fmt::format("more than {} bytes", layout.header_bytes)));
   if (core::has_errors(problems)) return problems;

@@ -9,6 +9,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
 #include "radar/receiver/converter.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
@@ -86,6 +89,21 @@ simulate::Product product_of(const Raster& source, const ImageWindow& window, co
 
 }  // namespace
 
+void expect_single_precision(std::span<const std::complex<double>> volts, std::size_t first_row, std::size_t columns) {
+  constexpr double most = std::numeric_limits<float>::max();
+  const auto fits = [](double part) { return !(std::abs(part) > most) || std::isinf(part); };
+  const auto bad = std::ranges::find_if_not(
+      volts, [&](const std::complex<double>& value) { return fits(value.real()) && fits(value.imag()); });
+  if (bad == volts.end()) return;
+  const auto at = static_cast<std::size_t>(bad - volts.begin());
+  throw core::Refused(
+      {core::problem_of(core::Severity::error,
+                        fmt::format("row {}, sample {} (from 0) is too large for the single precision of the new file",
+                                    first_row + at / columns, at % columns),
+                        fmt::format("{:g} + {:g}j V", bad->real(), bad->imag()), "volts below 3.4e38",
+                        "scale the samples, or give a smaller LSB where they are counts")});
+}
+
 simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
                                   const ImageExport& options, const core::WorkControl& control,
                                   const core::ProgressReport& progress) {
@@ -103,6 +121,7 @@ simulate::RunReport export_window(const Raster& source, const ImageWindow& windo
   // Numbers that are stored as they are pass through no converter.
   const double volts_of_value = from_counts ? lsb_v : 1.0;
   const double factor = sink->wants_counts() ? 1.0 : volts_of_value;
+  const bool single = !sink->wants_counts() && !options.sink.doubles;
   RasterWriter writer(std::move(sink), window.cols, {product.bits, from_counts ? 1.0 : lsb_v});
   simulate::RunReport report;
   report.rows = window.rows;
@@ -114,6 +133,7 @@ simulate::RunReport export_window(const Raster& source, const ImageWindow& windo
       report.maximum_v = std::max(report.maximum_v, magnitude_of(value) * volts_of_value);
       value *= factor;
     }
+    if (single) expect_single_precision(values, row, window.cols);
     writer.append(values);
     if (progress) progress({row + samples.size() / window.cols, window.rows, window.cols});
   });

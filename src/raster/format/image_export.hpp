@@ -1,6 +1,9 @@
 #pragma once
 
+#include <complex>
+#include <cstddef>
 #include <filesystem>
+#include <span>
 
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
@@ -17,6 +20,13 @@ struct ImageExport {
       0.0;  ///< Volts of a count; 0: that of the source, otherwise of counts 1 and of volts the largest one/C.
 };
 
+/// Refuses volts that are finite, but beyond the single precision (3.4e38) that files of samples hold them in: they
+/// would become infinite. What is infinite or not a number already passes.
+/// @param volts      whole rows of `columns` samples
+/// @param first_row  of the file, for the words
+/// @throws core::Refused
+void expect_single_precision(std::span<const std::complex<double>> volts, std::size_t first_row, std::size_t columns);
+
 /// Writes a window of an image as a file of samples in any of the formats of docs/formats/samples.md, some MB at a
 /// time.
 ///
@@ -27,7 +37,8 @@ struct ImageExport {
 /// either.
 ///
 /// The file appears when it is complete. Returns what `RunReport` says of it. Throws what reading and the sink throw,
-/// std::out_of_range for a window that is not inside or empty, Interrupted.
+/// std::out_of_range for a window that is not inside or empty, core::Refused for volts that single precision does not
+/// hold where the options do not say `doubles`, Interrupted.
 simulate::RunReport export_window(const Raster& source, const ImageWindow& window, const std::filesystem::path& path,
                                   const ImageExport& options, const core::WorkControl& control = {},
                                   const core::ProgressReport& progress = {});

@@ -4,7 +4,9 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
+#include "core/report/refused.hpp"
 #include "raster/format/data_test_support.hpp"
 #include "raster/table/product_attributes.hpp"
 
@@ -76,6 +78,34 @@ INSTANTIATE_TEST_SUITE_P(Formats, ExportTo,
                          testing::Values(scene::FileFormat::ascii, scene::FileFormat::binary,
                                          scene::FileFormat::bracket, scene::FileFormat::hdf5, scene::FileFormat::csv,
                                          scene::FileFormat::npy));
+
+TEST(ExportWindow, RefusesVoltsThatSinglePrecisionCannotHold) {
+  const TestFolder folder;
+  const auto source = open_whole(put(folder / "a.asc", "1 -2\n3 0\n\n0 0\n5 7\n\n"));
+  ASSERT_TRUE(source);
+  ImageExport options;
+  options.sink.format = scene::FileFormat::npy;
+  options.lsb_v = 1e38;
+  try {
+    export_window(*source, {0, 2, 0, 2}, folder / "b.npy", options);
+    FAIL() << "7e38 is infinite in single precision";
+  } catch (const core::Refused& refused) {
+    EXPECT_THAT(data_test::text_of(refused.problems), testing::HasSubstr("row 1, sample 1 (from 0) is too large"));
+    EXPECT_THAT(data_test::text_of(refused.problems), testing::HasSubstr("5e+38 + 7e+38j V"));
+  }
+  EXPECT_FALSE(fs::exists(folder / "b.npy"));
+  options.sink.doubles = true;
+  EXPECT_NO_THROW(export_window(*source, {0, 2, 0, 2}, folder / "b.npy", options));
+}
+
+TEST(ExpectSinglePrecision, PassesTheLargestAndWhatIsNotFinite) {
+  constexpr double most = std::numeric_limits<float>::max();
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  const std::complex<double> passing[] = {{most, -most}, {infinite, std::nan("")}};
+  EXPECT_NO_THROW(expect_single_precision(passing, 0, 2));
+  const std::complex<double> failing[] = {{0.0, -1.001 * most}};
+  EXPECT_THROW(expect_single_precision(failing, 0, 1), core::Refused);
+}
 
 TEST(ExportWindow, KeepsVoltsAndTheAxesOfWhatIsTaken) {
   const TestFolder folder;

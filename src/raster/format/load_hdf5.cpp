@@ -17,7 +17,9 @@ const Hdf5Module& loaded(const std::filesystem::path& wanted_for) {
   if (module == nullptr)
     throw std::runtime_error(fmt::format("cannot read or write {}: the program's module for HDF5 cannot be loaded: {}",
                                          wanted_for.string(), ::dlerror()));
-  return *static_cast<const Hdf5Module*>(module);
+  const Hdf5Module& found = *static_cast<const Hdf5Module*>(module);
+  found.use_temporary_names(core::temporary_names());
+  return found;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/os/temporary_files.hpp"
 #include "raster/format/encoder.hpp"
 #include "raster/format/number_table.hpp"
 #include "raster/format/open_raster.hpp"
@@ -17,6 +18,8 @@ namespace sarsim::raster {
 /// What needs the HDF5 library. It is a module of its own, `sarsim_hdf5.so`, because loading that library and the
 /// thirty others that it needs takes longer than many a run, and most runs have no use for it.
 struct Hdf5Module {
+  /// Makes the list of temporary files that of the program, see core::use_temporary_names.
+  void (*use_temporary_names)(core::TemporaryNames& list);
   /// Opens a file of so many bytes for reading, see open_hdf5.
   OpenedRaster (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints);
   /// Begins a file, see Hdf5Sink. The words are those of `scene::option_words`, which the module has not.

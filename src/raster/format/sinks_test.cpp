@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <map>
@@ -10,6 +11,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/os/temporary_files.hpp"
 #include "raster/format/data_test_support.hpp"
 #include "raster/table/formats.hpp"
 
@@ -127,6 +129,20 @@ TEST_P(EveryFormat, SameInputGivesTheSameBytesWhateverTheBlocks) {
   report.lsb_v = 2.5e-9;
   sink->finish(report);
   EXPECT_EQ(contents(folder / "a"), contents(folder / "b"));
+}
+
+// As a second signal has it; in a process of its own, which has to end then.
+TEST_P(EveryFormat, NothingIsLeftByAProcessThatEndsAtOnce) {
+  const TestFolder folder;
+  const simulate::Product product = test_product(11, 7, GetParam().bits);
+  const auto end_at_once = [&] {
+    const auto sink = make_sink(file(folder), product, options());
+    const bool begun = folder.entries() == 1;
+    core::remove_temporary_files();
+    ::_exit(begun ? 0 : 1);
+  };
+  EXPECT_EXIT(end_at_once(), testing::ExitedWithCode(0), "");
+  EXPECT_EQ(folder.entries(), 0U);
 }
 
 TEST_P(EveryFormat, NothingStandsUnderTheNameWithoutFinish) {

@@ -162,7 +162,7 @@ class TextRaster final : public Raster {
     core::Problem problem = file_problem(
         file_.path().string(), "a value is not that of an A/D converter with an offset", fmt::format("{}", value),
         fmt::format("0 to {}, as in the first row", samples_.offset->highest_stored()),
-        "give no number of A/D bits to have the values as they stand; the rows before it are shown");
+        "omit the A/D bits to read the values unchanged; the rows before it are shown");
     problem.place.line = mark.line;
     recorder.problem(std::move(problem));
     damaged_ = true;

@@ -83,10 +83,10 @@ TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const T
 std::optional<CountRange> find_offset(const TextSurvey& survey, const RasterHints& hints, const std::string& name,
                                       core::Problems& problems) {
   if (hints.bits == 0) {
-    problems.push_back(with_severity(
-        file_problem(name, "the values may contain the offset of the A/D converter", {}, {},
-                     "give the number of A/D bits to have it subtracted; the values are taken as they stand"),
-        core::Severity::note));
+    problems.push_back(
+        with_severity(file_problem(name, "the values may contain the offset of the A/D converter", {}, {},
+                                   "give the number of A/D bits to have it subtracted; the values are taken unchanged"),
+                      core::Severity::note));
     return std::nullopt;
   }
   const CountRange range{hints.bits};
@@ -96,7 +96,7 @@ std::optional<CountRange> find_offset(const TextSurvey& survey, const RasterHint
       name, fmt::format("the values are not those of {} A/D bits with an offset of {}", hints.bits, range.offset()),
       !numbers.whole ? "numbers that are not whole"
                      : (numbers.negative ? std::string("negative numbers") : fmt::format("{}", numbers.highest)),
-      fmt::format("0 to {}", range.highest_stored()), "leave out the number of bits to take the values as they stand"));
+      fmt::format("0 to {}", range.highest_stored()), "leave out the number of bits to take the values unchanged"));
   return std::nullopt;
 }
 
@@ -172,7 +172,7 @@ std::optional<CountRange> offset_of(const FirstRow& first, const RasterHints& hi
   if (first.numbers.may_have_offset(range)) return range;
   problems.push_back(with_severity(
       file_problem(name, fmt::format("the values are not those of {} A/D bits with an offset", hints.bits), {}, {},
-                   "they are taken as they stand"),
+                   "they are taken unchanged"),
       core::Severity::warning));
   return std::nullopt;
 }

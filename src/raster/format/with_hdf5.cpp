@@ -18,9 +18,19 @@ namespace {
 
 // About how many bytes an HDF5 file needs beside the samples.
 double hdf5_overhead_bytes(const simulate::Product& product) {
-  constexpr double structure = 8150.0;  // Superblock, object headers, the heap that holds the texts.
-  return structure + static_cast<double>(product.script.size()) + 16.0 * static_cast<double>(product.rows) +
-         8.0 * static_cast<double>(product.columns);
+  constexpr double structure = 8150.0;      // Superblock, object headers, the heap that holds the texts.
+  constexpr double pose_structure = 870.0;  // Three datasets and what they mean.
+  constexpr double pose = 72.0;
+  const auto rows = static_cast<double>(product.rows);
+  return structure + static_cast<double>(product.script.size()) + 16.0 * rows +
+         8.0 * static_cast<double>(product.columns) + (product.row_pose ? pose_structure + pose * rows : 0.0);
+}
+
+// A link or a pipe of this name would lead what is written elsewhere.
+const std::filesystem::path& free_name(const std::filesystem::path& scratch) {
+  std::error_code ignored;
+  std::filesystem::remove(scratch, ignored);
+  return scratch;
 }
 
 // A whole HDF5 file but for its samples, for as long as it is needed.
@@ -28,7 +38,7 @@ class Hdf5Frame {
  public:
   Hdf5Frame(const std::filesystem::path& path, const simulate::Product& product, const Encoding& encoding,
             const simulate::RunReport& report)
-      : path_(path),
+      : path_(free_name(path)),
         places_(hdf5_module(path).row_places(path, product, scene::option_words(product.options), encoding)),
         rows_(product.rows) {
     hdf5_module(path).write_frame(path, product, scene::option_words(product.options), encoding, report);
@@ -75,7 +85,7 @@ std::unique_ptr<simulate::Sink> hdf5_sink(const std::filesystem::path& path, con
 
 RowPlaces hdf5_places(const std::filesystem::path& scratch, const simulate::Product& product,
                       const Encoding& encoding) {
-  return hdf5_module(scratch).row_places(scratch, product, scene::option_words(product.options), encoding);
+  return hdf5_module(scratch).row_places(free_name(scratch), product, scene::option_words(product.options), encoding);
 }
 
 void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,

@@ -34,7 +34,7 @@ void write_hdf5_frame(const std::filesystem::path& path, const simulate::Product
 
 extern "C" {
 [[gnu::visibility("default")]] extern const sarsim::raster::Hdf5Module sarsim_hdf5_module;
-const sarsim::raster::Hdf5Module sarsim_hdf5_module{sarsim::raster::open_hdf5, sarsim::raster::make_hdf5_sink,
-                                                    sarsim::raster::hdf5_row_places, sarsim::raster::write_hdf5_frame,
-                                                    sarsim::raster::read_hdf5_points};
+const sarsim::raster::Hdf5Module sarsim_hdf5_module{
+    sarsim::core::use_temporary_names, sarsim::raster::open_hdf5,        sarsim::raster::make_hdf5_sink,
+    sarsim::raster::hdf5_row_places,   sarsim::raster::write_hdf5_frame, sarsim::raster::read_hdf5_points};
 }

@@ -45,7 +45,7 @@ std::variant<PointsDataset, core::Problem> open_points(const std::filesystem::pa
     return file_problem({}, fmt::format("the dataset {} does not hold numbers", points_path), {},
                         "float32, float64 or whole numbers");
   if (dataset.shape.size() != 2 || dataset.shape[0] == 0 || dataset.shape[1] == 0)
-    return file_problem({}, fmt::format("the dataset {} is no table", points_path),
+    return file_problem({}, fmt::format("the dataset {} is not a table", points_path),
                         fmt::format("{} dimension{}", dataset.shape.size(), dataset.shape.size() == 1 ? "" : "s"),
                         "rows and columns");
   return PointsDataset{std::move(file), std::move(dataset)};

@@ -174,6 +174,9 @@ class Joiner {
   [[nodiscard]] std::unique_ptr<simulate::Sink> sink_at(const fs::path& path) const {
     SinkOptions options = task_.product.options;
     options.replace = true;
+    // A link or a pipe of this name would lead the recording elsewhere.
+    std::error_code ignored;
+    fs::remove(path, ignored);
     return make_sink(path, task_.product.product, options);
   }
 

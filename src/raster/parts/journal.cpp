@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/os/journal_file.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -202,8 +203,10 @@ std::variant<Journal, core::Problem> parse_journal(const std::filesystem::path& 
   return journal;
 }
 
-std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path) {
+std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path) try {
   return parse_journal(path, core::read_journal_file(path));
+} catch (const core::Refused& refused) {
+  return refused.problems.front();
 }
 
 std::filesystem::path rows_file_of(const std::filesystem::path& journal) {

@@ -1,7 +1,10 @@
 #include "raster/parts/journal.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include "core/os/journal_file.hpp"
+#include "raster/format/data_test_support.hpp"
 #include "raster/parts/join_parts.hpp"
 
 namespace sarsim::raster {
@@ -95,6 +98,22 @@ TEST(Journal, IsDamagedWhereItsEntriesMeetOrTheBeginIsMissing) {
   expect_damage(head + text_of(claim_of(20, 4)) + text_of(claim_of(18, 3)), 10);
   expect_damage(text_of(claim_of(20, 4)), 1);
   expect_damage("", 1);
+}
+
+// Problems are collected, however a file is no journal.
+TEST(Journal, IsAProblemWhereItsFileCannotHoldOne) {
+  const data_test::TestFolder folder;
+  data_test::put(folder / "large.journal", text_of(test_head()));
+  std::filesystem::resize_file(folder / "large.journal", core::most_journal_bytes + 1);
+  ASSERT_EQ(::mkfifo((folder / "pipe.journal").c_str(), 0600), 0);
+  try {
+    static_cast<void>(read_journals(folder.path()));
+    FAIL() << "read";
+  } catch (const UnfitParts& unfit) {
+    ASSERT_EQ(unfit.problems.size(), 2U);
+    EXPECT_EQ(unfit.problems[0].message, "the file is too large for a journal");
+    EXPECT_EQ(unfit.problems[1].found, "a pipe");
+  }
 }
 
 TEST(Journal, NamesWhatDiffersAndTheScriptOnlyWhereNothingElseDoes) {

@@ -184,7 +184,7 @@ void PartRun::begin_journal() {
 void PartRun::begin_rows(bool anew) {
   const Journal* earlier = own();
   if (earlier != nullptr && earlier->head.store != store_) {
-    core::Problem problem = file_problem(journal_path().string(), "the part was begun with, or without, --part-file");
+    core::Problem problem = file_problem(journal_path().string(), "use of --part-file differs from the first run");
     problem.hint = fmt::format("go on as it was begun, or delete the folder {}", folder_.string());
     throw UnfitParts({problem});
   }

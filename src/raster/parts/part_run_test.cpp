@@ -1,7 +1,9 @@
 #include "raster/parts/part_run.hpp"
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
 
+#include "core/report/refused.hpp"
 #include "raster/format/data_test_support.hpp"
 
 namespace sarsim::raster {
@@ -260,6 +262,40 @@ TEST(PartRun, DoesNotReplaceAFileThatAppearedMeanwhile) {
   EXPECT_FALSE(fs::exists(folder / "out.journal"));  // A receipt would be for a file that is not there.
 }
 
+TEST(PartRun, DoesNotWriteFilesThatHaveOtherNames) {
+  for (const bool apart : {false, true}) {
+    const TestFolder folder;
+    const StoredProduct stored = stored_as(scene::FileFormat::binary);
+    const fs::path parts = parts_folder_of(folder / "out");
+    fs::create_directory(parts);
+    data_test::put(folder / "victim", "precious");
+    fs::create_hard_link(folder / "victim", parts / (apart ? "all.rows" : "samples"));
+    PartTask task = task_for(folder / "out", stored, "all", {0, rows});
+    task.apart = apart;
+    EXPECT_THROW(PartRun(task, {}), core::Refused);
+    EXPECT_EQ(contents(folder / "victim"), "precious");
+  }
+}
+
+// What is made for a moment beside the parts: "joined" of texts, "frame" of HDF5.
+TEST(PartRun, IsNotLedElsewhereByNamesOfScratchFiles) {
+  for (const auto format : {scene::FileFormat::csv, scene::FileFormat::hdf5}) {
+    const TestFolder folder;
+    const StoredProduct stored = stored_as(format);
+    const fs::path parts = parts_folder_of(folder / "out");
+    fs::create_directory(parts);
+    data_test::put(folder / "victim", "precious");
+    for (const char* name : {"joined", "frame"}) fs::create_symlink("../victim", parts / name);
+    ASSERT_EQ(::mkfifo((parts / "all.frame").c_str(), 0600), 0);
+    PartRun part(task_for(folder / "out", stored, "all", {0, rows}), {});
+    EXPECT_TRUE(make(part, stored).joined.has_value());
+    EXPECT_EQ(contents(folder / "victim"), "precious");
+    EXPECT_FALSE(fs::is_symlink(folder / "out"));
+    data_test::write_test_file(folder / "whole", stored.product, stored.options);
+    EXPECT_EQ(contents(folder / "out"), contents(folder / "whole"));
+  }
+}
+
 TEST(Receipt, IsOfNoUseForAFileThatWasChanged) {
   const TestFolder folder;
   const StoredProduct stored = stored_as(scene::FileFormat::binary);
@@ -290,13 +326,42 @@ TEST(StoredProduct, ComesBackWhole) {
   EXPECT_EQ(back.engine_reason, "because");
 }
 
+std::string refusal_of(const fs::path& product) {
+  try {
+    static_cast<void>(load_product(product));
+  } catch (const core::Refused& refused) {
+    const core::Problem& problem = refused.problems.at(0);
+    EXPECT_EQ(problem.place.file, product.string());
+    EXPECT_FALSE(problem.expected.empty());
+    EXPECT_FALSE(problem.hint.empty());
+    return problem.message;
+  }
+  return "not refused";
+}
+
 TEST(StoredProduct, IsRefusedWhereAByteIsAnother) {
   const TestFolder folder;
   store_product(folder / "product", stored_as(scene::FileFormat::binary));
-  std::string text = contents(folder / "product");
-  text[text.size() / 2] = static_cast<char>(text[text.size() / 2] ^ 1);
-  data_test::put(folder / "product", text);
-  EXPECT_THROW(static_cast<void>(load_product(folder / "product")), std::runtime_error);
+  const std::string text = contents(folder / "product");
+  for (const std::size_t at : {std::size_t{8}, text.size() / 2, text.size() - 1}) {
+    std::string other = text;
+    other[at] = static_cast<char>(other[at] ^ 1);
+    data_test::put(folder / "product", other);
+    EXPECT_EQ(refusal_of(folder / "product"), "the description of the recording is damaged") << at;
+  }
+}
+
+TEST(StoredProduct, IsRefusedByItsSizeAndBeginningBeforeAnyMemoryIsTaken) {
+  const TestFolder folder;
+  const fs::path product = folder / "product";
+  EXPECT_EQ(refusal_of(product), "the description of the recording is missing");
+  data_test::put(product, "short");
+  EXPECT_EQ(refusal_of(product), "the size is not that of the description of a recording");
+  fs::resize_file(product, std::uintmax_t{1} << 33U);
+  EXPECT_EQ(refusal_of(product), "this is not the description of a recording");
+  store_product(product, stored_as(scene::FileFormat::binary));
+  fs::resize_file(product, std::uintmax_t{1} << 40U);
+  EXPECT_EQ(refusal_of(product), "the size is not that of the description of a recording");
 }
 
 }  // namespace part_run_test

@@ -5,12 +5,16 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <stdexcept>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/hash/checksum.hpp"
 #include "core/os/raw_file.hpp"
+#include "core/report/refused.hpp"
+#include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/schema/option_words.hpp"
 
@@ -19,6 +23,18 @@ namespace sarsim::raster {
 namespace {
 
 constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'03U;
+// The mark and the checksum are there; more than 180 million pulses with their times, carriers and poses are not.
+constexpr std::uint64_t least_bytes = 2 * sizeof(std::uint64_t);
+constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34U;
+
+// A part that enters the folder writes the file where it is missing.
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string message, std::string found,
+                         std::string expected) {
+  std::string hint = "run one of the parts again with --resume, which writes the file anew";
+  if (!found.empty()) hint = "delete it; then " + hint;
+  throw core::Refused(core::Problems{
+      file_problem(path.string(), std::move(message), std::move(found), std::move(expected), std::move(hint))});
+}
 
 using Axis = std::function<double(std::size_t)>;
 using Poses = std::function<simulate::RowPose(std::size_t)>;
@@ -63,8 +79,8 @@ class Packer {
 
 class Unpacker {
  public:
-  Unpacker(std::span<const std::byte> bytes, std::string name) : rest_(bytes), name_(std::move(name)) {
-    if (rest_.size() < 2 * sizeof(std::uint64_t)) fail();
+  // At least `least_bytes`.
+  Unpacker(std::span<const std::byte> bytes, std::filesystem::path path) : rest_(bytes), path_(std::move(path)) {
     core::Checksum sum;
     const std::size_t content = rest_.size() - sizeof(std::uint64_t);
     sum.add(rest_.first(content));
@@ -108,7 +124,10 @@ class Unpacker {
     }
     return [values](std::size_t i) { return values->at(i); };
   }
-  void fail() const { throw std::runtime_error("cannot read " + name_ + ": it is damaged; compute one part again"); }
+  [[noreturn]] void fail() const {
+    refuse(path_, "the description of the recording is damaged", "bytes that do not fit together or their checksum",
+           "what a part of this version of the program wrote");
+  }
 
  private:
   std::span<const std::byte> piece(std::uint64_t size) {
@@ -119,8 +138,27 @@ class Unpacker {
   }
 
   std::span<const std::byte> rest_;
-  std::string name_;
+  std::filesystem::path path_;
 };
+
+// All bytes of the file, once its beginning and its size are those of a description.
+std::vector<std::byte> bytes_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored) && !ignored)
+    refuse(path, "the description of the recording is missing", {}, "the file that each part leaves in the folder");
+  const core::RawFile file(path, core::RawFile::Mode::read);
+  const std::uint64_t size = file.size();
+  if (size < least_bytes || size > most_bytes)
+    refuse(path, "the size is not that of the description of a recording", fmt::format("{} bytes", size),
+           fmt::format("{} to {} bytes", least_bytes, most_bytes));
+  std::uint64_t mark = 0;
+  if (!file.read_at(0, std::as_writable_bytes(std::span(&mark, 1))) || mark != format_mark)
+    refuse(path, "this is not the description of a recording", "another kind of file, or another version of it",
+           "what a part of this version of the program wrote");
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  static_cast<void>(file.read_at(0, bytes));
+  return bytes;
+}
 
 }  // namespace
 
@@ -155,11 +193,9 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
 }
 
 StoredProduct load_product(const std::filesystem::path& path) {
-  const core::RawFile file(path, core::RawFile::Mode::read);
-  std::vector<std::byte> bytes(static_cast<std::size_t>(file.size()));
-  static_cast<void>(file.read_at(0, bytes));
-  Unpacker from(bytes, path.string());
-  if (from.word() != format_mark) from.fail();
+  const std::vector<std::byte> bytes = bytes_of(path);
+  Unpacker from(bytes, path);
+  static_cast<void>(from.word());  // The mark.
   StoredProduct stored;
   simulate::Product& product = stored.product;
   product.radar = from.text();

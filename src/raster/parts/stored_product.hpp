@@ -21,7 +21,8 @@ struct StoredProduct {
 void store_product(const std::filesystem::path& path, const StoredProduct& stored);
 
 /// Reads it back.
-/// @throws std::system_error where the file cannot be read, std::runtime_error where it is damaged
+/// @throws core::Refused where it is missing, damaged, larger than any or no regular file; std::system_error where the
+///         file cannot be read
 [[nodiscard]] StoredProduct load_product(const std::filesystem::path& path);
 
 }  // namespace sarsim::raster

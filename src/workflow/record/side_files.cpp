@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/journal_file.hpp"
 #include "core/os/output_file.hpp"
 #include "raster/parts/join_parts.hpp"
 
@@ -25,18 +26,20 @@ core::Problem problem_of_file(const fs::path& file, std::string message, std::st
   return problem;
 }
 
+// Whose whole first line is that of a journal, with its checksum.
 bool is_journal(const fs::path& file) {
-  std::string begin(raster::journal_signature.size(), '\0');
+  const std::string first_line = core::sealed_line(raster::journal_signature);
+  std::string begin(first_line.size(), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return stream && begin == raster::journal_signature;
+  return stream && begin == first_line;
 }
 
 core::Problems problems_of_receipt(const fs::path& receipt) {
   std::error_code ignored;
   const fs::file_status status = fs::symlink_status(receipt, ignored);
   if (!fs::exists(status) || (fs::is_regular_file(status) && is_journal(receipt))) return {};
-  return {problem_of_file(receipt, "the recording's receipt has the name of something that is not a receipt",
+  return {problem_of_file(receipt, "the file name of the recording's receipt is taken by something else",
                           "move that away, or give the recording another name or folder")};
 }
 
