@@ -68,7 +68,7 @@ TEST_F(PlanCommand, RefusesWhatItCannotPlan) {
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy"}).status, 0);
   const Finished data = sarsim({"info", "sim.npy", "--plan"});
   EXPECT_EQ(data.status, 2);
-  EXPECT_THAT(data.err, HasSubstr("is no script"));
+  EXPECT_THAT(data.err, HasSubstr("is not a script"));
   EXPECT_THAT(sarsim({"info", "scene.scr", "--workers", "2"}).err, HasSubstr("add --plan"));
   EXPECT_EQ(sarsim({"info", "scene.scr", "--plan", "--workers", "0"}).status, 2);
 }

@@ -69,6 +69,34 @@ TEST_F(SweepResume, TakesNoFileOnTheWordOfASweepThatDiscardedItsOwn) {
   EXPECT_EQ(text_of(folder_ / "sim_seed=1.bin"), text_of(folder_ / "fresh/sim_seed=1.bin"));
 }
 
+TEST_F(SweepResume, LeavesAloneWhatNoSweepWrote) {
+  write_scene({});
+  for (const char* name : {"sweep.csv", "sweep.json", "sweep.journal"}) {
+    for (const char* foreign : {"KEEP\n", "variation,notes\n", "{\n  \"sarsim\": \"1\"\n}\n", "sarsim sweep\n"}) {
+      write_text(folder_ / name, foreign);
+      const Finished refused = sweep({"--set", "seed=1", "--resume"});
+      EXPECT_EQ(refused.status, 2) << name << foreign;
+      EXPECT_THAT(refused.err, HasSubstr("no sweep wrote it"));
+      EXPECT_THAT(refused.err, HasSubstr(name));
+      EXPECT_EQ(text_of(folder_ / name), foreign);
+      EXPECT_FALSE(fs::exists(folder_ / "sim_seed=1.bin"));
+    }
+    write_text(folder_ / name, "");  // Nothing is lost with it.
+    EXPECT_EQ(sweep({"--set", "seed=1", "--resume"}).status, 0) << name;
+    EXPECT_EQ(sweep({"--set", "seed=1,2", "--set", "Target1.x=1m,2m", "--resume"}).status, 0) << name;
+    for (const std::string& file : entries("."))
+      if (file != "scene.scr") fs::remove_all(folder_ / file);
+  }
+}
+
+TEST_F(SweepResume, ReplacesWhatNoSweepWroteWithForce) {
+  write_scene({});
+  for (const char* name : {"sweep.csv", "sweep.json", "sweep.journal"}) write_text(folder_ / name, "KEEP\n");
+  EXPECT_EQ(sweep({"--set", "seed=1..2", "--resume", "--force"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / "sweep.journal"), testing::StartsWith("sarsim sweep "));
+  EXPECT_THAT(sweep({"--set", "seed=1..3", "--resume"}).err, HasSubstr("2 done before, 1 to run"));
+}
+
 TEST_F(SweepResume, OfFiguresAloneLeavesTheFilesKnown) {
   write_scene({});
   ASSERT_EQ(sweep({"--set", "seed=1..2"}).status, 0);

@@ -150,10 +150,14 @@ TEST_F(SweepFollowUp, RefusesOptionsBeforeAnythingRuns) {
   expect_refusal({"--focus", "--with", "--window square"}, "square");
   expect_refusal({"--focus", "--with", "--out x.img"}, "the sweep decides --out");
   expect_refusal({"--focus", "--with", "--seed 3"}, "the sweep decides --seed");
+  expect_refusal({"--focus", "--discard", "--with", "--targets nofile"}, "the sweep decides --targets");
   expect_refusal({"--focus", "--dry-run", "--commands"}, "--commands prints the recordings alone");
   write_text(folder_ / "flight_seed=2.hdr", "mine");
   expect_refusal({"--focus"}, "flight_seed=2.hdr");
   EXPECT_EQ(text_of(folder_ / "flight_seed=2.hdr"), "mine");
+  std::filesystem::remove(folder_ / "flight_seed=2.hdr");
+  std::filesystem::create_symlink("flight_seed=2.img", folder_ / "flight_seed=2.hdr");
+  expect_refusal({"--focus", "--force"}, "a link has the name of a file that the sweep makes");
 }
 
 }  // namespace sweep_follow_test

@@ -226,7 +226,7 @@ TEST_F(SweepCommand, RefusesSettingsThatMakeNoSense) {
   EXPECT_THAT(complaint("Radar1.bandwidth=10MHz:-1MHz:100MHz"), HasSubstr("never reaches its end"));
   EXPECT_THAT(complaint("seed=1..1000000000"), HasSubstr("more than 100000 values"));
   EXPECT_THAT(complaint("Radar1.bandwidth"), HasSubstr("there is no '='"));
-  EXPECT_THAT(complaint("Radar1.barker_code=13"), HasSubstr("means nothing with what is chosen elsewhere"));
+  EXPECT_THAT(complaint("Radar1.barker_code=13"), HasSubstr("does not apply with the present choices"));
   EXPECT_THAT(complaint("Radar1.platform=Nowhere"), HasSubstr("Nowhere"));
   const Finished nothing = sarsim({"sweep", "scene.scr"});
   EXPECT_EQ(nothing.status, 2);
@@ -258,7 +258,7 @@ TEST_F(SweepCommand, RefusesExistingFilesOnceForAll) {
   const std::vector<std::string> words{"sweep", "scene.scr", "--set", "seed=1..3"};
   const Finished sweep = sarsim(words);
   EXPECT_EQ(sweep.status, 2);
-  EXPECT_THAT(sweep.err, HasSubstr("and 1 others"));
+  EXPECT_THAT(sweep.err, HasSubstr("exists already, and 1 other;"));
   EXPECT_THAT(sweep.err, HasSubstr("--force"));
   EXPECT_FALSE(fs::exists(folder_ / "sim_seed=1.bin"));
   EXPECT_EQ(text_of(folder_ / "sim_seed=2.bin"), "precious");
@@ -268,6 +268,27 @@ TEST_F(SweepCommand, RefusesExistingFilesOnceForAll) {
 }
 
 // The target jumps to the radar for one pulse of 901, which is none of the 64 that the check looks at.
+// Two outputs that are one file would leave one of them.
+TEST_F(SweepCommand, RefusesOutputsThatAreLinks) {
+  write_scene({});
+  fs::create_directory(folder_ / "o");
+  const auto refused = [this](const std::string& message) {
+    const Finished sweep = sarsim({"sweep", "scene.scr", "--set", "seed=1,2", "--out", "o", "--force"});
+    EXPECT_EQ(sweep.status, 2);
+    EXPECT_THAT(sweep.err, HasSubstr(message));
+    EXPECT_THAT(entries("o"), Not(Contains("sim_seed=2.bin")));
+    for (const std::string& name : entries("o")) fs::remove(folder_ / "o" / name);
+  };
+  const std::string link = "a link has the name of a file that the sweep makes";
+  fs::create_symlink("sweep.csv", folder_ / "o/sim_seed=1.bin");
+  refused(link);
+  fs::create_symlink("sweep.json", folder_ / "o/sweep.csv");
+  refused(link);
+  write_text(folder_ / "o/sim_seed=1.bin", "old");
+  fs::create_hard_link(folder_ / "o/sim_seed=1.bin", folder_ / "o/sweep.csv");
+  refused("this file and 'o/sim_seed=1.bin' are one file; found 'o/sweep.csv'");
+}
+
 TEST_F(SweepCommand, MakesTheOtherVariationsWhereOneMeetsAnImpossibleEcho) {
   std::string text = SceneText{}.text();
   const std::string path = "2 0, 0 1, 20 1 0, 1000 1 0, 0";

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdlib>
 #include <set>
 #include <sstream>
@@ -12,6 +13,7 @@ namespace sweep_values_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 // Where the values of a sweep come from besides lists on the command line.
 class SweepValuesCommand : public CommandTest {
@@ -67,12 +69,89 @@ TEST_F(SweepValuesCommand, WhatIsWrongWithATableHasItsLine) {
   refused("Target1.rsc\n1\n", "cases.csv:1: error: a column is not named after a field");
   refused("Target1.rcs\n", "the table has no values");
   refused("", "the table has no values");
-  refused("seed\n1\n2\n1\n", "--set seed=1: the value is given twice");
+  refused("seed\n1\n2\n1\n", "cases.csv:4: error: seed=1: the value is given twice");
   std::filesystem::remove(folder_ / "cases.csv");
   expect_refusal({"--values", "cases.csv"}, "cases.csv");
   write_text(folder_ / "sweep.csv", "seed\n1\n2\n");  // Never replaced by the table of the sweep.
   expect_refusal({"--values", "sweep.csv", "--force"}, "sweep.csv");
   EXPECT_EQ(text_of(folder_ / "sweep.csv"), "seed\n1\n2\n");
+}
+
+TEST_F(SweepValuesCommand, WhatIsWrongWithAValueOfATableHasItsLine) {
+  write_scene({});
+  const auto refused = [this](const std::string& text, const std::string& message, std::vector<std::string> more = {}) {
+    write_text(folder_ / "cases.csv", text);
+    more.insert(more.begin(), {"sweep", "scene.scr", "--values", "cases.csv", "--dry-run"});
+    const Finished sweep = sarsim(more);
+    EXPECT_EQ(sweep.status, 2);
+    EXPECT_THAT(sweep.err, HasSubstr(message));
+    EXPECT_THAT(sweep.err, Not(HasSubstr("--set ")));
+  };
+  refused("# none\nSimulation1.bits\n1\n99\n", "cases.csv:4: error: Simulation1.bits=99: '99' is outside");
+  refused("Simulation1.processing\nRAW\n\nFOO\n", "cases.csv:4: error: Simulation1.processing=FOO: 'FOO' is none of");
+  refused("Simulation1.range_end [m]\n1400\n800\n", "cases.csv:3: error: the slant range window is empty");
+  refused("seed\n1\n2\n1\n", "it stands in line 2, too");
+  refused("seed,Seed\n1,1\n", "cases.csv:1: error: Seed: this field is set by seed already");
+  refused("seed,Target1.x\n1,1\n2,1\n1,1\n", "cases.csv:4: error: variations 1 and 3 have the same values", {"--zip"});
+  refused("Radar1.bandwidth\n1\n", "cases.csv:2: warning: Radar1.bandwidth=1: a number without a unit", {"--strict"});
+}
+
+TEST_F(SweepValuesCommand, TheNamesOfColumnsAreWholeAndTheirUnitsFit) {
+  write_scene({});
+  const auto refused = [this](const std::string& heading, const std::string& message) {
+    write_text(folder_ / "cases.csv", "# a study\n" + heading + "\n1,2\n");
+    expect_refusal({"--values", "cases.csv", "--dry-run"}, "cases.csv:2: error: " + message);
+  };
+  refused("Target1.x [,seed", "the bracket of a unit is not closed; found 'Target1.x [', expected a name and its unit");
+  refused("Target1.x [m,seed", "the bracket of a unit is not closed");
+  refused("Target1.x [m],seed (", "the bracket of a unit is not closed");
+  refused("Target1.x [m] km,seed", "something follows a unit's bracket");
+  refused(" ,", "the first line of the table names no fields");
+  refused("Target1.x,,seed", "a column has no name");
+  refused("Target1.x,seed [m]", "seed has no unit; found 'seed [m]', expected seed alone");
+  refused("Target1.x,options.seed [Hz]", "options.seed has no unit");
+  refused("Target1.x [kg],seed", "Target1.x: the unit does not fit");
+  write_text(folder_ / "cases.csv", "Target1.x [km],seed,\"Target1.rcs (dBsm)\"\n1,2,3\n");
+  EXPECT_EQ(table({"--values", "cases.csv"}).size(), 1U);
+}
+
+TEST_F(SweepValuesCommand, TablesThatAreNoTextAreRefusedAtOnce) {
+  write_scene({});
+  const auto refused = [this](const std::string& message) {
+    expect_refusal({"--values", "big", "--dry-run"}, message);
+    const Finished check = sarsim({"check", "scene.scr", "--targets", "big"});
+    EXPECT_EQ(check.status, 2);
+    EXPECT_THAT(check.err, HasSubstr(message));
+  };
+  write_text(folder_ / "big", "");
+  std::filesystem::resize_file(folder_ / "big", 200'000'000);  // Zeros, which take no room.
+  refused("is not text; found 'a byte that is zero'");
+  write_text(folder_ / "big", "seed\n" + std::string(1'000'001, '1') + "\n");
+  refused("is too long; expected 1000000 bytes at most");
+  write_text(folder_ / "big", "seed\n1" + std::string(999'990, ' ') + "\n");
+  EXPECT_EQ(table({"--values", "big"}).size(), 1U);
+}
+
+// Columns of one name are told of a few times, however many there are.
+TEST_F(SweepValuesCommand, ManyColumnsOfOneNameAreAFewMistakes) {
+  write_scene({});
+  std::string names = "Target1.x";
+  std::string values = "1";
+  for (int i = 1; i < 20000; ++i) {
+    names += ",Target1.x";
+    values += ",1";
+  }
+  write_text(folder_ / "cases.csv", names + "\n" + values + "\n");
+  const Finished sweep = sarsim({"sweep", "scene.scr", "--values", "cases.csv", "--dry-run"});
+  EXPECT_EQ(sweep.status, 2);
+  EXPECT_THAT(sweep.err, HasSubstr("cases.csv:1: error: Target1.x: this field is set by Target1.x already"));
+  EXPECT_LE(std::ranges::count(sweep.err, '\n'), 60);
+}
+
+TEST_F(SweepValuesCommand, CommandsArePrintedInsteadOfADryRunAlone) {
+  write_scene({});
+  expect_refusal({"--set", "seed=1", "--commands"}, "add --dry-run");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "sweep.csv"));
 }
 
 TEST_F(SweepValuesCommand, RandomValuesAreTheSameForOneSeed) {

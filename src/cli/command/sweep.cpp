@@ -143,6 +143,8 @@ ExitStatus print_report(const SweepArguments& arguments, const SweepRequest& req
 
 ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   const workflow::SweepPart part = read_part(arguments.part);
+  if (arguments.commands && !arguments.dry_run)
+    throw core::Refused("--commands prints what a sweep would run, and runs nothing", "add --dry-run");
   workflow::choose_simd(arguments.simd);
   workflow::SceneInput input = read_scene_to_vary(arguments, streams);
   if (arguments.fields) {

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <span>
+#include <string_view>
+#include <system_error>
 #include <variant>
 
 #include <fmt/format.h>
 
 #include "core/os/input_file.hpp"
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
 #include "scene/edit/import_targets.hpp"
 #include "scene/model/scene_index.hpp"
 
@@ -15,23 +20,63 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::uint64_t largest_bytes = std::uint64_t{1} << 30;
+constexpr TableFileRules rules_of_targets{"the table of targets", std::uint64_t{1} << 30, "make a $CLOUD of it"};
 
 std::string platform_for(const TargetTable& table, const scene::Scene& scene) {
   if (!table.platform.empty()) return table.platform;
   return scene.targets.empty() ? scene::Target().platform : scene.targets.front().platform;
 }
 
+std::string listed_platforms(const scene::Scene& scene) {
+  std::string names = "Earth";
+  for (const scene::Platform& platform : scene.platforms)
+    if (!core::equal_ignoring_case(platform.name, "Earth")) names += ", " + platform.name;
+  return core::clipped(names);
+}
+
+// Looks at the bytes of a table one after the other.
+class TextWatch {
+ public:
+  explicit TextWatch(const TableFileRules& rules) : rules_(rules) {}
+
+  // What is wrong with the first bytes that are; the place has the line alone.
+  std::optional<core::Problem> look_at(std::string_view piece) {
+    for (const char c : piece) {
+      if (c == '\0')
+        return fault(fmt::format("{} is not text", rules_.name), "a byte that is zero", "lines of text",
+                     "save the table as text, in UTF-8");
+      if (c == '\n') ++line_;
+      length_ = c == '\n' || c == '\r' ? 0 : length_ + 1;
+      if (length_ > longest_table_line)
+        return fault(fmt::format("a line of {} is too long", rules_.name), {},
+                     fmt::format("{} bytes at most", longest_table_line), "end each line with a line feed");
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] core::Problem fault(std::string message, std::string found, std::string expected,
+                                    std::string hint) const {
+    core::Problem problem = core::problem_of(core::Severity::error, std::move(message), std::move(found),
+                                             std::move(expected), std::move(hint));
+    problem.place.line = line_;
+    return problem;
+  }
+
+  const TableFileRules& rules_;
+  std::size_t line_ = 1;
+  std::size_t length_ = 0;  // Of this line so far.
+};
+
 core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
-  auto opened = core::InputFile::open(table.file);
-  if (auto* failure = std::get_if<core::Problem>(&opened)) return {std::move(*failure)};
-  const core::InputFile& input = std::get<core::InputFile>(opened);
-  if (input.size() > largest_bytes)
-    return {core::problem_of(core::Severity::error, "the table of targets is too large", table.file.string(),
-                             fmt::format("{} bytes at most", largest_bytes), "make a $CLOUD of it")};
-  std::string text(static_cast<std::size_t>(input.size()), '\0');
-  input.read_all_at(0, std::as_writable_bytes(std::span(text)));
-  scene::TargetImport import = scene::import_targets(text, platform_for(table, scene));
+  auto read = read_table_text(table.file, rules_of_targets);
+  if (auto* failure = std::get_if<core::Problem>(&read)) {
+    std::error_code none;
+    if (!std::filesystem::exists(table.file, none) && table.file.string().find('=') != std::string::npos)
+      failure->hint = fmt::format("before '=' stands a platform: {}", listed_platforms(scene));
+    return {std::move(*failure)};
+  }
+  scene::TargetImport import = scene::import_targets(std::get<std::string>(read), platform_for(table, scene));
   for (core::Problem& problem : import.problems) problem.place.file = table.file.string();
   if (import.targets.empty() && import.problems.empty()) {
     import.problems.push_back(core::problem_of(core::Severity::error, "the table holds no targets", {},
@@ -43,6 +88,30 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
 }
 
 }  // namespace
+
+std::variant<std::string, core::Problem> read_table_text(const std::filesystem::path& file,
+                                                         const TableFileRules& rules) {
+  auto opened = core::InputFile::open(file);
+  if (auto* failure = std::get_if<core::Problem>(&opened)) return std::move(*failure);
+  const core::InputFile& input = std::get<core::InputFile>(opened);
+  if (input.size() > rules.largest_bytes)
+    return core::problem_of(core::Severity::error, fmt::format("{} is too large", rules.name), file.string(),
+                            fmt::format("{} bytes at most", rules.largest_bytes), rules.too_large_hint);
+  constexpr std::size_t piece_bytes = std::size_t{1} << 20;
+  TextWatch watch(rules);
+  std::string text;
+  while (text.size() < input.size()) {
+    const std::size_t begin = text.size();
+    text.resize(std::min(static_cast<std::size_t>(input.size()), begin + piece_bytes));
+    const std::span<char> piece = std::span(text).subspan(begin);
+    input.read_all_at(begin, std::as_writable_bytes(piece));
+    if (auto problem = watch.look_at({piece.data(), piece.size()})) {
+      problem->place.file = file.string();
+      return *std::move(problem);
+    }
+  }
+  return text;
+}
 
 TargetTable target_table_of(const std::string& word, const scene::Scene& scene) {
   const std::size_t equals = word.find('=');

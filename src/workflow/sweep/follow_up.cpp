@@ -140,8 +140,7 @@ FollowedUp followed_by_search(const FollowUp& follow_up, const FollowedRecording
       figures.add(finding.target, "intervals_found", number(finding.found));
       figures.add(finding.target, "probability", finding.probability.value_or(no_number));
       figures.add(finding.target, "snr_db", finding.best ? core::power_db(finding.best->snr) : no_number);
-      figures.add(finding.target, "range_error_m",
-                  finding.best ? finding.best->range_m - finding.sight.range_m : no_number);
+      figures.add(finding.target, "range_error_m", finding.best ? finding.best_range_error_m : no_number);
     }
   return {std::move(figures).take(), report.problems};
 }
@@ -195,11 +194,12 @@ void expect_sense(const FollowUp& follow_up) {
     return;
   }
   const GivenWords words = words_of(follow_up);
-  for (const char* option : {"--out", "--detections", "--threads", "--script", "--simulation", "--set", "--seed",
-                             "--profile", "--pulse", "--tolerance", "--force", "--magnitude", "--autofocus-phase"})
+  for (const char* option :
+       {"--out", "--detections", "--threads", "--script", "--simulation", "--set", "--targets", "--seed", "--profile",
+        "--pulse", "--tolerance", "--force", "--magnitude", "--autofocus-phase"})
     if (words.contains(option))
       throw core::Refused(fmt::format("--with: the sweep decides {}", option),
-                          "leave it out there, or give it to the sweep itself where it takes it");
+                          "leave it out of --with; give it to sweep itself if sweep has it");
   // What a request makes of the words.
   if (follow_up.kind == FollowUp::Kind::focus) static_cast<void>(focus_request("x", words));
   if (follow_up.kind == FollowUp::Kind::search) static_cast<void>(search_request("x", words));

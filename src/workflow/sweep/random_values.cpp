@@ -96,9 +96,9 @@ Scale scale_of(const std::vector<Parameter>& parameters, const scene::Field& fie
 }
 
 std::string mistake_in(const Law& law, const std::array<double, 2>& parameters) {
-  if (law.name == "normal" && !(parameters[1] >= 0.0)) return "a standard deviation is not negative";
+  if (law.name == "normal" && !(parameters[1] >= 0.0)) return "the standard deviation is negative";
   if (law.name == "uniform" && !(parameters[0] <= parameters[1])) return "the lowest value is above the highest";
-  if (law.name == "exponential" && !(parameters[0] >= 0.0)) return "the mean of an exponential law is not negative";
+  if (law.name == "exponential" && !(parameters[0] >= 0.0)) return "the mean of exponential() is negative";
   return {};
 }
 

@@ -93,7 +93,7 @@ TEST(RandomValues, AreRefusedInWords) {
   EXPECT_THAT(failure("normal(1, x)"), HasSubstr("'x'"));
   EXPECT_THAT(draw_values("normal(1e308, 1e308)", field_called("Target1.rcs"), 100, 1, "a").failure,
               HasSubstr("too large"));
-  EXPECT_THAT(failure("normal(1, -2)"), HasSubstr("not negative"));
+  EXPECT_THAT(failure("normal(1, -2)"), HasSubstr("is negative"));
   EXPECT_THAT(failure("uniform(2, 1)"), HasSubstr("above the highest"));
   EXPECT_THAT(failure("uniform(10dBsm, 12m2)"), HasSubstr("decibels"));
   EXPECT_THAT(failure("normal(1, 2)", "Radar1.window"), HasSubstr("not a number"));

@@ -117,6 +117,12 @@ class ScratchFolder {
   fs::path path_;
 };
 
+// Goes on with the journal of an earlier sweep; whatever else has its name is only there where it may be replaced.
+SweepJournal journal_of(const SweepRequest& request) {
+  const fs::path path = SweepFiles(request).of_part(".journal");
+  return {path, request.resume && takes_journal_lines(path)};
+}
+
 // The variations of a plan at work.
 class SweepRunner {
  public:
@@ -125,7 +131,7 @@ class SweepRunner {
         plan_(plan),
         observer_(observer),
         rules_(variation_rules(request)),
-        journal_(SweepFiles(request).of_part(".journal"), request.resume) {
+        journal_(journal_of(request)) {
     rules_.threads = plan.threads;
     rules_.jobs = plan.jobs;
     if (request.discard && request.follow_up) {
@@ -148,7 +154,12 @@ class SweepRunner {
                                       core::counted(plan_.variations.size(), "variation")));
       throw;
     }
-    observer_.remarks(shortened(remarks_.problems(plan_.sweep, plan_.open.size())));
+    core::Problems remarks = remarks_.problems(plan_.sweep, plan_.open.size());
+    std::erase_if(remarks, [this](const core::Problem& remark) {
+      return std::ranges::find(plan_.checks.problems, remark.message, &core::Problem::message) !=
+             plan_.checks.problems.end();  // Was told before the first variation.
+    });
+    observer_.remarks(shortened(std::move(remarks)));
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -28,6 +29,9 @@ namespace {
 
 // Room for the temporary name and for the file system's own limit of 255 bytes.
 constexpr std::size_t longest_name = 200;
+
+// Of settings that are wrong; those behind them are not read.
+constexpr std::size_t most_mistakes = 20;
 
 core::Problem mistake(std::string message, std::string hint = {}) {
   core::Problem problem;
@@ -98,10 +102,41 @@ std::optional<SweepAxis> axis_of(const scene::Scene& scene, const std::string& s
   return std::nullopt;
 }
 
-bool set_the_same(const SweepAxis& a, const SweepAxis& b) {
-  if (a.field.field != b.field.field) return false;
-  return a.field.objects.empty() || std::ranges::any_of(a.field.objects, [&](scene::ObjectId id) {
-           return std::ranges::find(b.field.objects, id) != b.field.objects.end();
+// Which axis sets a field first.
+class Setters {
+ public:
+  // The axis that sets one of these fields already. Where there is none, `axis` sets them all from now on.
+  std::optional<std::size_t> earlier(const scene::NamedField& named, std::size_t axis) {
+    std::vector<scene::ObjectId> objects = named.objects;
+    if (objects.empty()) objects.emplace_back();  // An option, whose field no object has.
+    for (const scene::ObjectId object : objects)
+      if (const auto known = axes_.find({named.field, object}); known != axes_.end()) return known->second;
+    for (const scene::ObjectId object : objects) axes_.emplace(std::pair(named.field, object), axis);
+    return std::nullopt;
+  }
+
+ private:
+  std::map<std::pair<const scene::Field*, scene::ObjectId>, std::size_t> axes_;
+};
+
+// What two draws of one value are, of which no two variations can be made.
+core::Problem equal_draws(const SweepAxis& axis, std::size_t first, std::size_t second) {
+  const bool whole = axis.field.field->quantity == scene::Quantity::count;
+  return mistake(fmt::format("--set {}={}: the values of this law do not differ enough: draws {} and {} are both {}",
+                             axis.name, axis.law, first + 1, second + 1, axis.values[second]),
+                 fmt::format("{}; use a wider law or fewer draws, or pair them with something that differs, as in "
+                             "--zip --set seed=1..N",
+                             whole ? "draws are rounded to whole numbers" : "draws have nine digits"));
+}
+
+// Whether an axis sets the field that a problem is about.
+bool sets(const SweepAxis& axis, const core::Subject& subject) {
+  const std::string_view id = axis.field.field->id;
+  const bool field = id == subject.field || (id.starts_with(subject.field) && id.size() > subject.field.size() &&
+                                             id[subject.field.size()] == '.' && !subject.field.empty());
+  if (axis.field.objects.empty()) return field && subject.kind == "options";
+  return field && std::ranges::any_of(axis.field.objects, [&](scene::ObjectId object) {
+           return scene::name_of(object.kind) == subject.kind && object.index == subject.index;
          });
 }
 
@@ -151,20 +186,35 @@ Sweep::Sweep(const scene::Scene& scene, const SweepValues& values) : folder_(val
 }
 
 void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core::Problems& problems) {
-  const auto add = [&](SweepAxis axis, const std::string& setting) {
-    for (const SweepAxis& other : axes_)
-      if (set_the_same(axis, other))
-        problems.push_back(mistake_in(setting, fmt::format("this field is set by {} already", other.name)));
-    axes_.push_back(std::move(axis));
-  };
-  if (!values.table.empty())
-    for (SweepAxis& axis : read_value_table(scene, values.table, problems)) {
-      axis.of_table = true;
-      const std::string name = axis.name;
-      add(std::move(axis), name);
+  Setters setters;
+  // @param again  the mistake, where the field is set already; its message is only begun
+  const auto add = [&](SweepAxis axis, core::Problem again) {
+    if (const auto earlier = setters.earlier(axis.field, axes_.size())) {
+      const SweepAxis& other = axes_[*earlier];
+      again.message += fmt::format("this field is set by {} already", other.name);
+      if (other.of_table) again.hint = fmt::format("in line {} of '{}'", heading_line_, table_.string());
+      problems.push_back(std::move(again));
+    } else {
+      axes_.push_back(std::move(axis));
     }
-  for (const std::string& setting : values.settings)
-    if (std::optional<SweepAxis> axis = axis_of(scene, setting, problems)) add(*std::move(axis), setting);
+  };
+  if (!values.table.empty()) {
+    ValueTable table = read_value_table(scene, values.table, problems);
+    heading_line_ = table.heading_line;
+    table_lines_ = std::move(table.lines);
+    for (SweepAxis& axis : table.axes) {
+      if (problems.size() >= most_mistakes) return;
+      axis.of_table = true;
+      core::Problem again = mistake(axis.name + ": ");
+      again.place = {table_.string(), heading_line_, 0};
+      add(std::move(axis), std::move(again));
+    }
+  }
+  for (const std::string& setting : values.settings) {
+    if (problems.size() >= most_mistakes) return;
+    if (std::optional<SweepAxis> axis = axis_of(scene, setting, problems))
+      add(*std::move(axis), mistake_in(setting, ""));
+  }
 }
 
 void Sweep::group_axes(bool paired) {
@@ -204,7 +254,7 @@ void Sweep::set_size(core::Problems& problems) {
   for (const std::vector<std::size_t>& group : groups_) {
     const SweepAxis& first = axes_[group.front()];
     for (const std::size_t i : group)
-      if (axes_[i].values.size() != first.values.size())
+      if (axes_[i].values.size() != first.values.size() && problems.size() < most_mistakes)
         problems.push_back(mistake_in(
             axes_[i].name,
             fmt::format("with --zip all lists are of one length; this one has {} values and that of {} has {}",
@@ -231,7 +281,10 @@ void Sweep::name_values(core::Problems& problems) {
     for (const std::string& value : axis.values)
       axis.stamps.push_back(stamp_of(scene::data_file_on_disk(folder_, value)));
   }
-  for (const std::vector<std::size_t>& group : groups_) refuse_repetition(group, problems);
+  for (const std::vector<std::size_t>& group : groups_) {
+    if (problems.size() >= most_mistakes) return;
+    refuse_repetition(group, problems);
+  }
 }
 
 // Two variations of the same values would have files of one name.
@@ -245,14 +298,48 @@ void Sweep::refuse_repetition(const std::vector<std::size_t>& group, core::Probl
     values.pop_back();
     const auto [first, is_new] = known.try_emplace(values, number);
     if (is_new) continue;
-    problems.push_back(group.size() == 1
-                           ? mistake(fmt::format("--set {}: the value is given twice", values),
-                                     "values of several fields that are paired (--zip) may be repeated")
-                           : mistake(fmt::format("variations {} and {} have the same values: {}", first->second + 1,
-                                                 number + 1, values),
-                                     "pair them with something that differs, as in --zip --set seed=1..N"));
+    problems.push_back(repetition(group, first->second, number));
     return;
   }
+}
+
+core::Problem Sweep::repetition(const std::vector<std::size_t>& group, std::size_t first, std::size_t second) const {
+  const SweepAxis& axis = axes_[group.front()];
+  if (group.size() == 1 && !axis.law.empty()) return equal_draws(axis, first, second);
+  if (group.size() == 1) {
+    core::Problem problem = mistake_of(axis, second, "the value is given twice");
+    problem.hint = axis.of_table ? fmt::format("it stands in line {}, too", table_lines_.at(first))
+                                 : "values of several fields that are paired (--zip) may be repeated";
+    return problem;
+  }
+  std::string values;
+  for (const std::size_t i : group)
+    values += fmt::format("{}{}={}", values.empty() ? "" : " ", axes_[i].name, axes_[i].values[second]);
+  core::Problem problem =
+      mistake(fmt::format("variations {} and {} have the same values: {}", first + 1, second + 1, values),
+              "pair them with something that differs, as in --zip --set seed=1..N");
+  if (std::ranges::all_of(group, [this](std::size_t i) { return !axes_[i].law.empty(); }))
+    problem.hint =
+        "the values of these laws do not differ enough: draws have nine digits, or are whole numbers; " + problem.hint;
+  for (const std::size_t i : group)
+    if (axes_[i].of_table) problem.place = place_of_value(axes_[i], second);
+  if (std::ranges::all_of(group, [this](std::size_t i) { return axes_[i].of_table; }))
+    problem.hint = fmt::format("they stand in line {}, too", table_lines_.at(first));
+  return problem;
+}
+
+core::Place Sweep::place_of_value(const SweepAxis& axis, std::size_t value) const {
+  if (!axis.of_table) return {};
+  return {table_.string(), table_lines_.at(value), 0};
+}
+
+// Of a value of the table, its file and line say where it stands.
+core::Problem Sweep::mistake_of(const SweepAxis& axis, std::size_t value, const std::string& message) const {
+  const std::string setting = axis.name + "=" + axis.values.at(value);
+  if (!axis.of_table) return mistake_in(setting, message);
+  core::Problem problem = mistake(fmt::format("{}: {}", core::clipped(setting), message));
+  problem.place = place_of_value(axis, value);
+  return problem;
 }
 
 std::size_t Sweep::value_of(std::size_t variation, std::size_t axis) const {
@@ -282,9 +369,9 @@ scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core:
   scene::Scene scene = base;
   const scene::PointsLoader load = scene::disk_points(folder_);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
-    const std::string& value = axes_[i].values[value_of(variation, i)];
-    if (const std::string failure = scene::set_named_field(scene, axes_[i].field, value, load); !failure.empty())
-      problems.push_back(mistake_in(axes_[i].name + "=" + value, failure));
+    const std::size_t value = value_of(variation, i);
+    const std::string failure = scene::set_named_field(scene, axes_[i].field, axes_[i].values[value], load);
+    if (!failure.empty()) problems.push_back(mistake_of(axes_[i], value, failure));
   }
   if (problems.empty()) std::ranges::move(read_clouds(scene, folder_, {1}), std::back_inserter(problems));
   return scene;
@@ -310,22 +397,23 @@ std::vector<fs::path> Sweep::sources() const {
 }
 
 bool Sweep::varies(const core::Subject& subject) const {
-  return std::ranges::any_of(axes_, [&](const SweepAxis& axis) {
-    const std::string_view id = axis.field.field->id;
-    const bool field = id == subject.field || (id.starts_with(subject.field) && id.size() > subject.field.size() &&
-                                               id[subject.field.size()] == '.' && !subject.field.empty());
-    if (axis.field.objects.empty()) return field && subject.kind == "options";
-    return field && std::ranges::any_of(axis.field.objects, [&](scene::ObjectId object) {
-             return scene::name_of(object.kind) == subject.kind && object.index == subject.index;
-           });
-  });
+  return std::ranges::any_of(axes_, [&](const SweepAxis& axis) { return sets(axis, subject); });
+}
+
+core::Place Sweep::place_of(const core::Subject& subject, std::size_t variation) const {
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (axes_[i].of_table && sets(axes_[i], subject)) return place_of_value(axes_[i], value_of(variation, i));
+  return {};
 }
 
 core::Problems Sweep::remarks(const scene::Scene& scene) const {
   core::Problems remarks;
   for (const SweepAxis& axis : axes_)
-    for (const std::string& value : axis.values)
-      if (auto remark = remark_on_bare_number(scene, axis.field, axis.name, value)) {
+    for (std::size_t value = 0; value < axis.values.size(); ++value)
+      if (auto remark = remark_on_bare_number(scene, axis.field, axis.name, axis.values[value])) {
+        constexpr std::string_view option = "--set ";
+        if (axis.of_table && remark->message.starts_with(option)) remark->message.erase(0, option.size());
+        remark->place = place_of_value(axis, value);
         remarks.push_back(*std::move(remark));
         break;
       }

@@ -78,6 +78,9 @@ class Sweep {
   [[nodiscard]] std::vector<std::filesystem::path> sources() const;
   /// Whether a problem is about a field that varies, so that the script is not to blame.
   [[nodiscard]] bool varies(const core::Subject& subject) const;
+  /// The line of the table of values that a field's value in a variation comes from; no place where it does not come
+  /// from there.
+  [[nodiscard]] core::Place place_of(const core::Subject& subject, std::size_t variation) const;
   /// What is allowed but probably not meant, of values as they were typed.
   [[nodiscard]] core::Problems remarks(const scene::Scene& scene) const;
 
@@ -91,12 +94,18 @@ class Sweep {
   void set_size(core::Problems& problems);
   void name_values(core::Problems& problems);
   void refuse_repetition(const std::vector<std::size_t>& group, core::Problems& problems) const;
+  [[nodiscard]] core::Problem repetition(const std::vector<std::size_t>& group, std::size_t first,
+                                         std::size_t second) const;
+  [[nodiscard]] core::Problem mistake_of(const SweepAxis& axis, std::size_t value, const std::string& message) const;
+  [[nodiscard]] core::Place place_of_value(const SweepAxis& axis, std::size_t value) const;
 
   std::vector<SweepAxis> axes_;
   std::vector<std::vector<std::size_t>>
       groups_;  // Axes that go through their values together; the last varies fastest.
   std::filesystem::path folder_;
   std::filesystem::path table_;
+  std::size_t heading_line_ = 0;          // Of the table: the names of its columns.
+  std::vector<std::size_t> table_lines_;  // Of each value of an axis from the table.
   std::size_t size_ = 0;
 };
 

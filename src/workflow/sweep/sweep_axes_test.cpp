@@ -1,5 +1,6 @@
 #include "workflow/sweep/sweep_axes.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@ namespace sarsim::workflow {
 namespace sweep_axes_test {
 
 using testing::HasSubstr;
+using testing::Not;
 
 scene::Scene small_scene() {
   scene::Scene scene;
@@ -111,6 +113,41 @@ TEST(SweepAxes, RefuseWhatIsNoSettingAllAtOnce) {
   EXPECT_THAT(text, HasSubstr("--set seed=2: the value is given twice"));
   EXPECT_THAT(text, HasSubstr("set by Target1.x already"));
   EXPECT_THAT(complaint({}), HasSubstr("nothing varies"));
+}
+
+// What is told, and what is kept of it, do not grow with the square of the settings.
+TEST(SweepAxes, TellOfAFieldThatIsSetVeryOftenSomeTimes) {
+  std::vector<std::string> settings;
+  for (int i = 0; i < 20000; ++i) settings.push_back("Target1.x=" + std::to_string(i));
+  const std::string often = complaint(settings);
+  EXPECT_EQ(std::ranges::count(often, '\n'), 20);
+  EXPECT_THAT(often, HasSubstr("--set Target1.x=20: this field is set by Target1.x already"));
+  EXPECT_THAT(often, Not(HasSubstr("Target1.x=21:")));
+  settings.assign(20000, "Target7.x=1");
+  EXPECT_EQ(std::ranges::count(complaint(settings), '\n'), 20);
+  EXPECT_EQ(std::ranges::count(complaint({"Target1.x=1", "Target2.x=1", "Target*.x=1", "target1.X=2"}), '\n'), 2);
+  EXPECT_EQ(complaint({"Target1.x=1", "Target2.x=1", "Target*.y=1", "seed=1", "tolerance=0.1"}), "none");
+}
+
+TEST(SweepAxes, SayThatTheDrawsOfALawDoNotDiffer) {
+  const auto drawn = [](const std::string& setting, std::size_t draws) {
+    SweepValues values;
+    values.settings = {setting};
+    values.draws = draws;
+    try {
+      (void)Sweep(small_scene(), values);
+    } catch (const core::Refused& error) {
+      return core::to_string(error.problems.at(0));
+    }
+    return std::string("none");
+  };
+  for (const char* law : {"Target1.rcs=uniform(1,1.0000000001)", "Target1.rcs=normal(1, 0)"}) {
+    EXPECT_THAT(drawn(law, 3), HasSubstr("the values of this law do not differ enough: draws 1 and 2 are both 1"));
+    EXPECT_THAT(drawn(law, 3), HasSubstr("draws have nine digits"));
+    EXPECT_EQ(drawn(law, 1), "none");
+  }
+  EXPECT_THAT(drawn("Simulation1.bits=uniform(1, 3)", 9), HasSubstr("draws are rounded to whole numbers"));
+  EXPECT_EQ(drawn("Target1.rcs=uniform(1, 2)", 3), "none");
 }
 
 TEST(SweepAxes, RefuseMoreVariationsThanAnybodyMeans) {

@@ -48,7 +48,7 @@ class Looker {
       if (!core::has_errors(problems)) sizes = sizes_of(scene, resolved);
     }
     number_as_in_script(problems);
-    locate_script_values(problems);
+    locate_values(problems, variation);
     return core::ranked(std::move(problems));
   }
 
@@ -86,10 +86,10 @@ class Looker {
   }
 
   // A place in the script is of no help where the value does not stand there.
-  void locate_script_values(core::Problems& problems) const {
+  void locate_values(core::Problems& problems, std::size_t variation) const {
     scene::locate(problems, work_.places);
     for (core::Problem& problem : problems)
-      if (work_.sweep.varies(problem.subject)) problem.place = {};
+      if (work_.sweep.varies(problem.subject)) problem.place = work_.sweep.place_of(problem.subject, variation);
   }
 
   const SweepToCheck& work_;

@@ -1,12 +1,22 @@
 #include "workflow/sweep/sweep_files.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/report/refused.hpp"
+#include "core/text/counted.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/sweep/sweep_journal.hpp"
+#include "workflow/sweep/sweep_table.hpp"
 
 namespace sarsim::workflow {
 
@@ -14,40 +24,112 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The first of all problems stands for the others.
-class FirstProblem {
+using FileIdentity = std::pair<dev_t, ino_t>;
+
+core::Problem problem_of_file(const fs::path& path, std::string message, std::string hint) {
+  return core::problem_of(core::Severity::error, std::move(message), path.string(), {}, std::move(hint));
+}
+
+// The file that stands at a path, whatever its names; nothing for what is missing, and for what is no regular file.
+std::optional<FileIdentity> identity_of(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
+  return FileIdentity{status.st_dev, status.st_ino};
+}
+
+// Whether an earlier sweep wrote a table, or nothing is lost with it.
+bool is_own_table(const fs::path& path) {
+  std::error_code none;
+  if (!fs::exists(path, none)) return true;
+  constexpr std::size_t enough = 1'000'000;
+  std::string beginning(enough, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
+  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  if (beginning.empty()) return fs::is_regular_file(path, none) && fs::is_empty(path, none);
+  return path.extension() == ".json" ? begins_as_sweep_json(beginning) : begins_as_sweep_csv(beginning);
+}
+
+// Looks at outputs; the first of all problems stands for the others.
+class OutputWatch {
  public:
-  FirstProblem(const SweepRequest& request, std::vector<fs::path> sources)
+  OutputWatch(const SweepRequest& request, std::vector<fs::path> sources)
       : request_(request), sources_(std::move(sources)) {}
 
+  // A file that is made; `replace`: it may be there already.
   void look_at(const fs::path& path, bool replace) {
-    for (core::Problem& problem : problems_of_output(path, {sources_, replace, "", chosen_folder(request_.folder)})) {
-      if (problems_.empty())
-        problems_.push_back(std::move(problem));
-      else
-        ++more_;
+    std::error_code none;
+    const std::string remove = "remove the link, or choose another folder with --out";
+    if (core::Problems never = problems_of_output(path, care(true)); !never.empty())
+      return add(std::move(never.front()));
+    if (fs::is_symlink(fs::symlink_status(path, none)))
+      return add(problem_of_file(path, "a link has the name of a file that the sweep makes", remove));
+    if (const fs::path other = taken_by(path); !other.empty())
+      return add(problem_of_file(path, fmt::format("this file and '{}' are one file", other.string()), remove));
+    if (replace) return;
+    for (core::Problem& exists : problems_of_output(path, care(false))) {
+      exists.hint = request_.resume
+                        ? "it is not what this sweep would have made, or was changed since; replace with --force, or "
+                          "choose another folder with --out"
+                        : "replace with --force, go on with what is not done with --resume, or choose another folder "
+                          "with --out";
+      add(std::move(exists));
     }
   }
 
+  // The tables and the journal, which a resumed sweep makes anew and goes on with where they are its own.
+  void look_at_own(const fs::path& path, bool own) {
+    look_at(path, request_.force || request_.resume);
+    if (request_.resume && !request_.force && !own)
+      add(problem_of_file(path, "--resume leaves this file alone: no sweep wrote it",
+                          "replace it with --force, or give the tables and the journal another name with --table"));
+  }
+
+  // A file that is there and stays.
+  void keep(const fs::path& path) { static_cast<void>(taken_by(path)); }
+
   void refuse_any() && {
     if (problems_.empty()) return;
-    core::Problem& first = problems_.front();
-    if (more_ > 0) first.message = fmt::format("{}, and {} others", first.message, more_);
-    if (!request_.force)
-      first.hint = request_.resume
-                       ? "it is not what this sweep would have made, or was changed since; replace with --force, or "
-                         "choose another folder with --out"
-                       : "replace with --force, go on with what is not done with --resume, or choose another folder "
-                         "with --out";
+    if (more_ > 0) problems_.front().message += fmt::format(", and {}", core::counted(more_, "other"));
     throw core::Refused(std::move(problems_));
   }
 
  private:
+  [[nodiscard]] OutputCare care(bool force) const { return {sources_, force, "", chosen_folder(request_.folder)}; }
+
+  // Another output that is the same file, where there is one.
+  fs::path taken_by(const fs::path& path) {
+    const auto identity = identity_of(path);
+    if (!identity) return {};
+    const auto [known, is_new] = taken_.emplace(*identity, path);
+    return is_new ? fs::path() : known->second;
+  }
+
+  void add(core::Problem problem) {
+    if (problems_.empty())
+      problems_.push_back(std::move(problem));
+    else
+      ++more_;
+  }
+
   const SweepRequest& request_;
   std::vector<fs::path> sources_;
+  std::map<FileIdentity, fs::path> taken_;
   core::Problems problems_;
   std::size_t more_ = 0;
 };
+
+// The files of a row that are made, and those that stay.
+void look_at_row(const SweepRequest& request, const SweepFiles& files, const SweepRow& row, OutputWatch& watch) {
+  if (row.done || row.recorded)
+    watch.keep(files.beside(row.file));
+  else
+    watch.look_at(files.beside(row.file), request.force);
+  if (row.done || row.table) return;
+  // What a follow-up left of a recording that is kept is made anew.
+  for (const fs::path& path : files_of(request.follow_up, files.beside(fs::path(row.file).stem().string())))
+    watch.look_at(path, request.force || row.recorded);
+}
 
 }  // namespace
 
@@ -62,23 +144,19 @@ void expect_free_files(const SweepRequest& request, const Sweep& sweep, const st
   const SweepFiles files(request);
   std::vector<fs::path> sources = request.sources;
   std::ranges::move(sweep.sources(), std::back_inserter(sources));
-  FirstProblem problem(request, std::move(sources));
-  for (const SweepRow& row : rows)
-    if (!row.done && !row.recorded && !request.discard) {
-      problem.look_at(files.beside(row.file), request.force);
-      if (row.table) continue;
-      for (const fs::path& path : files_of(request.follow_up, files.beside(fs::path(row.file).stem().string())))
-        problem.look_at(path, request.force);
-    }
+  OutputWatch watch(request, std::move(sources));
+  if (!request.discard)
+    for (const SweepRow& row : rows) look_at_row(request, files, row, watch);
   for (const char* extension : {".csv", ".json", ".journal"}) {
     const fs::path path = files.of_part(extension);
     if (!request.discard &&
         std::ranges::any_of(rows, [&](const SweepRow& row) { return files.beside(row.file) == path; }))
       throw core::Refused("'" + path.string() + "' is the name of a variation's file and of a table of the sweep",
                           "give the table another name with --table");
-    problem.look_at(path, request.force || request.resume);
+    const bool journal = path.extension() == ".journal";
+    watch.look_at_own(path, journal ? takes_journal_lines(path) : is_own_table(path));
   }
-  std::move(problem).refuse_any();
+  std::move(watch).refuse_any();
 }
 
 }  // namespace sarsim::workflow

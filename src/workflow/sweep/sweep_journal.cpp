@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <fstream>
 #include <limits>
 #include <string_view>
 #include <system_error>
@@ -156,6 +157,23 @@ void SweepJournal::add(const SweepRow& row) {
   const std::string line = journal_line(row) + "\n";
   const std::scoped_lock hold(lock_);
   file_.add(line);
+}
+
+bool takes_journal_lines(const fs::path& path) {
+  std::error_code none;
+  const fs::file_status status = fs::status(path, none);
+  if (!fs::exists(status)) return true;
+  if (!fs::is_regular_file(status)) return false;
+  if (fs::file_size(path, none) == 0) return true;
+  constexpr std::size_t longest_heading = 1000;
+  std::string line(longest_heading, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(file.gcount()));
+  // Of any version: a heading is as good as the next, and lines of another are passed over.
+  line.resize(std::min(line.find('\n'), line.size()));
+  const std::string_view name = "sarsim sweep ";
+  return line.starts_with(name) && line.find(": stamp, file, ") == name.size() + 1 && line.ends_with(", end");
 }
 
 std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std::string& stem) {

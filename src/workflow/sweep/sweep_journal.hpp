@@ -28,6 +28,9 @@ class SweepJournal {
   core::JournalFile file_;
 };
 
+/// Whether a sweep may add lines to a file: it is missing or empty, or its first line is that of a journal of a sweep.
+[[nodiscard]] bool takes_journal_lines(const std::filesystem::path& path);
+
 /// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and
 /// `stem`-....journal in its folder. Of several lines about a product the latest is kept, but one without a file does
 /// not take the place of one with a file that is otherwise the same.

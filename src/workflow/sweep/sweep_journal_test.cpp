@@ -136,5 +136,19 @@ TEST_F(SweepJournals, BeginAnewWhereNothingIsKept) {
   EXPECT_TRUE(read_journals(folder_ / "none", "sweep").empty());
 }
 
+TEST_F(SweepJournals, AreKnownByTheirFirstLine) {
+  const fs::path path = folder_ / "a.journal";
+  EXPECT_TRUE(takes_journal_lines(path));
+  { SweepJournal(path, false).add(example("one.bin")); }
+  EXPECT_TRUE(takes_journal_lines(path));
+  for (const char* foreign : {"KEEP\n", "sarsim sweep 2: stamp, fi", "\nsarsim sweep 2: stamp, file, end\n"}) {
+    std::ofstream(path) << foreign;
+    EXPECT_FALSE(takes_journal_lines(path)) << foreign;
+  }
+  std::ofstream(path).close();
+  EXPECT_TRUE(takes_journal_lines(path));
+  EXPECT_FALSE(takes_journal_lines(folder_));
+}
+
 }  // namespace sweep_journal_test
 }  // namespace sarsim::workflow

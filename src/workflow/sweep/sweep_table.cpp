@@ -53,13 +53,15 @@ void add_figures(std::string& line, const std::vector<std::string>& names, const
   }
 }
 
+constexpr std::string_view first_column = "variation,";
+constexpr std::string_view product_columns = ",product,file,status,rows,columns,bytes,maximum_v,lsb_v,";
+
 std::string heading_line(const SweepFrame& frame) {
-  std::string line = "variation";
+  std::string line(first_column.substr(0, first_column.size() - 1));
   for (const SweepAxis& axis : frame.sweep->axes())
     line += fmt::format(",{}", cell(axis.unit().empty() ? axis.name : fmt::format("{} [{}]", axis.name, axis.unit())));
-  return line +
-         ",product,file,status,rows,columns,bytes,maximum_v,lsb_v,lsb_estimated,best_lsb_v,range_used,saturated,zero,"
-         "engine,seconds";
+  line += product_columns;
+  return line + "lsb_estimated,best_lsb_v,range_used,saturated,zero,engine,seconds";
 }
 
 std::string line_of(const SweepFrame& frame, const SweepRow& row) {
@@ -148,6 +150,22 @@ std::string sweep_csv(const SweepFrame& frame, const std::vector<SweepRow>& rows
     text += '\n';
   }
   return text;
+}
+
+bool begins_as_sweep_csv(std::string_view beginning) {
+  const std::string_view line = beginning.substr(0, beginning.find('\n'));
+  return line.starts_with(first_column) && line.find(product_columns) != std::string_view::npos;
+}
+
+bool begins_as_sweep_json(std::string_view beginning) {
+  std::size_t place = 0;
+  for (const std::string_view member :
+       {"{\n  \"sarsim\": \"", "\n  \"script\": \"", "\n  \"variations\": ", "\n  \"axes\": ["}) {
+    const std::size_t found = beginning.find(member, place);
+    if (found == std::string_view::npos || (place == 0 && found != 0)) return false;
+    place = found + member.size();
+  }
+  return true;
 }
 
 std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& rows) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/report/problem.hpp"
@@ -26,5 +27,10 @@ struct SweepFrame {
 
 /// The same as a JSON object, exact, with the values as typed.
 [[nodiscard]] std::string sweep_json(const SweepFrame& frame, const std::vector<SweepRow>& rows);
+
+/// Whether a file begins as the tables of a sweep do.
+/// @param beginning  of the file; of a long one, the first million bytes are enough
+[[nodiscard]] bool begins_as_sweep_csv(std::string_view beginning);
+[[nodiscard]] bool begins_as_sweep_json(std::string_view beginning);
 
 }  // namespace sarsim::workflow

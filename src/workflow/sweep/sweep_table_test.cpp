@@ -95,5 +95,19 @@ TEST_F(SweepTable, AsJsonHoldsValuesAsTypedAndInBaseUnits) {
   EXPECT_THAT(json, HasSubstr("\"variations\": 4"));
 }
 
+TEST_F(SweepTable, IsKnownByItsBeginning) {
+  const std::string csv = sweep_csv(frame_, {});
+  const std::string json = sweep_json(frame_, {});
+  EXPECT_TRUE(begins_as_sweep_csv(csv));
+  EXPECT_TRUE(begins_as_sweep_json(json));
+  for (const std::string& other : {std::string(), std::string("variation,rcs\n1,2\n"), csv.substr(1), json.substr(1),
+                                   "\n" + csv, std::string("{\n  \"sarsim\": \"1.0\"\n}\n")}) {
+    EXPECT_FALSE(begins_as_sweep_csv(other)) << other;
+    EXPECT_FALSE(begins_as_sweep_json(other)) << other;
+  }
+  EXPECT_FALSE(begins_as_sweep_csv(json));
+  EXPECT_FALSE(begins_as_sweep_json(csv));
+}
+
 }  // namespace sweep_table_test
 }  // namespace sarsim::workflow

@@ -1,21 +1,19 @@
 #include "workflow/sweep/value_table.hpp"
 
-#include <span>
 #include <string>
 #include <variant>
 
 #include <fmt/format.h>
 
-#include "core/os/input_file.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/letters.hpp"
 #include "scene/schema/table_text.hpp"
+#include "workflow/input/target_tables.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::uint64_t largest_bytes = std::uint64_t{1} << 28;
 constexpr std::size_t most_told = 20;
 
 // Reads the lines of a table into the axes of its columns.
@@ -24,7 +22,7 @@ class TableReader {
   TableReader(const scene::Scene& scene, std::string file, core::Problems& problems)
       : scene_(scene), file_(std::move(file)), problems_(problems) {}
 
-  std::vector<SweepAxis> read(std::string_view text) {
+  ValueTable read(std::string_view text) {
     const std::vector<scene::TableLine> lines = scene::table_lines(text);
     if (lines.size() < 2) {
       tell(0, "the table has no values", {}, "a line of names of fields, then a line for each variation");
@@ -35,10 +33,11 @@ class TableReader {
            fmt::format("{} at most", most_variations));
       return {};
     }
-    std::vector<SweepAxis> axes = axes_of(lines[0]);
-    for (std::size_t i = 1; i < lines.size() && !axes.empty() && problems_.size() < most_told; ++i)
-      add_line(lines[i], axes);
-    return axes;
+    heading_line_ = lines[0].number;
+    ValueTable table{axes_of(lines[0]), heading_line_};
+    for (std::size_t i = 1; i < lines.size() && !table.axes.empty() && problems_.size() < most_told; ++i)
+      add_line(lines[i], table);
+    return table;
   }
 
  private:
@@ -50,14 +49,24 @@ class TableReader {
   }
 
   std::vector<SweepAxis> axes_of(const scene::TableLine& line) {
+    expect_whole_brackets(line);
     std::vector<SweepAxis> axes;
+    if (line.cells.empty())
+      tell(line.number, "the first line of the table names no fields", std::string(line.text),
+           "names as in Radar1.bandwidth or seed");
     for (const scene::ColumnHeading& column : scene::headings_of(line)) {
+      if (problems_.size() >= most_told) break;
       SweepAxis axis;
       axis.name = column.written;
       axis.field = scene::find_named_field(scene_, axis.name, column.unit.empty() ? "" : "0");
-      if (axis.field.field == nullptr)
-        tell(line.number, "a column is not named after a field: " + axis.field.failure, std::string(column.written),
+      if (axis.name.empty())
+        tell(line.number, "a column has no name", std::string(core::clipped(line.text)),
+             "names as in Radar1.bandwidth or seed");
+      else if (axis.field.field == nullptr)
+        tell(line.number, "a column is not named after a field: " + axis.field.failure, core::clipped(column.written),
              "names as in Radar1.bandwidth or seed", "leave other columns out of the table");
+      else if (!column.unit.empty())
+        expect_unit(axis, column.unit);
       units_.push_back(column.unit);
       axes.push_back(std::move(axis));
     }
@@ -65,12 +74,36 @@ class TableReader {
     return axes;
   }
 
-  void add_line(const scene::TableLine& line, std::vector<SweepAxis>& axes) {
+  // Units stand in brackets at the end of a name.
+  void expect_whole_brackets(const scene::TableLine& line) {
+    for (const std::string_view cell : line.cells) {
+      const std::size_t open = cell.find_first_of("[(");
+      if (open == std::string_view::npos || problems_.size() >= most_told) continue;
+      const std::size_t close = cell.find(cell[open] == '[' ? ']' : ')', open);
+      if (close == cell.size() - 1) continue;
+      tell(line.number,
+           close == std::string_view::npos ? "the bracket of a unit is not closed"
+                                           : "something follows a unit's bracket",
+           core::clipped(cell), "a name and its unit, as in Target1.x [m]");
+    }
+  }
+
+  void expect_unit(const SweepAxis& axis, const std::string& unit) {
+    const std::string found = core::clipped(fmt::format("{} [{}]", axis.name, unit));
+    if (!axis.is_number() || axis.is_seed())
+      return tell(heading_line_, fmt::format("{} has no unit", axis.name), found, axis.name + " alone");
+    if (const scene::QuantityReading one = scene::read_quantity("1 " + unit, axis.field.field->quantity); !one.value)
+      tell(heading_line_, fmt::format("{}: the unit does not fit: {}", axis.name, one.failure), found, {});
+  }
+
+  void add_line(const scene::TableLine& line, ValueTable& table) {
+    std::vector<SweepAxis>& axes = table.axes;
     if (line.cells.size() != axes.size()) {
       tell(line.number, "a line has another number of values than there are columns",
            core::counted(line.cells.size(), "value"), fmt::format("{}", axes.size()));
       return;
     }
+    table.lines.push_back(line.number);
     for (std::size_t i = 0; i < axes.size(); ++i) add_cell(line, std::string(line.cells[i]), units_[i], axes[i]);
   }
 
@@ -81,8 +114,11 @@ class TableReader {
     if (failure.empty() && axis.is_number() && !axis.is_seed()) {
       if (scene::number_length(cell) == cell.size()) cell += unit;
       failure = scene::read_quantity(cell, axis.field.field->quantity).failure;
+    } else if (failure.empty() && !unit.empty()) {
+      failure = fmt::format("'{}' is not a number in {}", core::clipped(cell), unit);
     }
-    if (!failure.empty()) tell(line.number, fmt::format("{}: {}", axis.name, failure), {}, {});
+    if (!failure.empty() && problems_.size() < most_told)
+      tell(line.number, fmt::format("{}: {}", axis.name, failure), {}, {});
     axis.values.push_back(std::move(cell));
   }
 
@@ -90,26 +126,18 @@ class TableReader {
   std::string file_;
   core::Problems& problems_;
   std::vector<std::string> units_;
+  std::size_t heading_line_ = 0;
 };
 
 }  // namespace
 
-std::vector<SweepAxis> read_value_table(const scene::Scene& scene, const std::filesystem::path& file,
-                                        core::Problems& problems) {
-  auto opened = core::InputFile::open(file);
-  if (auto* failure = std::get_if<core::Problem>(&opened)) {
+ValueTable read_value_table(const scene::Scene& scene, const std::filesystem::path& file, core::Problems& problems) {
+  auto read = read_table_text(file, {"the table of values", std::uint64_t{1} << 28, ""});
+  if (auto* failure = std::get_if<core::Problem>(&read)) {
     problems.push_back(std::move(*failure));
     return {};
   }
-  const core::InputFile& input = std::get<core::InputFile>(opened);
-  if (input.size() > largest_bytes) {
-    problems.push_back(core::problem_of(core::Severity::error, "the table of values is too large", file.string(),
-                                        fmt::format("{} bytes at most", largest_bytes), {}));
-    return {};
-  }
-  std::string text(static_cast<std::size_t>(input.size()), '\0');
-  input.read_all_at(0, std::as_writable_bytes(std::span(text)));
-  return TableReader(scene, file.string(), problems).read(text);
+  return TableReader(scene, file.string(), problems).read(std::get<std::string>(read));
 }
 
 }  // namespace sarsim::workflow
