@@ -272,7 +272,7 @@ FIGURES = [
         "A.14",
         "Antenna pattern with a beam of 10 degrees",
         [f"sarsim plot {BEAM} --kind antenna --angles -45 45 {SIZE} -o figure_a14.png"],
-        "The amplitude of one way. The crosses are the half-power points, half a beam's width off the middle.",
+        "One-way amplitude. The crosses are the half-power points, half a beam's width off the middle.",
         [
             Number("half the power at", "deg", 5.0, "thesis", 0.05, ".2f",
                    half_power(f"{BEAM} --kind antenna --angles -45 45")),
@@ -355,7 +355,7 @@ FIGURES = [
             SEARCH,
             "sarsim plot ppi.img --show db --span 40 --size 760 680 -o search.png",
         ],
-        "A ship, an aircraft and the noise of the receiver on the plan of a rotating antenna, north above. The table of detections"
+        "A ship, an aircraft and the noise of the receiver on the plan of a rotating antenna, north up. The table of detections"
         " is written beside the picture.",
         [
             Number("ship's distance", "m", 10000.0, "script", 20.0, ".0f",
@@ -376,7 +376,7 @@ FIGURES = [
             MAPS,
             "sarsim plot mti.img --show db --span 60 --size 800 640 -o moving.png",
         ],
-        "What rests is on the line of no Doppler frequency, the car above it at the same range as a house that is"
+        "Stationary objects are on the zero-Doppler line, the car above it at the same range as a house that is"
         " much stronger.",
         [
             Number("car's Doppler frequency", "Hz", 1000.0, "2·15 m/s/λ", 2.0, ".1f",
@@ -403,7 +403,7 @@ FIGURES = [
         "steps",
         "Beyond the thesis: a profile from stepped frequencies",
         [STEPS, f"sarsim plot {STEPS_VIEW} --show db --span 60 --mark-peaks 4 --size 640 280 -o steps.png"],
-        "64 pulses on 64 carriers, each too narrow to tell targets apart that are less than 15 m from each other, make one"
+        "64 pulses on 64 carriers, each too narrow-band to resolve targets less than 15 m apart, make one"
         " profile 320 MHz wide: four targets within 9 m. A Hamming window keeps their sidelobes 40 dB down.",
         [
             *(
@@ -489,7 +489,7 @@ FIGURES = [
             FOCUS_STRIP,
             f"sarsim plot strip.img {PAIR} --show db --span 40 --mark-peaks 1 --size 800 320 -o spotlight_strip.png",
         ],
-        "A beam that is held on a place sees it for longer, and makes it finer than half the antenna's length. The cuts go"
+        "A beam that is held on a place sees it for longer, and resolves it more finely than half the antenna's length. The cuts go"
         " through the two points in the middle, half a metre apart: two peaks with the beam held, one with the same antenna"
         " looking sideways. The sidelobes of each move the other's peak by 4 cm.",
         [
@@ -552,7 +552,7 @@ FIGURES = [
             " -o surface_ridge.png",
         ],
         "A plate of 20 m by 20 m turns once in 10 s. Its front draws the pattern of an antenna of its size; its back is silent."
-        " At a shorter wavelength the points that a surface is made of show as a grating. The slopes of a ridge, as"
+        " At a shorter wavelength the points that a surface is made of produce grating lobes. The slopes of a ridge, as"
         " long as each other, are bright and short where they face the radar, dim and long behind.",
         [
             Number("cross-section facing the radar", "dB above 1 m²", 10.0 * math.log10(390.0 * 400.0), "390 points · area", 0.02,

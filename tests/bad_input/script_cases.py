@@ -120,7 +120,7 @@ def word_cases():
             "unknown_option",
             "option that does not exist",
             script(("$PLATFORM Ground", "$OPTIONS @SPEED 1\n$PLATFORM Ground")),
-            message=["none of the possible", "SEED"],
+            message=["not a valid choice", "SEED"],
         ),
         Case(
             "unknown_profile",

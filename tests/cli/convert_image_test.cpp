@@ -92,7 +92,7 @@ TEST_F(ConvertImage, SaysWhatIsLeftBehind) {
   EXPECT_THAT(text.err, HasSubstr("in the header of 'image.img' are left behind"));
   const Finished counts = convert({"image.img", "copy.npy", "--counts", "--bits", "8", "--lsb", "1"});
   ASSERT_EQ(counts.status, 0) << counts.err;
-  EXPECT_THAT(counts.err, HasSubstr("counts are no image"));
+  EXPECT_THAT(counts.err, HasSubstr("counts do not make an image"));
   EXPECT_FALSE(fs::exists(folder_ / "copy.hdr"));
 }
 

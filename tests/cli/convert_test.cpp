@@ -178,5 +178,20 @@ TEST_F(Convert, CountsZeroForWhatIsNoNumberAndTellsOfIt) {
   EXPECT_THAT(run.err, HasSubstr("1 of 2 samples were clipped to 8 bits; some of the numbers are infinite"));
 }
 
+TEST_F(Convert, RefusesWhatTheNewFileCannotHold) {
+  write_text(folder_ / "large.csv", "1,2\n3,1e39\n");
+  for (const char* made : {"made.npy", "made.h5"}) {
+    const Finished large = sarsim({"convert", "large.csv", made, "--lsb", "1"});
+    EXPECT_EQ(large.status, 2) << made;
+    EXPECT_THAT(large.err, HasSubstr("too large for the single precision of the new file"));
+    EXPECT_THAT(large.err, HasSubstr("1e+39j V"));
+    EXPECT_FALSE(fs::exists(folder_ / made));
+  }
+  const Finished small = sarsim({"convert", "sim.bin", "made.npy", "--script", "scene.scr", "--lsb", "1e-320"});
+  EXPECT_EQ(small.status, 2);
+  EXPECT_THAT(small.err, HasSubstr("--lsb is too small"));
+  EXPECT_THAT(small.err, HasSubstr("expected at least 1e-37 V"));
+}
+
 }  // namespace convert_test
 }  // namespace sarsim::test

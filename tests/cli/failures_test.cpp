@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "program.hpp"
+#include "report_numbers.hpp"
 
 namespace sarsim::test {
 namespace failures_test {
@@ -115,6 +116,41 @@ TEST_F(Failures, ReaderThatLeavesEndsTheCommandQuietly) {
   ASSERT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(text_of(folder_ / "status"), "1\n");
   EXPECT_EQ(text_of(folder_ / "err"), "");
+}
+
+TEST_F(Failures, NamesOfFilesGiveNoOrdersToTheTerminal) {
+  const Finished made = sarsim({"new", "tutorial", "-o", "a\033b\nc.scr"});
+  EXPECT_EQ(made.status, 0) << made.err;
+  EXPECT_THAT(made.err, HasSubstr("a\\x1bb\\x0ac.scr: "));
+  EXPECT_THAT(made.err, Not(HasSubstr("\033")));
+}
+
+TEST_F(Failures, CommandsThatAreNamedCanBeTyped) {
+  EXPECT_THAT(sarsim({"new", "tutorial", "-o", "a b.scr"}).err, HasSubstr("sarsim check 'a b.scr' "));
+  EXPECT_THAT(sarsim({"new", "tutorial", "--out=-c.scr"}).err, HasSubstr("sarsim run ./-c.scr "));
+}
+
+TEST_F(Failures, InfoSaysNothingInfinite) {
+  SceneText scene;
+  write_scene(scene);
+  for (const char* setting : {"Radar1.noise_temperature=1e-300", "Radar1.bandwidth=1e18"}) {
+    const Finished info = sarsim({"info", "scene.scr", "--set", setting});
+    EXPECT_EQ(info.status, 0) << setting << info.err;
+    EXPECT_THAT(info.out, Not(HasSubstr(" inf"))) << setting;
+    EXPECT_THAT(info.out, Not(HasSubstr("nan"))) << setting;
+  }
+}
+
+// What focusing would make of such waveforms is left out of it.
+TEST_F(Failures, InfoOfWaveformsBeyondAllBoundsIsStillGiven) {
+  for (const char* setting : {"Radar1.bandwidth=1e18", "Radar1.pulse_width=1e18"}) {
+    const Finished info = sarsim({"info", examples + "sar_r.scr", "--set", setting});
+    EXPECT_EQ(info.status, 0) << setting << info.err;
+    EXPECT_THAT(info.out, HasSubstr("strongest echo")) << setting;
+  }
+  const Finished focus = sarsim({"focus", examples + "sar_r.scr", "--set", "Radar1.pulse_width=1e18", "-o", "o.npy"});
+  EXPECT_EQ(focus.status, 2);
+  EXPECT_THAT(focus.err, HasSubstr("the pulse is too long to be focused"));
 }
 
 TEST_F(Failures, MissingAndUnreadableScriptsAreBadInput) {

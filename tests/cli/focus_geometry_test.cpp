@@ -241,7 +241,7 @@ TEST_F(FocusGeometry, SaysAtOnceWhatCannotBe) {
     EXPECT_THAT(run.err, HasSubstr(what));
     EXPECT_THAT(run.err, testing::Not(HasSubstr("image.img"))) << "work began";
   };
-  expect_early({"--doppler-centroid", "nonsense"}, "--doppler-centroid: 'nonsense' is none");
+  expect_early({"--doppler-centroid", "nonsense"}, "--doppler-centroid: invalid 'nonsense'");
   expect_early({"--doppler-bandwidth", "9999"}, "the Doppler bandwidth does not fit between two pulses");
   expect_early({"--autofocus", "--autofocus-piece", "1e6"}, "autofocus cannot work on pieces of 1e+06 m");
   expect_early({"--autofocus", "--memory", "1M"}, "but --memory allows 1.05 MB");
@@ -309,7 +309,7 @@ TEST_F(FocusGeometry, OfAVerticalFlightHasNoGroundGrid) {
                                        "--grid", "ground",    "--height", "10"};
   const Finished run = sarsim(words);
   EXPECT_EQ(run.status, 2);
-  EXPECT_THAT(run.err, HasSubstr("the antenna flies straight up or down"));
+  EXPECT_THAT(run.err, HasSubstr("the antenna flies vertically"));
   EXPECT_THAT(run.err, testing::Not(HasSubstr("--height")));
 }
 

@@ -106,7 +106,7 @@ TEST_F(Focus, SaysWhatIsWrongWithItsArguments) {
   };
   refused({"--window", "hammond"}, "'hammond' is not a valid window");
   refused({"--memory", "much"}, "--memory: 'much' is not a valid size");
-  refused({"--doppler-centroid", "left"}, "--doppler-centroid: 'left' is none");
+  refused({"--doppler-centroid", "left"}, "--doppler-centroid: invalid 'left'");
   refused({"--doppler-bandwidth", "1000"}, "Doppler bandwidth");
   refused({"--simulation", "7"}, "no simulation 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");
@@ -114,6 +114,27 @@ TEST_F(Focus, SaysWhatIsWrongWithItsArguments) {
   refused({"--algorithm", "back-projection", "--memory", "1M"}, "back projection holds echoes and image in memory");
   EXPECT_EQ(sarsim({"focus", "missing.h5"}).status, 2);
   EXPECT_EQ(sarsim({"measure", "missing.img"}).status, 2);
+}
+
+TEST_F(Focus, RefusesAreasThatAreTooLargeAtOnce) {
+  for (const std::string algorithm : {"omega-k", "back-projection"})
+    for (const std::string area : {"1e300:1e301", "-1e18:1e18"}) {
+      const Finished refused = focused({"--algorithm", algorithm, "--azimuth", area, "--out", "o.npy"});
+      EXPECT_EQ(refused.status, 2) << algorithm << " " << area;
+      EXPECT_THAT(refused.err, HasSubstr("too long in azimuth, or too far from the record"));
+      EXPECT_THAT(refused.err, HasSubstr("samples with the record"));
+    }
+  const Finished far = focused({"--algorithm", "back-projection", "--range", "1e300:1e301", "--out", "o.npy"});
+  EXPECT_EQ(far.status, 2) << far.err;
+  EXPECT_THAT(far.err, HasSubstr("--range reaches too far from the recorded ranges"));
+}
+
+// Beyond the 10.5 km of range, near enough to be quick.
+TEST_F(Focus, WarnsOfAnAreaThatTheRecordSeesNothingOf) {
+  const Finished far = sarsim({"focus", examples + "sar_r.scr", "--azimuth", "15000:15001", "--out", "o.npy"});
+  EXPECT_EQ(far.status, 0) << far.err;
+  EXPECT_THAT(far.err, HasSubstr("lies beyond all that the record holds echoes of"));
+  EXPECT_THAT(far.err, HasSubstr("found '15000 to 15001 m'"));
 }
 
 TEST_F(Focus, RefusesWhatIsNoSyntheticAperture) {

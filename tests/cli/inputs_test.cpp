@@ -64,7 +64,8 @@ TEST_F(Inputs, ASampleThatIsNotANumberIsNamedBeforeItSpreads) {
     const char* words;
   };
   for (const Damage& damage : {Damage{std::numeric_limits<float>::quiet_NaN(), "is not a number"},
-                               Damage{std::numeric_limits<float>::infinity(), "is too large to compute with"}}) {
+                               Damage{std::numeric_limits<float>::infinity(), "is too large to compute with"},
+                               Damage{1e30F, "is too large to compute with"}}) {
     std::string bytes = sound;
     std::memcpy(bytes.data() + bytes.size() - sizeof(float), &damage.value, sizeof(float));
     write_text(folder_ / "sim.npy", bytes);
@@ -74,6 +75,21 @@ TEST_F(Inputs, ASampleThatIsNotANumberIsNamedBeforeItSpreads) {
   }
   write_text(folder_ / "sim.npy", sound);
   expect_done({"doppler", "sim.npy", "--script", "scene.scr", "--out", "m.img", "--quiet"});
+}
+
+// The shape fits, the ranges are others: targets would be found 50 m beside their places.
+TEST_F(Inputs, AxesOfAFileThatAreNotThoseOfItsScriptAreWarnedOf) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "hdf5", "--quiet"});
+  std::string other = SceneText{}.text();
+  other.replace(other.find("900 1400"), 8, "950 1450");
+  write_text(folder_ / "other.scr", other);
+  const Finished done = sarsim({"doppler", "sim.h5", "--script", "other.scr", "--out", "m.img"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("the axis slant_range_m of the file is not that of its script"));
+  EXPECT_THAT(done.err, testing::Not(HasSubstr("pulse_time_s")));
+  const Finished own = sarsim({"doppler", "sim.h5", "--out", "own.img"});
+  EXPECT_THAT(own.err, testing::Not(HasSubstr("the axis")));
 }
 
 TEST_F(Inputs, ValuesThatAreNotFiniteAreNoLineOfNames) {
@@ -117,11 +133,11 @@ TEST_F(Inputs, ANameThatTwoSimulationsMayHaveMadeIsRefused) {
   expect_done({"run", "scene.scr", "2", "--quiet"});
   expect_done({"convert", "r.asc", "r.npy", "--script", "scene.scr"});
   const std::vector<std::string> doppler{"doppler", "r.npy", "--script", "scene.scr", "--out", "m.img"};
-  expect_refusal(doppler, "'r.npy' may be what r.bin or what r.asc became");
+  expect_refusal(doppler, "'r.npy' could come from r.bin or from r.asc");
   std::vector<std::string> chosen = doppler;
   chosen.insert(chosen.end(), {"--simulation", "2"});
   expect_done(chosen);
-  expect_refusal({"info", "r.npy", "--script", "scene.scr"}, "may be what r.bin or what r.asc became");
+  expect_refusal({"info", "r.npy", "--script", "scene.scr"}, "could come from r.bin or from r.asc");
 }
 
 TEST_F(Inputs, NamesThatRunGivesWithAnotherFormatAreKnown) {

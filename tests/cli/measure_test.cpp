@@ -53,6 +53,24 @@ TEST_F(Measure, SaysThatNoiseIsNoTargetAndEndsWithAStatus) {
   EXPECT_THAT(measure.out, HasSubstr("0 of 24 targets found"));
 }
 
+// A peak at the edge of the image is not that of a target beyond it.
+TEST_F(Measure, LooksForNoTargetBesideTheImage) {
+  const auto focused = [&](const std::string& from, const std::string& to) {
+    const Finished focus = sarsim({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--azimuth", from, to, "--out",
+                                   "part.img", "--force", "--quiet"});
+    EXPECT_EQ(focus.status, 0) << focus.err;
+    return sarsim({"measure", "part.img"});
+  };
+  const Finished some = focused("-10", "70");
+  EXPECT_EQ(some.status, 0);
+  EXPECT_THAT(some.out, HasSubstr(": outside the image\n"));
+  EXPECT_THAT(some.out, HasSubstr(" outside the image)"));
+  EXPECT_THAT(some.out, Not(HasSubstr("not found within")));
+  const Finished none = focused("600", "640");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.out, HasSubstr("0 of 0 targets found (24 outside the image)"));
+}
+
 TEST_F(Measure, WritesATableAndFieldsForPrograms) {
   const Finished table = sarsim({"measure", "sar_r.img", "--csv"});
   EXPECT_EQ(table.status, 0) << table.err;

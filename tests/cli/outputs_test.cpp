@@ -89,6 +89,48 @@ TEST_F(Outputs, ForceNeverReplacesADataFileOfTheScriptInARecording) {
   expect_kept("gain.dat", {"doppler", "sim.h5", "--detections", "gain.dat", "--force", "--quiet"});
 }
 
+TEST_F(Outputs, ForceNeverReplacesATableOfTargets) {
+  write_text(folder_ / "t.hdr", "0,0,0,1\n");
+  write_text(folder_ / "t.csv", "0,0,0,1\n");
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/sar_r.scr";
+  expect_kept("t.hdr", {"focus", scene, "--targets", "t.hdr", "--out", "t.img", "--force"});
+  expect_kept("t.hdr", {"focus", scene, "--targets", "Earth=t.hdr", "--out", "t.img", "--force"});
+  expect_kept("t.csv", {"plot", "scene.scr", "--targets", "t.csv", "--kind", "pulse", "--csv", "t.csv", "--force"});
+}
+
+// A link between two names would let the later output replace the earlier one.
+TEST_F(Outputs, ThatAreOneFileThroughALinkAreRefused) {
+  const auto expect_refused = [&](const char* link, const char* to, const std::vector<std::string>& words) {
+    fs::create_symlink(to, folder_ / link);
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << words[0];
+    EXPECT_THAT(refused.err, HasSubstr("two outputs are one file through a link")) << words[0];
+    EXPECT_FALSE(fs::exists(folder_ / to)) << words[0];
+    fs::remove(folder_ / link);
+  };
+  const std::string examples = SARSIM_SOURCE_DIR "/examples/";
+  expect_refused("t.hdr", "t.img", {"focus", examples + "sar_r.scr", "--out", "t.img", "--force"});
+  expect_refused("t.hdr", "t.img", {"doppler", examples + "mti.scr", "--out", "t.img", "--force"});
+  expect_refused("d.csv", "t.hdr",
+                 {"search", examples + "search_radar.scr", "--out", "t.img", "--detections", "d.csv", "--force"});
+  expect_refused("x.csv", "a.png",
+                 {"plot", "scene.scr", "--kind", "pulse", "-o", "a.png", "--csv", "x.csv", "--force"});
+}
+
+TEST_F(Outputs, CutsStayInTheirFolderAndReplaceNoImage) {
+  ASSERT_EQ(sarsim({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--out", "im.img", "--quiet"}).status, 0);
+  const std::string image = text_of(folder_ / "im.img");
+  fs::create_directory(folder_ / "d");
+  fs::create_directory(folder_ / "h");
+  fs::create_symlink("../im.img", folder_ / "d/target-2.png");
+  EXPECT_EQ(sarsim({"measure", "im.img", "--cuts", "d", "--force"}).status, 2);
+  EXPECT_EQ(text_of(folder_ / "im.img"), image);
+  fs::remove(folder_ / "d/target-2.png");
+  fs::create_symlink("../h/x", folder_ / "d/target-1.png");
+  EXPECT_EQ(sarsim({"measure", "im.img", "--cuts", "d"}).status, 2);
+  EXPECT_TRUE(fs::is_empty(folder_ / "h"));
+}
+
 TEST_F(Outputs, OtherFilesAreStillReplaced) {
   write_text(folder_ / "other.csv", "old");
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "pulse", "--csv", "other.csv", "--force"}).status, 0);
@@ -139,7 +181,7 @@ class SideFiles : public Outputs {
 };
 
 TEST_F(SideFiles, ReceiptsReplaceNothingButReceipts) {
-  const std::string message = "the recording's receipt has the name of something that is not a receipt";
+  const std::string message = "the file name of the recording's receipt is taken by something else";
   const std::string script = text_of(folder_ / "scene.scr");
   fs::rename(folder_ / "scene.scr", folder_ / "sim.bin.journal");
   for (const char* option : {"--resume", "--part=1/2"}) {

@@ -196,6 +196,21 @@ TEST_F(Search, FindsBothTargetsInEachTurnWithinACell) {
   EXPECT_THAT(run.out, HasSubstr("\"intervals_found\""));
 }
 
+// The aircraft flies 240 m between two turns: the strongest detection may be of one, the strongest echo of the other.
+TEST_F(Search, MeasuresRangesWhereTargetsAreWhenTheyAreFound) {
+  for (const char* seed : {"1", "2", "3", "4"}) {
+    const Finished run = sarsim(
+        {"search", examples + "search_radar.scr", "--no-map", "--seed", seed, "--detections", "d.csv", "--force"});
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::regex pattern("range ([+-][0-9.]+) m away");
+    const std::string text = run.out + run.err;
+    std::size_t errors = 0;
+    for (std::sregex_iterator i(text.begin(), text.end(), pattern), end; i != end; ++i, ++errors)
+      EXPECT_LT(std::abs(std::stod((*i)[1])), 20.0) << "seed " << seed << ": " << i->str();
+    EXPECT_EQ(errors, 2U);
+  }
+}
+
 TEST_F(Search, MakesTheSameBytesForAnyNumberOfThreads) {
   for (const char* threads : {"1", "3"}) {
     const std::string name(threads);
@@ -267,9 +282,9 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
     EXPECT_THAT(run.err, HasSubstr(text));
     EXPECT_THAT(entries("."), testing::IsEmpty());
   };
-  refused({"--window", "hammond"}, "--window: no window; found 'hammond'");
-  refused({"--train", "many"}, "--train: no numbers of cells; found 'many'");
-  refused({"--guard", "2:-1"}, "--guard: no numbers of cells");
+  refused({"--window", "hammond"}, "--window: invalid; found 'hammond'");
+  refused({"--train", "many"}, "--train: invalid cell counts; found 'many'");
+  refused({"--guard", "2:-1"}, "--guard: invalid cell counts");
   refused({"--pfa", "2"}, "--pfa");
   refused({"--rank", "1.5", "--cfar", "os"}, "--rank");
   refused({"--rank", "0.5"}, "--rank is for the ordered statistic");
@@ -290,7 +305,7 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   refused({"--pixel", "0"}, "--pixel 0: must be above 0", true);
   refused({"--pixel", "0.01"}, "too large", true);
   refused({"--extent", "-5"}, "--extent", true);
-  refused({"--scan", "3"}, "the antenna turns less often", true);
+  refused({"--scan", "3"}, "fewer turns are recorded", true);
   refused({"--height", "50000"}, "the ground is farther away", true);
   EXPECT_EQ(sarsim({"doppler", "missing.h5"}).status, 2);
   const Finished profiles = sarsim({"doppler", examples + "stepped_srp.scr"});
@@ -306,7 +321,7 @@ TEST_F(Search, RefusesASecondTurnOfABeamThatStandsStill) {
   write_text(folder_ / "still.scr", text);
   const Finished second = sarsim({"search", "still.scr", "--scan", "2", "--out", "p.img"});
   EXPECT_EQ(second.status, 2);
-  EXPECT_THAT(second.err, HasSubstr("the antenna turns less often"));
+  EXPECT_THAT(second.err, HasSubstr("fewer turns are recorded"));
   EXPECT_THAT(entries("."), testing::ElementsAre("still.scr"));
   EXPECT_EQ(sarsim({"search", "still.scr", "--scan", "1", "--out", "p.img"}).status, 0);
 }

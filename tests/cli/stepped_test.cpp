@@ -166,12 +166,12 @@ TEST_F(Profiles, SayWhatIsWrongWithTheirArguments) {
     EXPECT_THAT(run.err, HasSubstr(text));
   };
   refused({"--window", "hammond"}, "'hammond' is not a valid window");
-  refused({"--velocity", "fast"}, "--velocity: 'fast' is none");
-  refused({"--velocity", "1e9"}, "--velocity: '1e9' is none");
+  refused({"--velocity", "fast"}, "--velocity: invalid 'fast'");
+  refused({"--velocity", "1e9"}, "--velocity: invalid '1e9'");
   refused({"--fastest", "-3"}, "--fastest");
   refused({"--align"}, "--align moves profiles by the speed");
   refused({"--burst", "9"}, "burst 9 is not illuminated");
-  refused({"--from", "3020", "--to", "3000"}, "are none");
+  refused({"--from", "3020", "--to", "3000"}, "is empty");
   refused({"--from", "0", "--to", "1e9"}, "cannot be held");
   refused({"--simulation", "7"}, "no simulation 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");

@@ -83,6 +83,18 @@ TEST_F(Words, ScenesToBeginWithAreComplete) {
   expect_refusal({"new", "sar-stripe"}, "did you mean 'sar-strip'?");
 }
 
+TEST_F(Words, IntervalsAreTwoWordsOrOneInEveryCommand) {
+  const std::string scene = SARSIM_SOURCE_DIR "/examples/sar_r.scr";
+  ASSERT_EQ(sarsim({"focus", scene, "--azimuth", "-20:20", "--range", "10150:10250", "--out", "a.img"}).status, 0);
+  ASSERT_EQ(sarsim({"focus", scene, "--azimuth", "-20", "20", "--range", "10150", "10250", "--out", "b.img"}).status,
+            0);
+  EXPECT_EQ(text_of(folder_ / "a.img"), text_of(folder_ / "b.img"));
+  ASSERT_EQ(sarsim({"plot", "a.img", "--range", "10180", "10220", "--kind", "pulse", "--csv", "a.csv"}).status, 0);
+  ASSERT_EQ(sarsim({"plot", "a.img", "--range", "10180:10220", "--kind", "pulse", "--csv", "b.csv"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "a.csv"), text_of(folder_ / "b.csv"));
+  expect_refusal({"focus", scene, "--azimuth", "20", "--out", "c.img"}, "--azimuth: '20' is not an interval");
+}
+
 TEST_F(Words, FieldsAreSetWhereverAScriptIsRead) {
   SceneText scene;
   scene.geometry = "table.txt";
@@ -311,6 +323,12 @@ TEST_F(Words, NumbersWithoutUnitsAreWarnedOfWhereTheUnitOfTheScriptWasMeant) {
     EXPECT_THAT(warned(setting), Not(HasSubstr("without a unit"))) << setting;
 }
 
+TEST_F(Words, PicturesAreRefusedWhereSamplesAreWritten) {
+  write_scene({});
+  for (const char* command : {"focus", "doppler", "search", "profiles", "isar"})
+    expect_refusal({command, "scene.scr", "--out", "a.png"}, "is the name of a picture");
+}
+
 TEST_F(Words, TargetsComeFromTablesInEveryCommand) {
   write_scene({});
   write_text(folder_ / "points.csv", "x,y,z,rcs\n1100,0,0,2\n1200,0,5,3\n");
@@ -339,6 +357,14 @@ TEST_F(Words, TargetsComeFromTablesInEveryCommand) {
   const Finished sweep =
       sarsim({"sweep", "scene.scr", "--targets", "points.csv", "--set", "Target3.rcs=1,2", "--out", "s"});
   EXPECT_EQ(sweep.status, 0) << sweep.err;
+}
+
+TEST_F(Words, TablesOfTargetsNameAPlatformThatThereIs) {
+  write_scene({});
+  write_text(folder_ / "points.csv", "0,0,0,1\n");
+  const Finished done = sarsim({"check", "scene.scr", "--targets", "Crane=points.csv"});
+  EXPECT_EQ(done.status, 2);
+  EXPECT_THAT(done.err, HasSubstr("before '=' stands a platform: Earth"));
 }
 
 TEST_F(Words, OneOfAKindIsSingular) {

@@ -314,7 +314,7 @@ class ProductWindowTest : public QObject {
     QTest::newRow("number") << "--threads many"
                             << "--threads: 'many' is not a whole number from 0 to 4096";
     QTest::newRow("missing") << "--memory"
-                             << "--memory: SIZE is missing behind it";
+                             << "--memory: SIZE is missing after it";
     QTest::newRow("size") << "--memory lots"
                           << "--memory: 'lots' is not a valid size";
     QTest::newRow("quote") << "--scratch 'my disk"

@@ -59,7 +59,7 @@ std::string finding_text(const workflow::TargetFinding& finding, bool doppler) {
   if (!finding.best) return text + "\n";
   const workflow::SearchDetection& best = *finding.best;
   text += fmt::format("\n  strongest   azimuth {:.2f} deg, range {:+.2f} m away",
-                      workflow::bearing_deg(best.azimuth_rad), best.range_m - sight.range_m);
+                      workflow::bearing_deg(best.azimuth_rad), finding.best_range_error_m);
   if (doppler)
     text += fmt::format(", Doppler {} Hz ({} m/s)", decimals(best.doppler_hz, 1), decimals(best.speed_mps, 3));
   return text + fmt::format(", SNR {}\n", decibel_text(best.snr));

@@ -73,7 +73,7 @@ ExitStatus print_info(const InfoArguments& arguments, Streams& streams) {
     throw core::Refused("info: --workers and --threads belong to --plan", "add --plan");
   const bool script = workflow::holds_script(arguments.path);
   if (arguments.plan && !script)
-    throw core::Refused("info: '" + arguments.path + "' is no script, and only a script can be planned",
+    throw core::Refused("info: '" + arguments.path + "' is not a script; only scripts can be planned",
                         "leave --plan out to see what the file holds");
   expect_used(arguments, script);
   if (arguments.plan) {
@@ -96,7 +96,7 @@ Action add_info(CLI::App& app) {
   app.add_flag("--statistics", arguments->statistics,
                "lowest, highest, rms and largest samples of a file; reads all of it");
   app.add_flag("--plan", arguments->plan, "samples, bytes, memory and time of a script's recordings, measured here");
-  add_integer(app, "--workers", arguments->workers, 1, 1000000, "of --plan: also the time of so many machines");
+  add_integer(app, "--workers", arguments->workers, 1, 1000000, "with --plan: also the time on N machines");
   add_integer(app, "--threads", arguments->threads, 0, 4096,
               "of --plan: threads of each; 0 for one per core (default)");
   add_scene_overrides(app, arguments->overrides);

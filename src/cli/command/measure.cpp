@@ -66,6 +66,7 @@ std::string text_of(const workflow::MeasuredTarget& target) {
   std::string text = fmt::format("target {:<4} azimuth {:.3f} m, range {:.3f} m", theory.target + 1,
                                  theory.place.azimuth_m, theory.place.range_m);
   if (!target.expected()) return text + ": no echoes\n";
+  if (target.outside) return text + ": outside the image\n";
   if (!target.found) return text + missing_text(target);
   const signal::PointResponse& found = *target.found;
   text += fmt::format(
@@ -82,8 +83,9 @@ std::string text_of(const workflow::MeasuredTarget& target) {
 std::string summary_text(const workflow::MeasureReport& report) {
   const workflow::MeasureSummary sum = workflow::summary_of(report);
   std::string text = fmt::format("{} of {} found", sum.found, counted(sum.expected, "target"));
-  if (sum.expected < report.targets.size())
-    text += fmt::format(" ({} without echoes)", report.targets.size() - sum.expected);
+  if (sum.outside > 0) text += fmt::format(" ({} outside the image)", sum.outside);
+  if (const std::size_t silent = report.targets.size() - sum.expected - sum.outside; silent > 0)
+    text += fmt::format(" ({} without echoes)", silent);
   if (sum.found > 0)
     text += fmt::format(
         ", within {:.4f} m of their places; amplitudes {:+.2f} to {:+.2f} dB, phases {:+.3f} to {:+.3f} rad",
@@ -111,7 +113,8 @@ void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& t
   write_figures(json, "azimuth", theory.azimuth);
   write_figures(json, "range", theory.range);
   json.end_object();
-  if (target.expected()) {
+  json.member("outside_image", target.outside);
+  if (target.expected() && !target.outside) {
     json.member("search_m", target.search_m).member("noise_v", target.noise_v);
     json.member("threshold_db", core::power_db(target.threshold)).key("snr_db");
     target.peak_v > 0.0 && target.noise_v > 0.0 ? json.value(target.snr_db()) : json.null();
@@ -189,7 +192,7 @@ ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
   flush_out(streams);
   draw_cuts(arguments, report, streams.stop);
   const workflow::MeasureSummary sum = workflow::summary_of(report);
-  return sum.expected > 0 && sum.found == 0 ? exit_failed : exit_done;
+  return sum.expected + sum.outside > 0 && sum.found == 0 ? exit_failed : exit_done;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/command/commands.hpp"
+#include "cli/command/shown_name.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
@@ -38,7 +39,11 @@ ExitStatus run_merge(const MergeArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
   const workflow::MergeReport report = workflow::merge(request, watch.observer());
   watch.close();
-  if (!arguments.quiet) streams.err << report_text(report.recording);
+  if (!arguments.quiet) {
+    workflow::RecordingReport shown = report.recording;
+    shown.file = shown_name(shown.file);
+    streams.err << report_text(shown);
+  }
   if (arguments.json) write_out(streams, merge_json(report));
   return exit_done;
 }

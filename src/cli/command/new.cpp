@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
+#include "cli/command/shown_name.hpp"
 #include "cli/shell/options.hpp"
 #include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/shell_word.hpp"
 #include "scene/edit/starting_scenes.hpp"
 #include "workflow/input/output_names.hpp"
 
@@ -42,6 +44,12 @@ const scene::StartingScene& chosen(const std::string& purpose) {
                                       : fmt::format("did you mean '{}'?", nearest));
 }
 
+// A script as it is named in a command: no option, whatever its name begins with.
+std::string command_word(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  return core::shell_word(name.starts_with('-') ? "./" + name : name);
+}
+
 ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
   if (arguments.purpose.empty()) {
     write_out(streams, purposes());
@@ -54,9 +62,9 @@ ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
   core::OutputFile file(path, arguments.force);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
-  streams.err << fmt::format(
-      "{0}: {1}\n    sarsim check {0}    what it asks for\n    sarsim run {0}      its recordings\n", path.string(),
-      scene.meaning);
+  const std::string word = shown_name(command_word(path));
+  streams.err << fmt::format("{}: {}\n    sarsim check {}    what it asks for\n    sarsim run {}      its recordings\n",
+                             shown_name(path.string()), scene.meaning, word, word);
   return exit_done;
 }
 

@@ -20,7 +20,7 @@ std::string part_text(const workflow::PartReport& report) {
   else if (!report.whole && report.own_file)
     text += fmt::format("  kept in {}, for sarsim merge\n", raster::parts_folder_of(report.file).string());
   else if (!report.whole)
-    text += fmt::format("  {} of {} pulses are there; the part that comes last completes the file\n", report.there,
+    text += fmt::format("  {} of {} pulses are there; the last part to finish completes the file\n", report.there,
                         report.rows);
   return text;
 }

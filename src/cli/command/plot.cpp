@@ -62,6 +62,7 @@ void expect_names(const PlotArguments& a) {
     if (!path.empty()) paths.emplace_back(path);
   workflow::OutputCare care{{a.input}, a.force, "-o or --csv"};
   care.sources.insert(care.sources.end(), a.others.begin(), a.others.end());
+  std::ranges::move(workflow::files_of(a.overrides, fs::path(a.input).parent_path()), std::back_inserter(care.sources));
   if (a.force)
     std::ranges::move(workflow::sources_of_script(is_script(a) ? a.input : a.samples.script),
                       std::back_inserter(care.sources));
@@ -265,8 +266,8 @@ void add_choice_of_samples(CLI::App& app, PlotArguments& a) {
   add_two_reals(app, "--azimuth", a.azimuth_m, "FROM TO", "of a focused image, what is seen along the track, m");
   add_real(app, "--at-range", a.at_m, "M", "range of one range cell (default: the strongest)");
   add_real(app, "--at-time", a.at_s, "S", "time of one pulse, or of the middle of several (default: the middle)");
-  add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the middle)");
-  add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "so many about --at-time (default: all that are seen)");
+  add_real(app, "--at-azimuth", a.at_azimuth_m, "M", "of a focused image, place of one row (default: the strongest)");
+  add_integer(app, "--pulses", a.pulses, 1, 1'000'000'000, "number around --at-time (default: all in view)");
   add_real(app, "--rate", a.rate_hz, "HZ", "sampling frequency instead of the simulation's", is_positive,
            "a number above 0");
   app.add_flag("--recorded", a.recorded, "cuts of the samples that a run saves, none in between");

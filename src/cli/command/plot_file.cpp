@@ -124,6 +124,13 @@ Plotted picture_of(const PlotArguments& a, const workflow::PlacedImage& input, c
   return {picture::image_figure(*input.source, wanted, plot_pixels(a), {0, stop}), {}};
 }
 
+// Where nobody names the row or column of an image.
+void cut_where_it_is_strongest(PlotArguments& a, const picture::SampleSource& samples) {
+  if (a.kind == PlotKind::pulse && !a.at_azimuth_m) a.at_azimuth_m = samples.row_place.at(strongest_row(samples));
+  if (a.kind == PlotKind::range && !a.at_m)
+    a.at_m = samples.column_place.at(strongest_column(samples, {0, samples.row_place.size()}));
+}
+
 }  // namespace
 
 Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
@@ -136,6 +143,7 @@ Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   if (a.kind == PlotKind::picture) return picture_of(a, input, part, streams.stop);
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
   const bool complex = input.source->info().value == raster::ImageValue::complex;
+  if (input.focused && !part.samples.row_place.empty()) cut_where_it_is_strongest(a, part.samples);
   if (input.focused && cut && complex && !a.recorded) {
     picture::make_finer(part, a.kind == PlotKind::pulse, streams.stop);
     // So many rows, with what lies between them.

@@ -69,22 +69,26 @@ picture::EchoBlock read_block(const picture::SampleSource& samples, simulate::In
   return samples.read(rows, columns);
 }
 
-// Where the echoes are: the middle of the columns about the largest power, in up to 64 of the rows that are shown, that
-// have half of it. So all samples of a long pulse, whose powers differ by rounding alone, lead to its middle.
-std::size_t strongest_column(const picture::SampleSource& samples, simulate::IndexSpan rows) {
-  constexpr std::size_t most_rows = 64;
-  std::vector<double> power(samples.column_place.size(), 0.0);
-  const std::size_t step = (rows.end - rows.begin + most_rows - 1) / most_rows;
-  for (std::size_t row = rows.begin + (step - 1) / 2; row < rows.end; row += step) {
-    const picture::EchoBlock block = samples.read({row, row + 1}, {0, power.size()});
-    for (std::size_t column = 0; column < power.size(); ++column)
-      if (const double sample = std::norm(block.samples[column]); std::isfinite(sample)) power[column] += sample;
-  }
+// The middle of the places about the largest power that have half of it: so all samples of a long pulse, whose powers
+// differ by rounding alone, lead to its middle.
+std::size_t strongest_of(const std::vector<double>& power) {
   const auto strongest = std::ranges::max_element(power);
   const auto weak = [half = 0.5 * *strongest](double value) { return value < half; };
   const auto end = std::find_if(strongest, power.end(), weak);
   const auto begin = std::find_if(std::make_reverse_iterator(strongest), power.rend(), weak).base();
   return static_cast<std::size_t>(begin - power.begin() + (end - begin - 1) / 2);
+}
+
+// Calls `take(row, column, power)` for up to so many of the rows.
+template <class Take>
+void each_power(const picture::SampleSource& samples, simulate::IndexSpan rows, std::size_t most_rows,
+                const Take& take) {
+  const std::size_t step = (rows.end - rows.begin + most_rows - 1) / most_rows;
+  for (std::size_t row = rows.begin + (step - 1) / 2; row < rows.end; row += step) {
+    const picture::EchoBlock block = samples.read({row, row + 1}, {0, samples.column_place.size()});
+    for (std::size_t column = 0; column < samples.column_place.size(); ++column)
+      if (const double power = std::norm(block.samples[column]); std::isfinite(power)) take(row, column, power);
+  }
 }
 
 // Of the kinds that show one range, or add the spectrum of one.
@@ -107,6 +111,23 @@ picture::Figure radar_view(const PlotArguments& a, const picture::SampleSource& 
 }
 
 }  // namespace
+
+std::size_t strongest_column(const picture::SampleSource& samples, simulate::IndexSpan rows) {
+  constexpr std::size_t most_rows = 64;
+  std::vector<double> power(samples.column_place.size(), 0.0);
+  each_power(samples, rows, most_rows, [&](std::size_t, std::size_t column, double p) { power[column] += p; });
+  return strongest_of(power);
+}
+
+std::size_t strongest_row(const picture::SampleSource& samples) {
+  const std::size_t rows = samples.row_place.size();
+  if (static_cast<double>(rows) * static_cast<double>(samples.column_place.size()) > static_cast<double>(most_samples))
+    return rows / 2;
+  std::vector<double> power(rows, 0.0);
+  each_power(samples, {0, rows}, rows,
+             [&](std::size_t row, std::size_t, double p) { power[row] = std::max(power[row], p); });
+  return static_cast<std::size_t>(std::ranges::max_element(power) - power.begin());
+}
 
 bool is_of_samples(PlotKind kind) {
   switch (kind) {

@@ -166,6 +166,26 @@ std::string_view meant_word(std::string_view word, const std::vector<std::string
   return known[static_cast<std::size_t>(std::ranges::find(names, nearest) - names.begin())];
 }
 
+// "--range 10 20" and "--range 10:20" mean the same in every command.
+void adapt_intervals(const CLI::App& command, std::vector<std::string>& words) {
+  const auto is_number = [](const std::string& word) { return core::parse_number(word).has_value(); };
+  for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+    const CLI::Option* option = words[i].starts_with("--") ? command.get_option_no_throw(words[i]) : nullptr;
+    if (option == nullptr) continue;
+    const auto next = words.begin() + static_cast<std::ptrdiff_t>(i) + 1;
+    const std::size_t colon = next->find(':');
+    if (option->get_type_name() == "FIRST:LAST" && i + 2 < words.size() && is_number(*next) &&
+        is_number(words[i + 2])) {
+      *next += ":" + words[i + 2];
+      words.erase(next + 1);
+    } else if (option->get_expected_min() == 2 && colon != std::string::npos && is_number(next->substr(0, colon)) &&
+               is_number(next->substr(colon + 1))) {
+      words.insert(next + 1, next->substr(colon + 1));
+      words[i + 1].resize(colon);
+    }
+  }
+}
+
 // What stands on the command line and belongs nowhere.
 void expect_no_extras(const Program& program, const CLI::App* command) {
   const CLI::App& app = command != nullptr ? *command : program.app;
@@ -194,6 +214,7 @@ ExitStatus dispatch(Program& program, std::vector<std::string> words, Streams& s
   });
   CLI::App* command = chosen == program.commands.end() ? nullptr : chosen->app;
   const Action action = command != nullptr ? chosen->add_options(*command) : nullptr;
+  if (command != nullptr) adapt_intervals(*command, words);
   try {
     std::ranges::reverse(words);  // As CLI11 takes them.
     program.app.parse(std::move(words));

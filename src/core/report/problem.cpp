@@ -22,6 +22,18 @@ bool same_cause(const Problem& a, const Problem& b) {
          a.subject.field == b.subject.field;
 }
 
+// A character of three bytes in UTF-8 that ends lines or turns their direction around (U+2028 to U+202E, U+2066 to
+// U+2069), which a reader would not see; 0 for any other.
+unsigned misleading_character(std::string_view text) {
+  if (text.size() < 3 || text[0] != '\xE2') return 0;
+  const auto second = static_cast<unsigned char>(text[1]);
+  const auto third = static_cast<unsigned char>(text[2]);
+  const unsigned character = 0x2000U + ((second & 0x3FU) << 6U) + (third & 0x3FU);
+  const bool whole = (second & 0xC0U) == 0x80 && (third & 0xC0U) == 0x80;
+  const bool misleads = (character >= 0x2028 && character <= 0x202E) || (character >= 0x2066 && character <= 0x2069);
+  return whole && misleads ? character : 0;
+}
+
 }  // namespace
 
 bool has_errors(const Problems& problems) {
@@ -37,6 +49,8 @@ std::string printable(std::string_view text) {
       shown += fmt::format("\\x{:02x}", byte);
     else if (byte == 0xC2 && next >= 0x80 && next < 0xA0)
       shown += fmt::format("\\u{:04x}", next), ++i;
+    else if (const unsigned character = misleading_character(text.substr(i)); character != 0)
+      shown += fmt::format("\\u{:04x}", character), i += 2;
     else
       shown += text[i];
   }

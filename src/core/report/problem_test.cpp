@@ -29,6 +29,11 @@ TEST(Problem, GivesNoOrdersToATerminal) {
   EXPECT_EQ(to_string(p), "\\x07.scr: error: a\\x1b[31mb\\x7f\tc\\x0d; found '\\u009b2J\xC3\xA9'");
 }
 
+TEST(Problem, ShowsWhatEndsOrTurnsALineUnseen) {
+  EXPECT_EQ(printable("a\xE2\x80\xA8z\xE2\x80\xAE\xE2\x81\xA9"), "a\\u2028z\\u202e\\u2069");
+  EXPECT_EQ(printable("5 \xE2\x80\x93 6 \xE2\x82\xAC\xE2\x80"), "5 \xE2\x80\x93 6 \xE2\x82\xAC\xE2\x80");
+}
+
 TEST(Problem, PrintsOnlyWhatItKnows) {
   Problem p = problem(Severity::warning, "odd");
   EXPECT_EQ(to_string(p), "warning: odd");

@@ -60,13 +60,13 @@ QComboBox* ColourRows::add_quantity(QFormLayout* form) {
 
 void ColourRows::add_palette(QFormLayout* form) {
   palette_form_ = form;
-  map_ = rows_.add_choice(form,
-                          words(tr("Colours"), "map", tr("All but the classic palettes are even steps for every eye")),
-                          [this](int index) {
-                            change([index](picture::ColourLook& look) {
-                              look.map = picture::colour_maps()[static_cast<std::size_t>(index)].map;
-                            });
-                          });
+  map_ =
+      rows_.add_choice(form, words(tr("Colours"), "map", tr("All but the classic palettes are perceptually uniform")),
+                       [this](int index) {
+                         change([index](picture::ColourLook& look) {
+                           look.map = picture::colour_maps()[static_cast<std::size_t>(index)].map;
+                         });
+                       });
   for (const picture::ColourMapInfo& info : picture::colour_maps()) map_->addItem(text_of(info.title));
   inverted_ = rows_.add_mark(form, words(tr("Inverted"), "inverted", tr("The colours in the opposite order")),
                              [this](bool on) { change([on](picture::ColourLook& look) { look.inverted = on; }); });
@@ -104,7 +104,7 @@ void ColourRows::add_limits(QFormLayout* form) {
       form,
       words(tr("Percentile"), "percentile",
             tr("Share of the samples within the limits; below 100 a few strong ones do not hide the rest")),
-      {[] { return scene::Quantity::number; }, 0.0, 100.0, tr("a percentile is above 0 and at most 100")},
+      {[] { return scene::Quantity::number; }, 0.0, 100.0, tr("enter a percentile above 0, at most 100")},
       [this](double value) { change([value](picture::ColourLook& look) { look.limits.percentile = value; }); });
   low_ = add_limit(form, words(tr("from"), "low", tr("Value of the first colour")), &picture::LimitRule::low);
   high_ = add_limit(form, words(tr("to"), "high", tr("Value of the last colour")), &picture::LimitRule::high);
@@ -114,7 +114,7 @@ void ColourRows::add_span(QFormLayout* form) {
   span_form_ = form;
   span_ = rows_.add_number(
       form, words(tr("Span"), "floor", tr("Decibels from the strongest to the weakest colour")),
-      {[] { return scene::Quantity::ratio_db; }, 0.0, 400.0, tr("the span is above 0 dB and at most 400 dB")},
+      {[] { return scene::Quantity::ratio_db; }, 0.0, 400.0, tr("enter a span above 0 dB, at most 400 dB")},
       [this](double value) { change([value](picture::ColourLook& look) { look.decibels.range_db = value; }); });
 }
 

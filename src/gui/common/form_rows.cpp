@@ -59,7 +59,7 @@ QLineEdit* FormRows::add_number(QFormLayout* form, const Words& words, Number nu
 QSlider* FormRows::add_slider(QFormLayout* form, const QString& label, const QString& name,
                               std::function<void(int)> moved) {
   auto* const slider = named(new QSlider(Qt::Horizontal, &owner_), name, label,
-                             QObject::tr("0 to 255; the middle is how the original began"));
+                             QObject::tr("0 to 255; the middle is the original's default"));
   slider->setRange(0, 255);
   form->addRow(label, slider);
   QObject::connect(slider, &QSlider::valueChanged, &owner_,

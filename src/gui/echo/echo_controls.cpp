@@ -92,7 +92,7 @@ void EchoControls::make_data_group(QFormLayout* form) {
       form,
       {tr("Rate"), "echo_sampling_value", tr("Sampling frequency, as 60 MHz, or how many times the bandwidth, as 1.2")},
       {[is_rate] { return is_rate() ? scene::Quantity::frequency : scene::Quantity::number; }, 0.0, any,
-       tr("the sampling is above zero")},
+       tr("the sampling must be above zero")},
       [this, is_rate](double value) {
         change([&](picture::EchoWindow& w) {
           if (is_rate())
@@ -170,7 +170,7 @@ void EchoControls::make_reference_rows(QFormLayout* form) {
                         });
   reference_v_ = rows_.add_number(
       form, {tr("Voltage"), "echo_reference_v", tr("Magnitude of 0 dB, as 1 uV")},
-      {[] { return scene::Quantity::voltage; }, 0.0, any, tr("the reference of decibels is above 0 V")},
+      {[] { return scene::Quantity::voltage; }, 0.0, any, tr("enter a voltage above 0 V")},
       [this](double value) { change([value](picture::EchoWindow& w) { w.decibels.reference_v = value; }); });
 }
 

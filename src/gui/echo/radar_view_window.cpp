@@ -94,7 +94,7 @@ void RadarViewWindow::make_controls(QHBoxLayout* row) {
   padding_label_->setBuddy(padding_);
   decibels_ = named(new QCheckBox(tr("&Decibels"), this), "radar_view_decibels", tr("Decibels"), {});
   unwrapped_ = named(new QCheckBox(tr("&Unwrapped"), this), "radar_view_unwrapped", tr("Unwrapped"),
-                     tr("Steps of more than half a turn are taken as the rest of a whole one"));
+                     tr("Adds full turns so that no phase step exceeds 180 deg"));
   for (QWidget* widget : std::initializer_list<QWidget*>{view_, pulses_label_, pulses_, mean_, window_, padding_label_,
                                                          padding_, decibels_, unwrapped_})
     row->addWidget(widget);

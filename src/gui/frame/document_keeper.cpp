@@ -74,7 +74,7 @@ bool DocumentKeeper::open_file(const QString& name) {
   if (document.path().empty()) {
     const core::Problems& problems = document.problems();
     tell(tr("'%1' could not be opened.").arg(path),
-         problems.empty() ? tr("It is no script.") : QString::fromStdString(core::to_string(problems.front())));
+         problems.empty() ? tr("Not a script.") : QString::fromStdString(core::to_string(problems.front())));
     return false;
   }
   session_.take(std::move(document));

@@ -68,7 +68,7 @@ DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<scene
     lines += (files[i].replaces ? tr("%1 (is replaced)") : tr("%1 (new)")).arg(text_of(files[i].path));
   if (files.size() > most_shown) lines += tr("and %1 more").arg(files.size() - most_shown);
   QMessageBox box(QMessageBox::Question, tr("Data files"),
-                  tr("Functions of this scene belong into data files that do not hold them. Write these files too?"),
+                  tr("Data files of this scene do not hold its current functions. Write these files too?"),
                   QMessageBox::Cancel, window_);
   box.setInformativeText(lines.join('\n'));
   QPushButton* write = box.addButton(tr("&Write them"), QMessageBox::AcceptRole);

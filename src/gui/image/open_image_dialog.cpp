@@ -373,7 +373,7 @@ QStringList OpenImageDialog::objections() const {
   QStringList texts;
   const auto object = [&](const QLineEdit* edit, bool understood) {
     if (edit->isVisibleTo(this) && !edit->text().trimmed().isEmpty() && !understood)
-      texts << tr("%1: '%2' is not a number that it can be").arg(edit->accessibleName(), edit->text().trimmed());
+      texts << tr("%1: '%2' is not a valid number").arg(edit->accessibleName(), edit->text().trimmed());
   };
   for (const QLineEdit* edit : {columns_, bits_, header_, width_, height_}) {
     bool whole = false;

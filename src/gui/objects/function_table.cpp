@@ -129,7 +129,7 @@ FunctionTable::FunctionTable(QWidget* parent)
   insert->setToolTip(tr("Puts a sample halfway between this one and the next (Ins)"));
   delete_ = new QPushButton(tr("&Delete Sample"), this);
   delete_->setObjectName("function_delete");
-  delete_->setToolTip(tr("Takes this sample away; one always stays (Del)"));
+  delete_->setToolTip(tr("Removes this sample; the last one stays (Del)"));
 
   auto* form = new QFormLayout;
   auto* label = new QLabel(tr("&Number of samples"), this);

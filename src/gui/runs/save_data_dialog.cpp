@@ -166,7 +166,7 @@ void SaveDataDialog::make_file_group(QFormLayout* form) {
   file_ = new QLineEdit(text_of(choice_.file.string()), this);
   file_->setObjectName("save_file");
   file_->setAccessibleName(tr("Name of the file"));
-  file_->setToolTip(tr("A name without a folder belongs into %1").arg(text_of(folder_.string())));
+  file_->setToolTip(tr("Without a folder, the file goes to %1").arg(text_of(folder_.string())));
   auto* const select = new QPushButton(tr("Se&lect..."), this);
   select->setObjectName("save_select");
   select->setAccessibleName(tr("Select the file"));

@@ -55,7 +55,7 @@ SaveQueue::SaveQueue(QWidget* parent) : QWidget(parent) {
   bar_->setObjectName("saving_progress");
   bar_->setAccessibleName(tr("Progress of the file that is saved"));
   bar_->setRange(0, bar_steps);
-  report_ = new QLabel(tr("Nothing is saved. Save Data in a simulation window begins."), this);
+  report_ = new QLabel(tr("No files yet. Use Save Data in a simulation window."), this);
   report_->setObjectName("saving_report");
   report_->setWordWrap(true);
   report_->setTextFormat(Qt::PlainText);
@@ -244,7 +244,7 @@ void SaveQueue::show_chosen() {
   again_->setVisible(any && may_repeat(runs_[run]));
   problems_->clear();
   if (!any) {
-    report_->setText(tr("Nothing is saved. Save Data in a simulation window begins."));
+    report_->setText(tr("No files yet. Use Save Data in a simulation window."));
     return;
   }
   const Run& shown = runs_[run];

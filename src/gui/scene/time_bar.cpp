@@ -232,7 +232,7 @@ void TimeBar::take_step_text() {
   if (*step_s >= 0.0)
     set_step(*step_s);
   else
-    mark(*step_field_, tr("A step is 0 or longer; Earlier goes back"));
+    mark(*step_field_, tr("Enter a step of 0 or more; Earlier goes back"));
 }
 
 void TimeBar::earlier() { set_time(core::tidy(time_s_ - step_s_)); }

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -184,6 +185,19 @@ TEST(DrawPicture, DrawsManyPointsAsItDrawsFew) {
   const Dots::Box few = drawn(one_curve({0.0, 1.0}, {0.5, 0.5})).box_of_colours();
   EXPECT_EQ(many.right, few.right);
   EXPECT_EQ(many.dots, few.dots);
+}
+
+// A long chirp fills its panel; all of its points took minutes.
+TEST(DrawPicture, DrawsACurveThatGoesUpAndDownManyTimesInEachPixel) {
+  std::vector<double> x, y;
+  for (int i = 0; i <= 131'072; ++i) {
+    x.push_back(i / 131'072.0);
+    y.push_back(0.5 + 0.5 * std::sin(2e-3 * i * i));
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Dots::Box box = drawn(one_curve(x, y)).box_of_colours();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  EXPECT_GT(box.dots, 9 * (box.right - box.left) * (box.bottom - box.top) / 10);
 }
 
 TEST(DrawPicture, DrawsBarsMarksLegendTwinsAndColourBars) {

@@ -6,6 +6,9 @@
 #include <memory>
 #include <stdexcept>
 #include <utility>
+#include <vector>
+
+#include "picture/drawing/thin_curve.hpp"
 
 namespace sarsim::picture {
 
@@ -99,11 +102,6 @@ void draw_grid(const Canvas& canvas, const PlacedPanel& p) {
   }
 }
 
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
-
 // Keeps the part of a line that is within an area (Liang and Barsky); false where there is none. What is far outside
 // would be beyond the numbers of the drawing library.
 bool cut_to(const Area& area, Point& a, Point& b) {
@@ -129,22 +127,15 @@ bool cut_to(const Area& area, Point& a, Point& b) {
   return true;
 }
 
-// The points of a curve that can be told apart, joined where they follow each other.
-void trace(const Canvas& canvas, const FigureCurve& curve, const PlacedPanel& p) {
+// Joins the points of a curve that can be told apart.
+void join(const Canvas& canvas, const std::vector<Point>& points, const Area& near) {
   constexpr double trifle_px = 0.1;
-  constexpr double beside_px = 100.0;
-  const Area near{p.area.left - beside_px, p.area.top - beside_px, p.area.width + 2.0 * beside_px,
-                  p.area.height + 2.0 * beside_px};
   cairo_t* const cairo = canvas.cairo();
   bool joined = false;
   Point last;
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    const Point here{p.x.place(curve.x[i]), p.y.place(curve.y[i])};
-    if (!std::isfinite(here.x) || !std::isfinite(here.y)) {
-      joined = false;
-      continue;
-    }
-    if (joined && i + 1 < curve.x.size() && std::hypot(here.x - last.x, here.y - last.y) < trifle_px) continue;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Point here = points[i];
+    if (joined && i + 1 < points.size() && std::hypot(here.x - last.x, here.y - last.y) < trifle_px) continue;
     Point from = joined ? last : here;
     Point to = here;
     if (cut_to(near, from, to)) {
@@ -154,6 +145,26 @@ void trace(const Canvas& canvas, const FigureCurve& curve, const PlacedPanel& p)
     }
     joined = true;
     last = here;
+  }
+}
+
+// The points of a curve, joined where they follow each other.
+void trace(const Canvas& canvas, const FigureCurve& curve, const PlacedPanel& p) {
+  constexpr double beside_px = 100.0;
+  constexpr double column_px = 0.5;
+  const Area near{p.area.left - beside_px, p.area.top - beside_px, p.area.width + 2.0 * beside_px,
+                  p.area.height + 2.0 * beside_px};
+  std::vector<Point> points;
+  for (std::size_t i = 0; i <= curve.x.size(); ++i) {
+    if (i < curve.x.size()) {
+      const Point here{p.x.place(curve.x[i]), p.y.place(curve.y[i])};
+      if (std::isfinite(here.x) && std::isfinite(here.y)) {
+        points.push_back(here);
+        continue;
+      }
+    }
+    join(canvas, thinned(points, column_px), near);
+    points.clear();
   }
 }
 

@@ -111,7 +111,7 @@ void simulation_figures_of(Figures& figures, const scene::Scene& scene, std::siz
     if (pulses && samples >= 1.0 && sizes)
       size_figures(figures, simulation, shape_of(simulation, sound.radar, *pulses, samples));
     const auto bandwidth_hz = scene::nominal_bandwidth_hz(sound.radar);
-    if (rate && sound.pulse && bandwidth_hz)
+    if (rate && sound.pulse && bandwidth_hz && *bandwidth_hz > 0.0)
       figures.plain("Sampling ratio", simulation.sample_rate_hz / *bandwidth_hz, "x Nyquist",
                     "fs/B; below 1 the echoes alias");
     if (sound.repetition && window_is_sound(simulation)) unambiguous_figure(figures, simulation, sound.radar, c);

@@ -44,7 +44,7 @@ void add_detector(report::Facts& facts, const workflow::PulseReport& made) {
                              : "mean of the cells around");
   facts.word("Probability of false alarm", fmt::format("{:g}", cfar.false_alarm));
   facts.count("Reference cells", made.reference_cells);
-  facts.word("Worth independent cells", report::six_digits(made.independent_cells));
+  facts.word("Independent cells", report::six_digits(made.independent_cells));
   facts.count("Detections", made.detections);
   facts.word("Expected of noise alone", fmt::format("{:.3g}", made.expected_false_alarms));
 }

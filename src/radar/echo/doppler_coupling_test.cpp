@@ -52,6 +52,12 @@ TEST(DopplerCoupling, ShiftsAChirpByItsCarrierOverItsRate) {
   EXPECT_LT(coupling.change, 0.02 * no_coupling(body, carrier_hz).change);
 }
 
+// Steps of a quarter of a sample through 1e25 samples would not even move.
+TEST(DopplerCoupling, OfAPulseBeyondAllBoundsIsFoundAtOnce) {
+  const EchoPulse pulse = chirp(1e25);
+  EXPECT_EQ(coupling_of(pulse, body_of(pulse), interval_s, carrier_hz).shift_s, 0.0);
+}
+
 TEST(DopplerCoupling, IsNoneWithoutASweep) {
   EchoPulse pulse = test_pulse(Pulse::Kind::mono, 200.0);
   pulse.pulse.width_s = 200.0 * interval_s;

@@ -31,23 +31,16 @@ void check_each(Findings& findings, std::string_view kind, const Objects& object
 void check_targets(Findings& findings, NameCheck& platforms, const std::vector<Target>& targets,
                    const core::WorkControl& control) {
   constexpr std::size_t range_targets = 16384;
-  struct Part {
-    Findings findings;
-    std::optional<NameCheck> platforms;
-  };
-  std::vector<Part> parts((targets.size() + range_targets - 1) / range_targets);
+  std::vector<Findings> parts((targets.size() + range_targets - 1) / range_targets);
   core::parallel_ranges(targets.size(), range_targets, control, [&](std::size_t begin, std::size_t end) {
-    Part& part = parts[begin / range_targets];
-    part.platforms = platforms.beginning_anew();
+    Findings& part = parts[begin / range_targets];
+    NameCheck own = platforms.beginning_anew();
     for (std::size_t i = begin; i < end; ++i) {
-      part.findings.about("target", i);
-      check_target(part.findings, *part.platforms, targets[i]);
+      part.about("target", i);
+      check_target(part, own, targets[i]);
     }
   });
-  for (Part& part : parts) {
-    findings.append(std::move(part.findings));
-    platforms.append(*part.platforms);
-  }
+  for (Findings& part : parts) findings.append(std::move(part));
 }
 
 // Surfaces are small one by one and may be many: all are filled with points.
@@ -92,7 +85,6 @@ core::Problems check(const Scene& scene, const core::WorkControl& control) {
   check_paths_between_points(findings, scene);
   findings.about("options", 0);
   check_options(findings, scene.options);
-  platforms.report_undefined_earth(findings);
   return std::move(findings).take();
 }
 

@@ -1,5 +1,7 @@
 #include "scene/check/check_names.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
@@ -8,11 +10,6 @@ namespace sarsim::scene {
 
 NameCheck::NameCheck(std::string_view kind, std::vector<std::string_view> names)
     : kind_(kind), table_(std::make_shared<const NameTable>(std::move(names))) {}
-
-void NameCheck::append(const NameCheck& later) {
-  if (earth_uses_ == 0) first_earth_ = later.first_earth_;
-  earth_uses_ += later.earth_uses_;
-}
 
 NameTable::Result NameCheck::find(std::string_view name) {
   if (last_ && last_name_ == name) return *last_;
@@ -55,10 +52,8 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
          .hint = "Write the whole name."});
     return result.index;
   }
-  if (kind_ == "platform" && core::equal_ignoring_case(name, "Earth")) {
-    if (earth_uses_++ == 0) first_earth_ = findings.subject();
-    return not_found;
-  }
+  // The world is there without being defined: it rests at the origin.
+  if (kind_ == "platform" && core::equal_ignoring_case(name, "Earth")) return not_found;
   if (result.match == NameTable::Match::ambiguous) {
     findings.error(field, {.message = fmt::format("several {}s begin like this name", kind_),
                            .found = std::string(name),
@@ -70,12 +65,19 @@ std::size_t NameCheck::resolve(Findings& findings, std::string_view field, std::
   return not_found;
 }
 
-// The names that exist, or the first few of them.
+// Those of the scene, and the world, which is always there.
+std::vector<std::string_view> NameCheck::candidates() const {
+  std::vector<std::string_view> names = table_->names();
+  if (kind_ == "platform" && std::ranges::find(names, "Earth") == names.end()) names.emplace_back("Earth");
+  return names;
+}
+
+// The names that can be given, or the first few of them.
 std::string NameCheck::expected_name() const {
   constexpr std::size_t most_listed = 8;
   std::string text;
   std::size_t listed = 0;
-  for (const std::string_view name : table_->names()) {
+  for (const std::string_view name : candidates()) {
     if (name.empty() || name.size() > 60) continue;
     if (++listed > most_listed) break;
     text += fmt::format("{}{}", listed > 1 ? ", " : "", name);
@@ -85,9 +87,7 @@ std::string NameCheck::expected_name() const {
 }
 
 void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {
-  std::vector<std::string_view> candidates = table_->names();
-  if (kind_ == "platform") candidates.emplace_back("Earth");
-  const std::string nearest = core::nearest_word(name, candidates);
+  const std::string nearest = core::nearest_word(name, candidates());
   std::string hint;
   if (!nearest.empty())
     hint = fmt::format("Did you mean {}?", nearest);
@@ -97,17 +97,6 @@ void NameCheck::report_unknown(Findings& findings, std::string_view field, std::
                          .found = std::string(name),
                          .expected = expected_name(),
                          .hint = std::move(hint)});
-}
-
-void NameCheck::report_undefined_earth(Findings& findings) const {
-  if (earth_uses_ == 0) return;
-  findings.about(first_earth_.kind, first_earth_.index);
-  findings.note("platform",
-                {.message = "platform Earth is not defined; it is taken to rest at the origin, not turned",
-                 .found = {},
-                 .expected = {},
-                 .hint = {}},
-                earth_uses_);
 }
 
 }  // namespace sarsim::scene

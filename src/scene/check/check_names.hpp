@@ -24,18 +24,14 @@ class NameCheck {
   void check_definitions(Findings& findings) const;
   /// Position of the object that `name` means, or `not_found` after reporting; also where it is the undefined "Earth".
   std::size_t resolve(Findings& findings, std::string_view field, std::string_view name);
-  /// One for the same names, for another thread, ...
+  /// One for the same names, for another thread.
   [[nodiscard]] NameCheck beginning_anew() const { return NameCheck(kind_, table_); }
-  /// ... and what it has met, behind everything met here.
-  void append(const NameCheck& later);
-
-  /// Reports the use of an undefined "Earth", once.
-  void report_undefined_earth(Findings& findings) const;
 
  private:
   NameCheck(std::string kind, std::shared_ptr<const NameTable> table)
       : kind_(std::move(kind)), table_(std::move(table)) {}
   NameTable::Result find(std::string_view name);
+  [[nodiscard]] std::vector<std::string_view> candidates() const;
   [[nodiscard]] std::string expected_name() const;
   void report_unknown(Findings& findings, std::string_view field, std::string_view name) const;
 
@@ -44,8 +40,6 @@ class NameCheck {
   std::unordered_map<std::string, NameTable::Result> known_;  // scenes name one platform a million times,
   std::string last_name_;                                     // most often the one named just before
   std::optional<NameTable::Result> last_;
-  core::Subject first_earth_;
-  std::size_t earth_uses_ = 0;
 };
 
 }  // namespace sarsim::scene

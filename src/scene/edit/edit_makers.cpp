@@ -89,8 +89,8 @@ ObjectId meant_carrier(SceneIndex& names, const AnyObject& object, const std::st
 }  // namespace
 
 std::string name_objection(const Scene& scene, ObjectId id, const std::string& name) {
-  if (name.empty()) return "a name has at least one character";
-  if (has_control_characters(name)) return "a name has no line ends or control characters";
+  if (name.empty()) return "a name needs at least one character";
+  if (has_control_characters(name)) return "a name must not contain line ends or control characters";
   const std::vector<std::string> names = names_of(scene, id.kind);
   for (std::size_t i = 0; i < names.size(); ++i)
     if (i != id.index && core::equal_ignoring_case(names[i], name))

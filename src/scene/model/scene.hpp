@@ -252,7 +252,7 @@ enum class PulseDefinition { ideal, band_limited };
 
 /// Which echoes of pulses other than its own a row receives; never any by the conventions of 1998.
 enum class AmbiguousEchoes {
-  strong,  ///< Those that may exceed -60 dB of the strongest echo, antennas aside.
+  strong,  ///< Those that may exceed -60 dB relative to the strongest echo, antennas ignored.
   all,
   none,
 };

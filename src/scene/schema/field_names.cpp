@@ -285,7 +285,7 @@ std::string set_named_field(Scene& scene, const NamedField& named, std::string_v
     AnyObject object = object_of(scene, id);
     // `set_field` takes the value that is there, whether it means something or not.
     if (!field_applies(object, named.field->id))
-      return named.field->label + " means nothing with what is chosen elsewhere; change that choice first";
+      return named.field->label + " does not apply with the present choices; change those first";
     std::string failure = named.field->kind == FieldKind::function ? set_function(object, *named.field, text, load)
                                                                    : set_field(object, named.field->id, typed);
     if (!failure.empty()) return failure;

@@ -127,8 +127,8 @@ TEST(FieldNames, TakesWordsOfTheScriptLanguageForChoices) {
 TEST(FieldNames, RefusesValuesInWords) {
   Scene scene = small_scene();
   EXPECT_THAT(set(scene, "Radar1.bandwidth", "5kg"), HasSubstr("not a valid frequency"));
-  EXPECT_THAT(set(scene, "Radar2.bandwidth", "5MHz"), HasSubstr("means nothing"));
-  EXPECT_THAT(set(scene, "Radar1.barker_code", "13"), HasSubstr("means nothing"));
+  EXPECT_THAT(set(scene, "Radar2.bandwidth", "5MHz"), HasSubstr("does not apply"));
+  EXPECT_THAT(set(scene, "Radar1.barker_code", "13"), HasSubstr("does not apply"));
   EXPECT_THAT(set(scene, "Simulation1.bits", "0"), HasSubstr("outside"));
   EXPECT_EQ(scene, small_scene());
 }

@@ -50,7 +50,7 @@ class Form {
     if (std::string failure = set_value(field->spec, after, part, text); !failure.empty()) return failure;
     if (form_text(field->spec, before, part) == form_text(field->spec, after, part)) return {};
     if (!table_of<Object>().applies(object, *field))
-      return fields_[at].label + " means nothing with what is chosen elsewhere; change that choice first";
+      return fields_[at].label + " does not apply with the present choices; change those first";
     if (fields_[at].kind != FieldKind::choice && fields_[at].kind != FieldKind::check) {
       field->put(object, after);
       return {};

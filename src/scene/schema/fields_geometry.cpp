@@ -25,7 +25,7 @@ const FieldTable<GeometryTable>& table_of<GeometryTable>() {
          .words = "separator of columns",
          .choices = {{"SPACE", Separator::space, "Space", "columns separated by blanks"},
                      {"COMMA", Separator::comma, "Comma", "columns separated by commas"}},
-         .tip = "What stands between columns."});
+         .tip = "Separator between columns."});
     table.group("Columns");
     table.add<&GeometryTable::columns>(
         {.id = "columns",

@@ -190,7 +190,7 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
   if (rest.front() == ',') {
     const std::size_t end = whole.find_first_not_of("+-0123456789.,eE");
     const std::string_view number = core::trimmed(whole.substr(0, end));
-    return digit_follows ? comma_failure(text, number) : fmt::format("{} has a comma behind the number", quoted(text));
+    return digit_follows ? comma_failure(text, number) : fmt::format("{} has a comma after the number", quoted(text));
   }
   if (core::is_digit(rest.front())) {
     std::string mended(whole);
@@ -199,7 +199,7 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
     return fmt::format("{} has a blank within the number; write {}", quoted(text), mended.substr(0, length));
   }
   if (rest.front() == '.' || rest.front() == '+' || rest.front() == '-')
-    return fmt::format("{} is not a valid number: '{}' does not belong behind one", quoted(text), rest);
+    return fmt::format("{} is not a valid number: '{}' does not belong after one", quoted(text), rest);
   return {};
 }
 

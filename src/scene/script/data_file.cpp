@@ -82,16 +82,20 @@ bool ends_data(const Token& token, const FunctionText& text) {
 struct Descent {
   Token x_token;
   double above = 0.0;
+  std::size_t point = 0;  // From 1.
 };
 
 void report(const std::optional<Descent>& descent, const FunctionText& text, Reporter& reporter) {
   if (!descent) return;
+  // Rows of time, x, y and z read as points make y the time of the second point.
+  const bool maybe_rows = text.block.count == 3 && descent->point <= 3;
   reporter.error(descent->x_token, text.member,
-                 {fmt::format("{} of the points of {} must ascend", text.block.x.name, subject_of(text)),
-                  shown(descent->x_token.text), fmt::format("more than {}", core::format_number(descent->above)),
-                  text.block.count == 3 ? "give the points of each coordinate in a list of their own, after "
-                                          "their number; rows of time, x, y and z are not read"
-                                        : ""});
+                 {fmt::format("point {} of {}: {} must ascend", descent->point, subject_of(text), text.block.x.name),
+                  shown(descent->x_token.text),
+                  fmt::format("more than {}, as of the point before", core::format_number(descent->above)),
+                  maybe_rows ? "give the points of each coordinate in a list of their own, after "
+                               "their number; rows of time, x, y and z are not read"
+                             : "sort the points"});
 }
 
 }  // namespace
@@ -112,7 +116,8 @@ PointsEnd read_points(Tokens& tokens, const FunctionText& text, Reporter& report
     if (ends_data(tokens.peek(), text)) return report_early_end(tokens.peek(), text, reporter, *count, points.size());
     static_cast<void>(read_coordinate(tokens.take(), text, true, reporter, point.y));
     const bool comparable = x_good && x_known && !text.block.x_ignored && !points.empty();
-    if (comparable && !descent && !(point.x > points.back().x)) descent = Descent{x_token, points.back().x};
+    if (comparable && !descent && !(point.x > points.back().x))
+      descent = Descent{x_token, points.back().x, points.size() + 1};
     x_known = x_good;
     points.push_back(point);
     if (reporter.full()) return PointsEnd::broken;
@@ -155,7 +160,7 @@ DataFileReading read_data_file(std::string_view text, const std::string& file_na
       if (read_points(tokens, {block, i, "", true}, reporter, reading.functions[i]) != PointsEnd::complete) break;
   reading.problems = log.take();
   if (const Token rest = tokens.peek(); !core::has_errors(reading.problems) && rest.kind != TokenKind::end) {
-    reporter.warning(rest, "", {"numbers behind the last function are ignored", shown(rest.text)});
+    reporter.warning(rest, "", {"numbers after the last function are ignored", shown(rest.text)});
     for (core::Problem& problem : log.take()) reading.problems.push_back(std::move(problem));
   }
   return reading;

@@ -99,7 +99,8 @@ TEST(DataFile, ReportsEmptinessScriptsAndBytes) {
 TEST(DataFile, DemandsThatXAscends) {
   const core::Problem problem = data_problem("4 0 0 2 0 1 0 0.5 0\n1 0 0\n1 0 0");
   EXPECT_EQ(problem.place, (core::Place{"p.dat", 1, 11}));
-  EXPECT_EQ(problem.expected, "more than 2");
+  EXPECT_EQ(problem.expected, "more than 2, as of the point before");
+  EXPECT_TRUE(holds(problem.message, "point 3 of "));
   EXPECT_TRUE(holds(data_problem("2 1 0 1 0 1 0 0 1 0 0").message, "must ascend"));
 }
 

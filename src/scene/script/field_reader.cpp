@@ -82,7 +82,7 @@ bool FieldReader::number_follows(const Field& field, std::string_view kind) {
   if (!field.unit.empty()) expected += fmt::format(" in {}", field.unit);
   reporter_.error(token, field.member,
                   {fmt::format("{} is missing", field.words), shown(token.text), expected + range_text(field.range),
-                   "this keyword belongs behind it"});
+                   "this keyword belongs after it"});
   return false;
 }
 
@@ -211,8 +211,8 @@ std::size_t FieldReader::keyword(const Field& field, std::span<const std::string
   if (resuming)
     failed_ = true;
   else
-    structural_error(field, {fmt::format("{} is none of the possible ones", field.words), shown(next.text),
-                             listed(words), selection_hint(next, words)});
+    structural_error(field, {fmt::format("{} is not a valid choice", field.words), shown(next.text), listed(words),
+                             selection_hint(next, words)});
   return words.size();
 }
 
@@ -233,7 +233,7 @@ void FieldReader::finish() {
   if (!failed_ && first.is_value())
     reporter_.warning(
         first, "",
-        {fmt::format("values behind the last one of ${} are ignored", shown(command_.text)), shown(first.text),
+        {fmt::format("values after the last one of ${} are ignored", shown(command_.text)), shown(first.text),
          "the next command", "a comma separates values: the decimal mark is the point"});
   reading_.tokens.skip_values();
 }

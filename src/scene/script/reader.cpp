@@ -207,7 +207,7 @@ void warn_of_hidden_line(std::string_view text, const std::string& file_name, co
   ProblemLog log(problem_limit);
   Reporter(log, file_name, {})
       .warning(token_at(text, at), "",
-               {"the comment goes on behind a mark that ends no line, and hides commands",
+               {"the comment hides commands: its line does not end where it seems to",
                 text[at] == '\r' ? "a carriage return" : "a line separator of Unicode (U+2028 or U+2029)",
                 "a line feed", "save the script with line ends of one kind, LF or CR LF"});
   for (core::Problem& problem : log.take()) problems.push_back(std::move(problem));

@@ -249,6 +249,12 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.waveform = echoes.waveform;
   frame.track = fit_straight(echoes.track);
   frame.options = options;
+  if (echoes.azimuth_zero_m)
+    frame.azimuth_zero_m = core::dot(*echoes.azimuth_zero_m - frame.track.origin_m, frame.track.along);
+  if (std::optional<AxisInterval>& area = frame.options.azimuth_area) {
+    area->first_m += frame.azimuth_zero_m;
+    area->last_m += frame.azimuth_zero_m;
+  }
   frame.pulses = echoes.track.size();
   frame.samples = echoes.columns;
   frame.first_delay_s = echoes.first_delay_s;
@@ -261,7 +267,7 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.image_bins = frame.range_size;
   if (options.spectrum) fit_range(frame, options.spectrum->range);
   if (options.spectrum) fit_azimuth(frame, options.spectrum->azimuth);
-  frame.shown_azimuth = part_of(frame.azimuth, options.azimuth_area, frame.hidden_rows);
+  frame.shown_azimuth = part_of(frame.azimuth, frame.options.azimuth_area, frame.hidden_rows);
   frame.shown_range = part_of(frame.range, options.range_area, frame.hidden_columns);
   return frame;
 }

@@ -48,7 +48,8 @@ struct FocusFrame {
   bool unfolds = false;  ///< The image holds more Doppler frequencies than the pulses sample at one range frequency.
   double doppler_middle_hz = 0.0;  ///< Of the Doppler frequencies that the image holds.
   double range_middle_hz = 0.0;    ///< Of its range frequencies.
-  ImageAxis azimuth;
+  double azimuth_zero_m = 0.0;     ///< Where images count from, on the axis that counts from the track's origin.
+  ImageAxis azimuth;               ///< This and the areas count from the track's origin.
   ImageAxis range;
   ImageAxis shown_azimuth;         ///< The part of `azimuth` that is wanted.
   ImageAxis shown_range;           ///< The part of `range` that is.

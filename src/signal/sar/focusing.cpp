@@ -98,10 +98,11 @@ double amplitude_scale(const FocusFrame& frame, const std::vector<float>& pulses
 FocusedImage empty_image(const FocusFrame& frame) {
   FocusedImage image;
   image.frame = {.plane = ImagePlane::slant_range,
-                 .origin_m = frame.track.origin_m,
+                 .origin_m = frame.track.origin_m + frame.azimuth_zero_m * frame.track.along,
                  .along = frame.track.along,
                  .speed_mps = frame.track.speed_mps};
   image.azimuth = frame.shown_azimuth;
+  image.azimuth.first_m -= frame.azimuth_zero_m;
   image.range = frame.shown_range;
   image.carrier_hz = frame.waveform.carrier_hz;
   image.light_speed_mps = frame.waveform.light_speed_mps;
@@ -309,8 +310,29 @@ core::Problem error(std::string message, double found, std::string expected, std
   return problem;
 }
 
+// Rows are made from the record to the area, so that one that is far away is as large as one that is wide.
+void check_area(const EchoRows& echoes, const AxisInterval& area, const StraightTrack& track,
+                core::Problems& problems) {
+  constexpr double most_samples = 0x1p40;
+  const double step_m = track.speed_mps * track.interval_s;
+  const double first_m = track.speed_mps * track.time_s(0.0);
+  const double last_m = track.speed_mps * track.time_s(static_cast<double>(echoes.track.size()) - 1.0);
+  const double columns = static_cast<double>(std::max<std::size_t>(echoes.columns, 1));
+  const double rows = (std::max(area.last_m, last_m) - std::min(area.first_m, first_m)) / step_m;
+  if (rows * columns <= most_samples) return;  // False for what is not a number.
+  const double most_m = most_samples / columns * step_m;
+  core::Problem problem = error("the area to be focused is too long in azimuth, or too far from the record", 0.0,
+                                fmt::format("an area from {:.6g} to {:.6g} m at most, {:.3g} samples with the record",
+                                            last_m - most_m, first_m + most_m, most_samples),
+                                "give a smaller area, near the record");
+  problem.found =
+      fmt::format("{:.6g} to {:.6g} m, {:.3g} samples from the record on", area.first_m, area.last_m, rows * columns);
+  problems.push_back(std::move(problem));
+}
+
 void check_options(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
                    core::Problems& problems) {
+  if (options.azimuth_area) check_area(echoes, *options.azimuth_area, track, problems);
   const double prf_hz = 1.0 / track.interval_s;
   if (!(options.doppler_bandwidth_hz >= 0.0 && options.doppler_bandwidth_hz <= prf_hz))
     problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
@@ -325,7 +347,7 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
                                          least_hz)));
   const double most_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
   if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < most_sine * most_hz))
-    problems.push_back(error("the Doppler centroid is that of no direction", centroid_hz,
+    problems.push_back(error("no look direction has this Doppler centroid", centroid_hz,
                              fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_sine * most_hz),
                              "check the centroid"));
 }
@@ -337,7 +359,7 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
   const double most_hz = radar::turns_of(most_sine * track.speed_mps, waveform.carrier_hz, waveform.light_speed_mps);
   const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
   if (std::abs(options.doppler_centroid_hz) < most_hz && !(reached_hz < most_hz))
-    problems.push_back(error("the Doppler frequencies of no direction are among those to be focused", reached_hz,
+    problems.push_back(error("the Doppler band reaches beyond that of any look direction", reached_hz,
                              fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_hz),
                              "check the centroid, and keep a smaller band"));
   if (options.method != FocusMethod::chirp_scaling) return;
@@ -346,12 +368,10 @@ void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const S
   constexpr double short_row = 32768.0;
   const double dispersed = dispersed_samples(waveform);
   if (dispersed <= std::max(most_times * static_cast<double>(echoes.columns), short_row)) return;
-  problems.push_back(
-      error("chirp scaling needs rows much longer than those recorded, so much faster is the sampling "
-            "than the bandwidth asks for",
-            dispersed,
-            fmt::format("at most {:.0f} samples more in rows of {}, or {:.0f}", most_times, echoes.columns, short_row),
-            "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
+  problems.push_back(error(
+      "the sampling rate is too far above the bandwidth for chirp scaling: it lengthens the rows too much", dispersed,
+      fmt::format("up to {:.0f} times the row's {} samples, or {:.0f}", most_times, echoes.columns, short_row),
+      "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
 }
 
 void check_waveform(const SarWaveform& waveform, core::Problems& problems) {

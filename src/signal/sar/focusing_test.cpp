@@ -311,14 +311,25 @@ TEST(ProblemsOfFocusing, NameWhatCannotBeFocused) {
 
   EXPECT_NE(first_error(small_echoes(), {.doppler_bandwidth_hz = 601.0}).find("Doppler bandwidth"), std::string::npos);
   EXPECT_NE(first_error(small_echoes(), {.doppler_bandwidth_hz = 0.001}).find("tell apart"), std::string::npos);
-  EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 7065.0}).find("no direction"), std::string::npos);
+  EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 7065.0}).find("no look direction"), std::string::npos);
+}
+
+TEST(ProblemsOfFocusing, NameAnAreaThatIsTooLongOrTooFarAway) {
+  for (const AxisInterval area :
+       {AxisInterval{1e300, 1e301}, AxisInterval{-1e18, 1e18}, AxisInterval{1e15, 1e15 + 1}}) {
+    EXPECT_NE(first_error(small_echoes(), {.azimuth_area = area}).find("too long in azimuth"), std::string::npos);
+    const core::Problems in_time = problems_of_focusing_in_time(rows_of(small_echoes()), {.azimuth_area = area});
+    ASSERT_EQ(in_time.size(), 1U) << area.first_m;
+    EXPECT_NE(in_time[0].expected.find("samples with the record"), std::string::npos);
+  }
+  EXPECT_EQ(first_error(small_echoes(), {.azimuth_area = AxisInterval{1e5, 1e5 + 1}}), "");
 }
 
 TEST(ProblemsOfFocusing, NameABandThatReachesBeyondAllDirections) {
   // Two speeds over the wavelength are 7071.6 Hz.
   EXPECT_EQ(first_error(small_echoes(), {.doppler_centroid_hz = 6900.0, .doppler_bandwidth_hz = 300.0}), "");
   EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 6950.0, .doppler_bandwidth_hz = 300.0})
-                .find("of no direction are among those"),
+                .find("beyond that of any look direction"),
             std::string::npos);
 }
 
@@ -337,8 +348,9 @@ TEST(ProblemsOfFocusing, NameSamplingTooFastForChirpScalingAlone) {
   fine.waveform.bandwidth_hz = 2e6;
   fine.waveform.sample_rate_hz = 75e6;
   // 256 (75/2)^2 = 360000 samples beside 60.
-  EXPECT_NE(first_error(fine, {.method = FocusMethod::chirp_scaling}).find("chirp scaling needs rows much longer"),
-            std::string::npos);
+  EXPECT_NE(
+      first_error(fine, {.method = FocusMethod::chirp_scaling}).find("too far above the bandwidth for chirp scaling"),
+      std::string::npos);
   EXPECT_EQ(first_error(fine, {.method = FocusMethod::range_doppler}), "");
   EXPECT_EQ(first_error(fine), "");
   fine.waveform.bandwidth_hz = 7.5e6;

@@ -13,6 +13,7 @@
 #include "core/report/expect.hpp"
 #include "radar/path/light_time.hpp"
 #include "signal/sar/ground_sight.hpp"
+#include "signal/sar/sar_track.hpp"
 
 namespace sarsim::signal {
 
@@ -193,6 +194,7 @@ EchoRows compensate_motion(const EchoRows& echoes, const MotionCompensation& how
   const Compensator compensator(echoes, how);
   const std::size_t pulses = echoes.track.size();
   EchoRows out{{pulses, echoes.columns, {}}, echoes.waveform, {}, echoes.first_delay_s, true};
+  if (pulses >= 2) out.azimuth_zero_m = fit_straight(echoes.track).origin_m;
   for (std::size_t p = 0; p < pulses; ++p) out.track.push_back(compensator.place_of(p));
   const auto matrix = std::make_shared<WorkMatrix>(pulses, echoes.columns, space.memory_bytes, space.folder);
   WorkCounter counter(progress, pulses * echoes.columns, echoes.columns);

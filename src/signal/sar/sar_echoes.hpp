@@ -2,6 +2,7 @@
 
 #include <complex>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/maths/vector.hpp"
@@ -47,6 +48,9 @@ struct EchoRows : core::SampleRows<float> {
   double first_delay_s = 0.0;
   bool compensated = false;           ///< As if received on the straight line that fits the track.
   std::vector<double> carriers_hz{};  ///< As of SarEchoes. Back projection alone takes rows whose carriers differ.
+  /// A point of the line from which images count their azimuth; nothing: where the line is at the middle pulse. Rows
+  /// that were moved along the line keep that of the rows before, so that all algorithms count from one point.
+  std::optional<core::Vec3> azimuth_zero_m{};
 };
 
 /// Keeps a reference to the echoes.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <numeric>
 
 #include "core/report/expect.hpp"
@@ -51,6 +50,35 @@ double largest_root_rcs_m(const ResolvedScene& scene, const Scatterer& s) {
   return std::sqrt(std::max(rcs_m2, 0.0));
 }
 
+// The largest of the values that neighbours in a row were given, whole runs of them at a time: a tree of runs, each of
+// which keeps what all of its places have, so that a run takes a logarithm of its length.
+class LargestInRuns {
+ public:
+  static constexpr double none = -1.0;  // below all strengths
+
+  explicit LargestInRuns(std::size_t places) : places_(places), largest_(2 * places, none) {}
+
+  // Places from `begin` to before `end`.
+  void raise(std::size_t begin, std::size_t end, double value) {
+    for (begin += places_, end += places_; begin < end; begin /= 2, end /= 2) {
+      if (begin % 2 == 1) raise_run(begin++, value);
+      if (end % 2 == 1) raise_run(--end, value);
+    }
+  }
+
+  [[nodiscard]] double at(std::size_t place) const {
+    double largest = none;
+    for (std::size_t run = place + places_; run > 0; run /= 2) largest = std::max(largest, largest_[run]);
+    return largest;
+  }
+
+ private:
+  void raise_run(std::size_t run, double value) { largest_[run] = std::max(largest_[run], value); }
+
+  std::size_t places_;
+  std::vector<double> largest_;  // run n holds the runs 2 n and 2 n + 1; the last half are the places
+};
+
 // When the echoes of points arrive in rows, over a few looks.
 class Hearing {
  public:
@@ -73,13 +101,15 @@ class Hearing {
   OtherPulses heard() {
     OtherPulses heard;
     find_candidates();
-    if (since_.empty() && !some_farther_) return {};
+    if (since_.empty()) return {};
+    strongest_ = LargestInRuns(since_.size());
     for (const Scatterer& s : scene_.scatterers) listen(s.platform, s.position_m, largest_root_rcs_m(scene_, s));
     for (const ScattererSheet& sheet : scene_.sheets)
       for (const core::Vec3& point_m : sheet.points_m)
         listen(sheet.platform, point_m, std::sqrt(std::max(sheet.point_rcs_m2, 0.0)));
-    for (const auto& [back, strength] : strongest_)
-      if (back != 0) heard.pulses.push_back({back, strength / strongest_of_all_});
+    for (std::size_t i = 0; i < since_.size(); ++i)
+      if (const double strength = strongest_.at(i); since_[i].back != 0 && strength > LargestInRuns::none)
+        heard.pulses.push_back({since_[i].back, strongest_of_all_ > 0.0 ? strength / strongest_of_all_ : 0.0});
     if (farther_ > 0.0) heard.farther = farther_ / std::max(farther_, strongest_of_all_);
     return heard;
   }
@@ -149,19 +179,21 @@ class Hearing {
         all.include(std::max(ball.first_s, 0.0), ball.last_s);
       }
     if (!(all.first_s <= all.last_s) || !std::isfinite(all.last_s)) return;
+    bool some_farther = false;
     for (const std::int64_t step : {-1, 1})
       for (std::int64_t back = step;; back += step) {
         const Interval since = this->since(back);
         const bool beyond = step > 0 ? all.last_s - since.first_s < begin_s_ : all.first_s - since.last_s > end_s_;
         if (beyond) break;
         if (std::abs(back) > most_pulses_away) {
-          some_farther_ = true;
+          some_farther = true;
           (step > 0 ? before_s_ : after_s_) = step > 0 ? since.first_s : since.last_s;
           break;
         }
-        if (meets(all, since)) since_[back] = since;
+        if (meets(all, since)) since_.push_back({back, since});
       }
-    if (!since_.empty() || some_farther_) since_[0] = {0.0, 0.0};
+    if (!since_.empty() || some_farther) since_.push_back({0, {0.0, 0.0}});
+    std::ranges::sort(since_, {}, &SentPulse::back);
   }
 
   void listen(std::size_t platform, const core::Vec3& point_m, double root_rcs_m) {
@@ -173,16 +205,23 @@ class Hearing {
       const double strength = root_rcs_m / (far_m * far_m);
       if (arrives.last_s - before_s_ >= begin_s_ || arrives.first_s - after_s_ <= end_s_)
         farther_ = std::max(farther_, strength);
-      // Pulses in the order of the times since they left.
-      const double earliest_s = arrives.first_s - end_s_;
-      auto first = std::ranges::lower_bound(since_, earliest_s, {}, [](const auto& s) { return s.second.last_s; });
-      for (; first != since_.end() && first->second.first_s <= arrives.last_s - begin_s_; ++first) {
-        double& most = strongest_[first->first];
-        most = std::max(most, strength);
-        strongest_of_all_ = std::max(strongest_of_all_, strength);
-      }
+      // Pulses are in the order of the times since they left.
+      const auto place = [this](auto found) { return static_cast<std::size_t>(found - since_.begin()); };
+      const std::size_t first = place(std::ranges::lower_bound(
+          since_, arrives.first_s - end_s_, {}, [](const SentPulse& sent) { return sent.since.last_s; }));
+      const std::size_t end = place(std::ranges::upper_bound(since_, arrives.last_s - begin_s_, {},
+                                                             [](const SentPulse& sent) { return sent.since.first_s; }));
+      if (first >= end) continue;
+      strongest_.raise(first, end, strength);
+      strongest_of_all_ = std::max(strongest_of_all_, strength);
     }
   }
+
+  // A pulse that may be heard, and how long before the row's it was sent.
+  struct SentPulse {
+    std::int64_t back = 0;
+    Interval since;
+  };
 
   const ResolvedScene& scene_;
   const ResolvedRadar& radar_;
@@ -193,9 +232,8 @@ class Hearing {
   std::vector<core::Vec3> own_m_;                // the radar at each look
   std::vector<std::vector<radar::Pose>> poses_;  // of each platform at each look; none where nothing reflects
   std::vector<double> between_m_;
-  std::map<std::int64_t, Interval> since_;    // of the pulses that may be heard, the row's own among them
-  std::map<std::int64_t, double> strongest_;  // by pulses back
-  bool some_farther_ = false;
+  std::vector<SentPulse> since_;                               // the row's own among them, ascending
+  LargestInRuns strongest_{0};                                 // of each of them
   double before_s_ = std::numeric_limits<double>::infinity();  // since the first pulse that is too far before, ...
   double after_s_ = -std::numeric_limits<double>::infinity();  // ... and after
   double farther_ = 0.0;                                       // the strongest echo of such pulses

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <complex>
 #include <vector>
@@ -230,6 +231,22 @@ TEST(OtherPulses, FarTooManyAreSaidOnlyWhereTheyMayBeHeard) {
 }
 
 // Pulses leave at 0 and, a millisecond or 1000 samples, later; 10 samples each, noise included.
+// A pulse that is so long that all echoes of 2000 pulses touch a row: what 40000 targets take must not grow with that
+// number. Each echo of each pulse at 65 looks would be 5e9 steps, half a minute at least.
+TEST(OtherPulses, TakeNoLongerWhereManyHearMany) {
+  scene::Scene scene = second_time_around();
+  scene.radars[0].pulse_width_s = 1e6;
+  scene.simulations[0].time_start_s = 0.0;
+  scene.simulations[0].time_end_s = 0.1;
+  for (int i = 0; i < 40'000; ++i) scene.targets.push_back(target_on("Earth", {0.0, 50e3 + i, 0.0}));
+  const auto begin = std::chrono::steady_clock::now();
+  const Plan plan = make_plan(scene, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  ASSERT_EQ(plan.other_pulses.pulses.size(), 2 * static_cast<std::size_t>(most_pulses_away));
+  // The strongest, with 1e4 m2 at 203 km, is one of all that each of them may have sent.
+  for (const OtherPulse& other : plan.other_pulses.pulses) ASSERT_EQ(other.strength, 1.0) << other.back;
+}
+
 TEST(Eclipsing, BlanksSamplesWhileTheRadarSends) {
   scene::Scene scene = second_time_around();
   scene.radars[0].noise_temperature_k = 300.0;

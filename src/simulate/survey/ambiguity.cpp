@@ -48,23 +48,23 @@ class OtherPulseRules {
                                   : plan_.other_pulses;
     if (heard.farther > 0.0)
       add(core::Severity::warning,
-          fmt::format("echoes of pulses sent more than {} before or after that of a row reach it and are left out",
+          fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
                       most_pulses_away),
-          fmt::format("up to {:.0f} dB of the strongest echo, antennas aside", core::amplitude_db(heard.farther)), "",
-          "lower the PRF, or move the targets");
+          fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
+                      core::amplitude_db(heard.farther)),
+          "", "lower the PRF, or move the targets");
     if (heard.pulses.empty()) return;
     const OtherPulse& strongest = *std::ranges::max_element(heard.pulses, {}, &OtherPulse::strength);
     const std::string level = strongest.strength < 1.0
-                                  ? fmt::format("up to {:.0f} dB of the strongest echo, antennas aside",
+                                  ? fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
                                                 core::amplitude_db(strongest.strength))
-                                  : "the strongest echo is one of theirs, antennas aside";
+                                  : "the strongest echo is among them, antennas ignored";
     if (left_out)
       add(core::Severity::note, fmt::format("echoes of {} would reach the window and are left out", pulses_of(heard)),
           level, "", "AMBIGUOUS_ECHOES STRONG or ALL in $OPTIONS adds them");
     else
       add(which == scene::AmbiguousEchoes::all ? core::Severity::note : core::Severity::warning,
-          fmt::format("rows hold echoes of {} as well; they appear at ranges that are not their own", pulses_of(heard)),
-          level, "",
+          fmt::format("rows also hold echoes of {}, which appear at false ranges", pulses_of(heard)), level, "",
           "change the PRF or the window; AMBIGUOUS_ECHOES ALL in $OPTIONS says that they are meant, NONE leaves them "
           "out");
   }

@@ -22,6 +22,12 @@ double mean_square(const radar::Pulse& pulse) {
   return sum / points;
 }
 
+// Of an unmodulated pulse too, as which a chirp without a sweep counts.
+double band_of(const radar::Pulse& pulse) {
+  const double bandwidth_hz = radar::bandwidth_hz(pulse);
+  return bandwidth_hz > 0.0 ? bandwidth_hz : 1.0 / pulse.width_s;
+}
+
 double largest_in_window_v(const EchoSurvey& survey) {
   double largest = 0.0;
   for (const TargetSurvey& target : survey.targets)
@@ -46,7 +52,7 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
   f.highest_carrier_hz = radar.carrier.highest_hz();
   f.longest_wavelength_m = radar::wavelength_of(f.lowest_carrier_hz, c);
   f.shortest_wavelength_m = radar::wavelength_of(f.highest_carrier_hz, c);
-  f.bandwidth_hz = radar::bandwidth_hz(radar.pulse);
+  f.bandwidth_hz = band_of(radar.pulse);
   const bool shaped = radar.pulse.kind == radar::Pulse::Kind::user;
   f.range_resolution_m = radar::range_of(shaped ? radar::half_power_width_s(radar.pulse) : 1.0 / f.bandwidth_hz, c);
   if (radar.carrier.steps() > 1)
@@ -91,7 +97,7 @@ SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey)
   f.first_delay_s = radar::delay_of(plan.column_range_m.front(), c);
   f.last_delay_s = radar::delay_of(plan.column_range_m.back(), c);
   if (plan.column_range_m.size() > 1) f.column_spacing_m = plan.column_range_m[1] - plan.column_range_m[0];
-  f.sampling_ratio = plan.simulation.sample_rate_hz / radar::bandwidth_hz(plan.radar.pulse);
+  f.sampling_ratio = plan.simulation.sample_rate_hz / band_of(plan.radar.pulse);
   constexpr std::size_t most_targets = 4096;
   f.pulse_motion_rad = motion_left_in_pulse(plan, targets_in_window(survey, most_targets)).phase_rad;
   f.noise_power_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;

@@ -12,7 +12,7 @@ struct RadarFigures {
   double highest_carrier_hz = 0.0;
   double longest_wavelength_m = 0.0;   ///< c/f at the lowest carrier.
   double shortest_wavelength_m = 0.0;  ///< c/f at the highest.
-  double bandwidth_hz = 0.0;           ///< B of one pulse, see bandwidth_hz(const Pulse&).
+  double bandwidth_hz = 0.0;           ///< B of one pulse, see bandwidth_hz(const Pulse&); of a chirp of 0 Hz 1/Tp.
   double range_resolution_m = 0.0;     ///< c/(2 B); of a user-defined pulse c/2 times the half-power width of its
                                        ///< autocorrelation.
   double synthetic_range_resolution_m = 0.0;  ///< c/(2 S df) of S frequency steps; 0 where the carrier is not stepped.

@@ -49,6 +49,17 @@ SimulationFigures simulation_figures_of(const scene::Scene& scene) {
   return simulation_figures(plan, survey_echoes(plan));
 }
 
+// It is an unmodulated pulse.
+TEST(Derived, AChirpWithoutBandwidthHasTheFiguresOfItsLength) {
+  scene::Scene scene = chirp_scene();
+  scene.radars[0].bandwidth_hz = 0.0;
+  const RadarFigures f = figures_of(scene);
+  EXPECT_DOUBLE_EQ(f.bandwidth_hz, 1.0 / 2.5e-6);
+  EXPECT_DOUBLE_EQ(f.range_resolution_m, 0.5 * c * 2.5e-6);
+  EXPECT_DOUBLE_EQ(f.time_bandwidth, 1.0);
+  EXPECT_DOUBLE_EQ(simulation_figures_of(scene).sampling_ratio, 200e6 * 2.5e-6);
+}
+
 TEST(Derived, ChirpRadarHasTheTextbookFigures) {
   const RadarFigures f = figures_of(chirp_scene());
   EXPECT_DOUBLE_EQ(f.shortest_wavelength_m, c / 0.5e9);

@@ -9,6 +9,7 @@
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/noise_energy.hpp"
 
 namespace sarsim::simulate {
 
@@ -196,7 +197,7 @@ class Looker {
   // What all pulses from the first to the last give, from an even choice of them.
   void add_passage(TargetSight& sight, const std::vector<PulseLook>& looks, std::int64_t first,
                    std::int64_t last) const {
-    const double noise_j = scene_.conventions.boltzmann_j_per_k * radar_.noise_temperature_k;
+    const double noise_j = noise_energy_j(scene_.conventions, radar_);
     const double of_power = noise_j > 0.0 ? radar_.pulse.width_s / noise_j : 0.0;
     const double each =
         looks.size() > 1 ? static_cast<double>(last - first) / static_cast<double>(looks.size() - 1) : 1.0;

@@ -72,6 +72,18 @@ TEST(TargetSight, SnrIsThatOfTheRadarEquation) {
   EXPECT_NEAR(sight.processed_snr / snr, 100.0, 1e-4);
 }
 
+TEST(TargetSight, HasNoSnrWhereTheNoiseIsTooWeakForNumbers) {
+  scene::Scene scene = one_target_scene();
+  scene.radars[0].noise_temperature_k = 1e-300;
+  const Plan plan = make_plan(scene, 0);
+  const TargetSight sight = SightSurvey(plan, {0}).look().at(0);
+  EXPECT_EQ(sight.snr, 0.0);
+  EXPECT_EQ(sight.processed_snr, 0.0);
+  EXPECT_EQ(survey_echoes(plan).targets.at(0).snr, 0.0);
+  scene.radars[0].noise_temperature_k = 1e-170;
+  EXPECT_TRUE(std::isfinite(SightSurvey(make_plan(scene, 0), {0}).look().at(0).processed_snr));
+}
+
 TEST(TargetSight, OfATurningBeamIsOnePass) {
   scene::Scene scene = one_target_scene();
   scene::Radar& radar = scene.radars[0];

@@ -14,6 +14,7 @@
 #include "scene/model/format_values.hpp"
 #include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/pulse_motion.hpp"
 #include "simulate/survey/sight_rules.hpp"
 
@@ -61,7 +62,7 @@ class Surveyor {
       return pattern.kind != radar::AntennaPattern::Kind::isotropic;
     };
     summary.directive = directive(plan.radar.transmit) || directive(plan.radar.receive);
-    summary.noise = plan.scene->conventions.boltzmann_j_per_k * plan.radar.noise_temperature_k > 0.0;
+    summary.noise = noise_energy_j(plan.scene->conventions, plan.radar) > 0.0;
     simulate::check_sights({scene_, index_, plan, looked, summary, control}, problems_);
     report_.summaries.push_back(std::move(summary));
   }
@@ -130,7 +131,7 @@ class Surveyor {
       add(core::Severity::warning, "radar",
           "the radar's window function cancels: its weights, with their signs, sum to 0", "",
           "weights that leave a target its peak",
-          "the peak is 0 where the target stands, and nothing scales what is left; take another window");
+          "a target's peak is 0, so the output cannot be scaled; take another window");
   }
 
   bool check_bursts(const Plan& plan) {

@@ -5,6 +5,7 @@
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/survey.hpp"
 
 namespace sarsim::simulate {
@@ -195,7 +196,7 @@ class Look {
   }
 
   void add_up() {
-    const double noise_j = plan_.scene->conventions.boltzmann_j_per_k * plan_.radar.noise_temperature_k;
+    const double noise_j = noise_energy_j(plan_.scene->conventions, plan_.radar);
     const double unambiguous_m = unambiguous_range_m(plan_);
     std::vector<SurveyTotals> totals(ranges());
     over_targets([&](std::size_t begin, std::size_t end) {

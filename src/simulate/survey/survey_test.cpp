@@ -158,7 +158,7 @@ TEST(Survey, WarnsOfEchoesThatComeAfterTheNextPulse) {
   scene.radars[0].prf_hz = 200e3;  // 749 m
   const core::Problems problems = survey(scene);
   ASSERT_THAT(problems, ElementsAre(problem(core::Severity::warning, "radar", "arrive after the next pulse"),
-                                    problem(core::Severity::warning, "radar", "rows hold echoes of"),
+                                    problem(core::Severity::warning, "radar", "rows also hold echoes of"),
                                     problem(core::Severity::note, "radar", "arrive while the radar sends")));
   EXPECT_THAT(problems[0].expected, HasSubstr("749.48"));
   scene.radars[0].prf_hz = 149e3;  // 1006 m
@@ -175,11 +175,12 @@ TEST(Survey, SaysWhichOtherPulsesAreHeardAndWhatThePulseCovers) {
   scene.radars[0].pulse_width_s = 1e-6;
   const auto late = problem(core::Severity::warning, "radar", "of 2 of 2 targets arrive after the next pulse");
   const core::Problems heard = survey(scene);
-  ASSERT_THAT(heard, ElementsAre(late, problem(core::Severity::warning, "radar",
-                                               "rows hold echoes of the pulse before and the pulse after theirs")));
-  EXPECT_EQ(heard[1].found, "the strongest echo is one of theirs, antennas aside");
+  ASSERT_THAT(heard,
+              ElementsAre(late, problem(core::Severity::warning, "radar",
+                                        "rows also hold echoes of the pulse before and the pulse after theirs")));
+  EXPECT_EQ(heard[1].found, "the strongest echo is among them, antennas ignored");
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
-  EXPECT_THAT(survey(scene), ElementsAre(late, problem(core::Severity::note, "radar", "rows hold echoes of")));
+  EXPECT_THAT(survey(scene), ElementsAre(late, problem(core::Severity::note, "radar", "rows also hold echoes of")));
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::none;
   EXPECT_THAT(survey(scene), ElementsAre(late, problem(core::Severity::note, "radar", "are left out")));
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;

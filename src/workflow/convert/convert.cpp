@@ -10,6 +10,7 @@
 #include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/format/image_export.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
@@ -79,7 +80,7 @@ CarriedHeader carried_header(const raster::EnviHeader& header, const ConvertRequ
                                            {}, {}, "NPY in volts and .img keep them")}};
   };
   if (format && !array) return left(fmt::format("{} has no place for them", format_word(*format)));
-  if (request.counts) return left("counts are no image");
+  if (request.counts) return left("counts do not make an image");
   if (array && is_of_magnitudes(header)) {
     CarriedHeader carried = left("as NPY the magnitudes become complex numbers, which would be taken for the image");
     carried.notes.back().hint = ".img keeps them";
@@ -193,7 +194,10 @@ class Conversion {
     file_.read_rows(first, count, volts_);
     if (change_ == Change::to_volts)
       for (auto& sample : volts_) sample *= product_.lsb_v;
-    if (!options_.counts) return;
+    if (!options_.counts) {
+      raster::expect_single_precision(volts_, first, product_.columns);
+      return;
+    }
     counts_.resize(2 * volts_.size());
     // Counts pass through a converter of 1 V a count: unchanged as long as they fit its bits.
     radar::Converter{product_.bits, change_ == Change::to_counts ? product_.lsb_v : 1.0}.convert(volts_, counts_,

@@ -107,7 +107,7 @@ std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& i
     return scene_m.z;
   }
   if (core::norm(core::cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
-    throw core::Refused("--grid ground: the antenna flies straight up or down, and the ground has no side to it",
+    throw core::Refused("--grid ground: the antenna flies vertically, so ground range is undefined",
                         "leave out --grid ground");
   try {
     axes = signal::on_ground(axes, scene_m);
@@ -115,6 +115,22 @@ std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& i
     throw core::Refused(error.what(), "give the ground another --height, or leave out --grid ground");
   }
   return std::nullopt;
+}
+
+// Columns beyond the recorded ranges are made as well, but not so far away that they could not be counted.
+void cut_range(signal::ImageAxis& range, const signal::AxisInterval& area) {
+  constexpr double most_columns = 0x1p40;
+  const double first = range.index_of(area.first_m);
+  const double last = range.index_of(area.last_m);
+  if (!(std::abs(first) <= most_columns && std::abs(last) <= most_columns)) {
+    const double most_m = most_columns * range.step_m;
+    throw core::Refused({core::problem_of(
+        core::Severity::error, "--range reaches too far from the recorded ranges",
+        fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m),
+        fmt::format("ranges from {:.6g} to {:.6g} m", range.first_m - most_m, range.first_m + most_m),
+        fmt::format("recorded are {:.6g} to {:.6g} m", range.first_m, range.at(static_cast<double>(range.count))))});
+  }
+  signal::cut_axis(range, area);
 }
 
 }  // namespace
@@ -146,7 +162,7 @@ signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage
   back.start_stop = choice.start_stop;
   back.ground_m = place_axes(axes, input, choice);
   if (options.azimuth_area) signal::cut_axis(axes.azimuth, *options.azimuth_area);
-  if (options.range_area) signal::cut_axis(axes.range, *options.range_area);
+  if (options.range_area) cut_range(axes.range, *options.range_area);
   expect_samples(axes);
   const double bytes =
       8.0 * (static_cast<double>(input.echoes.track.size()) * static_cast<double>(input.echoes.columns) +

@@ -181,6 +181,7 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   core::Problems problems = work.input.problems;
   std::ranges::copy(work.problems, std::back_inserter(problems));
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  std::ranges::move(remarks_on_area(work.input.echoes, work.options), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, control), std::back_inserter(problems));
   if (!in_time(request))

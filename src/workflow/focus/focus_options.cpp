@@ -41,7 +41,7 @@ void take_centroid(FocusRequest& request, const std::string& text) {
   } else if (core::equal_ignoring_case(text, "measured")) {
     request.centroid = CentroidSource::measured;
   } else if (!core::equal_ignoring_case(text, "geometry")) {
-    throw core::Refused(fmt::format("--doppler-centroid: '{}' is none", text), "geometry, measured or a number of Hz");
+    throw core::Refused(fmt::format("--doppler-centroid: invalid '{}'", text), "geometry, measured or a number of Hz");
   }
 }
 
@@ -101,8 +101,7 @@ void add_grid(OptionTable<FocusRequest>& table) {
   table.number("--height", "M",
                "height of the ground, of back-projection and motion compensation (default: the targets' mean)",
                &FocusRequest::ground_m);
-  table.flag("--start-stop",
-             "back-projection as if the antenna rested while a pulse travels: what that neglects is seen",
+  table.flag("--start-stop", "back-projection with the start-stop (stop-and-go) approximation, to show its errors",
              &FocusRequest::start_stop);
 }
 
@@ -110,10 +109,10 @@ void add_phases(OptionTable<FocusRequest>& table) {
   table.choice<MotionOrder>(
       "--motion-compensation",
       {{"none", MotionOrder::none}, {"first", MotionOrder::first}, {"second", MotionOrder::second}},
-      "what departs from a straight flight is taken out of the echoes; by default to the second order where the track "
+      "corrects the echoes for departures from a straight flight; by default to the second order where the track "
       "needs it",
       &FocusRequest::motion);
-  table.flag("--autofocus", "take out phase errors that are left, found in the image itself", &FocusRequest::autofocus);
+  table.flag("--autofocus", "remove phase errors that are left, found in the image itself", &FocusRequest::autofocus);
   table.number("--autofocus-piece", "M",
                "length of the pieces it looks at one by one (default: a tenth of the synthetic aperture)",
                &FocusRequest::autofocus_piece_m);

@@ -44,7 +44,7 @@ TEST(FocusRequest, RefusesWordsThatMeanNothing) {
   EXPECT_EQ(refusal({{"--memory", "lots"}, {"--window", "blue"}}), "--memory: 'lots' is not a valid size");
   EXPECT_EQ(refusal({{"--azimuth-window", "green"}, {"--doppler-centroid", "pi"}}),
             "--azimuth-window: 'green' is not a valid window");
-  EXPECT_EQ(refusal({{"--doppler-centroid", "pi"}}), "--doppler-centroid: 'pi' is none");
+  EXPECT_EQ(refusal({{"--doppler-centroid", "pi"}}), "--doppler-centroid: invalid 'pi'");
   EXPECT_EQ(refusal({{"--memory", "B"}}), "--memory: 'B' is not a valid size");
   EXPECT_EQ(refusal({{"--threads", "many"}}), "--threads: 'many' is not a whole number from 0 to 4096");
 }

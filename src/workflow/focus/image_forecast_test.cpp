@@ -33,6 +33,16 @@ TEST(ImageForecast, IsNoneOfARadarThatRests) {
   EXPECT_FALSE(forecast_image(scene, 0, 0));
 }
 
+TEST(ImageForecast, IsWithoutRangeOrNoneWhereTheWaveformIsBeyondAllBounds) {
+  scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.05);
+  scene.radars[0].bandwidth_hz = 1e18;
+  const auto image = forecast_image(scene, 0, 0);
+  EXPECT_FALSE(image && image->range_width_m);
+  scene.radars[0].bandwidth_hz = 100e6;
+  scene.radars[0].pulse_width_s = 1e18;
+  EXPECT_FALSE(forecast_image(scene, 0, 0));
+}
+
 // Out of the recorded ranges.
 TEST(ImageForecast, IsNoneOfATargetThatIsNotSeen) {
   EXPECT_FALSE(forecast_image(sar_scene(620.0, {{5000.0, 0.0, 0.0}}, 0.5), 0, 0));

@@ -20,6 +20,7 @@
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/image/image_script.hpp"
+#include "workflow/input/output_names.hpp"
 #include "workflow/input/override_words.hpp"
 
 namespace sarsim::workflow {
@@ -122,8 +123,7 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
   if (points == 0) return std::nullopt;
   if (listed == 0)
     throw core::Refused(fmt::format("the {} points of the clouds are too many to be measured one by one", points),
-                        fmt::format("clouds of up to {} points together are; add a $TARGET where an image is to be "
-                                    "measured",
+                        fmt::format("the limit is {} cloud points; add a $TARGET where an image is to be measured",
                                     most_examined_targets));
   return core::problem_of(core::Severity::note,
                           fmt::format("the {} points of the clouds are not measured one by one", points), {},
@@ -140,12 +140,15 @@ fs::path picture_of(const MeasureRequest& request, const TargetTheory& theory) {
 }
 
 // Before anything is measured.
-void expect_free_pictures(const MeasureRequest& request, const std::vector<TargetTheory>& theories) {
-  if (request.pictures.empty() || request.force) return;
+void expect_free_pictures(const MeasureRequest& request, const std::vector<TargetTheory>& theories,
+                          std::vector<fs::path> sources) {
+  if (request.pictures.empty()) return;
+  sources.push_back(request.image);
+  sources.push_back(raster::envi_header_of(request.image.string()));
+  std::vector<fs::path> pictures;
   for (const TargetTheory& theory : theories)
-    if (is_asked_for(request, theory) && fs::exists(picture_of(request, theory)))
-      throw core::Refused(fmt::format("'{}' exists", picture_of(request, theory).string()),
-                          "name another folder, or --force");
+    if (is_asked_for(request, theory)) pictures.push_back(picture_of(request, theory));
+  expect_free_outputs(pictures, {std::move(sources), request.force, "--cuts", request.pictures});
 }
 
 // Of a peak, carried from where it was found to a place near it.
@@ -154,6 +157,15 @@ double phase_at(const signal::FocusedImage& image, const signal::PointResponse& 
   const double turns = image.azimuth.spectrum_centre_per_m * (place.azimuth_m - found.place.azimuth_m) +
                        image.range.spectrum_centre_per_m * (place.range_m - found.place.range_m);
   return std::remainder(found.phase_rad + 2.0 * core::pi * turns, 2.0 * core::pi);
+}
+
+bool is_within(const signal::ImageAxis& axis, double place) {
+  const auto [low, high] = std::minmax({axis.at(0.0), axis.at(static_cast<double>(axis.count) - 1.0)});
+  return place >= low && place <= high;
+}
+
+bool is_within(const signal::FocusedImage& image, const signal::ImagePlace& place) {
+  return is_within(image.azimuth, place.azimuth_m) && is_within(image.range, place.range_m);
 }
 
 // The peak near the target's place, unless noise alone may make one as large.
@@ -192,6 +204,8 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
       targets[t].theory = theories[t];
       targets[t].picture = picture_of(request, theories[t]);
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
+      targets[t].outside = !is_within(opened.image, theories[t].place);
+      if (targets[t].outside) continue;
       targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
       measure_target(opened, reader, request, cuts, targets[t]);
     }
@@ -220,7 +234,7 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
     observer.remarks({*note});
     way.problems.push_back(*std::move(note));
   }
-  expect_free_pictures(request, theories);
+  expect_free_pictures(request, theories, named_sources(input_of(request, way, opened.origin)));
   core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
   observer.remarks(movers);
   std::ranges::move(movers, std::back_inserter(way.problems));

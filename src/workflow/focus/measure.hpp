@@ -34,6 +34,7 @@ struct MeasuredTarget {
   TargetTheory theory;
   /// A peak above the threshold; its phase carried by the image's carrier to the place that theory has.
   std::optional<signal::PointResponse> found;
+  bool outside = false;    ///< Its place is not in the image: it was not looked for.
   double noise_v = 0.0;    ///< Root mean square of what the image shows beside its points, near this place; 0: nothing.
   double threshold = 0.0;  ///< Power over that of the noise that a peak in the area searched has to exceed.
   double search_m = 0.0;   ///< How far from its place, in both coordinates, it was looked for.
@@ -55,7 +56,8 @@ struct MeasuredTarget {
 
 /// Many targets in a few numbers: those found, their errors least and largest.
 struct MeasureSummary {
-  std::size_t expected = 0;  ///< Targets that theory has echoes of.
+  std::size_t expected = 0;  ///< Targets that theory has echoes of, within the image.
+  std::size_t outside = 0;   ///< Those beside it.
   std::size_t found = 0;
   double farthest_m = 0.0;  ///< Largest distance from its place.
   double lowest_amplitude_db = 0.0, highest_amplitude_db = 0.0;

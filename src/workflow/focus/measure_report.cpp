@@ -33,6 +33,7 @@ std::string csv_line(const MeasuredTarget& target) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const TargetTheory& theory = target.theory;
   const bool found = target.found.has_value();
+  const bool measured = target.expected() && !target.outside;
   std::string line = fmt::format("{},{}", theory.target + 1, found ? 1 : 0);
   add_cell(line, theory.place.azimuth_m);
   add_cell(line, theory.place.range_m);
@@ -44,9 +45,9 @@ std::string csv_line(const MeasuredTarget& target) {
   add_cell(line, target.expected() ? theory.phase_rad : none);
   add_cell(line, found ? target.found->phase_rad : none);
   add_cell(line, found ? target.phase_error_rad() : none);
-  add_cell(line, target.expected() ? target.noise_v : none);
+  add_cell(line, measured ? target.noise_v : none);
   add_cell(line, target.peak_v > 0.0 ? target.snr_db() : none);
-  add_cell(line, target.expected() ? core::power_db(target.threshold) : none);
+  add_cell(line, measured ? core::power_db(target.threshold) : none);
   add_figures(line, found ? std::optional(target.found->azimuth) : std::nullopt);
   add_figures(line, theory.azimuth);
   add_figures(line, found ? std::optional(target.found->range) : std::nullopt);
@@ -73,7 +74,7 @@ MeasureSummary summary_of(const MeasureReport& report) {
     highest = summary.found == 1 ? value : std::max(highest, value);
   };
   for (const MeasuredTarget& target : report.targets) {
-    if (target.expected()) ++summary.expected;
+    if (target.expected()) ++(target.outside ? summary.outside : summary.expected);
     if (!target.found) continue;
     ++summary.found;
     const signal::ImagePlace& place = target.found->place;

@@ -76,6 +76,14 @@ core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
   if (plan.pulses.count() < 2)
     problems.push_back(core::problem_of(core::Severity::error, "too few pulses to focus",
                                         fmt::format("{}", plan.pulses.count()), "at least 2", "record for longer"));
+  // A row anew holds all of the last echo.
+  constexpr double most_samples = 0x1p31;
+  const double samples = plan.simulation.sample_rate_hz * plan.radar.pulse.width_s;
+  if (!recorded && !(samples <= most_samples))
+    problems.push_back(core::problem_of(
+        core::Severity::error, "the pulse is too long to be focused: a row has to hold a whole echo",
+        fmt::format("pulse_width {:g} s, {:.3g} samples", plan.radar.pulse.width_s, samples),
+        fmt::format("at most {:.3g} s", most_samples / plan.simulation.sample_rate_hz), "shorten the pulse"));
   const bool compressed = recorded && plan.simulation.processing == scene::Processing::matched_filter;
   const bool even = !compressed || plan.compressor->output_index().back() + 1 == plan.columns;
   if (!even)

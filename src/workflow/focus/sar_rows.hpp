@@ -12,7 +12,8 @@
 namespace sarsim::workflow {
 
 /// What keeps a simulation from being focused whatever the method, all at once: fewer than two pulses, a radar that
-/// rests; of recordings also synthetic range profiles and samples that the classic profile places unevenly.
+/// rests; of recordings also synthetic range profiles and samples that the classic profile places unevenly; of others
+/// pulses of more than 2^31 samples.
 /// @param recorded  a file holds the echoes; otherwise they are simulated as focusing wants them
 [[nodiscard]] core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded);
 

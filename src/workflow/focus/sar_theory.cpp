@@ -156,6 +156,9 @@ std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, 
   const double band_hz = std::abs(waveform.bandwidth_hz);
   // A pulse of less than a cycle of its sweep is no chirp: its length gives the resolution.
   if (!is_plain_chirp(plan.radar.pulse) || !(band_hz * waveform.pulse_width_s >= 1.0)) return std::nullopt;
+  // Sampled so coarsely, it is nothing but ghosts of itself.
+  constexpr double least_sampling = 1.0 / 16.0;
+  if (!(waveform.sample_rate_hz >= least_sampling * band_hz)) return std::nullopt;
   signal::ResponseFigures figures = signal::theoretical_figures(
       window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
   const double cell_m = radar::range_of_cycle(band_hz, waveform.light_speed_mps);

@@ -21,9 +21,9 @@ struct TargetTheory {
   double amplitude = 0.0;
   double phase_rad = 0.0;  ///< -4 pi f0 R0/c, in (-pi, pi].
   /// Widths and nulls in metres. Range: of the chirp's autocorrelation under the window, and under the radar's where
-  /// the recording is compressed; nothing for other pulses, and where echoes are not recorded whole. Azimuth: sum over
-  /// pulses of amplitude and weight times exp(2 pi j f x/V), under squint across the line of sight; nothing where no
-  /// first minimum is in it.
+  /// the recording is compressed; nothing for other pulses, where echoes are not recorded whole, and where the sampling
+  /// rate is below a sixteenth of the bandwidth. Azimuth: sum over pulses of amplitude and weight times
+  /// exp(2 pi j f x/V), under squint across the line of sight; nothing where no first minimum is in it.
   std::optional<signal::ResponseFigures> range;
   std::optional<signal::ResponseFigures> azimuth;
 };

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/decibels.hpp"
+#include "radar/path/path.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "signal/sar/swath_loss.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
@@ -84,6 +85,23 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
           loss.phase_rad, std::abs(loss.shift.range_m)),
       {}, worst < 1.0 ? "" : fmt::format("below {:.1f} dB and {:.1f} rad", most_db, most_rad),
       "use --algorithm omega-k, which compresses each range correctly")};
+}
+
+core::Problems remarks_on_area(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
+  if (!options.azimuth_area) return {};
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
+  const double far_s = echoes.first_delay_s + static_cast<double>(echoes.columns) / echoes.waveform.sample_rate_hz;
+  const double far_m = radar::range_of(far_s, echoes.waveform.light_speed_mps);
+  const double low_m = track.speed_mps * track.time_s(0.0) - far_m;
+  const double high_m = track.speed_mps * track.time_s(static_cast<double>(echoes.track.size()) - 1.0) + far_m;
+  const signal::AxisInterval& area = *options.azimuth_area;
+  if (area.first_m <= high_m && area.last_m >= low_m) return {};
+  return {core::problem_of(
+      core::Severity::warning,
+      "the area in azimuth lies beyond all that the record holds echoes of: the image is empty",
+      fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m),
+      fmt::format("a part of {:.6g} to {:.6g} m, the record and the farthest range on either side", low_m, high_m),
+      "give an --azimuth within it")};
 }
 
 }  // namespace sarsim::workflow

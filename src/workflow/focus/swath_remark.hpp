@@ -15,4 +15,9 @@ namespace sarsim::workflow {
                                                    const signal::FocusOptions& options,
                                                    const core::WorkControl& control = {});
 
+/// A warning where the area in azimuth that is asked for lies beyond all points whose echoes the record can hold: those
+/// no farther from a pulse of it than the farthest sample, D: from x_first - D to x_last + D along the line of flight.
+/// @param echoes  their track, waveform and window; no rows are read. At least two pulses, and a speed
+[[nodiscard]] core::Problems remarks_on_area(const signal::EchoRows& echoes, const signal::FocusOptions& options);
+
 }  // namespace sarsim::workflow

@@ -47,5 +47,23 @@ TEST(SwathRemark, SaysNothingOfNarrowBandsAtBroadside) {
   EXPECT_TRUE(remarks_on_swath_loss(*plan, rows, {.method = signal::FocusMethod::chirp_scaling}).empty());
 }
 
+// The record and its ranges are a few kilometres long.
+TEST(AreaRemark, NamesBothIntervalsWhereNoEchoComesFromTheArea) {
+  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
+  const auto remarks = [&rows = rows](double first_m, double last_m) {
+    return remarks_on_area(rows, {.azimuth_area = signal::AxisInterval{first_m, last_m}});
+  };
+  EXPECT_TRUE(remarks_on_area(rows, {}).empty());
+  EXPECT_TRUE(remarks(-1e5, 1e5).empty());
+  EXPECT_TRUE(remarks(1000.0, 1e5).empty());
+  for (const double side : {-1.0, 1.0}) {
+    const core::Problems far = remarks(side * 1e5 - 1.0, side * 1e5 + 1.0);
+    ASSERT_EQ(far.size(), 1U);
+    EXPECT_EQ(far[0].severity, core::Severity::warning);
+    EXPECT_THAT(far[0].found, HasSubstr(side > 0.0 ? "99999 to 100001 m" : "-100001 to -99999 m"));
+    EXPECT_THAT(far[0].expected, HasSubstr("the record and the farthest range"));
+  }
+}
+
 }  // namespace swath_remark_test
 }  // namespace sarsim::workflow

@@ -1,5 +1,7 @@
 #include "workflow/image/image_fields.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
@@ -40,9 +42,20 @@ class FieldTaker {
     const std::string value = text(name);
     const std::size_t first = value.find(',');
     const std::size_t second = first == std::string::npos ? first : value.find(',', first + 1);
-    if (second == std::string::npos) refuse(name, "is no vector");
+    if (second == std::string::npos) refuse(name, "is not a vector");
     return {parsed(name, value.substr(0, first)), parsed(name, value.substr(first + 1, second - first - 1)),
             parsed(name, value.substr(second + 1))};
+  }
+  [[nodiscard]] double above_zero(const std::string& name) const {
+    const double value = number(name);
+    if (!(value > 0.0)) refuse(name, "is not above 0");
+    return value;
+  }
+  // A vector of length 1.
+  [[nodiscard]] core::Vec3 direction(const std::string& name) const {
+    const core::Vec3 value = vector(name);
+    if (!(std::abs(core::norm(value) - 1.0) < 1e-6)) refuse(name, "is not a vector of length 1");
+    return value;
   }
   [[nodiscard]] signal::ImageAxis axis(const std::string& name, std::size_t count) const {
     const signal::ImageAxis axis{number(name + " first m"), number(name + " step m"), count,
@@ -52,7 +65,7 @@ class FieldTaker {
   }
   [[nodiscard]] signal::SarWindow window(const std::string& name) const {
     const auto window = signal::window_from_text(text(name));
-    if (!window) refuse(name, "names no window");
+    if (!window) refuse(name, "is not a window");
     return *window;
   }
 
@@ -115,11 +128,12 @@ void read_header(const raster::EnviHeader& header, const std::string& file, sign
   const FieldTaker fields(header, file);
   const bool slant = fields.text("image plane") == "slant range";
   image.frame = {slant ? signal::ImagePlane::slant_range : signal::ImagePlane::ground_grid, fields.vector("origin m"),
-                 fields.vector("along"), fields.vector("across"), fields.number("speed mps")};
+                 fields.direction("along"), slant ? fields.vector("across") : fields.direction("across"),
+                 fields.number("speed mps")};
   image.azimuth = fields.axis("azimuth", header.lines);
   image.range = fields.axis("range", header.samples);
-  image.carrier_hz = fields.number("carrier hz");
-  image.light_speed_mps = fields.number("light speed mps");
+  image.carrier_hz = fields.above_zero("carrier hz");
+  image.light_speed_mps = fields.above_zero("light speed mps");
   origin.source = fields.text("source");
   origin.script = fields.text("script");
   origin.settings = header.field("settings").value_or("");

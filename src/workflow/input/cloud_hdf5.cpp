@@ -17,7 +17,7 @@ std::optional<TableFault> read_hdf5_points(const core::InputFile& file, PointTab
   raster::NumberTableTaker taker;
   taker.begin = [&](std::uint64_t rows, std::uint64_t wide) -> std::optional<core::Problem> {
     if (wide < 3 || wide > 5)
-      return core::problem_of(core::Severity::error, "the dataset /points is no table of points",
+      return core::problem_of(core::Severity::error, "the dataset /points is not a table of points",
                               fmt::format("({}, {})", rows, wide),
                               "N rows and 3 or 4 columns: x, y, z and cross-section", {});
     columns = wide;

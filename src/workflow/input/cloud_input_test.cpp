@@ -129,7 +129,7 @@ TEST_F(ReadClouds, RefuseWhatIsNoTableOfPointsWithItsPlace) {
   write("bytes.dat", std::string("\0\1\2\3", 4));
   write("mac.csv", "1,2,3\r4,5,6\r");
   expect_refused("shape.npy", "(2, 6)");
-  expect_refused("flat.npy", "no table of points");
+  expect_refused("flat.npy", "not a table of points");
   expect_refused("nan.npy", "row 2, column 2 is not a number");
   expect_refused("large.npy", "row 2, column 3 is too large");
   expect_refused("phase.npy", "row 2 has a phase");

@@ -105,7 +105,7 @@ std::optional<TableFault> read_npy_points(const core::InputFile& file, PointTabl
   const raster::NpyHeader& header = std::get<raster::NpyHeader>(read);
   const std::vector<std::uint64_t>& shape = header.shape;
   if (shape.size() != 2 || shape[0] == 0 || shape[1] < least_columns || shape[1] > most_columns)
-    return TableFault{"the array is no table of points", raster::shape_text(shape), wanted_shape, {}};
+    return TableFault{"the array is not a table of points", raster::shape_text(shape), wanted_shape, {}};
   const bool is_single = header.type == "<f4";
   if (!is_single && header.type != "<f8")
     return TableFault{"the numbers of the array are of a type that is not read", header.type,

@@ -95,6 +95,13 @@ bool is_linked_out_of(const fs::path& folder, const fs::path& path) {
   return !failure && std::ranges::mismatch(inside, end).in1 != inside.end();
 }
 
+// The file that an output will be: links that stand at its name lead to another.
+fs::path file_of(const fs::path& path) {
+  std::error_code failure;
+  const fs::path end = fs::weakly_canonical(fs::absolute(core::end_of_links(path)), failure);
+  return failure ? fs::absolute(path).lexically_normal() : end;
+}
+
 // What to do where an output cannot have the name that an option or a word of the command line gave it.
 std::string another_file(const std::string& option) {
   return fmt::format("name another file {} {}", option.starts_with('-') ? "with" : "as", option);
@@ -105,9 +112,8 @@ core::Problems problems_of_header(const fs::path& path, const std::vector<fs::pa
   core::Problems problems;
   if (path.extension() != ".hdr") return problems;
   for (const fs::path& image : raster::images_of_header(path)) {
-    const bool replaced = std::ranges::any_of(outputs, [&](const fs::path& output) {
-      return fs::absolute(output).lexically_normal() == fs::absolute(image).lexically_normal();
-    });
+    const bool replaced =
+        std::ranges::any_of(outputs, [&](const fs::path& output) { return file_of(output) == file_of(image); });
     if (replaced) continue;
     core::Problem problem;
     problem.message = fmt::format(
@@ -147,7 +153,7 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
   };
   const auto [found, names] = alike({});
   if (found.found.size() > 1 && !found.whole)
-    throw core::Refused(fmt::format("'{}' may be what {} or what {} became", file.filename().string(),
+    throw core::Refused(fmt::format("'{}' could come from {} or from {}", file.filename().string(),
                                     names[found.found[0]], names[found.found[1]]),
                         hint);
   if (!found.found.empty()) return found.found.front();
@@ -169,12 +175,19 @@ fs::path chosen_folder(const fs::path& out) { return out == "." ? fs::path() : o
 
 void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& care) {
   core::Problems problems;
-  std::set<fs::path> taken;
+  std::map<fs::path, fs::path> taken;  // File, and the output that is it.
   for (const fs::path& path : paths) {
     std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
     std::ranges::move(problems_of_header(path, paths), std::back_inserter(problems));
-    if (taken.insert(fs::absolute(path).lexically_normal()).second) continue;
+    const auto [known, is_new] = taken.emplace(file_of(path), path);
+    if (is_new) continue;
     problems.push_back({});
+    if (known->second.lexically_normal() != path.lexically_normal()) {
+      problems.back().message =
+          fmt::format("two outputs are one file through a link: '{}' and '{}'", known->second.string(), path.string());
+      problems.back().hint = "remove the link, or name another file";
+      continue;
+    }
     problems.back().message = fmt::format("'{}' is the name of two outputs", path.string());
     problems.back().hint = path.extension() == ".hdr" ? "the header of an image has this ending; name the image .img"
                                                       : "give each of them a name of its own";

@@ -6,6 +6,7 @@
 #include <complex>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <limits>
 #include <span>
 
@@ -101,7 +102,7 @@ void expect_no_overrides(const RecordingArguments& arguments) {
   for (const auto& [option, there] : given)
     if (there)
       throw core::Refused(fmt::format("{} means nothing for '{}', which was recorded already", option, arguments.path),
-                          "leave it out, or give with --script the script that it shall stand in");
+                          "leave it out, or give the script that it applies to with --script");
 }
 
 std::shared_ptr<const raster::Raster> opened(const std::string& path, const raster::RasterHints& hints,
@@ -116,7 +117,7 @@ std::shared_ptr<const raster::Raster> opened(const std::string& path, const rast
 void expect_no_image(const std::string& path) {
   const auto format = raster::format_from_path(path);
   if ((format && !raster::format_of(*format).envi_header) || !raster::has_envi_header(path)) return;
-  throw core::Refused(fmt::format("'{}' is an image, as its header '{}' says, and no recording", path,
+  throw core::Refused(fmt::format("'{}' is an image, as its header '{}' says, not a recording", path,
                                   raster::envi_header_of(path).filename().string()),
                       "name the script or the recording that it was made from");
 }
@@ -137,6 +138,33 @@ void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const 
                       "name the script and the simulation that wrote it with --script and --simulation");
 }
 
+// The axes that a file says of itself. The script's own are those that count: a file whose axes are others was changed,
+// or is not of this script.
+void remark_on_axes(const raster::Raster& file, const simulate::Plan& plan, core::Problems& problems) {
+  const std::optional<raster::RasterAxes> axes = file.axes();
+  if (!axes) return;
+  const simulate::Product product = simulate::product_of(plan, {});
+  const auto remark = [&](const char* name, std::size_t at, double found, double expected) {
+    core::Problem problem = core::problem_of(
+        core::Severity::warning, fmt::format("the axis {} of the file is not that of its script, which counts", name),
+        fmt::format("{} at position {}", core::format_number(found), at), core::format_number(expected),
+        "name the script that wrote it with --script");
+    problem.place.file = file.info().path.string();
+    problems.push_back(std::move(problem));
+  };
+  const auto compare = [&](const char* name, const std::vector<double>& found, const auto& expected, double step) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const double value = expected(i);
+      if (std::abs(found[i] - value) <= 1e-3 * step + 1e-9 * std::abs(value)) continue;  // False for what is no number.
+      return remark(name, i, found[i], value);
+    }
+  };
+  compare("pulse_time_s", axes->row_time_s, product.row_time_s, plan.radar.repetition.mean_interval_s());
+  compare("carrier_hz", axes->row_carrier_hz, product.row_carrier_hz, 0.0);
+  const double spacing_m = plan.columns > 1 ? product.column_range_m(1) - product.column_range_m(0) : 1.0;
+  compare("slant_range_m", axes->column_range_m, product.column_range_m, spacing_m);
+}
+
 // Volts of a number of the file; 1 with a remark where counts have no known LSB.
 double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core::Problems& problems) {
   if (!info.counts) return 1.0;
@@ -150,9 +178,9 @@ double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core
   return 1.0;
 }
 
-// What can be computed with in single precision.
+// What can be computed with in single precision: sums over all samples of a recording stay below 3.4e38.
 bool is_usable(const std::complex<double>& value) {
-  constexpr double most = std::numeric_limits<float>::max();
+  constexpr double most = 1e28;
   return std::abs(value.real()) <= most && std::abs(value.imag()) <= most;  // False where one is not a number.
 }
 
@@ -166,7 +194,7 @@ bool is_usable(const std::complex<double>& value) {
                        std::isnan(bad->real()) || std::isnan(bad->imag())
                            ? fmt::format("row {}, sample {} (from 0) is not a number", row, column)
                            : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
-                       fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, below 3.4e38 V",
+                       fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, up to 1e28 V",
                        "set it to 0 or record again; sarsim info --statistics says how many such samples there are");
   problem.place.file = file.info().path.string();
   throw core::Refused({std::move(problem)});
@@ -205,6 +233,8 @@ bool begins_like_script(const std::string& path) {
 std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
   std::vector<fs::path> sources{arguments.path};
   if (!arguments.script.empty()) sources.emplace_back(arguments.script);
+  const fs::path script = arguments.script.empty() ? arguments.path : arguments.script;
+  std::ranges::move(files_of(arguments.overrides, script.parent_path()), std::back_inserter(sources));
   return sources;
 }
 
@@ -252,6 +282,7 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   expect_sound(recording.problems);
   if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);
   expect_shape(*file, *recording.plan, arguments.path);
+  remark_on_axes(*file, *recording.plan, recording.problems);
   const double scale = scale_of(file->info(), *recording.plan, recording.problems);
   recording.rows = rows_of(std::move(file), scale);
   return recording;

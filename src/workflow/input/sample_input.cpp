@@ -19,6 +19,8 @@ namespace {
 
 // Of converters of 32 bits, whose largest counts are then volts of single precision.
 constexpr double largest_lsb_v = 1e29;
+// The least of single precision that has all its digits is 1.2e-38.
+constexpr double smallest_lsb_v = 1e-37;
 
 // How a command lets its user choose the simulation of a script.
 struct Choice {
@@ -91,6 +93,10 @@ raster::RasterHints hints_said(const std::string& path, const SampleArguments& a
       throw core::Refused(
           fmt::format("--lsb is too large; found {:g} V, expected at most {:g} V", *arguments.lsb_v, largest_lsb_v),
           "volts of samples are numbers of single precision, below 3.4e38");
+    if (!(*arguments.lsb_v >= smallest_lsb_v))
+      throw core::Refused(
+          fmt::format("--lsb is too small; found {:g} V, expected at least {:g} V", *arguments.lsb_v, smallest_lsb_v),
+          "volts of samples are numbers of single precision, from 1.2e-38 on");
     hints.lsb_v = *arguments.lsb_v;
   }
   return hints;

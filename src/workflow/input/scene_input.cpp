@@ -138,9 +138,8 @@ void note_thinning(core::Problems& problems, const scene::Scene& scene) {
     if (points <= most_cloud_looks) continue;
     core::Problem note = core::problem_of(
         core::Severity::note,
-        fmt::format(
-            "what is said of echoes comes from {} of the {} points of the cloud; numbers of targets count those",
-            most_cloud_looks, points),
+        fmt::format("echo figures are based on {} of the {} points of the cloud; target counts include only those",
+                    most_cloud_looks, points),
         {}, {}, {});
     note.subject = {"cloud", i, "file"};
     problems.push_back(std::move(note));
@@ -251,6 +250,22 @@ std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names)
     if (auto file = scene::data_file_on_disk(script_folder, name); !file.empty()) files.push_back(std::move(file));
+  return files;
+}
+
+std::vector<std::filesystem::path> files_of(const SceneOverrides& overrides,
+                                            const std::filesystem::path& script_folder) {
+  std::vector<std::filesystem::path> files;
+  const auto add = [&](const std::string& word) {
+    const std::string value = word.substr(word.find('=') + 1);
+    for (const std::string& name : {word, value}) {
+      if (name.empty()) continue;
+      files.emplace_back(name);
+      files.push_back(script_folder / name);
+    }
+  };
+  for (const std::string& table : overrides.targets) add(table);
+  for (const std::string& setting : overrides.settings) add(setting);
   return files;
 }
 

@@ -29,6 +29,11 @@ struct SceneOverrides {
       settings;  ///< "FIELD=VALUE" (scene/schema/field_names.hpp), in this order, after the others.
 };
 
+/// The files that stand-ins may name, whether or not they are there: tables of targets, and values of fields, which may
+/// be data files, also beside the script.
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const SceneOverrides& overrides,
+                                                          const std::filesystem::path& script_folder);
+
 /// A script as understood, with everything that is wrong with it.
 struct SceneInput {
   scene::Scene scene;

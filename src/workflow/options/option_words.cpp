@@ -26,7 +26,7 @@ void take_word(const Option& option, const std::vector<std::string>& words, std:
                core::Problems& problems) {
   const std::size_t sign = words[i].find('=');
   if (sign == std::string::npos && i + 1 == words.size()) {
-    problems.push_back(problem_in_words(fmt::format("{}: {} is missing behind it", option.name, option.placeholder)));
+    problems.push_back(problem_in_words(fmt::format("{}: {} is missing after it", option.name, option.placeholder)));
     return;
   }
   const std::string word = sign == std::string::npos ? words[++i] : words[i].substr(sign + 1);

@@ -50,7 +50,7 @@ TEST(GivenWords, TellEverythingThatIsWrongAtOnce) {
   EXPECT_THAT(refusals({"--widnow", "hann"}),
               testing::ElementsAre("unknown option '--widnow'|did you mean '--window'?"));
   EXPECT_THAT(refusals({"hann"}), testing::ElementsAre("'hann' belongs to no option|"));
-  EXPECT_THAT(refusals({"--window"}), testing::ElementsAre("--window: WINDOW is missing behind it|"));
+  EXPECT_THAT(refusals({"--window"}), testing::ElementsAre("--window: WINDOW is missing after it|"));
   EXPECT_THAT(refusals({"--pfa", "1", "--pfa=2"}), testing::ElementsAre("--pfa is given twice|leave one of them out"));
 }
 

@@ -79,7 +79,7 @@ class Merger {
     for (raster::Journal& journal : found) {
       if (!opened(journal.path).try_lock())
         throw core::Refused(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
-                            "wait for it: the part that comes last completes the file by itself");
+                            "wait for it: the last part to finish completes the file");
       journals.push_back(std::move(journal));
     }
   }

@@ -82,7 +82,7 @@ class Recorder {
   void expect_partable() const {
     const PartChoice& part = request_.part;
     if (request_.team != nullptr && (part.share || part.span || part.own_file))
-      throw core::Refused("MPI deals the pulses out by itself", "leave out --part, --pulses and --part-file");
+      throw core::Refused("MPI distributes the pulses itself", "leave out --part, --pulses and --part-file");
     if (request_.team != nullptr && request_.discard)
       throw core::Refused("--discard writes nothing: there is nothing that processes could share",
                           "measure with sarsim run --discard, of one process");

@@ -55,6 +55,7 @@ std::vector<fs::path> PulseWork::files() const {
 
 void PulseWork::expect_free_files(const std::vector<fs::path>& sources) const {
   const std::vector<fs::path> paths = files();
+  if (request_.image) expect_no_picture(output(), "--out");
   if (paths.empty()) throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");
   expect_free_outputs(paths, {sources, request_.replace, "--out or --detections"});
 }

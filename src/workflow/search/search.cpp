@@ -31,8 +31,8 @@ void expect_picture(const SearchRequest& request) {
 
 void expect_turn(const SearchRequest& request, double turns) {
   if (!request.picture.scan || static_cast<double>(*request.picture.scan + 1) <= turns) return;
-  throw core::Refused(fmt::format("--scan {}: the antenna turns less often", *request.picture.scan + 1),
-                      fmt::format("it makes {:.0f}, begun ones counted", turns));
+  throw core::Refused(fmt::format("--scan {}: fewer turns are recorded", *request.picture.scan + 1),
+                      fmt::format("{:.0f} turns, counting partial ones", turns));
 }
 
 double bytes_of_picture(const SearchRequest& request, const PulseRows& rows) {

@@ -176,7 +176,7 @@ class Remarks {
     if (turn_rad <= width_rad) return;
     const auto degrees = [](double rad) { return rad * 180.0 / core::pi; };
     const double pulses = width_rad / std::abs(plan_.radar.beam.rate_rad_per_s) * prf_hz_;
-    warn("the beam turns farther in an interval than it is wide: targets are lit in a part of it only",
+    warn("the beam turns more than its width in an interval: targets are illuminated for part of it",
          fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()),
          fmt::format("at most {:.3g} degrees", degrees(width_rad)),
          pulses >= 2.0 ? fmt::format("take intervals of at most {:.0f} pulses, or turn more slowly", std::floor(pulses))
@@ -228,7 +228,7 @@ class Remarks {
            "leave out the second number of --train");
     const double pulse_cells = 1.0 / (radar::bandwidth_hz(plan_.radar.pulse) * plan_.raw_grid.interval_s);
     if (pulse_cells > 1.5 && static_cast<double>(options_.cfar.guard_columns) < pulse_cells)
-      warn("a response is wider than the guard cells: a target hides itself",
+      warn("a response is wider than the guard cells: a target masks itself",
            fmt::format("{} guard cells to either side", options_.cfar.guard_columns),
            fmt::format("at least {:.0f}, the samples of a range cell", std::ceil(pulse_cells)),
            "give more with --guard");

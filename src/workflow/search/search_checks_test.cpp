@@ -176,7 +176,7 @@ TEST(RemarksOnSearch, SayWhatTheDetectorCannotTrust) {
   scene::Scene fine = noisy_scene(0.0);
   fine.simulations[0].sample_rate_hz = 50e6;
   EXPECT_TRUE(
-      mentions(remarks_on_search(plan_of(fine), train_of(64)), core::Severity::warning, "a target hides itself"));
+      mentions(remarks_on_search(plan_of(fine), train_of(64)), core::Severity::warning, "a target masks itself"));
 }
 
 TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {

@@ -26,14 +26,13 @@ void take_cells(PulseRequest& request, const char* option, const std::string& wo
   const auto cells = cells_from_text(word);
   request.*member = cells.value_or(CellReach{});
   if (cells) return;
-  refuse_word(fmt::format("{}: no numbers of cells", option), word,
+  refuse_word(fmt::format("{}: invalid cell counts", option), word,
               "cells of range, or RANGE:DOPPLER, for instance 16 or 8:2");
 }
 
 void take_pulse_window(PulseRequest& request, const std::string& word) {
   const auto window = signal::window_from_text(word);
-  if (!window)
-    refuse_word("--window: no window", word, "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
+  if (!window) refuse_word("--window: invalid", word, "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
   request.window = *window;
 }
 
@@ -48,7 +47,7 @@ void add_intervals(OptionTable<PulseRequest>& table, const std::string& usual_pu
              "over the pulses: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]",
              take_pulse_window);
   table.choice<std::size_t>("--canceller", {{"none", 0}, {"two", 1}, {"three", 2}},
-                            "difference of so many pulses, which takes away what rests (default: none)",
+                            "MTI canceller of two or three pulses, against clutter (default: none)",
                             &PulseRequest::canceller);
 }
 
@@ -61,24 +60,22 @@ void add_detector(OptionTable<PulseRequest>& table) {
   using Kind = signal::CfarOptions::Kind;
   table.choice<std::optional<Kind>>(
       "--cfar", {{"ca", Kind::cell_averaging}, {"os", Kind::ordered_statistic}, {"none", std::nullopt}},
-      "detector: mean of the cells around (ca, default), their ordered statistic (os), or none", take_detector);
+      "CFAR detector: cell averaging (ca, default), ordered statistic (os), or none", take_detector);
   table
       .text("--guard", "R[:D]",
-            "cells beside one, in range and Doppler, that do not count as noise (default: 2 range cells, at least 2)",
+            "guard cells on either side, in range and Doppler (default: 2 range resolutions, at least 2)",
             [](PulseRequest& request, const std::string& word) {
               take_cells<&PulseRequest::guard>(request, "--guard", word);
             })
       .told_late = true;
   table
-      .text("--train", "R[:D]",
-            "cells to either side beyond those that count as noise (default: 16; D is 0: range alone)",
+      .text("--train", "R[:D]", "reference cells on either side, beyond the guard cells (default: 16:0, range only)",
             [](PulseRequest& request, const std::string& word) {
               take_cells<&PulseRequest::train>(request, "--train", word);
             })
       .told_late = true;
   table.number("--pfa", "P", "probability of false alarm of a cell (default: 1e-6)", &PulseRequest::false_alarm);
-  table.number("--rank", "SHARE", "which of the ordered cells, as a share of them (os; default: 0.75)",
-               &PulseRequest::rank);
+  table.number("--rank", "SHARE", "os: rank as a fraction of the reference cells (default: 0.75)", &PulseRequest::rank);
   table.flag("--all-cells", "every cell above its threshold, not only peaks", &PulseRequest::all_cells);
 }
 

@@ -43,10 +43,10 @@ TEST(SearchRequest, IsMadeOfWords) {
 
 TEST(DopplerRequest, TellsAllThatIsWrongOnceAWordMeansNothing) {
   EXPECT_THAT(refusals({{"--window", "blue"}, {"--guard", "x"}, {"--pfa", "3"}}),
-              testing::ElementsAre("--window: no window", "--pfa: no probability of false alarm for a cell",
-                                   "--guard: no numbers of cells"));
+              testing::ElementsAre("--window: invalid", "--pfa: no probability of false alarm for a cell",
+                                   "--guard: invalid cell counts"));
   EXPECT_THAT(refusals({{"--cfar", "none"}, {"--train", "y"}}),
-              testing::ElementsAre("--train means nothing with --cfar none", "--train: no numbers of cells"));
+              testing::ElementsAre("--train means nothing with --cfar none", "--train: invalid cell counts"));
   EXPECT_THAT(refusals({{"--pfa", "3"}}), testing::IsEmpty()) << "the workflow says so";
 }
 

@@ -281,7 +281,9 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
       if (of[d] != finding.target) continue;
       found = true;
       const SearchDetection& detection = interval.detections[d];
-      if (!finding.best || detection.magnitude_v > finding.best->magnitude_v) finding.best = detection;
+      if (finding.best && !(detection.magnitude_v > finding.best->magnitude_v)) continue;
+      finding.best = detection;
+      finding.best_range_error_m = detection.range_m - seen_now[finding.target].range_m;
     }
     if (found) ++finding.found;
   }

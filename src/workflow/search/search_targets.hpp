@@ -37,6 +37,7 @@ struct TargetFinding {
   std::size_t expected = 0;           ///< Intervals in which that is at least 1/2.
   std::size_t found = 0;              ///< Intervals with a detection at its cell.
   std::optional<SearchDetection> best{};  ///< The strongest of them.
+  double best_range_error_m = 0.0;        ///< Of it, from where the target was in its interval.
 };
 
 /// Holds detections against the targets of the script, interval by interval. Of many targets the first 1000 are looked

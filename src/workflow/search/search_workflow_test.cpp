@@ -169,7 +169,7 @@ TEST_F(PulseWorkflow, SearchShowsTheTargetInTheEast) {
 TEST_F(PulseWorkflow, SearchRefusesTurnsThatAreNotMadeAndPartsOfNoPicture) {
   SearchRequest request = search_request();
   request.picture.scan = 1;
-  EXPECT_THAT(refusal_of([&] { (void)search(request); }), HasSubstr("--scan 2: the antenna turns less often"));
+  EXPECT_THAT(refusal_of([&] { (void)search(request); }), HasSubstr("--scan 2: fewer turns are recorded"));
   request = search_request();
   request.image = false;
   request.picture.pixel_m = 50.0;

@@ -109,9 +109,8 @@ class IsarRun {
     count_ = request_.bursts.value_or(all);
     const std::size_t step = request_.step > 0 ? request_.step : count_;
     if (count_ < 2 || count_ > all)
-      throw core::Refused(
-          fmt::format("an image needs from 2 to {} bursts, which the recording has, not {}", all, count_),
-          "choose other --bursts, or record for longer");
+      throw core::Refused(fmt::format("an image takes 2 to {} bursts (all that are recorded), not {}", all, count_),
+                          "choose other --bursts, or record for longer");
     for (std::size_t first = 0; first + count_ <= all; first += step) firsts_.push_back(first);
   }
 

@@ -55,7 +55,7 @@ OptionTable<IsarOptions> image_options() {
   table.text("--azimuth-window", "WINDOW", "over cross-range alone", [](IsarOptions& options, const std::string& word) {
     options.azimuth_window = window_of("--azimuth-window", word);
   });
-  table.flag("--autofocus", "take out phase errors along the bursts (phase gradient)", &IsarOptions::autofocus);
+  table.flag("--autofocus", "remove phase errors along the bursts (phase gradient)", &IsarOptions::autofocus);
   table.number("--fastest", "M/S", "speeds that --motion estimated looks through (default: 500)",
                &IsarOptions::fastest_mps);
   return table;

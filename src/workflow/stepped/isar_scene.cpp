@@ -100,7 +100,7 @@ void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& optio
   }
   if (2.0 * half.azimuth_m > made.unambiguous_cross_range_m)
     made.problems.push_back(core::problem_of(
-        core::Severity::warning, "the image is wider than its Doppler frequencies are unambiguous: points appear again",
+        core::Severity::warning, "the image exceeds the unambiguous cross-range: points appear more than once",
         fmt::format("{:.4g} m", 2.0 * half.azimuth_m), fmt::format("up to {:.4g} m", made.unambiguous_cross_range_m),
         "repeat bursts faster, or choose a smaller --cross-range"));
   const double quadratic = 0.5 * half.range_m * plan.plane.turn_rad * plan.plane.turn_rad / wavelength_m;

@@ -152,7 +152,7 @@ TEST(IsarImage, SaysWhatStandsAgainstIt) {
   };
   EXPECT_EQ(said(options, rows), "");
   options.cross_range_m = 400.0;
-  EXPECT_THAT(said(options, rows), HasSubstr("points appear again"));
+  EXPECT_THAT(said(options, rows), HasSubstr("points appear more than once"));
   options.cross_range_m = 4e8;
   EXPECT_THAT(said(options, rows), HasSubstr("cannot be made this large"));
   options = options_for(rows);

@@ -39,8 +39,7 @@ SeriesOptions series_options(const ProfilesRequest& request) {
   options.to_m = request.to_m;
   options.oversampling = request.oversampling;
   if (options.oversampling == 0) throw core::Refused("--oversampling: a resolution cell needs a bin", "1 or more");
-  if (!(request.illumination_db >= 0.0))
-    throw core::Refused("--illumination: decibels below the strongest burst are not negative");
+  if (!(request.illumination_db >= 0.0)) throw core::Refused("--illumination must not be negative");
   options.illuminated_share = std::pow(10.0, -0.1 * request.illumination_db);
   const bool compensated = options.velocity != SeriesOptions::Velocity::none;
   // A mean of profiles in which the target is elsewhere would be of no use.
@@ -72,8 +71,7 @@ void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
   const double to_m = options.to_m.value_or(shown.to_m);
   const std::string recorded = stretch_text(shown);
   const std::string hint = fmt::format("the recording reaches from {}; see --from and --to", recorded);
-  if (!(to_m > from_m))
-    throw core::Refused(fmt::format("the ranges from {} are none", stretch_text({from_m, to_m})), hint);
+  if (!(to_m > from_m)) throw core::Refused(fmt::format("the range {} is empty", stretch_text({from_m, to_m})), hint);
   if (to_m <= shown.from_m || from_m >= shown.to_m)
     throw core::Refused(fmt::format("nothing was recorded from {}", stretch_text({from_m, to_m})), hint);
   const double bins = (to_m - from_m) /

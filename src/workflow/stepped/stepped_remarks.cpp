@@ -42,7 +42,7 @@ void remark_on_band(core::Problems& problems, const signal::SteppedBand& band, c
         core::Severity::warning, "the steps are wider than the band of the pulses: the joined band has gaps",
         fmt::format("steps of {}, sub-bands of {}", hz_text(step_hz), hz_text(w.subband_hz)),
         "steps up to the bandwidth of the pulse",
-        fmt::format("every target gets false ones {:.4g} m apart; use smaller steps or a wider chirp",
+        fmt::format("targets get grating lobes {:.4g} m apart; use smaller steps or a wider chirp",
                     limits.unambiguous_range_m)));
   if (w.subband_hz > 0.0 || limits.seen_m <= limits.unambiguous_range_m * (1.0 + 1e-9)) return;
   problems.push_back(core::problem_of(

@@ -195,7 +195,7 @@ TEST_F(SteppedWorkflow, IsarRefusesBeforeAnythingIsWritten) {
   EXPECT_THAT(refused([](IsarRequest& r) { r.options.oversampling = 0; }), HasSubstr("needs a pixel"));
   EXPECT_THAT(refused([](IsarRequest& r) { r.platform = "Shop"; }), HasSubstr("did you mean 'Ship'?"));
   EXPECT_THAT(refused([](IsarRequest& r) { r.platform = "Earth"; }), HasSubstr("carries the radar itself"));
-  EXPECT_THAT(refused([](IsarRequest& r) { r.bursts = 51; }), HasSubstr("an image needs from 2 to 50 bursts"));
+  EXPECT_THAT(refused([](IsarRequest& r) { r.bursts = 51; }), HasSubstr("an image takes 2 to 50 bursts"));
   EXPECT_THAT(refused([&](IsarRequest& r) { r.magnitude = true, r.output = folder_ / "a.h5"; }),
               HasSubstr("--magnitude makes ENVI images"));
   EXPECT_EQ(folder_.entries(), 1U);

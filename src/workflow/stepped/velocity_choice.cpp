@@ -16,7 +16,7 @@ VelocityChoice velocity_choice(const std::string& text) {
   if (core::equal_ignoring_case(text, "estimated")) return {Velocity::estimated, 0.0, text};
   const auto number = core::parse_number(text);
   if (number && std::abs(*number) < 1e6) return {Velocity::given, *number, text};
-  throw core::Refused(fmt::format("--velocity: '{}' is none", text),
+  throw core::Refused(fmt::format("--velocity: invalid '{}'", text),
                       "none, scene, estimated or a number of m/s, positive receding");
 }
 
@@ -28,11 +28,9 @@ void expect_speed(double fastest_mps) {
 void expect_searchable(double fastest_mps, const SteppedRows& rows) {
   const double most_mps = fastest_searched_mps(rows);
   if (fastest_mps <= most_mps) return;
-  throw core::Refused(
-      fmt::format("--fastest: bursts this long tell so many speeds up to {} m/s apart that they cannot all be "
-                  "tried",
-                  core::format_number(fastest_mps)),
-      fmt::format("at most {:.6g} m/s", most_mps));
+  throw core::Refused(fmt::format("--fastest: up to {} m/s, bursts this long resolve too many speeds to try them all",
+                                  core::format_number(fastest_mps)),
+                      fmt::format("at most {:.6g} m/s", most_mps));
 }
 
 }  // namespace sarsim::workflow
