@@ -63,8 +63,8 @@ class RawFile {
   int descriptor_ = -1;
 };
 
-/// Writes a whole file with OutputFile, replacing the one that was there; Refused where a link or what is no file has
-/// the name.
+/// Writes a whole file with OutputFile, replacing the one that was there; Refused where the name is that of a link or
+/// of something else that is not a regular file.
 /// @returns the file, locked since before it had its name
 RawFile replace_file(const std::filesystem::path& path, std::span<const std::byte> bytes);
 

@@ -207,10 +207,15 @@ void Hdf5Sink::create_datasets() {
 
 void Hdf5Sink::write_column_axis() { expect(write_axis(slant_range_, 0, product_.columns, product_.column_range_m)); }
 
-void Hdf5Sink::write_row_axes(std::size_t first_row, std::size_t rows) {
-  expect(write_axis(pulse_time_, first_row, rows, product_.row_time_s) &&
-         write_axis(carrier_, first_row, rows, product_.row_carrier_hz) &&
-         write_poses(pose_, first_row, rows, product_.row_pose));
+// In large pieces: a call of the library costs as much as a short row.
+void Hdf5Sink::write_row_axes(std::size_t end, std::size_t least_rows) {
+  const std::size_t first = axes_written_;
+  const std::size_t rows = end - first;
+  if (rows < least_rows) return;
+  expect(write_axis(pulse_time_, first, rows, product_.row_time_s) &&
+         write_axis(carrier_, first, rows, product_.row_carrier_hz) &&
+         write_poses(pose_, first, rows, product_.row_pose));
+  axes_written_ = end;
 }
 
 void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, std::size_t rows) {
@@ -219,14 +224,14 @@ void Hdf5Sink::append(std::span<const std::byte> bytes, std::size_t first_row, s
     throw std::logic_error("encoded rows of the wrong size");
   const Hdf5Use use;
   expect(write_part(samples_.get(), sample_type_.get(), first_row, rows, product_.columns, bytes.data()));
-  write_row_axes(first_row, rows);
+  write_row_axes(first_row + rows, axis_chunk);
   order_.take(rows);
 }
 
 void Hdf5Sink::append_axes(std::size_t first_row, std::size_t rows) {
   order_.expect(first_row, rows);
   const Hdf5Use use;
-  write_row_axes(first_row, rows);
+  write_row_axes(first_row + rows, axis_chunk);
   order_.take(rows);
 }
 
@@ -240,6 +245,7 @@ std::uint64_t Hdf5Sink::samples_offset() const {
 void Hdf5Sink::finish(const simulate::RunReport& report) {
   order_.expect_all();
   const Hdf5Use use;
+  write_row_axes(product_.rows, 1);
   expect(!is_known(product_, "lsb_v") || write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
   bool closed = true;
   for (Hdf5Handle* handle :

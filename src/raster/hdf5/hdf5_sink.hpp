@@ -43,13 +43,14 @@ class Hdf5Sink final : public simulate::Sink {
   void create_datasets();
   void write_attributes();
   void write_column_axis();
-  void write_row_axes(std::size_t first_row, std::size_t rows);
+  void write_row_axes(std::size_t end, std::size_t least_rows);
 
   simulate::Product product_;
   FileAttributes option_words_;
   Encoding encoding_;
   core::OutputFile file_;
   RowOrder order_;
+  std::size_t axes_written_ = 0;  // Rows whose axes are in the file.
   Hdf5Output output_;
   Hdf5Handle hdf5_;
   Hdf5Handle sample_type_;

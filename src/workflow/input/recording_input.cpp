@@ -155,7 +155,7 @@ void remark_on_axes(const raster::Raster& file, const simulate::Plan& plan, core
   const auto compare = [&](const char* name, const std::vector<double>& found, const auto& expected, double step) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       const double value = expected(i);
-      if (std::abs(found[i] - value) <= 1e-3 * step + 1e-9 * std::abs(value)) continue;  // False for what is no number.
+      if (std::abs(found[i] - value) <= 1e-3 * step + 1e-9 * std::abs(value)) continue;  // False for NaN.
       return remark(name, i, found[i], value);
     }
   };
