@@ -101,27 +101,24 @@ struct Polynomials {
 
 #endif  // HWY_SCALAR
 
-// Calls f with the degree and the number of vectors as compile-time constants where they are usual ones.
-template <std::size_t Chunks, class F>
-HWY_INLINE void with_degree(std::size_t degree, const F& f) {
-  constexpr std::integral_constant<std::size_t, Chunks> chunks;
-  switch (degree) {
-    case 3: return f(std::integral_constant<std::size_t, 3>(), chunks);
-    case 4: return f(std::integral_constant<std::size_t, 4>(), chunks);
-    case 5: return f(std::integral_constant<std::size_t, 5>(), chunks);
-    case 6: return f(std::integral_constant<std::size_t, 6>(), chunks);
-    case 7: return f(std::integral_constant<std::size_t, 7>(), chunks);
-    default: return f(std::integral_constant<std::size_t, 0>(), chunks);
-  }
-}
+// Calls f with the degree and the number of vectors as compile-time constants where they are those of nearly all work:
+// in single precision, kernels and edges for the tolerances that it is used for have 16 lanes and a low degree
+// (SpectralSettings). Others cost compile time and are rare.
 template <class Real, class F>
 HWY_INLINE void with_shape(const LanePolynomials<Real>& lanes, const F& f) {
-  switch (lanes.lanes / hn::Lanes(hn::ScalableTag<Real>())) {
-    case 1: return with_degree<1>(lanes.degree, f);
-    case 2: return with_degree<2>(lanes.degree, f);
-    case 4: return with_degree<4>(lanes.degree, f);
-    default: return with_degree<0>(lanes.degree, f);
+  constexpr std::size_t lane_count = HWY_LANES(Real);
+  constexpr std::size_t usual_lanes = 16;
+  using Any = std::integral_constant<std::size_t, 0>;
+  if constexpr (sizeof(Real) == 4 && lane_count > 1) {
+    constexpr std::integral_constant<std::size_t, usual_lanes / lane_count> chunks;
+    if (lanes.lanes == usual_lanes) switch (lanes.degree) {
+        case 3: return f(std::integral_constant<std::size_t, 3>(), chunks);
+        case 4: return f(std::integral_constant<std::size_t, 4>(), chunks);
+        case 5: return f(std::integral_constant<std::size_t, 5>(), chunks);
+        default: break;
+      }
   }
+  f(Any(), Any());
 }
 
 }  // namespace sarsim::radar::HWY_NAMESPACE

@@ -140,7 +140,6 @@ HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Rea
   switch (grid.term.size()) {
     case 1: return spread_terms<Real, Degree, Chunks, 1>(taps, places, first, count, total, strength, grid);
     case 2: return spread_terms<Real, Degree, Chunks, 2>(taps, places, first, count, total, strength, grid);
-    case 3: return spread_terms<Real, Degree, Chunks, 3>(taps, places, first, count, total, strength, grid);
     default: return spread_terms<Real, Degree, Chunks, 0>(taps, places, first, count, total, strength, grid);
   }
 }
