@@ -20,6 +20,7 @@ enum class Quantity {
   ratio_db,     ///< Held in dB: dB, or a bare factor as "x100"
   temperature,  ///< K
   voltage,      ///< V: nV, uV, mV, V
+  speed,        ///< m/s: m/s, km/s
   count,        ///< A whole number.
 };
 
