@@ -40,7 +40,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const Table& table : document.tables) {
     expect_inside(text, table.header);
-    if (table.header.end > table.header.begin && comments_begin(text, document, table.header.begin) > table.header.begin)
+    if (table.header.end > table.header.begin &&
+        comments_begin(text, document, table.header.begin) > table.header.begin)
       std::abort();
   }
   for (const Entry& entry : document.entries) {

@@ -69,18 +69,45 @@ TEST_F(Words, ScenesToBeginWithAreComplete) {
   int count = 0;
   for (std::string line; std::getline(purposes, line); ++count) {
     const std::string purpose = line.substr(0, line.find(' '));
-    ASSERT_EQ(sarsim({"new", purpose, "-o", "mine.scr", "--force"}).status, 0) << purpose;
-    const Finished check = sarsim({"check", "mine.scr"});
-    EXPECT_EQ(check.status, 0) << purpose << check.out;
+    for (const std::string file : {"mine.toml", "mine.scr"}) {
+      ASSERT_EQ(sarsim({"new", purpose, "-o", file, "--force"}).status, 0) << purpose;
+      const Finished check = sarsim({"check", file});
+      EXPECT_EQ(check.status, 0) << purpose << check.out;
+    }
   }
   EXPECT_EQ(count, 6);
-  ASSERT_EQ(sarsim({"new", "sar-strip"}).status, 0);
-  EXPECT_EQ(text_of(folder_ / "sar_r.scr"), text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr"));
-  ASSERT_EQ(sarsim({"new", "sar-strip", "-o", "mine.scr", "--force"}).status, 0);
-  EXPECT_THAT(text_of(folder_ / "mine.scr"), HasSubstr("mine.h5"));
-  EXPECT_THAT(text_of(folder_ / "mine.scr"), HasSubstr("sar_r_1998.scr"));  // Another example.
-  expect_refusal({"new", "sar-strip"}, "the output exists already");
   expect_refusal({"new", "sar-stripe"}, "did you mean 'sar-strip'?");
+}
+
+TEST_F(Words, ScenesToBeginWithAreTheExamplesInEitherLanguage) {
+  ASSERT_EQ(sarsim({"new", "sar-strip"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "sar_r.toml"), text_of(SARSIM_SOURCE_DIR "/examples/sar_r.toml"));
+  ASSERT_EQ(sarsim({"new", "sar-strip", "--language", "scr"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "sar_r.scr"), text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr"));
+  expect_refusal({"new", "sar-strip"}, "the output exists already");
+  ASSERT_EQ(sarsim({"new", "sar-strip", "-o", "odd.scene", "--language", "scr"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / "odd.scene"), HasSubstr("$RADAR"));
+  ASSERT_EQ(sarsim({"new", "sar-strip", "-o", "even.scene"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / "even.scene"), HasSubstr("[[radar]]"));
+  expect_refusal({"new", "sar-strip", "-o", "mine.toml", "--language", "scr"}, "end it with .scr");
+  expect_refusal({"new", "sar-strip", "-o", "mine.scr", "--language", "toml"}, "end it with .toml");
+  expect_refusal({"new", "sar-strip", "--language", "2"}, "--language");
+}
+
+TEST_F(Words, ScenesToBeginWithGiveTheirNameToTheirFiles) {
+  for (const std::string ending : {".toml", ".scr"}) {
+    ASSERT_EQ(sarsim({"new", "sar-strip", "-o", "mine" + ending}).status, 0);
+    const std::string strip = text_of(folder_ / ("mine" + ending));
+    EXPECT_THAT(strip, AllOf(HasSubstr("mine.h5"), HasSubstr("sarsim focus mine" + ending)));
+    EXPECT_THAT(strip, HasSubstr("sar_r_1998.scr"));  // Another example.
+    ASSERT_EQ(sarsim({"new", "spotlight", "-o", "mine" + ending, "--force"}).status, 0);
+    const std::string spotlight = text_of(folder_ / ("mine" + ending));
+    EXPECT_THAT(spotlight, AllOf(HasSubstr("mine.h5"), HasSubstr("mine_strip.h5")));
+    EXPECT_THAT(spotlight, HasSubstr("An X-band radar in spotlight: "));  // No file.
+  }
+  ASSERT_EQ(sarsim({"new", "tutorial", "-o", R"(a"b\c.toml)"}).status, 0);
+  EXPECT_THAT(text_of(folder_ / R"(a"b\c.toml)"), HasSubstr(R"(file = "a\"b\\c_raw.npy")"));
+  EXPECT_EQ(sarsim({"check", R"(a"b\c.toml)"}).status, 0);
 }
 
 TEST_F(Words, IntervalsAreTwoWordsOrOneInEveryCommand) {

@@ -45,10 +45,10 @@ class Sarsim:
 
 
 def heading(text):
-    """The comment that a script begins with, without its exclamation marks."""
+    """The comment that a scene of either language begins with, without its marks ("!" or "#")."""
     lines = []
     for line in text.splitlines():
-        if not line.startswith("!"):
+        if not line.startswith(("!", "#")):
             break
         lines.append(line[1:])
     return lines
@@ -89,9 +89,9 @@ def complaints_about_check(sarsim, name):
     return [] if done.returncode == 0 else failed(f"sarsim check {name}", done)
 
 
-def run(sarsim, name, folder):
+def run(sarsim, name, folder, *options):
     """Products of a run of a whole script into a folder, and complaints."""
-    done = sarsim("run", name, "--out", folder, "--json", "--quiet")
+    done = sarsim("run", name, "--out", folder, "--json", "--quiet", *options)
     if done.returncode != 0:
         return [], failed(f"sarsim run {name}", done)
     return json.loads(done.stdout)["products"], []

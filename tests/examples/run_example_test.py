@@ -1,4 +1,4 @@
-"""Whether run_example.py finds what it looks for.
+"""Whether run_example.py and same_in_both_languages.py find what they look for.
 
 usage: run_example_test.py SARSIM
 """
@@ -11,6 +11,7 @@ import unittest
 
 sys.dont_write_bytecode = True
 import run_example  # noqa: E402
+import same_in_both_languages  # noqa: E402
 
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 PROGRAM = pathlib.Path(sys.argv.pop()).resolve()
@@ -31,6 +32,13 @@ $RADAR                                   ! "sarsim nonsense"
         self.assertEqual(
             run_example.quotations(self.HEADING),
             ["sarsim isar ship.scr --autofocus", "sarsim plot ship.scr --kind range -o a.png", "--show db"],
+        )
+
+    def test_headings_of_format_2_are_read_as_well(self):
+        text = self.HEADING.replace("!", "#").replace(".scr", ".toml")
+        self.assertEqual(
+            run_example.quotations(text),
+            ["sarsim isar ship.toml --autofocus", "sarsim plot ship.toml --kind range -o a.png", "--show db"],
         )
 
     def test_recordings_and_tables_are_counted_but_not_in_comments(self):
@@ -99,6 +107,75 @@ class Products(unittest.TestCase):
         shutil.rmtree(self.sarsim.folder / "again")
         said = run_example.complaints_about_format(self.sarsim, "thesis_a2.scr", products)
         self.assertIn("differs once the script is formatted", said[0])
+
+
+class Pairs(unittest.TestCase):
+    NAME = "thesis_figure_a14"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        for ending in ("scr", "toml"):
+            shutil.copy(EXAMPLES / f"{self.NAME}.{ending}", self.folder)
+        self.scene = self.folder / f"{self.NAME}.toml"
+
+    def complaints(self, old="", new=""):
+        """What is said of the pair once a text of the scene is replaced, wherever it is."""
+        text = self.scene.read_text(encoding="utf-8")
+        self.assertIn(old, text)
+        self.scene.write_text(text.replace(old, new) if old else text, encoding="utf-8")
+        return "\n".join(same_in_both_languages.complaints_about_folder(PROGRAM, self.folder))
+
+    def test_a_scene_that_is_the_same_in_both_is_not_complained_about(self):
+        self.assertEqual(self.complaints(), "")
+
+    def test_a_missing_scene_is_told(self):
+        self.scene.unlink()
+        said = same_in_both_languages.complaints_about_folder(PROGRAM, self.folder)
+        self.assertEqual(said, [f"{self.NAME}.toml: there is no {self.NAME}.toml"])
+
+    def test_a_scene_without_a_script_is_told(self):
+        shutil.copy(self.scene, self.folder / "lonely.toml")
+        self.assertEqual(self.complaints(), "lonely.toml: there is no script that it belongs to")
+
+    def test_a_folder_without_examples_is_told(self):
+        for path in self.folder.iterdir():
+            path.unlink()
+        said = same_in_both_languages.complaints_about_folder(PROGRAM, self.folder)
+        self.assertEqual(said, [f"{self.folder}: no examples"])
+
+    def test_another_value_is_told_to_the_last_bit(self):
+        said = self.complaints("24 deg/s", "24.000000000000004 deg/s")
+        self.assertIn("the scenes differ", said)
+        self.assertIn('rate = "24.000000000000004 deg/s"', said)
+
+    def test_a_platform_more_is_told_but_a_resting_earth_is_not(self):
+        self.assertEqual(self.complaints("[[target]]", "[[platform]]\n\n[[target]]"), "")
+        said = self.complaints("[[platform]]\n", '[[platform]]\nname = "Mast"\n')
+        self.assertIn("the scenes differ", said)
+
+    def test_a_mistake_is_told(self):
+        self.assertIn("ended with status", self.complaints("24 deg/s", "24 km"))
+
+    def test_a_command_of_the_heading_for_the_other_file_is_told(self):
+        said = self.complaints("plot thesis_figure_a14.toml", "plot thesis_figure_a14.scr")
+        self.assertIn("the heading quotes ['sarsim plot thesis_figure_a14.scr", said)
+
+    def test_a_long_line_is_told(self):
+        said = self.complaints('name = "Radar1"', 'name = "Radar1"' + " " * 100 + "# far away")
+        self.assertIn("is longer than 120 characters", said)
+
+    def test_other_samples_are_told(self):
+        sarsim = run_example.Sarsim(PROGRAM, self.folder)
+        pair = (self.folder / f"{self.NAME}.scr", self.scene)
+        self.assertEqual(same_in_both_languages.complaints_about_samples(sarsim, pair), [])
+        for name in ("scr", "toml"):
+            shutil.rmtree(self.folder / name)
+        text = self.scene.read_text(encoding="utf-8")
+        self.scene.write_text(text.replace('rcs = "1 m2"', 'rcs = "2 m2"'), encoding="utf-8")
+        said = same_in_both_languages.complaints_about_samples(sarsim, pair)
+        self.assertEqual(said, [f"the samples of {self.NAME}.npy differ"])
 
 
 if __name__ == "__main__":

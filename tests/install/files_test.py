@@ -38,6 +38,7 @@ def everything(prefix, components):
         "share/zsh/vendor-completions/_sarsim",
         "share/fish/vendor_completions.d/sarsim.fish",
         "share/sarsim/examples/sar_r.scr",
+        "share/sarsim/examples/sar_r.toml",
         "share/doc/sarsim/README.md",
         "share/doc/sarsim/guide/commands.md",
         "share/doc/sarsim/copyright",

@@ -23,6 +23,7 @@ using Action = std::function<ExitStatus(Streams&)>;
 [[nodiscard]] Action add_sweep(CLI::App& app);
 [[nodiscard]] Action add_check(CLI::App& app);
 [[nodiscard]] Action add_format_command(CLI::App& app);
+[[nodiscard]] Action add_explain(CLI::App& app);
 [[nodiscard]] Action add_info(CLI::App& app);
 [[nodiscard]] Action add_geometry(CLI::App& app);
 [[nodiscard]] Action add_plot(CLI::App& app);

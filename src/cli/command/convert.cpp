@@ -3,14 +3,32 @@
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/sample_options.hpp"
+#include "cli/shell/scene_options.hpp"
 #include "cli/shell/watch.hpp"
+#include "core/report/refused.hpp"
 #include "workflow/convert/convert.hpp"
+#include "workflow/convert/convert_scene.hpp"
+#include "workflow/input/override_words.hpp"
 
 namespace sarsim::cli {
 
 namespace {
 
-ExitStatus run_convert(const workflow::ConvertRequest& request, Streams& streams) {
+struct ConvertArguments {
+  workflow::ConvertRequest samples;
+  workflow::SceneOverrides overrides;
+};
+
+ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
+  const workflow::ConvertRequest& request = arguments.samples;
+  if (workflow::language_of_name(request.output)) {
+    print_problems(streams,
+                   workflow::convert_scene({request.input, request.output, arguments.overrides, request.force}));
+    return exit_done;
+  }
+  if (!workflow::words_of_overrides(arguments.overrides).empty())
+    throw core::Refused("a file of samples has no fields that could be set",
+                        "give a scene and an OUT that ends with .toml or .scr, or leave --set and its like out");
   Watch watch(streams, false);
   core::Observer observer = watch.observer();
   observer.progress = {};  // A copy is soon done.
@@ -21,10 +39,12 @@ ExitStatus run_convert(const workflow::ConvertRequest& request, Streams& streams
 }  // namespace
 
 Action add_convert(CLI::App& app) {
-  auto request = std::make_shared<workflow::ConvertRequest>();
-  add_text(app, "input", request->input, "IN", "file of samples")->required();
+  auto arguments = std::make_shared<ConvertArguments>();
+  workflow::ConvertRequest* const request = &arguments->samples;
+  add_text(app, "input", request->input, "IN", "file of samples, or a scene")->required();
   add_text(app, "output", request->output, "OUT", "file to write")->required();
   add_sample_arguments(app, request->sample);
+  add_scene_overrides(app, arguments->overrides);
   add_integer(app, "--simulation", request->simulation, 1, 1'000'000,
               "which simulation of the script wrote the file (default: the one that names it)");
   add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
@@ -34,8 +54,9 @@ Action add_convert(CLI::App& app) {
   add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                      {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
                      {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
-                     {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"}});
-  return [request](Streams& streams) { return run_convert(*request, streams); };
+                     {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
+                     {"sarsim convert old.scr new.toml", "a scene from the language of 1998 into format 2, or back"}});
+  return [arguments](Streams& streams) { return run_convert(*arguments, streams); };
 }
 
 }  // namespace sarsim::cli

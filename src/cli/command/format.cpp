@@ -6,7 +6,8 @@
 #include "cli/shell/options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
-#include "scene/script/writer.hpp"
+#include "core/report/refused.hpp"
+#include "workflow/convert/convert_scene.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
 
@@ -19,6 +20,8 @@ struct FormatArguments {
   std::string output;
   workflow::SceneOverrides overrides;
   bool in_place = false;
+  bool all = false;
+  bool upgrade = false;
   bool force = false;
 };
 
@@ -35,7 +38,12 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   if (!arguments.output.empty())
     workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   print_problems(streams, input.problems);
-  const std::string text = scene::write_script(input.scene);
+  const bool format_2 = arguments.upgrade || input.language == scene::Language::format_2;
+  if (arguments.all && !format_2)
+    throw core::Refused("--all is for format 2: a script of the language of 1998 says everything",
+                        "add --upgrade, which writes format 2");
+  const std::string text =
+      workflow::scene_text(input, format_2 ? scene::Language::format_2 : scene::Language::script, arguments.all);
   if (arguments.in_place)
     write_file(arguments.scene, true, text);
   else if (!arguments.output.empty())
@@ -53,6 +61,8 @@ Action add_format_command(CLI::App& app) {
   auto* output =
       add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   auto* in_place = app.add_flag("--in-place", arguments->in_place, "replace the script itself, all or nothing");
+  app.add_flag("--all", arguments->all, "format 2: every field that is at its default too, as a comment");
+  app.add_flag("--upgrade", arguments->upgrade, "write format 2, whichever language the script is in");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   output->excludes(in_place);
   add_scene_overrides(app, arguments->overrides);

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <span>
 
@@ -13,6 +14,7 @@
 #include "core/text/number_text.hpp"
 #include "core/text/shell_word.hpp"
 #include "scene/edit/starting_scenes.hpp"
+#include "workflow/convert/convert_scene.hpp"
 #include "workflow/input/output_names.hpp"
 
 namespace sarsim::cli {
@@ -22,8 +24,11 @@ namespace {
 struct NewArguments {
   std::string purpose;
   std::string output;
+  std::optional<scene::Language> language;
   bool force = false;
 };
+
+std::string_view ending_of(scene::Language language) { return language == scene::Language::script ? ".scr" : ".toml"; }
 
 std::string purposes() {
   std::string text;
@@ -44,6 +49,16 @@ const scene::StartingScene& chosen(const std::string& purpose) {
                                       : fmt::format("did you mean '{}'?", nearest));
 }
 
+// What was asked for, or what the name of the file says, or format 2.
+scene::Language language_of(const NewArguments& arguments) {
+  const auto of_name = workflow::language_of_name(arguments.output);
+  const scene::Language language = arguments.language.value_or(of_name.value_or(scene::Language::format_2));
+  if (of_name && *of_name != language)
+    throw core::Refused(fmt::format("'{}' is a name for the other language", arguments.output),
+                        fmt::format("end it with {}, or leave out --language", ending_of(language)));
+  return language;
+}
+
 // A script as it is named in a command: no option, whatever its name begins with.
 std::string command_word(const std::filesystem::path& path) {
   const std::string name = path.string();
@@ -56,9 +71,11 @@ ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
     return exit_done;
   }
   const scene::StartingScene& scene = chosen(arguments.purpose);
-  const std::filesystem::path path = arguments.output.empty() ? fmt::format("{}.scr", scene.stem) : arguments.output;
+  const scene::Language language = language_of(arguments);
+  const std::filesystem::path path =
+      arguments.output.empty() ? fmt::format("{}{}", scene.stem, ending_of(language)) : arguments.output;
   workflow::expect_free_outputs({path}, {{}, arguments.force, "-o"});
-  const std::string text = scene::text_named(scene, path.stem().string());
+  const std::string text = scene::text_named(scene, language, path.stem().string());
   core::OutputFile file(path, arguments.force);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
@@ -76,11 +93,15 @@ Action add_new(CLI::App& app) {
   for (const scene::StartingScene& scene : scene::starting_scenes())
     words += fmt::format("{}{}", words.empty() ? "" : "|", scene.purpose);
   add_text(app, "purpose", arguments->purpose, words, "what it is to begin with; without, a list of them");
-  add_text(app, "-o,--out", arguments->output, "FILE", "script to write (default: the name of the example)");
-  app.add_flag("--force", arguments->force, "replace the script where it exists");
+  add_text(app, "-o,--out", arguments->output, "FILE", "scene to write (default: the name of the example)");
+  add_choice<scene::Language>(app, "--language", arguments->language,
+                              {{"toml", scene::Language::format_2}, {"scr", scene::Language::script}},
+                              "format 2 or the language of 1998 (default: as FILE ends; toml where it says neither)");
+  app.add_flag("--force", arguments->force, "replace the file where it exists");
   add_examples(app, {{"sarsim new", "which scenes there are"},
-                     {"sarsim new sar-strip -o mine.scr", "an aircraft that maps 24 points, to be changed"},
-                     {"sarsim check mine.scr", "what it asks for"}});
+                     {"sarsim new sar-strip -o mine.toml", "an aircraft that maps 24 points, to be changed"},
+                     {"sarsim check mine.toml", "what it asks for"},
+                     {"sarsim new sar-strip -o mine.scr", "the same in the language of 1998"}});
   return [arguments](Streams& streams) { return write_scene(*arguments, streams); };
 }
 

@@ -43,13 +43,7 @@ void write_table(const PlotArguments& a, const std::string& table) {
   file.commit();
 }
 
-std::string ending_of(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-bool is_script(const PlotArguments& a) { return ending_of(a.input) == ".scr"; }
+bool is_script(const PlotArguments& a) { return workflow::language_of_name(a.input).has_value(); }
 
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())

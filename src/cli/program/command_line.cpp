@@ -58,6 +58,7 @@ struct Program {
     add("new", "write a commented script to begin with", add_new);
     add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
     add("check", "say everything that is wrong with scripts", add_check);
+    add("explain", "explain a field of a scene: meaning, unit, range, default", add_explain);
     add("info", "describe a script or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
     add("plot", "make pictures of echoes, from a script or a file of samples", add_plot);

@@ -73,7 +73,7 @@ std::string bash_completion(const std::vector<CompletedCommand>& commands) {
       "  COMPREPLY=()\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n";
   text += "    " +
-          reply(fmt::format("compgen -W '{} {}' -- \"$word\"; compgen -f -X '!*.scr' -- \"$file\"",
+          reply(fmt::format("compgen -W '{} {}' -- \"$word\"; compgen -f -X '!*.@(scr|toml)' -- \"$file\"",
                             command_names(commands), all_names(commands.front()))) +
           "\n";
   text += "    return\n  fi\n  case $command in\n";
@@ -102,7 +102,7 @@ std::string zsh_completion(const std::vector<CompletedCommand>& commands) {
     if (!command.name.empty()) text += fmt::format("      '{}:{}'\n", command.name, plain(command.description));
   text += "    )\n    _describe command commands\n    _arguments";
   for (const CompletedOption& option : commands.front().options) text += zsh_argument(option);
-  text += "\n    _files -g '*.scr'\n    return\n  fi\n  case ${words[2]} in\n";
+  text += "\n    _files -g '*.(scr|toml)'\n    return\n  fi\n  case ${words[2]} in\n";
   for (const CompletedCommand& command : commands) {
     if (command.name.empty()) continue;
     text += fmt::format("    {})\n      _arguments", command.name);

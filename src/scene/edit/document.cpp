@@ -6,7 +6,12 @@
 
 #include "scene/check/check.hpp"
 #include "scene/edit/splice.hpp"
+#include "scene/edit/splice_format_2.hpp"
+#include "scene/edit/splice_tables.hpp"
 #include "scene/edit/text_file.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/scene_reader.hpp"
+#include "scene/language/scene_writer.hpp"
 #include "scene/script/tokens.hpp"
 #include "scene/script/writer.hpp"
 
@@ -33,7 +38,7 @@ Document Document::open(const fs::path& path) {
   Document document;
   std::optional<std::string> bytes = read_text_file(path);
   if (!bytes || script::find_control_byte(*bytes) != std::string_view::npos) {
-    ScriptReading reading = read_script_file(path);
+    ScriptReading reading = read_scene_file(path);
     if (!core::has_errors(reading.problems)) {
       core::Problem problem;
       problem.message = "cannot read the script";
@@ -60,7 +65,7 @@ void Document::load(std::string text) {
   text_ = std::move(text);
   ScriptReading reading = read(text_);
   scene_ = std::move(reading.scene);
-  commands_ = find_commands(text_);
+  commands_.reset();
   findings_ = found_in(std::move(reading));
 }
 
@@ -80,7 +85,7 @@ bool Document::changed() const { return history_.changed(); }
 DataFileLoader Document::disk() const { return disk_loader(path_.parent_path()); }
 
 ScriptReading Document::read(const std::string& text) const {
-  return read_script(text, path_.string(), data_.loader(disk()));
+  return read_scene_text(text, path_.string(), data_.loader(disk()));
 }
 
 Document::Findings Document::found_in(ScriptReading reading) const {
@@ -98,13 +103,41 @@ const Document::Findings& Document::findings() const {
   return *findings_;
 }
 
+const CommandPlaces& Document::commands() const {
+  if (!commands_) {
+    const std::string text = last_sound_text().value_or("");
+    commands_ = is_format_2(text) ? find_objects(text) : find_commands(text);
+  }
+  return *commands_;
+}
+
+// The last text that could be read; nothing where it is not known.
+std::optional<std::string> Document::last_sound_text() const {
+  return text_broken_ ? sound_text_ : std::optional(text_);
+}
+
+// That of the last text that could be read, or of the present one.
+Language Document::language() const {
+  return is_format_2(text_broken_ && sound_text_ ? *sound_text_ : text_) ? Language::format_2 : Language::script;
+}
+
 // The text that says what the edit makes of the scene.
 Document::NewText Document::text_after(const Edit& edit, const DataFileLoader& loader) const {
+  const bool is_2 = language() == Language::format_2;
+  std::optional<std::string> base = last_sound_text();
+  if (!base) base = is_2 ? write_format_2(scene_) : write_script(scene_);
+  if (!is_2) return script_after(*base, edit, loader);
+  Format2Splice spliced = splice_format_2(*base, scene_, edit, path_.string(), loader);
+  TextChanges changes = text_broken_ ? text_difference(text_, spliced.text) : std::move(spliced.changes);
+  return {std::move(spliced.text), std::nullopt, std::move(changes)};
+}
+
+// The same in the language of 1998.
+Document::NewText Document::script_after(const std::string& base, const Edit& edit,
+                                         const DataFileLoader& loader) const {
   const bool unknown = text_broken_ && !sound_text_;
-  const std::string written = unknown ? write_script(scene_) : "";
-  const std::string& base = unknown ? written : text_broken_ ? *sound_text_ : text_;
   const CommandPlaces found = unknown ? find_commands(base) : CommandPlaces{};
-  const CommandPlaces& places = unknown ? found : commands_;
+  const CommandPlaces& places = unknown ? found : commands();
   if (places.fits(scene_)) {
     Splice spliced = splice(base, places, edit, loader);
     if (keeps_line_ends(base, spliced.text)) {
@@ -115,16 +148,15 @@ Document::NewText Document::text_after(const Edit& edit, const DataFileLoader& l
   Scene after = scene_;
   apply(edit, after);
   std::string text = write_script(after);
-  CommandPlaces commands = find_commands(text);
   TextChanges changes = text_difference(text_, text);
-  return {std::move(text), std::move(commands), std::move(changes)};
+  return {std::move(text), std::nullopt, std::move(changes)};
 }
 
 void Document::perform(Edit edit) {
   PendingData data = data_;
   data.follow(edit, true, disk());
   const DataFileLoader loader = data.loader(disk());
-  settle_values(edit, loader);
+  settle_values(edit, loader, language());
   if (changes_nothing(edit)) return;
   NewText next = text_after(edit, loader);
   edit.script = {std::move(next.changes), text_broken_, false};
@@ -151,7 +183,7 @@ void Document::type_text(std::string text) {
   note_edit(std::move(edit), true);
   if (!broken) {
     sound_text_.reset();
-    commands_ = find_commands(text);
+    commands_.reset();
   } else if (!text_broken_) {
     sound_text_ = std::move(text_);
   }
@@ -175,7 +207,7 @@ void Document::follow_history(const Edit& edit, bool forwards) {
   text_ = forwards ? apply_changes(text_, edit.script.changes) : revert_changes(text_, edit.script.changes);
   text_broken_ = forwards ? edit.script.broken_after : edit.script.broken_before;
   sound_text_.reset();
-  commands_ = text_broken_ ? CommandPlaces{} : find_commands(text_);
+  commands_.reset();
   data_.follow(edit, forwards, disk());
   note_edit(edit, forwards);
   findings_.reset();

@@ -16,9 +16,10 @@
 
 namespace sarsim::scene {
 
-/// A scene being edited together with its script text, its file and its history. Scene and text always say the same:
-/// an edit of the scene rewrites the commands of the objects it touched and leaves everything else, comments included,
-/// as it was typed; a new text that can be read becomes an edit of the scene. Both are undone together, byte by byte.
+/// A scene being edited together with its text in either language (`Language`), its file and its history. Scene and
+/// text always say the same: an edit of the scene rewrites what the text says of the objects it touched and leaves
+/// everything else, comments included, as it was typed; a new text that can be read becomes an edit of the scene. Both
+/// are undone together, byte by byte.
 class Document {
  public:
   /// An empty scene: one platform, Earth (thesis 4.1).
@@ -47,9 +48,10 @@ class Document {
   [[nodiscard]] const core::Problems& problems() const { return findings().problems; }
   /// Where each field stands in the text; found as the problems are.
   [[nodiscard]] const FieldPlaces& places() const { return findings().places; }
-  /// Where the commands of the objects stand in the text; always at hand. While the text is broken, those of the last
-  /// one that could be read, or none.
-  [[nodiscard]] const CommandPlaces& commands() const { return commands_; }
+  /// Where the commands of the objects stand in the text, or their tables and rows in format 2 (`find_objects`). While
+  /// the text is broken, those of the last one that could be read, or none. Found when they are asked for, once after
+  /// each change.
+  [[nodiscard]] const CommandPlaces& commands() const;
   /// True where the text was typed so that it cannot be read: the scene is then the last one that could.
   [[nodiscard]] bool text_broken() const { return text_broken_; }
   /// Texts of the data files, by their names in the script, that hold the points of edited functions and are not on
@@ -95,10 +97,10 @@ class Document {
     FieldPlaces places;
   };
 
-  // A text, where its commands stand, and how it comes from the present one.
+  // A text, where its commands stand if that is known, and how it comes from the present one.
   struct NewText {
     std::string text;
-    CommandPlaces commands;
+    std::optional<CommandPlaces> commands;
     TextChanges changes;
   };
 
@@ -107,6 +109,9 @@ class Document {
   void follow_history(const Edit& edit, bool forwards);
   void note_edit(Edit edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
+  [[nodiscard]] NewText script_after(const std::string& base, const Edit& edit, const DataFileLoader& loader) const;
+  [[nodiscard]] std::optional<std::string> last_sound_text() const;
+  [[nodiscard]] Language language() const;
   [[nodiscard]] ScriptReading read(const std::string& text) const;
   [[nodiscard]] DataFileLoader disk() const;
   [[nodiscard]] const Findings& findings() const;
@@ -116,7 +121,7 @@ class Document {
   std::string text_;
   bool text_broken_ = false;
   std::optional<std::string> sound_text_;  // the last that could be read, where it is known and the text is broken
-  CommandPlaces commands_;
+  mutable std::optional<CommandPlaces> commands_;
   std::filesystem::path path_;
   std::string text_on_disk_;
   mutable PendingData data_;

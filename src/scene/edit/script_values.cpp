@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/toml/scan.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/schema/field_table.hpp"
 
@@ -10,6 +11,15 @@ namespace sarsim::scene {
 namespace {
 
 bool is_unsayable(char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; }
+
+void make_sayable(std::string& name, Language language) {
+  std::ranges::replace_if(name, is_unsayable, '_');
+  if (language == Language::script) return;
+  std::ranges::replace(name, '\t', '_');
+  // Bytes that are not UTF-8.
+  while (const auto forbidden = core::toml::find_forbidden(name, core::toml::span_of(0, name.size()), false, false))
+    std::fill(name.begin() + forbidden->begin, name.begin() + forbidden->end, '_');
+}
 
 // False for a number that a reader refuses. Every other comes back to the last bit, but a zero without its sign.
 bool say_number(double& number, const Range& range) {
@@ -86,13 +96,13 @@ bool say(Object& object, const DataFileLoader& loader) {
 }
 
 template <class Object>
-void make_names_sayable(Object& object) {
+void make_names_sayable_in(Object& object, Language language) {
   for (const FieldOf<Object>& field : table_of<Object>().fields()) {
     if (field.function != nullptr) {
-      std::ranges::replace_if(*field.function(object).file, is_unsayable, '_');
+      make_sayable(*field.function(object).file, language);
     } else if (field.spec.type == FieldType::text || field.spec.type == FieldType::name) {
       FieldValue value = field.get(object);
-      std::ranges::replace_if(std::get<std::string>(value), is_unsayable, '_');
+      make_sayable(std::get<std::string>(value), language);
       field.put(object, value);
     }
   }
@@ -100,13 +110,13 @@ void make_names_sayable(Object& object) {
 
 }  // namespace
 
-void make_names_sayable(AnyObject& object) {
-  std::visit([]<class Object>(Object& any) { make_names_sayable<Object>(any); }, object);
+void make_names_sayable(AnyObject& object, Language language) {
+  std::visit([&](auto& any) { make_names_sayable_in(any, language); }, object);
 }
 
-AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader) {
+AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader, Language language) {
   AnyObject named = object;
-  make_names_sayable(named);
+  make_names_sayable(named, language);
   AnyObject said = named;
   return std::visit([&](auto& any) { return say(any, loader); }, said) ? said : named;
 }

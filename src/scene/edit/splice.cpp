@@ -308,11 +308,11 @@ Splice splice(std::string_view text, const CommandPlaces& places, const Edit& ed
   return Splicer(text, places, loader).make(edit);
 }
 
-void settle_values(Edit& edit, const DataFileLoader& loader) {
+void settle_values(Edit& edit, const DataFileLoader& loader, Language language) {
   for (std::size_t i = 0; i < edit.changes.size(); ++i) {
     if (!edit.changes[i].after) continue;
     const AnyObject object = *edit.changes[i].after;
-    AnyObject said = as_script_says(object, loader);
+    AnyObject said = as_script_says(object, loader, language);
     if (!(said == object)) settle(edit, i, std::move(said));
   }
   if (edit.options_after) edit.options_after = as_script_says(*edit.options_after);

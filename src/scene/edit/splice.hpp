@@ -7,6 +7,7 @@
 #include "scene/edit/splice_places.hpp"
 #include "scene/edit/text_change.hpp"
 #include "scene/script/data_file.hpp"
+#include "scene/script/reader.hpp"
 
 namespace sarsim::scene {
 
@@ -31,7 +32,7 @@ struct Splice {
 [[nodiscard]] Splice splice(std::string_view text, const CommandPlaces& places, const Edit& edit,
                             const DataFileLoader& loader);
 
-/// The edit with its new objects and options as a script says them (`as_script_says`); in place.
-void settle_values(Edit& edit, const DataFileLoader& loader);
+/// The edit with its new objects and options as a text says them (`as_script_says`); in place.
+void settle_values(Edit& edit, const DataFileLoader& loader, Language language = Language::script);
 
 }  // namespace sarsim::scene

@@ -4,14 +4,17 @@
 #include <string>
 #include <string_view>
 
+#include "scene/script/reader.hpp"
+
 namespace sarsim::scene {
 
-/// A commented script to begin with: one of the examples, which is complete and says what to look at.
+/// A commented scene to begin with: one of the examples, which is complete and says what to look at.
 struct StartingScene {
-  std::string_view purpose;  ///< One word: "isar".
-  std::string_view meaning;  ///< "an image of a ship that turns (inverse synthetic aperture)"
-  std::string_view stem;     ///< The name of the script, and of what it records, before the ending.
-  std::string_view text;
+  std::string_view purpose;   ///< One word: "isar".
+  std::string_view meaning;   ///< "an image of a ship that turns (inverse synthetic aperture)"
+  std::string_view stem;      ///< The name of its file, and of what it records, before the ending.
+  std::string_view format_2;  ///< Its text.
+  std::string_view script;    ///< The same in the language of 1998.
 };
 
 /// All of them, the simplest first.
@@ -19,6 +22,6 @@ struct StartingScene {
 
 /// The text of a scene that is called otherwise: its recordings, and the commands in its comments, have the new name.
 /// @param stem  without folder and ending
-[[nodiscard]] std::string text_named(const StartingScene& scene, std::string_view stem);
+[[nodiscard]] std::string text_named(const StartingScene& scene, Language language, std::string_view stem);
 
 }  // namespace sarsim::scene

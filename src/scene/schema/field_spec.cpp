@@ -1,6 +1,7 @@
 #include "scene/schema/field_spec.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 #include "scene/schema/field_table.hpp"
 
@@ -33,6 +34,13 @@ const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value) {
   for (const Choice& choice : spec.choices)
     if (choice.value == chosen(value) && !choice.word.empty()) return &choice;
   return nullptr;
+}
+
+std::string type_word(const Choice& choice) {
+  if (!choice.type.empty()) return std::string(choice.type);
+  std::string word(choice.word.empty() ? choice.shown : choice.word);
+  for (char& c : word) c = c == '_' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return word;
 }
 
 Range range_of_y(const FunctionBlock& block) { return block.x_ignored ? above_zero : any_value; }

@@ -34,15 +34,18 @@ inline constexpr Range above_zero{0.0, std::numeric_limits<double>::infinity(), 
 
 /// One alternative of a choice, or one of the two of a yes or no.
 struct Choice {
-  /// @param of  an enumeration's value, a number or a bool
+  /// @param of           an enumeration's value, a number or a bool
+  /// @param in_format_2  empty: that of the script language in small letters, with hyphens
   template <class Value>
-  constexpr Choice(std::string_view in_script, Value of, std::string_view in_forms, std::string_view what)
-      : word(in_script), value(static_cast<int>(of)), shown(in_forms), meaning(what) {}
+  constexpr Choice(std::string_view in_script, Value of, std::string_view in_forms, std::string_view what,
+                   std::string_view in_format_2 = {})
+      : word(in_script), value(static_cast<int>(of)), shown(in_forms), meaning(what), type(in_format_2) {}
 
   std::string_view word;  ///< Keyword of the script language; empty: a script says it in another way.
   int value;
   std::string_view shown;    ///< In forms. Of several with one value, the first is shown.
   std::string_view meaning;  ///< For the comment beside the written word; may be empty.
+  std::string_view type;     ///< Its word in format 2, where that is another than the script's; see `type_word`.
 };
 
 /// One bit of a number that is a sum of such.
@@ -71,9 +74,20 @@ enum class FieldType {
   function,  ///< UserFunction
 };
 
+/// What a field is called where its choice is one alternative.
+struct OtherKey {
+  int alternative = 0;
+  std::string_view key = {};
+};
+
 /// One field, stated once.
 struct FieldSpec {
-  std::string_view id = {};      ///< Member of the structure: "prf_hz", "transmit_antenna.pattern", "corner_m[0]".
+  std::string_view id = {};   ///< Member of the structure: "prf_hz", "transmit_antenna.pattern", "corner_m[0]".
+  std::string_view key = {};  ///< Path in format 2 below the object: "pulse.width", "range[0]". That of a choice is
+                              ///< the table which what depends on it stands in; a function by points is such a table.
+  /// Further types of a choice in format 2, which are read as one of `choices`.
+  std::vector<std::string_view> other_types = {};
+  OtherKey other_key = {};       ///< Of a field with one key for most alternatives and another for one.
   std::string_view label = {};   ///< In forms.
   std::string_view words = {};   ///< In sentences about a script.
   std::string_view noun = {};    ///< In sentences of `check`, behind "the"; empty: `words`.
@@ -123,6 +137,9 @@ using FieldValue = std::variant<double, std::uint64_t, core::Vec3, int, bool, st
 
 /// The alternative that is chosen, of those that a script has a word for; null where it has none.
 [[nodiscard]] const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value);
+
+/// The word of an alternative in format 2: "matched-filter"; of one without a word, what forms show.
+[[nodiscard]] std::string type_word(const Choice& choice);
 
 /// The values that a point of a function may have: those of lists are above zero.
 [[nodiscard]] Range range_of_y(const FunctionBlock& block);

@@ -16,6 +16,9 @@ constexpr std::string_view cuts_tip =
 
 // What is called differently in the two antennas of a radar; what it means is the same.
 struct AntennaWords {
+  std::string_view key;
+  std::string_view elevation_key;
+  std::string_view azimuth_key;
   std::string_view pattern_id;
   std::string_view elevation_id;
   std::string_view azimuth_id;
@@ -30,17 +33,20 @@ struct AntennaWords {
 
 template <auto Which>
 void add_antenna(FieldTable<Radar>& table, const AntennaWords& words) {
-  table.add<Which, &Antenna::pattern>({.id = words.pattern_id,
-                                       .label = "Antenna gain",
-                                       .words = words.antenna,
-                                       .place = words.pattern_id.substr(0, words.pattern_id.find('.')),
-                                       .choices = {{"ISOTROPIC", Pattern::isotropic, "Isotropic", words.patterns[0]},
-                                                   {"SINX", Pattern::sinx, "Simple sin(x)/x", words.patterns[1]},
-                                                   {"SIMPLE", Pattern::sinx, "Simple sin(x)/x", words.patterns[1]},
-                                                   {"OTHER", Pattern::user, "User-defined", words.patterns[2]}},
-                                       .tip = pattern_tip});
+  table.add<Which, &Antenna::pattern>(
+      {.id = words.pattern_id,
+       .key = words.key,
+       .label = "Antenna gain",
+       .words = words.antenna,
+       .place = words.pattern_id.substr(0, words.pattern_id.find('.')),
+       .choices = {{"ISOTROPIC", Pattern::isotropic, "Isotropic", words.patterns[0]},
+                   {"SINX", Pattern::sinx, "Simple sin(x)/x", words.patterns[1]},
+                   {"SIMPLE", Pattern::sinx, "Simple sin(x)/x", words.patterns[1]},
+                   {"OTHER", Pattern::user, "User-defined", words.patterns[2], "points"}},
+       .tip = pattern_tip});
   table.when<Which, &Antenna::pattern>(Pattern::sinx);
   table.add<Which, &Antenna::elevation_beamwidth>({.id = words.elevation_id,
+                                                   .key = words.elevation_key,
                                                    .label = "Elevation beam width",
                                                    .words = "beam width in elevation",
                                                    .noun = words.elevation,
@@ -49,6 +55,7 @@ void add_antenna(FieldTable<Radar>& table, const AntennaWords& words) {
                                                    .likely = {0.01, 360.0},
                                                    .tip = width_tip});
   table.add<Which, &Antenna::azimuth_beamwidth>({.id = words.azimuth_id,
+                                                 .key = words.azimuth_key,
                                                  .label = "Azimuth beam width",
                                                  .words = "beam width in azimuth",
                                                  .noun = words.azimuth,
@@ -57,11 +64,18 @@ void add_antenna(FieldTable<Radar>& table, const AntennaWords& words) {
                                                  .likely = {0.01, 360.0},
                                                  .tip = width_tip});
   table.when<Which, &Antenna::pattern>(Pattern::user);
-  table.add<Which, &Antenna::gain_db>(
-      {.id = words.gain_id, .label = "Gain definition", .words = words.gain, .block = &words.block, .tip = cuts_tip});
+  table.add<Which, &Antenna::gain_db>({.id = words.gain_id,
+                                       .key = words.key,
+                                       .label = "Gain definition",
+                                       .words = words.gain,
+                                       .block = &words.block,
+                                       .tip = cuts_tip});
 }
 
-constexpr AntennaWords transmit_words{"transmit_antenna.pattern",
+constexpr AntennaWords transmit_words{"antenna",
+                                      "antenna.elevation_width",
+                                      "antenna.azimuth_width",
+                                      "transmit_antenna.pattern",
                                       "transmit_antenna.elevation_beamwidth",
                                       "transmit_antenna.azimuth_beamwidth",
                                       "transmit_antenna.gain_db",
@@ -72,7 +86,10 @@ constexpr AntennaWords transmit_words{"transmit_antenna.pattern",
                                       "azimuth beam width of the transmit antenna",
                                       "gain of the transmit antenna",
                                       function_blocks::transmit_gain};
-constexpr AntennaWords receive_words{"receive_antenna.pattern",
+constexpr AntennaWords receive_words{"receive_antenna",
+                                     "receive_antenna.elevation_width",
+                                     "receive_antenna.azimuth_width",
+                                     "receive_antenna.pattern",
                                      "receive_antenna.elevation_beamwidth",
                                      "receive_antenna.azimuth_beamwidth",
                                      "receive_antenna.gain_db",
@@ -91,6 +108,7 @@ void add_antennas(FieldTable<Radar>& table) {
   add_antenna<&Radar::transmit_antenna>(table, transmit_words);
   table.group("Receiver antenna");
   table.add<&Radar::same_antenna>({.id = "same_antenna",
+                                   .key = "receive_antenna",
                                    .label = "Same as transmitter",
                                    .words = "receive antenna",
                                    .place = "receive_antenna",
@@ -105,15 +123,17 @@ void add_direction(FieldTable<Radar>& table) {
   table.group("Direction");
   table.add<&Radar::beam>(
       {.id = "beam",
+       .key = "beam",
        .label = "Antenna direction",
        .words = "direction of the beam",
        .choices = {{"FIXED", Beam::fixed, "Fixed", "beam fixed to the platform"},
                    {"ROTATING", Beam::rotating, "Constant rotation", "beam turning about the vertical"},
                    {"SPOT", Beam::spot, "Spot mode", "beam held on a point of the world"},
-                   {"OTHER", Beam::user, "User-defined", "beam held on a moving point of the world"}},
+                   {"OTHER", Beam::user, "User-defined", "beam held on a moving point of the world", "points"}},
        .tip = "Fixed to the platform, turning about its vertical, held on a point of the world, or on a moving one."});
   table.when<&Radar::beam>(Beam::fixed, Beam::rotating);
   table.add<&Radar::beam_elevation>({.id = "beam_elevation",
+                                     .key = "beam.elevation",
                                      .label = "Beam elevation",
                                      .words = "elevation of the beam",
                                      .noun = "beam elevation",
@@ -122,6 +142,7 @@ void add_direction(FieldTable<Radar>& table) {
                                      .tip = "Above the platform's x-y plane."});
   table.when<&Radar::beam>(Beam::fixed);
   table.add<&Radar::beam_azimuth>({.id = "beam_azimuth",
+                                   .key = "beam.azimuth",
                                    .label = "Beam azimuth",
                                    .words = "azimuth of the beam",
                                    .noun = "beam azimuth",
@@ -130,6 +151,7 @@ void add_direction(FieldTable<Radar>& table) {
                                    .tip = "From the platform's +y axis clockwise towards +x."});
   table.when<&Radar::beam>(Beam::rotating);
   table.add<&Radar::beam_rate>({.id = "beam_rate",
+                                .key = "beam.rate",
                                 .label = "Rotation speed",
                                 .words = "rotation rate of the beam",
                                 .quantity = Quantity::angle_rate,
@@ -138,6 +160,7 @@ void add_direction(FieldTable<Radar>& table) {
                                 .tip = "The azimuth is speed times time."});
   table.when<&Radar::beam>(Beam::spot);
   table.add<&Radar::spot_world_m>({.id = "spot_world_m",
+                                   .key = "beam.point",
                                    .label = "coordinate of the spot",
                                    .words = "spot",
                                    .quantity = Quantity::length,
@@ -145,6 +168,7 @@ void add_direction(FieldTable<Radar>& table) {
   table.when<&Radar::beam>(Beam::user);
   table.add<&Radar::beam_target_world_m>(
       {.id = "beam_target_world_m",
+       .key = "beam",
        .label = "Point looked at",
        .words = "point the beam looks at",
        .block = &function_blocks::beam_target,

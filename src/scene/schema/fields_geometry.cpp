@@ -9,6 +9,7 @@ const FieldTable<GeometryTable>& table_of<GeometryTable>() {
     FieldTable<GeometryTable> table;
     table.group("Geometry");
     table.add<&GeometryTable::radar>({.id = "radar",
+                                      .key = "radar",
                                       .label = "Radar",
                                       .words = "name of the radar",
                                       .refers = "radar",
@@ -16,11 +17,13 @@ const FieldTable<GeometryTable>& table_of<GeometryTable>() {
     add_window(table, {"slant range of the start", "slant range of the end"});
     table.group("File");
     table.add<&GeometryTable::file>({.id = "file",
+                                     .key = "file",
                                      .label = "File name",
                                      .words = "name of the output file",
                                      .tip = "Name of the table, beside the script or in the folder of the run."});
     table.add<&GeometryTable::separator>(
         {.id = "separator",
+         .key = "separator",
          .label = "Separator",
          .words = "separator of columns",
          .choices = {{"SPACE", Separator::space, "Space", "columns separated by blanks"},
@@ -29,6 +32,7 @@ const FieldTable<GeometryTable>& table_of<GeometryTable>() {
     table.group("Columns");
     table.add<&GeometryTable::columns>(
         {.id = "columns",
+         .key = "columns",
          .words = "sum of the column bits",
          .range = {0.0, 255.0},
          .flags = {{"time", "Pulse transmit time (s)", 1},

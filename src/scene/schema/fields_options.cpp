@@ -9,6 +9,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
     table.group("Run options");
     table.add<&RunOptions::profile>(
         {.id = "profile",
+         .key = "profile",
          .label = "Profile",
          .words = "profile",
          .choices = {{"CLASSIC", Profile::classic, "Classic", "conventions of the 1998 programs"},
@@ -16,6 +17,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
          .tip = "Conventions of radar engineering, or those of the programs of 1998 with their constants."});
     table.add<&RunOptions::seed>(
         {.id = "seed",
+         .key = "seed",
          .label = "Seed",
          .words = "seed of the random numbers",
          .quantity = Quantity::count,
@@ -23,6 +25,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
                 "18446744073709551615."});
     table.add<&RunOptions::pulse>(
         {.id = "pulse",
+         .key = "pulse",
          .label = "Pulse definition",
          .words = "definition of the pulse",
          .choices = {{"IDEAL", PulseDefinition::ideal, "Ideal", "hard edges, sampled where they are"},
@@ -30,6 +33,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
          .tip = "Hard edges sampled where they are, or confined to the sampled band."});
     table.add<&RunOptions::tolerance>(
         {.id = "tolerance",
+         .key = "tolerance",
          .label = "Tolerance",
          .words = "tolerated relative error of the echoes",
          .noun = "tolerance",
@@ -38,6 +42,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
          .tip = "Largest error of the echoes that a fast method may make, relative to the echo; 1e-12 to 0.1."});
     table.add<&RunOptions::cubic_ends>(
         {.id = "cubic_ends",
+         .key = "cubic_ends",
          .label = "Ends of CUBIC",
          .words = "rule for the ends of cubic functions",
          .choices = {{"CHORDS", core::CubicEnds::chords, "Chords", "slopes of the first and last chord, as since 1998"},
@@ -47,6 +52,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
                 "say, which orbits and other bent paths need."});
     table.add<&RunOptions::ambiguous_echoes>(
         {.id = "ambiguous_echoes",
+         .key = "ambiguous_echoes",
          .label = "Ambiguous echoes",
          .words = "echoes of other pulses that a row receives",
          .choices = {{"STRONG", AmbiguousEchoes::strong, "Strong", "those above -60 dB of the strongest echo"},
@@ -56,6 +62,7 @@ const FieldTable<RunOptions>& table_of<RunOptions>() {
                 "has them."});
     table.add<&RunOptions::eclipsing>(
         {.id = "eclipsing",
+         .key = "eclipsing",
          .label = "Eclipsing",
          .words = "what the receiver does while the radar sends",
          .choices = {{"NONE", Eclipsing::none, "None", "the receiver goes on while the radar sends"},

@@ -10,19 +10,23 @@ void add_position(FieldTable<Platform>& table) {
   table.group("Position");
   table.add<&Platform::path>(
       {.id = "path",
+       .key = "path",
+       .other_types = {"line"},
        .label = "Position",
        .words = "kind of path",
        .choices = {{"STATIONARY", Platform::Path::stationary, "Stationary", "the platform stays where it is"},
-                   {"TRAJECTORY", Platform::Path::trajectory, "Trajectory", "the platform follows a path"}},
+                   {"TRAJECTORY", Platform::Path::trajectory, "Trajectory", "the platform follows a path", "points"}},
        .tip = "Whether the platform stays where it is or follows a path."});
   table.when<&Platform::path>(Platform::Path::stationary);
   table.add<&Platform::position_m>({.id = "position_m",
+                                    .key = "position",
                                     .label = "coordinate",
                                     .words = "position",
                                     .quantity = Quantity::length,
                                     .tip = "Place of the platform's origin in world coordinates."});
   table.when<&Platform::path>(Platform::Path::trajectory);
   table.add<&Platform::trajectory_m>({.id = "trajectory_m",
+                                      .key = "path",
                                       .label = "Trajectory",
                                       .words = "trajectory",
                                       .block = &function_blocks::trajectory,
@@ -33,14 +37,17 @@ void add_rotation(FieldTable<Platform>& table) {
   table.group("Rotation");
   table.add<&Platform::rotation_kind>(
       {.id = "rotation_kind",
+       .key = "rotation",
        .label = "Rotation",
        .words = "kind of rotation",
-       .choices = {{"CONST", Platform::Rotation::constant, "Fixed", "rotation given by angles and rates"},
-                   {"OTHER", Platform::Rotation::user, "User-defined", "rotation given by functions of time"}},
+       .choices = {{"CONST", Platform::Rotation::constant, "Fixed", "rotation given by angles and rates", "fixed"},
+                   {"OTHER", Platform::Rotation::user, "User-defined", "rotation given by functions of time",
+                    "points"}},
        .tip = "Whether the rotation is given by angles or by functions of time. A rate is added to either."});
   table.when<&Platform::rotation_kind>(Platform::Rotation::constant);
   table.add<&Platform::rotation>(
       {.id = "rotation",
+       .key = "rotation.angles",
        .label = "rotation",
        .words = "rotation about",
        .noun = "rotation",
@@ -48,6 +55,7 @@ void add_rotation(FieldTable<Platform>& table) {
        .tip = "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z."});
   table.when<&Platform::rotation_kind>(Platform::Rotation::user);
   table.add<&Platform::rotation_deg>({.id = "rotation_deg",
+                                      .key = "rotation",
                                       .label = "Rotation against time",
                                       .words = "rotation",
                                       .block = &function_blocks::rotation,
@@ -55,6 +63,7 @@ void add_rotation(FieldTable<Platform>& table) {
   table.when<&Platform::path>(Platform::Path::trajectory);
   table.add<&Platform::aligned>(
       {.id = "aligned",
+       .key = "path.aligned",
        .label = "Align X-axis to path",
        .words = "alignment with the path",
        .choices = {{"NOT_ALIGNED", false, "no", "keeps its own attitude"},
@@ -63,6 +72,7 @@ void add_rotation(FieldTable<Platform>& table) {
               "world's x-y plane."});
   table.always();
   table.add<&Platform::rotation_rate>({.id = "rotation_rate",
+                                       .key = "rotation_rate",
                                        .label = "rotation rate",
                                        .words = "rotation rate about",
                                        .noun = "rotation rate",
@@ -74,15 +84,19 @@ void add_position_errors(FieldTable<Platform>& table) {
   table.group("Motion errors");
   table.add<&Platform::position_error>(
       {.id = "position_error",
+       .key = "position_error",
        .label = "Position errors",
        .words = "kind of position errors",
-       .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "position errors drawn anew for each pulse"},
-                   {"OTHER", MotionError::envelope, "User-defined", "position errors of a given correlation"}},
+       .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "position errors drawn anew for each pulse",
+                    "gaussian"},
+                   {"OTHER", MotionError::envelope, "User-defined", "position errors of a given correlation",
+                    "envelope"}},
        .tip = "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.",
        .rare = true});
   table.when<&Platform::position_error>(MotionError::gaussian);
   table.add<&Platform::position_stddev_m>(
       {.id = "position_stddev_m",
+       .key = "position_error.deviation",
        .label = "position std. deviation",
        .words = "standard deviation of position",
        .noun = "standard deviation of the position",
@@ -93,6 +107,7 @@ void add_position_errors(FieldTable<Platform>& table) {
   table.when<&Platform::position_error>(MotionError::envelope);
   table.add<&Platform::position_envelope>(
       {.id = "position_envelope",
+       .key = "position_error",
        .label = "Position error envelope",
        .words = "envelope of the position errors",
        .block = &function_blocks::position_envelope,
@@ -104,15 +119,19 @@ void add_rotation_errors(FieldTable<Platform>& table) {
   table.always();
   table.add<&Platform::rotation_error>(
       {.id = "rotation_error",
+       .key = "rotation_error",
        .label = "Rotation errors",
        .words = "kind of rotation errors",
-       .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "rotation errors drawn anew for each pulse"},
-                   {"OTHER", MotionError::envelope, "User-defined", "rotation errors of a given correlation"}},
+       .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "rotation errors drawn anew for each pulse",
+                    "gaussian"},
+                   {"OTHER", MotionError::envelope, "User-defined", "rotation errors of a given correlation",
+                    "envelope"}},
        .tip = "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.",
        .rare = true});
   table.when<&Platform::rotation_error>(MotionError::gaussian);
   table.add<&Platform::rotation_stddev>(
       {.id = "rotation_stddev",
+       .key = "rotation_error.deviation",
        .label = "rotation std. deviation",
        .words = "standard deviation of the rotation about",
        .noun = "standard deviation of the rotation",
@@ -123,6 +142,7 @@ void add_rotation_errors(FieldTable<Platform>& table) {
   table.when<&Platform::rotation_error>(MotionError::envelope);
   table.add<&Platform::rotation_envelope>(
       {.id = "rotation_envelope",
+       .key = "rotation_error",
        .label = "Rotation error envelope",
        .words = "envelope of the rotation errors",
        .block = &function_blocks::rotation_envelope,
@@ -160,6 +180,7 @@ const FieldTable<Platform>& table_of<Platform>() {
     FieldTable<Platform> table;
     table.group("Platform");
     table.add<&Platform::name>({.id = "name",
+                                .key = "name",
                                 .label = "Platform name",
                                 .words = "name of the platform",
                                 .tip = "Targets, surfaces and radars refer to the platform by this name; capital and "

@@ -11,16 +11,18 @@ void add_pulse(FieldTable<Radar>& table) {
   table.group("Pulse");
   table.add<&Radar::pulse>(
       {.id = "pulse",
+       .key = "pulse",
        .label = "Pulse type",
        .words = "kind of pulse",
        .choices = {{"MONO", Pulse::mono, "Monochrome", "pulse of a single frequency"},
                    {"CHIRP", Pulse::chirp, "Chirp", "pulse of linearly swept frequency"},
-                   {"OTHER_PULSE", Pulse::user, "User-defined", "pulse given by its I and Q"},
+                   {"OTHER_PULSE", Pulse::user, "User-defined", "pulse given by its I and Q", "points"},
                    {"BARKER", Pulse::barker, "Barker", "pulse with a Barker phase code"}},
        .tip = "Modulation within the pulse: none, a linear sweep, given I and Q, or a Barker phase code."});
   table.when<&Radar::pulse>(Pulse::chirp);
   table.add<&Radar::bandwidth_hz>(
       {.id = "bandwidth_hz",
+       .key = "pulse.bandwidth",
        .label = "Chirp bandwidth",
        .words = "chirp bandwidth",
        .quantity = Quantity::frequency,
@@ -30,12 +32,14 @@ void add_pulse(FieldTable<Radar>& table) {
        .detail = "negative sweeps down"});
   table.when<&Radar::pulse>(Pulse::user);
   table.add<&Radar::pulse_iq>({.id = "pulse_iq",
+                               .key = "pulse",
                                .label = "Pulse definition",
                                .words = "pulse",
                                .block = &function_blocks::pulse_iq,
                                .tip = "I and Q against the fraction of the pulse width, 0 to 1."});
   table.when<&Radar::pulse>(Pulse::barker);
   table.add<&Radar::barker_code>({.id = "barker_code",
+                                  .key = "pulse.length",
                                   .label = "Barker code length",
                                   .words = "Barker code",
                                   .range = {0.0, 6.0},
@@ -50,6 +54,7 @@ void add_pulse(FieldTable<Radar>& table) {
                                   .detail = "0 to 6 stand for lengths 2, 3, 4, 5, 7, 11, 13"});
   table.always();
   table.add<&Radar::pulse_width_s>({.id = "pulse_width_s",
+                                    .key = "pulse.width",
                                     .label = "Pulse width",
                                     .words = "pulse width",
                                     .quantity = Quantity::time,
@@ -66,15 +71,17 @@ void add_envelope(FieldTable<Radar>& table) {
   table.group("Envelope");
   table.add<&Radar::envelope>(
       {.id = "envelope",
+       .key = "envelope",
        .label = "Envelope",
        .words = "pulse envelope",
-       .choices = {{"RECT", Envelope::rectangular, "Rectangular", "constant amplitude within the pulse"},
+       .choices = {{"RECT", Envelope::rectangular, "Rectangular", "constant amplitude within the pulse", "rectangular"},
                    {"LINEAR", Envelope::linear, "Linear", "straight rise and fall"},
-                   {"OTHER", Envelope::user, "User-defined", "envelope given by points"}},
+                   {"OTHER", Envelope::user, "User-defined", "envelope given by points", "points"}},
        .tip = "Amplitude over the pulse: constant, with straight rise and fall, or given.",
        .rare = true});
   table.when<&Radar::envelope>(Envelope::linear);
   table.add<&Radar::rise_s>({.id = "rise_s",
+                             .key = "envelope.rise",
                              .label = "Rise time",
                              .words = "rise time",
                              .quantity = Quantity::time,
@@ -84,6 +91,7 @@ void add_envelope(FieldTable<Radar>& table) {
                              .tip = "From nothing to the full amplitude.",
                              .rare = true});
   table.add<&Radar::fall_s>({.id = "fall_s",
+                             .key = "envelope.fall",
                              .label = "Fall time",
                              .words = "fall time",
                              .quantity = Quantity::time,
@@ -94,6 +102,7 @@ void add_envelope(FieldTable<Radar>& table) {
                              .rare = true});
   table.when<&Radar::envelope>(Envelope::user);
   table.add<&Radar::envelope_gain>({.id = "envelope_gain",
+                                    .key = "envelope",
                                     .label = "Envelope definition",
                                     .words = "pulse envelope",
                                     .block = &function_blocks::envelope_gain,
@@ -105,13 +114,15 @@ void add_repetition(FieldTable<Radar>& table) {
   table.group("PRF");
   table.add<&Radar::repetition>(
       {.id = "repetition",
+       .key = "repetition",
        .label = "Pulse repetition",
        .words = "kind of pulse repetition",
        .choices = {{"CONSTANT", Radar::Repetition::constant, "Constant", "evenly spaced pulses"},
-                   {"OTHER", Radar::Repetition::user, "User-defined", "list of intervals between pulses"}},
+                   {"OTHER", Radar::Repetition::user, "User-defined", "list of intervals between pulses", "list"}},
        .tip = "Evenly spaced pulses, or a list of intervals that begins again at its end. Pulse 0 leaves at time 0."});
   table.when<&Radar::repetition>(Radar::Repetition::constant);
   table.add<&Radar::prf_hz>({.id = "prf_hz",
+                             .key = "repetition.frequency",
                              .label = "Pulse repetition frequency",
                              .words = "pulse repetition frequency",
                              .quantity = Quantity::frequency,
@@ -120,6 +131,7 @@ void add_repetition(FieldTable<Radar>& table) {
                              .tip = "Unambiguous range is c/(2 PRF), unambiguous speed lambda PRF/4 either way."});
   table.when<&Radar::repetition>(Radar::Repetition::user);
   table.add<&Radar::pri_s>({.id = "pri_s",
+                            .key = "repetition",
                             .label = "Repetition intervals",
                             .words = "pulse repetition intervals",
                             .block = &function_blocks::pri,
@@ -131,14 +143,17 @@ void add_carrier(FieldTable<Radar>& table) {
   table.group("Frequency");
   table.add<&Radar::carrier>(
       {.id = "carrier",
+       .key = "carrier",
        .label = "Centre frequency",
        .words = "kind of carrier",
        .choices = {{"SINGLE", Carrier::single, "Single", "one carrier"},
                    {"STEPPED", Carrier::stepped, "Stepped", "carrier stepped from pulse to pulse"},
-                   {"OTHER", Carrier::user, "User-defined", "list of carriers"}},
+                   {"OTHER", Carrier::user, "User-defined", "list of carriers", "list"}},
        .tip = "One carrier, steps from pulse to pulse, or a list that begins again at its end."});
   table.when<&Radar::carrier>(Carrier::single, Carrier::stepped);
   table.add<&Radar::carrier_hz>({.id = "carrier_hz",
+                                 .key = "carrier.frequency",
+                                 .other_key = {static_cast<int>(Carrier::stepped), "carrier.first"},
                                  .label = "Frequency",
                                  .words = "carrier frequency",
                                  .noun = "carrier",
@@ -150,6 +165,7 @@ void add_carrier(FieldTable<Radar>& table) {
                                  .tip = "Carrier; the first one of stepped carriers. Wavelength is c/f."});
   table.when<&Radar::carrier>(Carrier::stepped);
   table.add<&Radar::carrier_step_hz>({.id = "carrier_step_hz",
+                                      .key = "carrier.step",
                                       .label = "Frequency step",
                                       .words = "frequency step",
                                       .quantity = Quantity::frequency,
@@ -159,6 +175,7 @@ void add_carrier(FieldTable<Radar>& table) {
                                       .likely = {1e3, 1e10},
                                       .tip = "From one frequency to the next. N steps resolve c/(2 N step) in range."});
   table.add<&Radar::carrier_steps>({.id = "carrier_steps",
+                                    .key = "carrier.count",
                                     .label = "Number of steps",
                                     .words = "number of frequencies",
                                     .noun = "number of frequency steps",
@@ -167,6 +184,7 @@ void add_carrier(FieldTable<Radar>& table) {
                                     .usable = Range{1.0},
                                     .tip = "Frequencies of a burst."});
   table.add<&Radar::pulses_per_step>({.id = "pulses_per_step",
+                                      .key = "carrier.pulses",
                                       .label = "Pulses per frequency",
                                       .words = "pulses at each frequency",
                                       .noun = "number of pulses per frequency",
@@ -176,6 +194,7 @@ void add_carrier(FieldTable<Radar>& table) {
                                       .tip = "Pulses sent at each frequency before the next step."});
   table.when<&Radar::carrier>(Carrier::user);
   table.add<&Radar::carrier_list_hz>({.id = "carrier_list_hz",
+                                      .key = "carrier",
                                       .label = "Frequency list",
                                       .words = "carrier frequencies",
                                       .block = &function_blocks::carrier_list,
@@ -187,6 +206,7 @@ void add_power(FieldTable<Radar>& table) {
   constexpr Range usable_gains{-largest_value, largest_gain_db};
   table.group("Power");
   table.add<&Radar::power_w>({.id = "power_w",
+                              .key = "power",
                               .label = "Power output",
                               .words = "transmitted power",
                               .noun = "output power",
@@ -196,6 +216,7 @@ void add_power(FieldTable<Radar>& table) {
                               .likely = {1e-6, 1e10},
                               .tip = "Transmitted peak power."});
   table.add<&Radar::losses>({.id = "losses",
+                             .key = "losses",
                              .label = "System losses",
                              .words = "losses of the system",
                              .noun = "total of the losses",
@@ -204,6 +225,7 @@ void add_power(FieldTable<Radar>& table) {
                              .likely = {0.0, 100.0},
                              .tip = "Total of the losses; received power is divided by it."});
   table.add<&Radar::noise_temperature_k>({.id = "noise_temperature_k",
+                                          .key = "noise_temperature",
                                           .label = "Noise temperature",
                                           .words = "noise temperature",
                                           .quantity = Quantity::temperature,
@@ -212,6 +234,7 @@ void add_power(FieldTable<Radar>& table) {
                                           .tip = "Of the receiver: noise power is k T B. 0 for no noise."});
   table.add<&Radar::transmit_gain>(
       {.id = "transmit_gain",
+       .key = "transmit_gain",
        .label = "Transmitter gain",
        .words = "gain of the transmitter",
        .noun = "transmit gain",
@@ -222,6 +245,7 @@ void add_power(FieldTable<Radar>& table) {
        .tip = "Gain at the middle of the transmitted beam, on top of the antenna's pattern.",
        .rare = true});
   table.add<&Radar::receive_gain>({.id = "receive_gain",
+                                   .key = "receive_gain",
                                    .label = "Receiver gain",
                                    .words = "gain of the receiver",
                                    .noun = "receive gain",
@@ -242,11 +266,13 @@ const FieldTable<Radar>& table_of<Radar>() {
     table.group("Radar");
     table.add<&Radar::name>(
         {.id = "name",
+         .key = "name",
          .label = "Radar name",
          .words = "name of the radar",
          .tip = "Simulations and geometry tables refer to the radar by this name; capital and small letters are the "
                 "same."});
     table.add<&Radar::platform>({.id = "platform",
+                                 .key = "platform",
                                  .label = "Platform name",
                                  .words = "name of its platform",
                                  .refers = "platform",

@@ -29,18 +29,22 @@ void add_receiver(FieldTable<Radar>& table) {
   table.group("Matched filter window");
   table.add<&Radar::window>(
       {.id = "window",
+       .key = "window",
        .label = "Window",
        .words = "matched-filter window",
-       .choices = {{"RECT", Radar::Window::rectangular, "Rectangular", "matched filter without weighting"},
+       .choices = {{"RECT", Radar::Window::rectangular, "Rectangular", "matched filter without weighting",
+                    "rectangular"},
                    {"HANNING", Radar::Window::hanning, "Hanning", "matched filter with a Hanning window"},
                    {"BARTLETT", Radar::Window::bartlett, "Bartlett", "matched filter with a triangular window"},
                    {"HAMMING", Radar::Window::hamming, "Hamming", "matched filter with a Hamming window"},
-                   {"OTHER", Radar::Window::user, "User-defined", "matched filter with a window given by points"}},
+                   {"OTHER", Radar::Window::user, "User-defined", "matched filter with a window given by points",
+                    "points"}},
        .tip = "Weights the matched filter: lower range side lobes for a wider main lobe.",
        .rare = true});
   table.when<&Radar::window>(Radar::Window::hanning);
   table.add<&Radar::hanning_pedestal>(
       {.id = "hanning_pedestal",
+       .key = "window.pedestal",
        .label = "Hanning constant",
        .words = "Hanning constant",
        .range = {0.0, 1.0},
@@ -50,6 +54,7 @@ void add_receiver(FieldTable<Radar>& table) {
        .rare = true});
   table.when<&Radar::window>(Radar::Window::user);
   table.add<&Radar::window_gain>({.id = "window_gain",
+                                  .key = "window",
                                   .label = "Window definition",
                                   .words = "matched-filter window",
                                   .block = &function_blocks::window_gain,
@@ -58,16 +63,19 @@ void add_receiver(FieldTable<Radar>& table) {
   table.group("Sensitivity time control");
   table.add<&Radar::stc>(
       {.id = "stc",
+       .key = "stc",
        .label = "STC",
        .words = "sensitivity-time control",
-       .choices = {{"NO_STC", Radar::Stc::none, "None", "no sensitivity-time control"},
-                   {"1OVERR4", Radar::Stc::range_law, "1/R^4", "takes the loss with range out of the echoes"},
-                   {"OTHER", Radar::Stc::user, "User-defined", "gain given by points"}},
+       .choices = {{"NO_STC", Radar::Stc::none, "None", "no sensitivity-time control", "none"},
+                   {"1OVERR4", Radar::Stc::range_law, "1/R^4", "takes the loss with range out of the echoes",
+                    "range-law"},
+                   {"OTHER", Radar::Stc::user, "User-defined", "gain given by points", "points"}},
        .tip = "Gain against range before the A/D converter: none, one that takes the loss with range out of the "
               "echoes, or given.",
        .rare = true});
   table.when<&Radar::stc>(Radar::Stc::user);
   table.add<&Radar::stc_gain>({.id = "stc_gain",
+                               .key = "stc",
                                .label = "STC definition",
                                .words = "sensitivity-time control",
                                .block = &function_blocks::stc_gain,

@@ -8,6 +8,7 @@ void add_converter(FieldTable<Simulation>& table) {
   table.group("A/D converter");
   table.add<&Simulation::sample_rate_hz>(
       {.id = "sample_rate_hz",
+       .key = "sample_rate",
        .label = "Sampling frequency",
        .words = "sampling frequency",
        .quantity = Quantity::frequency,
@@ -16,6 +17,7 @@ void add_converter(FieldTable<Simulation>& table) {
        .likely = {1e3, 1e11},
        .tip = "Complex samples per second; at least the bandwidth of the pulse. Columns lie c/(2 fs) apart."});
   table.add<&Simulation::bits>({.id = "bits",
+                                .key = "bits",
                                 .label = "Number of bits",
                                 .words = "bits of the A/D converter",
                                 .noun = "number of A/D bits",
@@ -23,6 +25,7 @@ void add_converter(FieldTable<Simulation>& table) {
                                 .range = {1.0, 64.0},
                                 .tip = "Of I and of Q; counts reach from -(2^(bits-1) - 1) to 2^(bits-1)."});
   table.add<&Simulation::lsb_v>({.id = "lsb_v",
+                                 .key = "lsb",
                                  .label = "LSB value",
                                  .words = "value of the least significant bit",
                                  .quantity = Quantity::voltage,
@@ -37,6 +40,7 @@ void add_product(FieldTable<Simulation>& table) {
   table.group("File");
   table.add<&Simulation::processing>(
       {.id = "processing",
+       .key = "processing",
        .label = "Processing",
        .words = "processing",
        .choices = {{"RAW", Processing::raw, "Raw return", "samples as received"},
@@ -44,11 +48,13 @@ void add_product(FieldTable<Simulation>& table) {
                    {"SRP", Processing::srp, "Synthetic range profile", "synthetic range profiles of stepped carriers"}},
        .tip = "Samples as received, through the matched filter, or range profiles from the steps of the carrier."});
   table.add<&Simulation::file>({.id = "file",
+                                .key = "file",
                                 .label = "File name",
                                 .words = "name of the output file",
                                 .tip = "Name of the file of samples, beside the script or in the folder of the run."});
   table.add<&Simulation::format>(
       {.id = "format",
+       .key = "format",
        .label = "File type",
        .words = "file format",
        .choices = {{"ASCII", FileFormat::ascii, "ASCII, I Q", "text, a line for each sample: I Q"},
@@ -64,6 +70,7 @@ void add_pulse_choices(FieldTable<Simulation>& table) {
   table.group("Pulse");
   table.add<&Simulation::pulse_position>(
       {.id = "pulse_position",
+       .key = "pulse_position",
        .label = "Pulse position",
        .words = "place of a target within its pulse",
        .choices = {{"BEGIN", Simulation::PulsePosition::begin, "Start", "a target's range is where its pulse begins"},
@@ -72,6 +79,7 @@ void add_pulse_choices(FieldTable<Simulation>& table) {
        .tip = "Whether a target's range is where its pulse starts or the centre of its pulse.",
        .rare = true});
   table.add<&Simulation::oversampling>({.id = "oversampling",
+                                        .key = "oversampling",
                                         .label = "Over-sample",
                                         .words = "pulse over-sampling factor",
                                         .noun = "over-sampling factor",
@@ -80,6 +88,7 @@ void add_pulse_choices(FieldTable<Simulation>& table) {
                                         .detail = "above 1 a band-limited pulse keeps its own band only",
                                         .rare = true});
   table.add<&Simulation::width_factor>({.id = "width_factor",
+                                        .key = "width_factor",
                                         .label = "New width",
                                         .words = "kept length of a band-limited pulse in pulse widths",
                                         .noun = "pulse width factor",
@@ -98,6 +107,7 @@ const FieldTable<Simulation>& table_of<Simulation>() {
     FieldTable<Simulation> table;
     table.group("Simulation");
     table.add<&Simulation::radar>({.id = "radar",
+                                   .key = "radar",
                                    .label = "Radar",
                                    .words = "name of the radar",
                                    .refers = "radar",

@@ -8,6 +8,7 @@ template <class Object>
 void add_deviation(FieldTable<Object>& table) {
   table.template add<&Object::position_stddev_m>(
       {.id = "position_stddev_m",
+       .key = "position_deviation",
        .label = "std. deviation",
        .words = "standard deviation of position",
        .noun = "standard deviation of the position",
@@ -20,11 +21,13 @@ void add_deviation(FieldTable<Object>& table) {
 void add_place(FieldTable<Target>& table) {
   table.group("Position");
   table.add<&Target::platform>({.id = "platform",
+                                .key = "platform",
                                 .label = "Platform name",
                                 .words = "name of the platform",
                                 .refers = "platform",
                                 .tip = "The platform that carries the target; coordinates are in its frame."});
   table.add<&Target::position_m>({.id = "position_m",
+                                  .key = "position",
                                   .label = "coordinate",
                                   .words = "position",
                                   .quantity = Quantity::length,
@@ -35,11 +38,13 @@ void add_place(FieldTable<Target>& table) {
 void add_place(FieldTable<Cloud>& table) {
   table.group("Points");
   table.add<&Cloud::platform>({.id = "platform",
+                               .key = "platform",
                                .label = "Platform name",
                                .words = "name of the platform",
                                .refers = "platform",
                                .tip = "The platform that carries the points; coordinates are in its frame."});
   table.add<&Cloud::file>({.id = "file",
+                           .key = "positions.file",
                            .label = "File",
                            .words = "file of the points",
                            .tip =
@@ -52,12 +57,14 @@ template <class Object>
 void add_reflectivity(FieldTable<Object>& table) {
   table.group("Reflectivity");
   table.template add<&Object::rcs_m2>({.id = "rcs_m2",
+                                       .key = "rcs",
                                        .label = "Radar cross section",
                                        .words = "radar cross-section",
                                        .quantity = Quantity::area,
                                        .tip = "Received power is Pt Gt Gr lambda^2 RCS/((4 pi)^3 R^4 L)."});
   table.template add<&Object::rcs_stddev_m2>(
       {.id = "rcs_stddev_m2",
+       .key = "rcs_deviation",
        .label = "RCS std. deviation",
        .words = "standard deviation of the radar cross-section",
        .quantity = Quantity::area,
@@ -66,6 +73,7 @@ void add_reflectivity(FieldTable<Object>& table) {
        .rare = true});
   table.template add<&Object::reflectivity>(
       {.id = "reflectivity",
+       .key = "reflectivity",
        .label = "Reflectivity",
        .words = "kind of reflectivity",
        .choices = {{"ISOTROPIC", Target::Reflectivity::isotropic, "Isotropic", ""},
@@ -78,6 +86,7 @@ void add_direction(FieldTable<Object>& table) {
   table.template when<&Object::reflectivity>(Target::Reflectivity::directional);
   table.template add<&Object::azimuth>(
       {.id = "azimuth",
+       .key = "reflectivity.azimuth",
        .label = "Azimuth",
        .words = "azimuth of the target's face",
        .noun = "pointing azimuth",
@@ -85,12 +94,14 @@ void add_direction(FieldTable<Object>& table) {
        .tip = "Direction in which the surface faces, in the platform's frame: from +y clockwise towards +x."});
   table.template add<&Object::elevation>(
       {.id = "elevation",
+       .key = "reflectivity.elevation",
        .label = "Elevation",
        .words = "elevation of the target's face",
        .noun = "pointing elevation",
        .quantity = Quantity::angle,
        .tip = "Direction in which the surface faces, in the platform's frame: above the x-y plane."});
   table.template add<&Object::azimuth_stddev>({.id = "azimuth_stddev",
+                                               .key = "reflectivity.azimuth_deviation",
                                                .label = "Azimuth std. deviation",
                                                .words = "standard deviation of the azimuth",
                                                .quantity = Quantity::angle,
@@ -99,6 +110,7 @@ void add_direction(FieldTable<Object>& table) {
                                                .rare = true});
   table.template add<&Object::elevation_stddev>(
       {.id = "elevation_stddev",
+       .key = "reflectivity.elevation_deviation",
        .label = "Elevation std. deviation",
        .words = "standard deviation of the elevation",
        .quantity = Quantity::angle,
@@ -107,13 +119,16 @@ void add_direction(FieldTable<Object>& table) {
        .rare = true});
   table.template add<&Object::gain>(
       {.id = "gain",
+       .key = "reflectivity.gain",
        .label = "Gain",
        .words = "law of reflectivity",
-       .choices = {{"COS_GAIN", Target::Gain::cosine, "Cos", "cosine of the incidence angle"},
-                   {"OTHER_GAIN", Target::Gain::user, "User-defined", "function of the incidence angle"}},
-       .tip = "Cos: RCS cos(incidence angle), nothing from behind. User-defined: a function of the incidence angle."});
+       .choices = {{"COS_GAIN", Target::Gain::cosine, "Cos", "cosine of the incidence angle", "cosine"},
+                   {"OTHER_GAIN", Target::Gain::user, "User-defined", "function of the incidence angle", "points"}},
+       .tip = "RCS times the cosine of the incidence angle, nothing from behind; or times a given function of that "
+              "angle."});
   table.template when<&Object::gain>(Target::Gain::user);
   table.template add<&Object::gain_db>({.id = "gain_db",
+                                        .key = "reflectivity.gain",
                                         .label = "Gain definition",
                                         .words = "reflectivity",
                                         .block = &function_blocks::target_gain,

@@ -19,6 +19,7 @@ void add_window(FieldTable<Product>& table, const WindowWords& words) {
       "Azimuth (slow time): pulses sent from the start to the end are taken, both included.";
   table.group("Window");
   table.template add<&Product::range_start_m>({.id = "range_start_m",
+                                               .key = "range[0]",
                                                .label = "Slant range from",
                                                .words = words.range_start,
                                                .noun = "slant range start",
@@ -26,6 +27,7 @@ void add_window(FieldTable<Product>& table, const WindowWords& words) {
                                                .likely = {0.0, 1e9},
                                                .tip = range_tip});
   table.template add<&Product::range_end_m>({.id = "range_end_m",
+                                             .key = "range[1]",
                                              .label = "Slant range to",
                                              .words = words.range_end,
                                              .noun = "slant range end",
@@ -33,6 +35,7 @@ void add_window(FieldTable<Product>& table, const WindowWords& words) {
                                              .likely = {0.0, 1e9},
                                              .tip = range_tip});
   table.template add<&Product::time_start_s>({.id = "time_start_s",
+                                              .key = "time[0]",
                                               .label = "Azimuth range from",
                                               .words = "slow time of the start",
                                               .noun = "azimuth start",
@@ -40,6 +43,7 @@ void add_window(FieldTable<Product>& table, const WindowWords& words) {
                                               .likely = {-1e5, 1e5},
                                               .tip = time_tip});
   table.template add<&Product::time_end_s>({.id = "time_end_s",
+                                            .key = "time[1]",
                                             .label = "Azimuth range to",
                                             .words = "slow time of the end",
                                             .noun = "azimuth end",

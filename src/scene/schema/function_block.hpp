@@ -17,9 +17,10 @@ struct FunctionBlock {
   std::string_view words;  ///< What the functions are, together.
   std::size_t count = 1;   ///< Functions of the block.
   FunctionAxis x;
-  std::array<FunctionAxis, 3> y;  ///< The first `count` are used.
-  bool x_ignored = false;         ///< A list: only the order of the points matters.
-  int y_shift = 0;                ///< Decimal exponent from y in the script to y in the scene.
+  std::array<FunctionAxis, 3> y;   ///< The first `count` are used.
+  bool x_ignored = false;          ///< A list: only the order of the points matters.
+  int y_shift = 0;                 ///< Decimal exponent from y in the script to y in the scene.
+  std::string_view list_key = {};  ///< Of a list: what format 2 calls its values.
 };
 
 /// The fourteen blocks of the script language, by the member of the scene that they fill.
@@ -51,8 +52,10 @@ inline constexpr FunctionBlock rotation_envelope{
 
 inline constexpr FunctionBlock pulse_iq{"pulse", 2, pulse_fraction, {{{"I", "V"}, {"Q", "V"}}}};
 inline constexpr FunctionBlock envelope_gain{"pulse envelope", 1, pulse_fraction, {{{"amplitude", ""}}}};
-inline constexpr FunctionBlock pri{"pulse repetition intervals", 1, pulse_number, {{{"interval", "s"}}}, true};
-inline constexpr FunctionBlock carrier_list{"carrier frequencies", 1, pulse_number, {{{"frequency", "GHz"}}}, true, 9};
+inline constexpr FunctionBlock pri{
+    "pulse repetition intervals", 1, pulse_number, {{{"interval", "s"}}}, true, 0, "intervals"};
+inline constexpr FunctionBlock carrier_list{"carrier frequencies", 1, pulse_number, {{{"frequency", "GHz"}}}, true, 9,
+                                            "frequencies"};
 inline constexpr FunctionBlock transmit_gain{
     "gain of the transmit antenna", 2, offset_angle, {{{"gain in azimuth", "dB"}, {"gain in elevation", "dB"}}}};
 inline constexpr FunctionBlock receive_gain{

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
@@ -14,18 +16,27 @@
 
 namespace sarsim::scene {
 
+/// The languages of scenes.
+enum class Language {
+  script,    ///< That of 1998 with what was added to it: docs/formats/script.md.
+  format_2,  ///< TOML: docs/formats/scene.md.
+};
+
 /// What a script says, what is wrong with it, and where everything stands.
 struct ScriptReading {
   Scene scene;  ///< Complete where `problems` holds no error; else what could be understood, faulty objects included.
   core::Problems problems;
   FieldPlaces places;
+  Language language = Language::script;
 };
 
-/// How a script is read; nothing here can change what is found.
+/// How a script is read; nothing here but `let` can change what is found.
 struct ReadControl {
   core::WorkControl work;
   /// Scripts are read by all threads in pieces of about so many bytes; shorter ones of scripts that have few of them.
   std::size_t piece_bytes = std::size_t{1} << 18;
+  /// Names of [let] with the numbers or expressions that stand in for theirs; format 2 alone has such names.
+  std::vector<std::pair<std::string, std::string>> let = {};
 };
 
 /// Reads a script in any dialect of the language (docs/formats/script.md).
@@ -41,6 +52,13 @@ struct ReadControl {
 /// Reads a script from disk, with its data files. Whatever stands in the way (no such file, a folder, no text, too
 /// large) is a problem of the result; throws only where memory ends, and Interrupted.
 [[nodiscard]] ScriptReading read_script_file(const std::filesystem::path& path, const ReadControl& control = {});
+
+/// Reads a text in one of the languages of scenes, as `read_script` does.
+using TextReader = ScriptReading(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
+                                 const ReadControl& control);
+/// The same for any language.
+[[nodiscard]] ScriptReading read_text_of_file(const std::filesystem::path& path, const ReadControl& control,
+                                              TextReader& read);
 
 /// Finds data files on disk: in the script's folder first, then in the current one.
 [[nodiscard]] DataFileLoader disk_loader(const std::filesystem::path& script_folder);

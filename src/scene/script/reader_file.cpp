@@ -187,10 +187,14 @@ fs::path data_file_on_disk(const fs::path& script_folder, const std::string& nam
 }
 
 ScriptReading read_script_file(const fs::path& path, const ReadControl& control) {
+  return read_text_of_file(path, control, read_script);
+}
+
+ScriptReading read_text_of_file(const fs::path& path, const ReadControl& control, TextReader& read) {
   if (const std::optional<LargeText> text = read_large(path, control.work))
-    return read_script({text->bytes.get(), text->size}, path.string(), disk_loader(path.parent_path()), control);
+    return read({text->bytes.get(), text->size}, path.string(), disk_loader(path.parent_path()), control);
   const FileBytes bytes = read_bytes(path);
-  if (bytes.failure.empty()) return read_script(bytes.text, path.string(), disk_loader(path.parent_path()), control);
+  if (bytes.failure.empty()) return read(bytes.text, path.string(), disk_loader(path.parent_path()), control);
   ScriptReading result;
   core::Problem problem;
   problem.message = fmt::format("cannot read the script: {}", bytes.failure);

@@ -37,7 +37,7 @@ void expect_options_that_agree(const FocusRequest& request) {
 
 std::string script_of(const RecordingArguments& input) {
   if (!input.script.empty()) return input.script;
-  return fs::path(input.path).extension() == ".scr" ? input.path : std::string();
+  return holds_script(input.path) ? input.path : std::string();
 }
 
 // A folder, or else the nearest one above it.

@@ -9,8 +9,9 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
-#include "scene/script/reader.hpp"
+#include "scene/language/scene_reader.hpp"
 #include "workflow/input/cloud_input.hpp"
+#include "workflow/input/recording_input.hpp"
 #include "workflow/input/script_sum.hpp"
 
 namespace sarsim::workflow {
@@ -18,10 +19,6 @@ namespace sarsim::workflow {
 namespace fs = std::filesystem;
 
 namespace {
-
-bool is_script(const std::string& path) {
-  return core::equal_ignoring_case(fs::path(path).extension().string(), ".scr");
-}
 
 fs::path folder_of(const fs::path& image) { return image.has_parent_path() ? image.parent_path() : fs::path("."); }
 
@@ -36,14 +33,14 @@ std::string seen_from(const fs::path& image, const std::string& path) {
 std::optional<std::string> checksum_of(const std::string& source, const std::string& script) {
   const std::string& file = script.empty() ? source : script;
   scene::ScriptReading reading;
-  if (is_script(file) || !script.empty()) {
-    reading = scene::read_script_file(file);
+  if (holds_script(file) || !script.empty()) {
+    reading = scene::read_scene_file(file);
   } else {
     const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, file, {});
     if (!opened.raster) return std::nullopt;
     const std::string text = raster::attribute_of(opened.raster->info().attributes, "script");
     if (text.empty()) return std::nullopt;
-    reading = scene::read_script(text, file, scene::disk_loader(fs::path(file).parent_path()));
+    reading = scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path()));
   }
   if (core::has_errors(reading.problems)) return std::nullopt;
   if (core::has_errors(read_clouds(reading.scene, fs::path(file).parent_path(), {core::thread_count(0)})))

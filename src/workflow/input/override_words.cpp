@@ -20,6 +20,7 @@ std::string words_of_overrides(const SceneOverrides& overrides) {
   if (overrides.seed) add("--seed", std::to_string(*overrides.seed));
   for (const std::string& table : overrides.targets) add("--targets", table);
   for (const std::string& setting : overrides.settings) add("--set", setting);
+  for (const std::string& name : overrides.let) add("--let", name);
   return line;
 }
 

@@ -18,7 +18,8 @@
 #include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
-#include "scene/script/reader.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/scene_reader.hpp"
 #include "workflow/input/cloud_input.hpp"
 #include "workflow/input/output_names.hpp"
 
@@ -82,7 +83,7 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
     throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
                         "give the script that wrote it with --script");
   scene::ScriptReading reading =
-      scene::read_script(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
+      scene::read_scene_text(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
   core::Problems of_clouds = read_clouds(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)});
   expect_sound(of_clouds);
@@ -211,7 +212,7 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
           }};
 }
 
-// Whether the beginning of a file holds a command of the script language at the start of a line.
+// Whether the beginning of a file is format 2, or holds a command of the script language at the start of a line.
 bool begins_like_script(const std::string& path) {
   std::error_code failure;
   if (!fs::is_regular_file(path, failure)) return false;
@@ -220,6 +221,7 @@ bool begins_like_script(const std::string& path) {
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.find('\0') != std::string::npos) return false;
+  if (scene::is_format_2(text)) return true;
   for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
     const std::size_t before = text.find_last_not_of(" \t", i == 0 ? 0 : i - 1);
     const bool starts_line = i == 0 || before == std::string::npos || text[before] == '\n' || text[before] == '\r';
@@ -238,13 +240,11 @@ std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
   return sources;
 }
 
-bool names_script(const RecordingArguments& arguments) {
-  return core::equal_ignoring_case(fs::path(arguments.path).extension().string(), ".scr");
-}
+bool names_script(const RecordingArguments& arguments) { return language_of_name(arguments.path).has_value(); }
 
 bool holds_script(const std::string& path) {
   const fs::path name(path);
-  if (core::equal_ignoring_case(name.extension().string(), ".scr")) return true;
+  if (language_of_name(name)) return true;
   const auto format = raster::format_from_path(name);
   if (format && !raster::format_of(*format).script_like) return false;
   return begins_like_script(path);

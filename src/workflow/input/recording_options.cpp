@@ -24,6 +24,8 @@ OptionTable<SceneOverrides> scene_override_options() {
   OptionTable<SceneOverrides> table = run_choice_options();
   table.texts("--set", "FIELD=VALUE", "a field of the script and its value, as Radar1.bandwidth=10MHz; repeat",
               [](SceneOverrides& overrides, const std::string& word) { overrides.settings.push_back(word); });
+  table.texts("--let", "NAME=VALUE", "a name of [let] and its value, as speed=300; repeat",
+              [](SceneOverrides& overrides, const std::string& word) { overrides.let.push_back(word); });
   return table;
 }
 

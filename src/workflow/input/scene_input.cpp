@@ -10,9 +10,10 @@
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "scene/edit/data_functions.hpp"
+#include "scene/language/scene_reader.hpp"
+#include "scene/language/words.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/schema/field_names.hpp"
-#include "scene/script/reader.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/input/bare_number.hpp"
 #include "workflow/input/cloud_input.hpp"
@@ -169,12 +170,24 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
   return std::move(report.problems);
 }
 
+scene::ReadControl read_control(const SceneOverrides& overrides, const core::WorkControl& control) {
+  scene::ReadControl read{control};
+  for (const std::string& word : overrides.let) {
+    const std::size_t equals = std::min(word.find('='), word.size());
+    if (equals == word.size())
+      throw core::Refused(fmt::format("--let {}: there is no '='", word), "write NAME=VALUE, as in speed=300");
+    read.let.emplace_back(word.substr(0, equals), word.substr(equals + 1));
+  }
+  return read;
+}
+
 // A scene with what its reader found, on its way to an input.
 SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& folder, const SceneOverrides& overrides,
                      Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
   SceneInput input;
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
+  input.language = reading.language;
   apply(overrides, input.scene);
   core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene);
   if (core::has_errors(of_tables)) throw core::Refused(std::move(of_tables));
@@ -200,6 +213,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
       input.scene.geometries.empty())
     reading.problems.push_back(core::problem_of(core::Severity::warning, "the script asks for nothing", {},
                                                 "a product that is to be made", "add a $SIMULATION or a $GEOMETRY"));
+  if (input.language == scene::Language::format_2) scene::say_in_format_2(reading.problems);
   scene::locate(reading.problems, input.places);
   input.problems = core::ranked(std::move(reading.problems));
   return input;
@@ -207,9 +221,16 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
 
 }  // namespace
 
+std::optional<scene::Language> language_of_name(const std::filesystem::path& file) {
+  const std::string ending = file.extension().string();
+  if (core::equal_ignoring_case(ending, ".scr")) return scene::Language::script;
+  if (core::equal_ignoring_case(ending, ".toml")) return scene::Language::format_2;
+  return std::nullopt;
+}
+
 SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
                       const core::WorkControl& control, const ChooseProducts& choose) {
-  scene::ScriptReading reading = scene::read_script_file(path, {control});
+  scene::ScriptReading reading = scene::read_scene_file(path, read_control(overrides, control));
   std::vector<std::filesystem::path> sources{path};
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   append(sources, data_files_of(reading.scene, folder));
@@ -272,7 +293,7 @@ std::vector<std::filesystem::path> files_of(const SceneOverrides& overrides,
 std::vector<std::filesystem::path> sources_of_script(const std::string& path) {
   if (path.empty()) return {};
   std::vector<std::filesystem::path> sources{path};
-  append(sources, data_files_of(scene::read_script_file(path).scene, std::filesystem::path(path).parent_path()));
+  append(sources, data_files_of(scene::read_scene_file(path).scene, std::filesystem::path(path).parent_path()));
   return sources;
 }
 

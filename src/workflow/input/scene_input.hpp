@@ -11,7 +11,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
-#include "scene/script/field_places.hpp"
+#include "scene/script/reader.hpp"
 #include "simulate/resolve/resolved.hpp"
 #include "simulate/survey/survey.hpp"
 
@@ -26,7 +26,8 @@ struct SceneOverrides {
   std::optional<scene::FileFormat> format;  ///< Of every simulation.
   std::vector<std::string> targets{};       ///< Tables of targets to add (workflow/input/target_tables.hpp).
   std::vector<std::string>
-      settings;  ///< "FIELD=VALUE" (scene/schema/field_names.hpp), in this order, after the others.
+      settings{};                  ///< "FIELD=VALUE" (scene/schema/field_names.hpp), in this order, after the others.
+  std::vector<std::string> let{};  ///< "NAME=VALUE": numbers or expressions in place of those in [let] of format 2.
 };
 
 /// The files that stand-ins may name, whether or not they are there: tables of targets, and values of fields, which may
@@ -42,7 +43,11 @@ struct SceneInput {
   core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
   std::vector<simulate::EchoSummary> echoes;   ///< Of the simulations that are wanted, where echoes were looked at.
   std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
+  scene::Language language = scene::Language::script;       ///< Of the text that was read.
 };
+
+/// The language of scenes that a file's name asks for: `.scr` or `.toml`; nothing for another ending.
+[[nodiscard]] std::optional<scene::Language> language_of_name(const std::filesystem::path& file);
 
 /// How much of a scene is looked at.
 enum class Scrutiny {

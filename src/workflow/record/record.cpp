@@ -16,8 +16,8 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "scene/language/scene_reader.hpp"
 #include "scene/model/object.hpp"
-#include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
@@ -56,7 +56,7 @@ class Recorder {
       for (const ProductJob& job : jobs_) make(job);
     } catch (const simulate::ImpossibleEcho& error) {
       // Places are not kept during the run: those of a target take more memory than all else of it.
-      if (!request_.scene) input_.places = scene::read_script_file(request_.script, {work()}).places;
+      if (!request_.scene) input_.places = scene::read_scene_file(request_.script, {work()}).places;
       take_problems({error.problem});
       throw core::Refused({input_.problems.front()});
     }

@@ -1,0 +1,370 @@
+#include "scene/edit/splice_format_2.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "core/toml/values.hpp"
+#include "scene/edit/edit_runs.hpp"
+#include "scene/edit/splice_check.hpp"
+#include "scene/edit/splice_tables.hpp"
+#include "scene/edit/splice_value.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/language/scene_reader.hpp"
+#include "scene/model/object_lists.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+using namespace format_2;
+namespace toml = core::toml;
+
+// An object of a list as the edit leaves it. New ones, and those of included files, stand nowhere in the text.
+struct ListedObject {
+  const ObjectTable* table = nullptr;
+  std::size_t row = 0;    // in a list of positions
+  std::size_t index = 0;  // in the scene before, of those in the text
+  bool is_new = false;
+  const KeptObject* after = nullptr;  // where replaced or new
+};
+
+using Listed = std::span<const ListedObject>;
+
+bool differ_in_position_alone(const Target& a, const Target& b) {
+  Target moved = a;
+  moved.position_m = b.position_m;
+  return moved == b;
+}
+
+// Objects of a list of positions that come to stand in one table.
+struct ListPart {
+  Listed objects;
+  bool is_new = false;
+  const Target* alike = nullptr;  // what they have in common; null: what they had
+};
+
+class TableSplicer {
+ public:
+  // @param fine  false: changed objects are written anew
+  TableSplicer(std::string_view text, const ObjectTables& tables, const Scene& before, bool fine)
+      : text_(text), tables_(tables), before_(before), fine_(fine) {}
+
+  TextChanges make(const Edit& edit) {
+    std::array<std::vector<ListedObject>, kind_count> lists;
+    for (const ObjectChange& change : edit.changes) {
+      std::vector<ListedObject>& list = lists[static_cast<std::size_t>(change.id.kind)];
+      if (list.empty()) list = standing(change.id.kind);
+    }
+    const std::vector<ListChange> changes = list_changes(edit, true);
+    for (std::span<const ListChange> rest = changes; !rest.empty();) {
+      const std::size_t count = run_length(rest);
+      follow(lists[static_cast<std::size_t>(rest.front().id.kind)], rest.first(count));
+      rest = rest.subspan(count);
+    }
+    for (const ObjectKind kind : written_object_kinds)
+      if (touched_[static_cast<std::size_t>(kind)]) write_list(kind, lists[static_cast<std::size_t>(kind)]);
+    if (edit.options_before && edit.options_after && *edit.options_before != *edit.options_after)
+      write_options(*edit.options_before, *edit.options_after);
+    return finish();
+  }
+
+  // The tables that were changed, where that is all that was done.
+  [[nodiscard]] const std::vector<ChangedTable>* changed_alone() const { return alone_ ? &changed_ : nullptr; }
+
+ private:
+  std::vector<ListedObject> standing(ObjectKind kind) {
+    touched_[static_cast<std::size_t>(kind)] = true;
+    std::size_t own = 0;
+    for (const ObjectTable& table : tables_[kind]) own += table.objects;
+    const std::size_t all = count_of(before_, kind);
+    std::vector<ListedObject> list(all - std::min(own, all));  // of included files
+    for (const ObjectTable& table : tables_[kind])
+      for (std::size_t row = 0; row < table.objects; ++row) list.push_back({&table, row, list.size()});
+    return list;
+  }
+
+  static void follow(std::vector<ListedObject>& list, std::span<const ListChange> run) {
+    change_list(
+        list, run, [](const ListedObject&, const ListChange&) { return true; },
+        [](ListedObject& object, const ListChange& change) { object.after = change.in; },
+        [](ListedObject&&, const ListChange&) {},
+        [](const ListChange& change) {
+          ListedObject object;
+          object.is_new = true;
+          object.after = change.in;
+          return object;
+        });
+  }
+
+  void write_list(ObjectKind kind, Listed objects) {
+    const std::vector<ObjectTable>& tables = tables_[kind];
+    const ObjectTable* next = tables.data();  // the first that is not passed yet
+    const ObjectTable* last = nullptr;
+    const auto remove_up_to = [&](const ObjectTable* end) {
+      for (; next != end; ++next)
+        if (next->objects > 0) remove(*next);
+    };
+    for (std::size_t at = 0; at < objects.size();) {
+      std::size_t end = at + 1;
+      if (const ObjectTable* const table = objects[at].table) {
+        end = end_of_table(objects, at);
+        write_table(kind, *table, at, objects.subspan(at, end - at));
+        remove_up_to(table);
+        last = next++;
+      } else if (objects[at].is_new) {
+        while (end < objects.size() && objects[end].is_new) ++end;
+        insert(kind, last, end < objects.size() ? objects[end].table : nullptr, objects.subspan(at, end - at));
+      } else if (objects[at].after != nullptr) {
+        alone_ = false;  // it stands in an included file
+      }
+      at = end;
+    }
+    remove_up_to(tables.data() + tables.size());
+  }
+
+  // New ones between the rows of a list count as its own.
+  static std::size_t end_of_table(Listed objects, std::size_t first) {
+    std::size_t end = first + 1;
+    for (std::size_t i = end; i < objects.size(); ++i) {
+      if (objects[i].table == objects[first].table)
+        end = i + 1;
+      else if (!objects[i].is_new)
+        break;
+    }
+    return end;
+  }
+
+  void write_table(ObjectKind kind, const ObjectTable& table, std::size_t first, Listed objects) {
+    const bool changed = std::ranges::any_of(objects, [](const ListedObject& o) { return o.after != nullptr; });
+    if (!changed && objects.size() == table.objects) return;
+    changed_.push_back({kind, &table, first, objects.size()});
+    if (!fine_) return write_anew(kind, table, objects);
+    if (table.positions) return write_positions(table, objects);
+    const AnyObject before = object_of(before_, {kind, objects.front().index});
+    append(changes_, change_tables(text_, tables_, table, std::string(language::header_of(kind)), said_of(before),
+                                   said_of(**objects.front().after)));
+  }
+
+  void write_anew(ObjectKind kind, const ObjectTable& table, Listed objects) {
+    const TextStretch at = stretch_of(text_, tables_, table);
+    std::string lines = with_ends_of(text_, written(kind, objects).substr(1));
+    if (text_[at.end - 1] != '\n') lines.resize(lines.find_last_not_of("\r\n") + 1);
+    changes_.push_back({at.begin, std::string(text_.substr(at.begin, at.end - at.begin)), std::move(lines)});
+  }
+
+  // The writer's text of objects, an empty line above each.
+  [[nodiscard]] std::string written(ObjectKind kind, Listed objects) const {
+    Scene scene;
+    visit_list(scene, kind, [&]<class Object>(std::vector<Object>& list) {
+      for (const ListedObject& object : objects)
+        list.push_back(object.after != nullptr ? *object.after->get_if<Object>()
+                                               : std::get<Object>(object_of(before_, {kind, object.index})));
+    });
+    return write_objects(scene, kind);
+  }
+
+  // ---- lists of positions
+
+  [[nodiscard]] const Target& target_before(const ListedObject& object) const { return before_.targets[object.index]; }
+  [[nodiscard]] const Target& target_after(const ListedObject& object) const {
+    return object.after != nullptr ? *object.after->get_if<Target>() : target_before(object);
+  }
+
+  // Objects in a row that have the same in common are one part.
+  [[nodiscard]] std::vector<ListPart> parts_of(Listed objects) const {
+    std::vector<ListPart> parts;
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+      const ListedObject& object = objects[i];
+      const Target& after = target_after(object);
+      const bool moved =
+          !object.is_new && (object.after == nullptr || differ_in_position_alone(target_before(object), after));
+      ListPart* const part = parts.empty() ? nullptr : &parts.back();
+      const bool joins =
+          part != nullptr && part->is_new == object.is_new &&
+          (object.is_new ||
+           (moved ? part->alike == nullptr : part->alike != nullptr && differ_in_position_alone(*part->alike, after)));
+      if (joins)
+        part->objects = {part->objects.data(), part->objects.size() + 1};
+      else
+        parts.push_back({objects.subspan(i, 1), object.is_new, moved || object.is_new ? nullptr : &after});
+    }
+    return parts;
+  }
+
+  // The table stays where it is with the first part that keeps its values; the others get tables of their own.
+  void write_positions(const ObjectTable& table, Listed objects) {
+    constexpr std::size_t most_parts = 50;  // each copies the table
+    const std::vector<ListPart> parts = parts_of(objects);
+    if (parts.size() > most_parts) return write_anew(ObjectKind::target, table, objects);
+    const auto stands = [](const ListPart& part) { return !part.is_new; };
+    auto main =
+        std::ranges::find_if(parts, [&](const ListPart& part) { return stands(part) && part.alike == nullptr; });
+    if (main == parts.end()) main = std::ranges::find_if(parts, stands);
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+      if (part == main)
+        append(changes_, changes_of_part(table, *part));
+      else
+        add_block(part < main ? lead_of(text_, tables_, table) : stretch_of(text_, tables_, table).end,
+                  part->is_new ? written(ObjectKind::target, part->objects) : "\n" + copy_of_part(table, *part));
+    }
+  }
+
+  [[nodiscard]] TextChanges changes_of_keys(const ObjectTable& table, const ListPart& part) const {
+    if (part.alike == nullptr) return {};
+    Target before = target_before(part.objects.front());
+    Target after = *part.alike;
+    before.position_m = after.position_m = {};
+    return change_tables(text_, tables_, table, "target", said_of(before), said_of(after));
+  }
+
+  [[nodiscard]] std::optional<std::string> new_row(const ListedObject& object, toml::Span row) const {
+    if (object.after == nullptr || target_after(object).position_m == target_before(object).position_m)
+      return std::nullopt;
+    const Said was{"position", position_text(target_before(object).position_m)};
+    return value_after(toml::piece(text_, row), &was, {"position", position_text(target_after(object).position_m)});
+  }
+
+  [[nodiscard]] TextChanges changes_of_part(const ObjectTable& table, const ListPart& part) const {
+    TextChanges changes = changes_of_keys(table, part);
+    const std::vector<toml::Value> rows = rows_of(text_, *table.positions);
+    std::vector<RowChange> row_changes(table.objects, RowChange{true});
+    for (const ListedObject& object : part.objects)
+      row_changes[object.row] = {false, new_row(object, rows[object.row].span)};
+    append(changes, change_rows(text_, *table.positions, row_changes));
+    return changes;
+  }
+
+  // The same for one target with values of its own.
+  [[nodiscard]] TextChanges changes_of_single(const ObjectTable& table, const ListPart& part) const {
+    TextChanges changes = changes_of_keys(table, part);
+    const ListedObject& object = part.objects.front();
+    const toml::Span row = rows_of(text_, *table.positions)[object.row].span;
+    const std::string position = new_row(object, row).value_or(std::string(toml::piece(text_, row)));
+    const toml::Span line{table.positions_key.begin, table.positions->span.end};
+    changes.push_back({line.begin, std::string(toml::piece(text_, line)), "position = " + position});
+    return changes;
+  }
+
+  // The table as it was typed, but of a part of its rows.
+  [[nodiscard]] std::string copy_of_part(const ObjectTable& table, const ListPart& part) const {
+    const bool single = part.objects.size() == 1 && part.alike != nullptr;
+    const TextStretch all = stretch_of(text_, tables_, table);
+    TextChanges changes = single ? changes_of_single(table, part) : changes_of_part(table, part);
+    sort_changes(changes);
+    for (TextChange& change : changes) change.at -= all.begin;
+    std::string copy = apply_changes(text_.substr(all.begin, all.end - all.begin), changes);
+    return copy.ends_with('\n') ? copy : copy + "\n";
+  }
+
+  // ---- objects that come and go
+
+  // New objects between two tables of their kind, either of which may be missing.
+  void insert(ObjectKind kind, const ObjectTable* last, const ObjectTable* next, Listed objects) {
+    if (last != nullptr) return add_block(stretch_of(text_, tables_, *last).end, written(kind, objects));
+    if (next != nullptr) return add_block(lead_of(text_, tables_, *next), written(kind, objects));
+    add_block(end_of_objects(), written(kind, objects));
+  }
+
+  // The end of the text, but before [options].
+  [[nodiscard]] std::size_t end_of_objects() const {
+    const bool options_last = tables_.options && tables_.options->last == tables_.document.tables.size();
+    return options_last ? lead_of(text_, tables_, *tables_.options) : text_.size();
+  }
+
+  // Lines that begin with an empty one come to stand at the begin of a line, or at the end of the text.
+  void add_block(std::size_t at, const std::string& lines) {
+    alone_ = false;
+    blocks_[at] += lines;
+  }
+
+  // Takes an object away, with the comments about it and the empty lines that would be too many.
+  void remove(const ObjectTable& table) {
+    alone_ = false;
+    const std::size_t begin = lead_of(text_, tables_, table);
+    std::size_t end = stretch_of(text_, tables_, table).end;
+    if (blank_line_before(text_, begin))
+      for (std::size_t next = behind_line(text_, end); next > end; next = behind_line(text_, end)) {
+        if (text_.substr(end, next - end).find_first_not_of(" \t\r\n") != std::string_view::npos) break;
+        end = next;
+      }
+    changes_.push_back({begin, std::string(text_.substr(begin, end - begin)), ""});
+  }
+
+  void write_options(const RunOptions& before, const RunOptions& after) {
+    alone_ = false;
+    const std::vector<Said> was = said_of(before);
+    const std::vector<Said> becomes = said_of(after);
+    if (!tables_.options) {
+      std::string lines = "\n[options]\n";
+      for (const Said& said : becomes) lines += lines_of(said, "options");
+      return add_block(text_.size(), lines);
+    }
+    if (would_be_empty(text_, tables_, *tables_.options, was, becomes)) return remove(*tables_.options);
+    append(changes_, change_tables(text_, tables_, *tables_.options, "options", was, becomes));
+  }
+
+  // ---- changes
+
+  static void append(TextChanges& changes, TextChanges more) { std::ranges::move(more, std::back_inserter(changes)); }
+
+  static void sort_changes(TextChanges& changes) {
+    std::ranges::stable_sort(changes, {},
+                             [](const TextChange& change) { return std::pair(change.at, !change.before.empty()); });
+  }
+
+  // An empty line stands on either side of what comes in.
+  [[nodiscard]] std::string spaced(std::size_t at, std::string lines) const {
+    if (at > 0 && text_[at - 1] != '\n')
+      lines.insert(0, "\n");
+    else if (blank_line_before(text_, at))
+      lines.erase(0, 1);
+    const bool at_text = at < text_.size() && text_[at] != '\n' && text_[at] != '\r';
+    return with_ends_of(text_, at_text ? lines + "\n" : lines);
+  }
+
+  TextChanges finish() {
+    for (const auto& [at, lines] : blocks_) changes_.push_back({at, "", spaced(at, lines)});
+    sort_changes(changes_);
+    return std::move(changes_);
+  }
+
+  std::string_view text_;
+  const ObjectTables& tables_;
+  const Scene& before_;
+  bool fine_;
+  std::array<bool, kind_count> touched_{};
+  std::map<std::size_t, std::string> blocks_;  // what comes in, by where
+  TextChanges changes_;
+  std::vector<ChangedTable> changed_;
+  bool alone_ = true;
+};
+
+}  // namespace
+
+Format2Splice splice_format_2(std::string_view text, const Scene& before, const Edit& edit, const std::string& file,
+                              const DataFileLoader& loader) {
+  Scene after = before;
+  apply(edit, after);
+  const auto scene_of = [&](const std::string& said) { return read_format_2(said, file, loader).scene; };
+  const ObjectTables tables = find_tables(text);
+  Format2Splice splice;
+  for (const bool fine : {true, false}) {
+    TableSplicer splicer(text, tables, before, fine);
+    TextChanges changes = splicer.make(edit);
+    std::string changed = apply_changes(text, changes);
+    const std::vector<ChangedTable>* const alone = splicer.changed_alone();
+    const bool right =
+        alone != nullptr ? tables_say(text, tables, changes, *alone, after, file, loader) : scene_of(changed) == after;
+    if (right || fine) splice = {std::move(changes), std::move(changed)};
+    if (right) return splice;
+  }
+  // What no text can say, a number that is none for example, is no reason to write all of it anew.
+  std::string whole = write_format_2(after);
+  if (scene_of(whole) == scene_of(splice.text)) return splice;
+  TextChanges changes = text_difference(text, whole);
+  return {std::move(changes), std::move(whole)};
+}
+
+}  // namespace sarsim::scene

@@ -1,0 +1,238 @@
+#include "scene/language/explanation.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/path_facts.hpp"
+
+namespace sarsim::scene::language {
+
+namespace {
+
+// A path with the table that it belongs to.
+struct Found {
+  const PlainTable* table;
+  PathFacts facts;
+
+  [[nodiscard]] std::string name() const { return fmt::format("{}.{}", table->header, facts.path); }
+};
+
+std::string first_sentence(const std::string& text) {
+  for (std::size_t end = text.find(". "); end != std::string::npos; end = text.find(". ", end + 1))
+    if (end < 2 || text[end - 2] != '.') return text.substr(0, end + 1);  // "i.e. so" goes on
+  return text;
+}
+
+ExplanationLine line_of(const Found& found) {
+  return {found.name(), default_text(found.facts), first_sentence(meaning_text(found.facts))};
+}
+
+std::vector<AlternativeExplanation> explained_alternatives(const Found& found) {
+  std::vector<AlternativeExplanation> explained;
+  for (const Choice& alternative : alternatives(found.facts.spec())) {
+    AlternativeExplanation& one = explained.emplace_back();
+    one.word = type_word(alternative);
+    one.meaning = alternative.meaning.empty() ? alternative.shown : alternative.meaning;
+    one.in_script = alternative.word;
+    for (const PathFacts& facts : paths_of_alternative(*found.table, found.facts, alternative))
+      one.fields.push_back(facts.path);
+    one.example = example_text(*found.table, found.facts, alternative);
+  }
+  return explained;
+}
+
+Explanation explained(const Found& found) {
+  const PathFacts& facts = found.facts;
+  const Quantity quantity = quantity_of(facts);
+  Explanation explanation;
+  explanation.name = found.name();
+  explanation.meaning = meaning_text(facts);
+  explanation.takes = takes_text(facts);
+  for (const std::string_view unit : units_of(quantity)) explanation.other_units.emplace_back(unit);
+  if (!explanation.other_units.empty()) {
+    explanation.unit = explanation.other_units.front();
+    explanation.other_units.erase(explanation.other_units.begin());
+  }
+  explanation.limits = range_of(facts);
+  explanation.range = range_text(facts);
+  if (facts.role == PathRole::value) explanation.likely_limits = facts.spec().likely;
+  explanation.likely = likely_text(facts);
+  explanation.initial = default_text(facts);
+  explanation.applies_to = dependence_text(*found.table, facts);
+  explanation.shorthand = shorthand_text(*found.table, facts);
+  explanation.example = example_text(*found.table, facts);
+  explanation.in_script = script_text(facts);
+  explanation.label = label_text(facts);
+  explanation.set_names = set_names(facts);
+  if (facts.role == PathRole::choice) explanation.alternatives = explained_alternatives(found);
+  return explanation;
+}
+
+Explanation explained(const PlainTable& table) {
+  Explanation explanation;
+  explanation.name = table.header;
+  explanation.meaning = table.meaning;
+  explanation.takes =
+      fmt::format("a table with the header {}{}", table.header_line(), table.is_list ? "; there may be many" : "");
+  explanation.in_script = fmt::format("${}", table.command);
+  for (const PathFacts& facts : paths_of(table)) explanation.lines.push_back(line_of({&table, facts}));
+  explanation.next = fmt::format("sarsim explain {} says more of one of them", explanation.lines.front().name);
+  return explanation;
+}
+
+// The words before all headers and [let], which are no fields.
+std::vector<Explanation> general_words() {
+  Explanation format;
+  format.name = "format";
+  format.meaning = "Tells that the file is a scene of format 2. It stands before the first header, in every file.";
+  format.takes = fmt::format("\"{}\"", format_2_mark);
+  format.example = fmt::format("format = \"{}\"", format_2_mark);
+  format.in_script = "nothing: a script has no mark";
+  Explanation include;
+  include.name = "include";
+  include.meaning =
+      "Other files of format 2 that are read first. Names are relative to the file that states them. Objects are added "
+      "up, and so are the names of [let].";
+  include.takes = "an array of file names, before the first header";
+  include.example = "include = [\"ground.toml\"]";
+  include.in_script = "nothing: a script is one file";
+  Explanation let;
+  let.name = "let";
+  let.meaning =
+      "Names for values that stand in several places. A value is a number or an expression in quotes, which may use "
+      "other names. Every quantity in quotes may use them; --let NAME=VALUE replaces one.";
+  let.takes = "a table with the header [let]: names of letters, digits and underscores";
+  let.example = "[let]\nspeed = \"240 m/s\"\nway = \"speed * 10 s\"";
+  let.in_script = "nothing: a script has numbers alone";
+  return {format, include, let};
+}
+
+Explanation overview() {
+  Explanation explanation;
+  explanation.meaning = "A scene of format 2 is a TOML file. What can stand in it:";
+  for (const Explanation& general : general_words())
+    explanation.lines.push_back({general.name, "", first_sentence(general.meaning)});
+  for (const PlainTable& table : plain_tables())
+    explanation.lines.push_back({std::string(table.header), "", first_sentence(std::string(table.meaning))});
+  explanation.next =
+      "sarsim explain radar              the fields of a kind\n"
+      "sarsim explain radar.pulse        a choice with its alternatives\n"
+      "sarsim explain radar.pulse.width  one field";
+  return explanation;
+}
+
+// Every path that a word can mean: the whole path with or without its kind, or its end.
+std::vector<Found> paths_called(std::string_view word) {
+  std::vector<Found> whole;
+  std::vector<Found> ends;
+  for (const PlainTable& table : plain_tables())
+    for (PathFacts& facts : paths_of(table)) {
+      Found found{&table, std::move(facts)};
+      if (found.name() == word) return {std::move(found)};
+      if (found.facts.path == word)
+        whole.push_back(std::move(found));
+      else if (found.facts.path.ends_with(fmt::format(".{}", word)))
+        ends.push_back(std::move(found));
+    }
+  return whole.empty() ? ends : whole;
+}
+
+bool is_name_of(const PlainTable& table, const PlainField& field, std::string_view word) {
+  if (word == field.spec.id || word == fmt::format("{}.{}", table.header, field.spec.id)) return true;
+  return std::ranges::any_of(field.set_names, [&](const std::string& name) {
+    const std::size_t dot = table.is_list ? name.find('.') + 1 : 0;
+    const std::string_view plain = std::string_view(name).substr(dot);
+    return word == name || word == plain || word == fmt::format("{}.{}", table.header, plain);
+  });
+}
+
+// Those that the form, `--set` or the scene call so.
+std::vector<Found> paths_named(std::string_view word) {
+  std::vector<Found> found;
+  for (const PlainTable& table : plain_tables())
+    for (PathFacts& facts : paths_of(table))
+      if (std::ranges::any_of(facts.fields, [&](const PlainField* field) { return is_name_of(table, *field, word); }))
+        found.push_back({&table, std::move(facts)});
+  return found;
+}
+
+// Those below a table that is no choice: "radar.antenna.azimuth", of which there are points and interpolation.
+std::vector<Found> paths_below(std::string_view word) {
+  std::vector<Found> found;
+  for (const PlainTable& table : plain_tables())
+    for (PathFacts& facts : paths_of(table)) {
+      Found one{&table, std::move(facts)};
+      const std::string below = fmt::format("{}.", word);
+      if (one.name().starts_with(below) || one.facts.path.starts_with(below)) found.push_back(std::move(one));
+    }
+  return found;
+}
+
+// @param meaning  in a sentence that the fields follow
+Explanation several(std::string_view word, const std::vector<Found>& found, std::string_view meaning) {
+  if (found.size() == 1) return explained(found.front());
+  Explanation explanation;
+  explanation.name = word;
+  explanation.meaning = meaning;
+  for (const Found& one : found) explanation.lines.push_back(line_of(one));
+  explanation.next = fmt::format("sarsim explain {} says more of one of them", explanation.lines.front().name);
+  return explanation;
+}
+
+// The field that is written like the word, looked for within its kind where it names one.
+std::string nearest_name(const std::string& word) {
+  std::vector<std::string> names;
+  for (const Explanation& general : general_words()) names.push_back(general.name);
+  for (const PlainTable& table : plain_tables()) names.emplace_back(table.header);
+  for (const PlainTable& table : plain_tables())
+    for (const PathFacts& facts : paths_of(table)) {
+      names.push_back(word.starts_with(fmt::format("{}.", table.header))
+                          ? fmt::format("{}.{}", table.header, facts.path)
+                          : facts.path);
+      if (word.find('.') == std::string::npos) names.push_back(facts.path.substr(facts.path.rfind('.') + 1));
+    }
+  return core::nearest_word(word, names);
+}
+
+Explanation unknown(const std::string& word) {
+  Explanation explanation;
+  explanation.failure = fmt::format("format 2 has no '{}'", core::clipped(word));
+  const std::string near = nearest_name(word);
+  explanation.hint = near.empty() ? "sarsim explain lists what there is" : fmt::format("did you mean '{}'?", near);
+  return explanation;
+}
+
+// "[[radar]]" and "radar.pulse.type" mean "radar" and "radar.pulse".
+std::string plain_word(std::string_view word) {
+  std::string text(core::trimmed(word));
+  std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
+  return text;
+}
+
+}  // namespace
+
+Explanation explain(std::string_view word) {
+  const std::string text = plain_word(word);
+  if (text.empty()) return overview();
+  for (Explanation& general : general_words())
+    if (general.name == text) {
+      for (const Found& found : paths_called(text)) general.lines.push_back(line_of(found));
+      return std::move(general);
+    }
+  if (const PlainTable* const table = plain_table(text)) return explained(*table);
+  for (const auto& search : {paths_called, paths_named})
+    if (const std::vector<Found> found = search(text); !found.empty())
+      return several(text, found, "Several fields are called so:");
+  if (const std::vector<Found> found = paths_below(text); !found.empty())
+    return several(text, found, "A table with these fields:");
+  constexpr std::string_view type = ".type";
+  if (text.ends_with(type)) return explain(std::string_view(text).substr(0, text.size() - type.size()));
+  return unknown(text);
+}
+
+}  // namespace sarsim::scene::language

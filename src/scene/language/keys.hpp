@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/schema/field_table.hpp"
+
+/// What format 2 calls the fields of an object: all from the table of fields.
+namespace sarsim::scene::language {
+
+/// What format 2 calls a kind of object: the header of its tables.
+[[nodiscard]] std::string_view header_of(ObjectKind kind);
+
+/// The field whose value may stand for that of a choice: the only field with a unit that the first alternative has.
+/// "carrier = '5.3 GHz'" is { type = "single", frequency = "5.3 GHz" }. Null where there is none.
+template <class Object>
+[[nodiscard]] const FieldSpec* shorthand(const FieldTable<Object>& table, const FieldOf<Object>& choice) {
+  const auto& fields = table.fields();
+  const std::string prefix = std::string(choice.spec.key) + ".";
+  const int first = choice.spec.choices.front().value;
+  const FieldSpec* found = nullptr;
+  for (const FieldOf<Object>& field : fields) {
+    if (!field.spec.key.starts_with(prefix)) continue;
+    const Condition& when = field.spec.when;
+    const bool belongs = when.among.empty() ||
+                         (&fields[when.field] == &choice && std::ranges::find(when.among, first) != when.among.end());
+    if (!belongs) continue;
+    if (found != nullptr || (field.spec.type != FieldType::number && field.spec.type != FieldType::vector))
+      return nullptr;
+    found = &field.spec;
+  }
+  return found;
+}
+
+/// The name of one function of a block that holds several: "x", "azimuth", "i".
+[[nodiscard]] std::string part_key(const FunctionBlock& block, std::size_t part);
+
+/// What the values of a function are called: "points", or that of its list.
+[[nodiscard]] std::string_view points_key(const FunctionBlock& block);
+
+/// The word of a way to interpolate: "low-pass".
+[[nodiscard]] std::string_view interpolation_word(core::Interpolation method);
+
+/// The quantity that an axis of a function has; held in the base unit.
+[[nodiscard]] Quantity quantity_of(const FunctionAxis& axis);
+
+/// Every path below an object of a kind, with those of functions, in the order of the table.
+[[nodiscard]] const std::vector<std::string>& paths_of(ObjectKind kind);
+
+/// Which alternatives of which choice a path belongs to: "pulses of type chirp"; empty where it always means something
+/// or is none of the kind.
+[[nodiscard]] std::string owner_of(ObjectKind kind, std::string_view path);
+
+}  // namespace sarsim::scene::language

@@ -1,0 +1,431 @@
+#include "scene/language/object_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
+#include "core/toml/values.hpp"
+#include "scene/model/limits.hpp"
+
+namespace sarsim::scene::language {
+
+namespace toml = core::toml;
+
+namespace {
+
+// A key of the user's own, which is kept and means nothing.
+bool is_private(std::string_view path) { return path.starts_with("x-") || path.find(".x-") != std::string_view::npos; }
+
+std::string words_listed(const FieldSpec& spec) {
+  std::string text;
+  std::vector<std::string> words;
+  std::vector<int> values;
+  for (const Choice& choice : spec.choices) {
+    if (std::ranges::find(values, choice.value) == values.end()) words.push_back(type_word(choice));
+    values.push_back(choice.value);
+  }
+  for (const std::string_view other : spec.other_types) words.emplace_back(other);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+std::string quantity_noun(const FieldSpec& spec) {
+  if (spec.quantity == Quantity::count) return "a whole number";
+  if (spec.quantity == Quantity::number) return "a number";
+  return fmt::format("{}, as \"{}\"", dimension_text(dimension_of(spec.quantity)),
+                     exact_quantity_text(1.0, spec.quantity));
+}
+
+bool is_number(toml::Kind kind) { return kind == toml::Kind::integer || kind == toml::Kind::floating; }
+
+}  // namespace
+
+std::string_view noun_of(toml::Kind kind) {
+  switch (kind) {
+    case toml::Kind::string: return "a string";
+    case toml::Kind::integer:
+    case toml::Kind::floating: return "a number";
+    case toml::Kind::boolean: return "true or false";
+    case toml::Kind::array: return "an array";
+    case toml::Kind::table: return "a table";
+    default: return "a date or time";
+  }
+}
+
+ObjectReader::ObjectReader(Reading& reading, const Source& source, toml::Lines& lines, ObjectText& text,
+                           std::string_view kind, std::size_t index)
+    : reading_(reading), source_(source), lines_(lines), text_(text), kind_(kind), index_(index) {
+  reading_.places.begin_object(kind_, index_, source_.file);
+}
+
+void ObjectReader::add(core::Severity severity, toml::Span at, std::string_view field, script::Complaint complaint) {
+  const toml::Position position = lines_.at(at.begin);
+  core::Problem problem = core::problem_of(severity, std::move(complaint.message), std::move(complaint.found),
+                                           std::move(complaint.expected), std::move(complaint.hint));
+  problem.place = {source_.file, position.line, position.column};
+  problem.subject = {std::string(kind_), index_, std::string(field)};
+  reading_.log.add(std::move(problem));
+}
+
+void ObjectReader::error(toml::Span at, std::string_view field, script::Complaint complaint) {
+  add(core::Severity::error, at, field, std::move(complaint));
+}
+
+void ObjectReader::warning(toml::Span at, std::string_view field, script::Complaint complaint) {
+  add(core::Severity::warning, at, field, std::move(complaint));
+}
+
+void ObjectReader::note_place(std::string_view field, toml::Span at) {
+  const toml::Position position = lines_.at(at.begin);
+  reading_.places.add_field(field, position.line, position.column);
+}
+
+Leaf* ObjectReader::find(std::string_view path) {
+  Leaf* const leaf = text_.find(path);
+  if (leaf != nullptr) leaf->used = true;
+  return leaf;
+}
+
+bool ObjectReader::says_anything_of(std::string_view key) const {
+  const std::string_view base = key.substr(0, key.find('['));
+  return std::ranges::any_of(text_.leaves, [&](const Leaf& leaf) { return is_below(leaf.path, base); });
+}
+
+bool ObjectReader::check_number(const FieldSpec& spec, toml::Span at, double number, bool bare) {
+  if (!computable(number)) {
+    error(at, spec.problem_place(),
+          {fmt::format("{} is too large to compute with", spec.words), script::shown(text_of(at)),
+           fmt::format("a magnitude up to {:g}", largest_value)});
+    return false;
+  }
+  if (!spec.range.holds(number)) {
+    error(at, spec.problem_place(),
+          {fmt::format("{} is out of range", spec.words), script::shown(text_of(at)),
+           fmt::format("{}{}", quantity_noun(spec), script::range_text(spec.range))});
+    return false;
+  }
+  const bool unusual = number != 0.0 && !spec.likely.holds(number);
+  if (unusual)
+    warning(at, spec.problem_place(),
+            {fmt::format("{} of {} is unusual", spec.words, quantity_text(number, spec.quantity)), "",
+             fmt::format("{} to {}", quantity_text(spec.likely.low, spec.quantity),
+                         quantity_text(spec.likely.high, spec.quantity)),
+             bare ? "is a unit missing?" : ""});
+  return true;
+}
+
+bool ObjectReader::expression_in(const FieldSpec& spec, const toml::Value& value, double& number) {
+  const std::string text = toml::decoded_string(source_.text, value);
+  QuantityResult result = evaluate(text, spec.quantity, reading_.names);
+  if (result.value) {
+    if (!check_number(spec, value.span, *result.value, result.bare)) return false;
+    number = *result.value;
+    return true;
+  }
+  ExpressionFault& fault = *result.fault;
+  if (fault.follows) return false;
+  // A string without escapes stands in the text as it is, behind its quote.
+  toml::Span at = value.span;
+  if (text_of(value.span).find(text) == 1) {
+    at.begin += static_cast<std::uint32_t>(fault.begin) + 1;
+    at.end = value.span.begin + static_cast<std::uint32_t>(fault.end) + 1;
+  }
+  error(at, spec.problem_place(),
+        {fmt::format("{}: {}", spec.words, fault.message), "", std::move(fault.expected), std::move(fault.hint)});
+  return false;
+}
+
+bool ObjectReader::number_in(const FieldSpec& spec, const toml::Value& value, double& number) {
+  if (value.kind == toml::Kind::string) return expression_in(spec, value, number);
+  if (!is_number(value.kind)) {
+    error(value.span, spec.problem_place(),
+          {fmt::format("{} is not a number", spec.words), std::string(noun_of(value.kind)), quantity_noun(spec)});
+    return false;
+  }
+  const double read = toml::number(source_.text, value).value_or(0.0);
+  if (!std::isfinite(read)) {
+    error(value.span, spec.problem_place(),
+          {fmt::format("{} is not finite", spec.words), script::shown(text_of(value.span)), quantity_noun(spec)});
+    return false;
+  }
+  if (spec.quantity == Quantity::count && read != std::floor(read)) {
+    error(value.span, spec.problem_place(),
+          {fmt::format("{} is not a whole number", spec.words), script::shown(text_of(value.span)), "a whole number"});
+    return false;
+  }
+  const bool has_unit = spec.quantity != Quantity::number && spec.quantity != Quantity::count;
+  if (!check_number(spec, value.span, read, has_unit)) return false;
+  number = read;
+  return true;
+}
+
+bool ObjectReader::read_number(const FieldSpec& spec, const Leaf& leaf, double& number) {
+  note_place(spec.problem_place(), leaf.value.span);
+  return number_in(spec, leaf.value, number);
+}
+
+bool ObjectReader::read_vector(const FieldSpec& spec, const toml::Value& value, core::Vec3& vector) {
+  std::array<double, 3> numbers{vector.x, vector.y, vector.z};
+  std::size_t count = 0;
+  bool sound = value.kind == toml::Kind::array;
+  toml::Elements elements(source_.text, value);
+  while (const auto element = elements.next()) {
+    if (count < numbers.size()) sound = number_in(spec, element->value, numbers[count]) && sound;
+    ++count;
+  }
+  if (value.kind != toml::Kind::array || count != numbers.size())
+    error(value.span, spec.problem_place(),
+          {fmt::format("{} needs three numbers", spec.words),
+           value.kind == toml::Kind::array ? fmt::format("{} of them", count) : std::string(noun_of(value.kind)),
+           "[x, y, z]"});
+  if (!sound || count != numbers.size()) return false;
+  vector = {numbers[0], numbers[1], numbers[2]};
+  return true;
+}
+
+// One of several values that share an array: "range[1]".
+bool ObjectReader::read_listed(const FieldSpec& spec, std::string_view key, FieldValue& value) {
+  const std::size_t bracket = key.find('[');
+  const auto wanted = static_cast<std::size_t>(key[bracket + 1] - '0');
+  Leaf* const leaf = find(key.substr(0, bracket));
+  if (leaf == nullptr) return false;
+  const std::size_t size = spec.type == FieldType::vector ? 3 : 2;
+  toml::Elements elements(source_.text, leaf->value);
+  std::optional<toml::Value> element;
+  std::size_t count = 0;
+  for (; const auto next = elements.next(); ++count)
+    if (count == wanted) element = next->value;
+  if (leaf->value.kind != toml::Kind::array || count != size) {
+    if (wanted == 0)
+      error(leaf->value.span, spec.problem_place(),
+            {fmt::format("{} needs {} values", leaf->path, size),
+             leaf->value.kind == toml::Kind::array ? fmt::format("{} of them", count)
+                                                   : std::string(noun_of(leaf->value.kind)),
+             spec.type == FieldType::vector ? "[[x, y, z], [x, y, z], [x, y, z]]" : "[start, end]"});
+    return false;
+  }
+  note_place(spec.problem_place(), element->span);
+  if (auto* const vector = std::get_if<core::Vec3>(&value)) return read_vector(spec, *element, *vector);
+  return number_in(spec, *element, std::get<double>(value));
+}
+
+bool ObjectReader::read_text(const FieldSpec& spec, const Leaf& leaf, FieldValue& value) {
+  if (leaf.value.kind != toml::Kind::string) {
+    error(leaf.value.span, spec.problem_place(),
+          {fmt::format("{} is not a string", spec.words), std::string(noun_of(leaf.value.kind)), "text in quotes"});
+    return false;
+  }
+  std::string text = toml::decoded_string(source_.text, leaf.value);
+  const bool control = std::ranges::any_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20; });
+  if (text.empty() || control) {
+    error(leaf.value.span, spec.problem_place(),
+          {std::string(spec.words) + (control ? " holds control characters" : " is empty"), "", "a name"});
+    return false;
+  }
+  value = std::move(text);
+  return true;
+}
+
+bool ObjectReader::read_seed(const FieldSpec& spec, const Leaf& leaf, FieldValue& value) {
+  const std::string text = leaf.value.kind == toml::Kind::string ? toml::decoded_string(source_.text, leaf.value)
+                                                                 : std::string(text_of(leaf.value.span));
+  std::uint64_t seed = 0;
+  const bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos && text.size() <= 20;
+  bool fits = digits;
+  for (std::size_t i = 0; fits && i < text.size(); ++i) {
+    const auto digit = static_cast<std::uint64_t>(text[i] - '0');
+    fits = seed <= (~std::uint64_t{0} - digit) / 10;
+    seed = 10 * seed + digit;
+  }
+  if (!fits) {
+    error(leaf.value.span, spec.problem_place(),
+          {fmt::format("{} is not a whole number", spec.words), script::shown(text), "0 to 18446744073709551615"});
+    return false;
+  }
+  value = seed;
+  return true;
+}
+
+bool ObjectReader::read_flags(const FieldSpec& spec, const Leaf& leaf, FieldValue& value) {
+  if (leaf.value.kind != toml::Kind::array) {
+    FieldSpec whole = spec;
+    whole.quantity = Quantity::count;
+    return number_in(whole, leaf.value, std::get<double>(value));
+  }
+  unsigned bits = 0;
+  bool sound = true;
+  toml::Elements elements(source_.text, leaf.value);
+  while (const auto element = elements.next()) {
+    const std::string word = toml::decoded_string(source_.text, element->value);
+    const auto flag = std::ranges::find(spec.flags, word, &Flag::id);
+    if (flag != spec.flags.end()) {
+      bits |= flag->bit;
+      continue;
+    }
+    std::vector<std::string_view> ids;
+    std::string listed;
+    for (const Flag& known : spec.flags) {
+      ids.push_back(known.id);
+      listed += (listed.empty() ? "" : ", ") + std::string(known.id);
+    }
+    const std::string near = core::nearest_word(word, ids);
+    error(element->value.span, spec.problem_place(),
+          {fmt::format("{} has an unknown entry", leaf.path), script::shown(text_of(element->value.span)), listed,
+           near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)});
+    sound = false;
+  }
+  if (sound) value = static_cast<double>(bits);
+  return sound;
+}
+
+// The alternative that a string or a number names.
+bool ObjectReader::choose_word(const FieldSpec& spec, const Leaf& leaf, FieldValue& value) {
+  const std::string word = leaf.value.kind == toml::Kind::string ? toml::decoded_string(source_.text, leaf.value)
+                                                                 : std::string(text_of(leaf.value.span));
+  for (const Choice& choice : spec.choices)
+    if (type_word(choice) == word) {
+      choose(value, choice.value);
+      return true;
+    }
+  std::vector<std::string> words;
+  for (const Choice& choice : spec.choices) words.push_back(type_word(choice));
+  const std::string near = core::nearest_word(word, words);
+  error(leaf.value.span, spec.problem_place(),
+        {fmt::format("unknown {}", spec.words), script::shown(text_of(leaf.value.span)), words_listed(spec),
+         near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)});
+  return false;
+}
+
+// A word, a table with `type`, or the value that stands for the first alternative.
+bool ObjectReader::read_choice(const FieldSpec& spec, std::string_view key, const FieldSpec* shorthand,
+                               FieldValue& value) {
+  const std::string type_path = std::string(key) + ".type";
+  Leaf* const type = text_.find(type_path);
+  if (type != nullptr && type->used) return false;  // read already, as a further type of format 2
+  if (type != nullptr) type->used = true;
+  Leaf* const leaf = find(key);
+  const bool sound_type =
+      type == nullptr || (note_place(spec.problem_place(), type->value.span), choose_word(spec, *type, value));
+  if (!sound_type) text_.use_all_below(key);
+  if (type != nullptr) return sound_type;
+  if (leaf != nullptr) note_place(spec.problem_place(), leaf->value.span);
+  if (leaf == nullptr || leaf->value.kind == toml::Kind::table) {
+    error(leaf == nullptr ? text_.header : leaf->key, spec.problem_place(),
+          {fmt::format("{} has no type", key), "", fmt::format("type = {}", words_listed(spec))});
+    text_.use_all_below(key);
+    return false;
+  }
+  const std::string word = toml::decoded_string(source_.text, leaf->value);
+  const bool is_word = !has_words(spec) || std::ranges::any_of(spec.choices, [&](const Choice& choice) {
+    return type_word(choice) == word;
+  });
+  const bool looks_like_word = !reading_.names.contains(word) && !word.empty() &&
+                               std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+  if (shorthand == nullptr || is_word || looks_like_word) return choose_word(spec, *leaf, value);
+  // The object's own member is read by its field, which comes behind: it finds the value under its own path.
+  choose(value, spec.choices.front().value);
+  text_.leaves.push_back({shorthand->key, leaf->key, leaf->value});
+  return true;
+}
+
+bool ObjectReader::read_value(const FieldSpec& spec, std::string_view key, const FieldSpec* shorthand,
+                              FieldValue& value) {
+  if (key.ends_with(']')) return read_listed(spec, key, value);
+  const bool is_alternative = spec.type == FieldType::check && spec.choices.size() == 1;
+  if (is_alternative) {  // "same" is a word of the choice that has the same key.
+    Leaf* const leaf = text_.find(key);
+    const bool chosen = leaf != nullptr && leaf->value.kind == toml::Kind::string &&
+                        toml::decoded_string(source_.text, leaf->value) == type_word(spec.choices.front());
+    if (chosen) leaf->used = true;
+    choose(value, chosen ? spec.choices.front().value : 1 - spec.choices.front().value);
+    return true;
+  }
+  if (spec.type == FieldType::choice && has_words(spec)) return read_choice(spec, key, shorthand, value);
+  Leaf* const leaf = find(key);
+  if (leaf == nullptr) return false;
+  note_place(spec.problem_place(), leaf->value.span);
+  switch (spec.type) {
+    case FieldType::choice: return choose_word(spec, *leaf, value);
+    case FieldType::vector: return read_vector(spec, leaf->value, std::get<core::Vec3>(value));
+    case FieldType::seed: return read_seed(spec, *leaf, value);
+    case FieldType::flags: return read_flags(spec, *leaf, value);
+    case FieldType::text:
+    case FieldType::name: return read_text(spec, *leaf, value);
+    case FieldType::check:
+      if (const auto yes = toml::boolean(source_.text, leaf->value)) {
+        value = *yes;
+        return true;
+      }
+      error(leaf->value.span, spec.problem_place(),
+            {fmt::format("{} is not a yes or no", spec.words), script::shown(text_of(leaf->value.span)),
+             "true or false"});
+      return false;
+    default: return number_in(spec, leaf->value, std::get<double>(value));
+  }
+}
+
+// What to do about a path that nothing has.
+std::string ObjectReader::remedy(std::string_view path, const std::vector<std::string>& known) const {
+  const std::string_view last = path.substr(path.rfind('.') + 1);
+  if (last == "include" || last == "format") return fmt::format("{} stands before the first header", last);
+  if (last != path && std::ranges::find(known, last) != known.end())
+    return fmt::format("'{}' is a field of {}: move it above the header of the table it stands in", last, text_.kind);
+  if (const std::string near = core::nearest_word(path, known); !near.empty() && near != path)
+    return fmt::format("did you mean '{}'?", near);
+  std::string hint;
+  for_each_kind([&](const auto& kind) {
+    const auto& paths = paths_of(kind.kind);
+    if (hint.empty() && std::ranges::find(paths, last) != paths.end())
+      hint = fmt::format("'{}' is a field of {}", last, header_of(kind.kind));
+  });
+  if (!hint.empty()) return hint;
+  return "perhaps the file was written for a newer Sarsim; a name of your own begins with x-";
+}
+
+void ObjectReader::report_unknown(const Leaf& leaf, const std::string& belongs, const std::vector<std::string>& known) {
+  if (!belongs.empty())
+    return error(leaf.key, "",
+                 {fmt::format("'{}' does not apply here", script::shown(leaf.path)), "", "",
+                  fmt::format("it belongs to {}", belongs)});
+  const std::string_view name = leaf.is_header ? text_of(leaf.key) : leaf.path;
+  error(leaf.key, "",
+        {fmt::format("{} has no field '{}'", text_.kind.empty() ? "the scene" : text_.kind, script::shown(name)), "",
+         "", remedy(leaf.path, known)});
+}
+
+void ObjectReader::finish(const std::vector<std::string>& known) {
+  for (std::size_t i = 0; i < text_.leaves.size() && !reading_.log.full(); ++i) {
+    const Leaf leaf = text_.leaves[i];
+    if (leaf.used || is_private(leaf.path)) continue;
+    const bool is_known_table = leaf.value.kind == toml::Kind::table &&
+                                std::ranges::any_of(known, [&](const auto& path) { return is_below(path, leaf.path); });
+    if (is_known_table) continue;
+    report_unknown(leaf, {}, known);
+    if (leaf.value.kind == toml::Kind::table) text_.use_all_below(leaf.path);
+  }
+}
+
+void ObjectReader::finish(ObjectKind kind) {
+  const std::vector<std::string>& known = paths_of(kind);
+  for (std::size_t i = 0; i < text_.leaves.size() && !reading_.log.full(); ++i) {
+    const Leaf leaf = text_.leaves[i];
+    if (leaf.is_header && text_of(leaf.key).starts_with("[["))
+      error(leaf.key, "",
+            {"there is one such table", script::shown(text_of(leaf.key)), fmt::format("[{}.{}]", text_.kind, leaf.path),
+             "write single brackets"});
+    if (leaf.used || is_private(leaf.path) || leaf.value.kind == toml::Kind::table) continue;
+    if (std::ranges::find(known, leaf.path) == known.end()) continue;
+    if (const std::string owner = owner_of(kind, leaf.path); !owner.empty()) {
+      report_unknown(leaf, owner, {});
+      text_.leaves[i].used = true;
+    }
+  }
+  const bool all_used = std::ranges::all_of(text_.leaves, &Leaf::used);
+  if (!all_used) finish(known);
+}
+
+}  // namespace sarsim::scene::language

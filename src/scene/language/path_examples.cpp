@@ -1,0 +1,225 @@
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/language/path_facts.hpp"
+#include "scene/schema/expression.hpp"
+
+/// The defaults and examples of paths as format 2 writes them.
+namespace sarsim::scene::language {
+
+namespace {
+
+std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", text); }
+
+std::string number_written(double number, Quantity quantity) {
+  if (quantity != Quantity::number && quantity != Quantity::count)
+    return in_quotes(exact_quantity_text(number, quantity));
+  return core::format_number(number);
+}
+
+std::string vector_written(const core::Vec3& v) {
+  return fmt::format("[{}, {}, {}]", core::format_number(v.x), core::format_number(v.y), core::format_number(v.z));
+}
+
+std::string flags_written(const FieldSpec& spec, double sum) {
+  std::vector<std::string> ids;
+  for (const Flag& flag : spec.flags)
+    if ((static_cast<unsigned>(sum) & flag.bit) != 0) ids.push_back(in_quotes(flag.id));
+  return "[" + joined(ids, ", ") + "]";
+}
+
+std::string choice_written(const FieldSpec& spec, int value) {
+  for (const Choice& choice : spec.choices)
+    if (choice.value == value) return has_words(spec) ? in_quotes(type_word(choice)) : type_word(choice);
+  return {};
+}
+
+// Two values that a function may well have, and that show the size of what is usual.
+std::array<double, 2> sample_values(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length: return {0.0, 1000.0};
+    case Quantity::time: return {1e-3, 2e-3};
+    case Quantity::frequency: return {9e9, 9.1e9};
+    case Quantity::angle: return {0.0, 10.0};
+    case Quantity::ratio_db: return {0.0, -3.0};
+    default: return {1.0, 0.5};
+  }
+}
+
+// One that a field may well have whose default is nothing.
+double sample_value(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::time: return 1e-7;
+    case Quantity::frequency: return 1e8;
+    case Quantity::length:
+    case Quantity::angle:
+    case Quantity::angle_rate: return 10.0;
+    case Quantity::temperature: return 290.0;
+    case Quantity::ratio_db: return 3.0;
+    case Quantity::voltage: return 1e-3;
+    default: return 1.0;
+  }
+}
+
+std::string points_example(const FunctionBlock& block, std::size_t part) {
+  const Quantity quantity = quantity_of(block.y[part]);
+  const auto values = sample_values(quantity);
+  if (block.x_ignored)
+    return fmt::format("[{}, {}]", number_written(values[0], quantity), number_written(values[1], quantity));
+  const double last_x = block.x.unit == "s" ? 10.0 : block.x.unit == "deg" ? 5.0 : block.x.unit == "m" ? 1000.0 : 1.0;
+  return fmt::format("[[0, {}], [{}, {}]]", core::format_number(values[0]), core::format_number(last_x),
+                     core::format_number(values[1]));
+}
+
+bool is_in_range(const PlainField& field) {
+  const auto* const number = std::get_if<double>(&*field.initial);
+  return number == nullptr || field.spec.type != FieldType::number || field.spec.range.holds(*number);
+}
+
+// Something of the right kind where there is no default that shows it.
+std::string example_value(const PathFacts& facts) {
+  const FieldSpec& spec = facts.spec();
+  const FunctionBlock* const block = spec.block;
+  if (facts.role == PathRole::points) return points_example(*block, facts.part);
+  if (facts.role == PathRole::interpolation) return in_quotes("cubic");
+  if (facts.role == PathRole::file) return in_quotes("points.txt");
+  if (facts.path == "positions") return "[[0, 0, 0], [0, 10, 0]]";
+  if (spec.type == FieldType::text) return facts.field().initial ? default_text(facts) : in_quotes("points.npy");
+  if (spec.refers == "radar") return in_quotes("Radar1");
+  if (spec.type == FieldType::check) return "true";
+  if (spec.type == FieldType::vector && facts.fields.size() == 1) return "[0, 0, 10]";
+  const auto* const initial = spec.type == FieldType::number ? std::get_if<double>(&*facts.field().initial) : nullptr;
+  if (initial == nullptr || *initial != 0.0) return default_text(facts);
+  const double sample = sample_value(spec.quantity);
+  if (facts.fields.size() == 1) return number_written(sample, spec.quantity);
+  const auto* const last = std::get_if<double>(&*facts.fields.back()->initial);
+  const double end = last != nullptr && *last != 0.0 ? *last : 1000.0 * sample;
+  return fmt::format("[{}, {}]", number_written(*initial, spec.quantity), number_written(end, spec.quantity));
+}
+
+// A key with what it is set to, or keys below it.
+struct Node {
+  std::string key;
+  std::string text;
+  std::vector<Node> below = {};
+};
+
+Node& node_at(Node& root, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  const std::string_view first = path.substr(0, dot);
+  auto found = std::ranges::find(root.below, first, &Node::key);
+  if (found == root.below.end()) found = root.below.insert(root.below.end(), {std::string(first), ""});
+  return dot == std::string_view::npos ? *found : node_at(*found, path.substr(dot + 1));
+}
+
+std::string inline_text(const Node& node) {
+  if (node.below.empty()) return node.text;
+  if (node.below.size() == 1 && node.below.front().key == "type") return node.below.front().text;
+  std::string text;
+  for (const Node& below : node.below)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", below.key, inline_text(below));
+  return "{ " + text + " }";
+}
+
+std::string lines_of(const Node& root) {
+  std::string text;
+  for (const Node& node : root.below)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : "\n", node.key, inline_text(node));
+  return text;
+}
+
+void set(Node& root, std::string_view path, std::string text) { node_at(root, path).text = std::move(text); }
+
+// The types that a path needs around it, the outer ones first.
+void set_types(Node& root, const PlainTable& table, const PathFacts& facts) {
+  const std::vector<Dependence> all = dependences(table, facts);
+  for (auto on = all.rbegin(); on != all.rend(); ++on) {
+    const bool is_around = facts.path.starts_with(on->choice + ".");
+    if (is_around || !on->is_default) set(root, on->choice + ".type", in_quotes(on->words.front()));
+  }
+  for (const PathFacts& choice : paths_of(table)) {
+    if (choice.role != PathRole::choice || !facts.path.starts_with(choice.path + ".")) continue;
+    Node& type = node_at(root, choice.path + ".type");
+    if (type.text.empty()) type.text = default_text(choice);
+  }
+}
+
+// Whether a path has to be written where another one of the same alternative is: the other functions of its block, or
+// what has no default.
+bool stands_beside(const PathFacts& facts, const PathFacts& other) {
+  if (other.path == facts.path || other.field().initial || facts.spec().when.among.empty()) return false;
+  if (other.role == PathRole::interpolation || other.role == PathRole::file || facts.role == PathRole::file)
+    return false;
+  const Condition& when = facts.spec().when;
+  return other.spec().when.field == when.field && other.spec().when.among == when.among;
+}
+
+}  // namespace
+
+std::string written(const FieldSpec& spec, const FieldValue& value) {
+  if (const auto* const vector = std::get_if<core::Vec3>(&value)) return vector_written(*vector);
+  if (const auto* const text = std::get_if<std::string>(&value)) return in_quotes(*text);
+  if (const auto* const seed = std::get_if<std::uint64_t>(&value)) return std::to_string(*seed);
+  if (spec.type == FieldType::choice) return choice_written(spec, chosen(value));
+  if (const auto* const yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
+  const auto* const number = std::get_if<double>(&value);
+  if (number == nullptr) return {};
+  return spec.type == FieldType::flags ? flags_written(spec, *number) : number_written(*number, spec.quantity);
+}
+
+std::string default_text(const PathFacts& facts) {
+  if (facts.role == PathRole::interpolation) return in_quotes(interpolation_word(core::Interpolation::linear));
+  std::vector<std::string> values;
+  for (const PlainField* field : facts.fields) {
+    if (!field->initial || !is_in_range(*field)) return {};
+    if (const auto* const text = std::get_if<std::string>(&*field->initial); text != nullptr && text->empty())
+      return {};
+    values.push_back(written(field->spec, *field->initial));
+  }
+  return values.size() == 1 ? values.front() : "[" + joined(values, ", ") + "]";
+}
+
+std::string example_text(const PlainTable& table, const PathFacts& facts) {
+  Node root;
+  set_types(root, table, facts);
+  if (facts.role == PathRole::choice) {
+    for (const Choice& alternative : alternatives(facts.spec()))
+      if (written(facts.spec(), alternative.value) == default_text(facts))
+        return example_text(table, facts, alternative);
+  }
+  set(root, facts.path, example_value(facts));
+  for (const PathFacts& other : paths_of(table))
+    if (stands_beside(facts, other)) set(root, other.path, example_value(other));
+  return lines_of(root);
+}
+
+std::string example_text(const PlainTable& table, const PathFacts& choice, const Choice& alternative) {
+  Node root;
+  set_types(root, table, choice);
+  set(root, choice.path + ".type", in_quotes(type_word(alternative)));
+  for (const PathFacts& facts : paths_of_alternative(table, choice, alternative)) {
+    if (facts.role == PathRole::interpolation || facts.role == PathRole::file) continue;
+    if (facts.spec().type == FieldType::check) continue;
+    if (facts.spec().rare && facts.spec().type != FieldType::function && !choice.spec().rare) continue;
+    set(root, facts.path, facts.role == PathRole::choice ? default_text(facts) : example_value(facts));
+  }
+  return lines_of(root);
+}
+
+std::string shorthand_text(const PlainTable& table, const PathFacts& facts) {
+  const std::vector<PathFacts> paths = paths_of(table);
+  for (const PathFacts& choice : paths) {
+    const std::string& standing = choice.field().shorthand;
+    if (standing.empty() || choice.role != PathRole::choice) continue;
+    if (facts.path != standing && facts.path != choice.path) continue;
+    const auto value = std::ranges::find(paths, standing, &PathFacts::path);
+    return fmt::format("{} = {}", choice.path, example_value(*value));
+  }
+  return {};
+}
+
+}  // namespace sarsim::scene::language

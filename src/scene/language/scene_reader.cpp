@@ -1,0 +1,302 @@
+#include "scene/language/scene_reader.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
+#include "core/toml/values.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/language/path_line.hpp"
+#include "scene/language/sources.hpp"
+#include "scene/model/object_lists.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+using namespace language;
+namespace toml = core::toml;
+
+// More problems than this help nobody.
+constexpr std::size_t problem_limit = 1000;
+
+const std::vector<std::string>& option_paths() {
+  static const std::vector<std::string> paths = [] {
+    std::vector<std::string> made;
+    for (const FieldOf<RunOptions>& field : table_of<RunOptions>().fields()) made.emplace_back(field.spec.key);
+    return made;
+  }();
+  return paths;
+}
+
+std::string headers_listed() {
+  std::string text;
+  for_each_kind([&](const auto& kind) {
+    if (kind.kind != ObjectKind::cloud) text += fmt::format("[[{}]], ", header_of(kind.kind));
+  });
+  return text + "[options] or [let]";
+}
+
+const std::vector<std::string>& header_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> made{"options", "let"};
+    for (const ObjectKind kind : all_object_kinds) made.emplace_back(header_of(kind));
+    return made;
+  }();
+  return words;
+}
+
+// Reads the objects of all texts into a scene.
+class SceneReader {
+ public:
+  SceneReader(Reading& reading, Scene& scene) : reading_(reading), scene_(scene) {}
+
+  void read(const Source& source) {
+    toml::Lines lines(source.text);
+    ObjectTexts texts(source.text, source.document);
+    ObjectText text;
+    for (bool root = true; !reading_.log.full() && texts.next(text); root = false) {
+      if (root)
+        read_root(source, lines, text);
+      else
+        read_table(source, lines, text);
+    }
+  }
+
+ private:
+  void read_root(const Source& source, toml::Lines& lines, ObjectText& text) {
+    ObjectReader reader(reading_, source, lines, text, "", 0);
+    for (const std::string_view key : {"format", "include"}) text.use_all_below(key);
+    static const std::vector<std::string> known{"format", "include"};
+    for (Leaf& leaf : text.leaves) {
+      const std::string_view word = leaf.path.substr(0, leaf.path.find('.'));
+      if (std::ranges::find(header_words(), word) == header_words().end() || leaf.used) continue;
+      reader.error(leaf.key, "",
+                   {fmt::format("'{}' is not a table of its own", word), "",
+                    word == "options" || word == "let" ? fmt::format("[{}]", word) : fmt::format("[[{}]]", word),
+                    "write it as a header with its fields below"});
+      text.use_all_below(word);
+    }
+    reader.finish(known);
+  }
+
+  void read_table(const Source& source, toml::Lines& lines, ObjectText& text) {
+    if (text.kind == "let" || text.kind.starts_with("x-")) return;
+    if (text.kind == "options") return read_options(source, lines, text);
+    const bool names_others = text.kind != "platform" && text.kind != "radar";
+    const auto kind = kind_of(text);
+    ObjectReader anonymous(reading_, source, lines, text, "", 0);
+    reading_.names_lost = reading_.names_lost || !kind || (!names_others && !text.is_element);
+    if (!kind) return report_unknown(anonymous, text);
+    if (!text.is_element && anonymous.text_of(text.header).find('.') != std::string_view::npos)
+      return anonymous.error(text.header, "",
+                             {"the table stands behind another object", script::shown(anonymous.text_of(text.header)),
+                              "", fmt::format("move it directly below its [[{}]]", text.kind)});
+    if (!text.is_element)
+      return anonymous.error(
+          text.header, "",
+          {fmt::format("there can be many of the kind {}", text.kind), std::string(anonymous.text_of(text.header)),
+           fmt::format("[[{}]]", text.kind), "write double brackets"});
+    visit_kind(*kind, [&]<class Object>(const Kind<Object>& of) { read_object(of, source, lines, text); });
+  }
+
+  [[nodiscard]] static std::optional<ObjectKind> kind_of(ObjectText& text) {
+    for (const ObjectKind kind : all_object_kinds)
+      if (header_of(kind) == text.kind) {
+        const bool is_cloud = kind == ObjectKind::target && text.find("positions.file") != nullptr;
+        return is_cloud ? ObjectKind::cloud : kind;
+      }
+    return std::nullopt;
+  }
+
+  static void report_unknown(ObjectReader& reader, const ObjectText& text) {
+    const std::string near = core::nearest_word(text.kind, header_words());
+    const auto in_script = kind_called(text.kind);
+    if (in_script && header_of(*in_script) != text.kind)
+      return reader.error(text.header, "",
+                          {"unknown kind of object", std::string(reader.text_of(text.header)), "",
+                           fmt::format("write [[{}]]", header_of(*in_script))});
+    reader.error(text.header, "",
+                 {"unknown kind of object", script::shown(reader.text_of(text.header)), headers_listed(),
+                  near.empty() ? "perhaps the file was written for a newer Sarsim; a table of your own begins with x-"
+                               : fmt::format("did you mean '{}'?", near)});
+  }
+
+  void read_options(const Source& source, toml::Lines& lines, ObjectText& text) {
+    ObjectReader reader(reading_, source, lines, text, "options", 0);
+    if (text.is_element)
+      reader.error(text.header, "",
+                   {"there is one table of options", "[[options]]", "[options]", "write single brackets"});
+    reader.note_place("", text.header);
+    reader.read(scene_.options);
+    reader.finish(option_paths());
+  }
+
+  template <class Object>
+  void read_object(const Kind<Object>& kind, const Source& source, toml::Lines& lines, ObjectText& text) {
+    std::vector<Object>& list = scene_.*kind.list;
+    ObjectReader reader(reading_, source, lines, text, kind.name, list.size());
+    reader.note_place("", text.header);
+    Object object;
+    if constexpr (std::is_same_v<Object, Platform>) read_line_path(reader, text, object);
+    reader.read(object);
+    if constexpr (std::is_same_v<Object, Cloud>) use_positions(text);
+    Leaf* const positions = kind.kind == ObjectKind::target ? reader.find("positions") : nullptr;
+    reader.finish(kind.kind);
+    if constexpr (std::is_same_v<Object, Target>)
+      if (positions != nullptr) return read_alike(object, *positions, source, lines, text);
+    list.push_back(std::move(object));
+  }
+
+  static void use_positions(ObjectText& text) {
+    if (Leaf* const table = text.find("positions")) table->used = true;
+  }
+
+  // Targets that differ in their position alone.
+  void read_alike(const Target& alike, const Leaf& positions, const Source& source, toml::Lines& lines,
+                  ObjectText& text) {
+    const FieldSpec& spec = table_of<Target>().field<&Target::position_m>().spec;
+    ObjectReader reader(reading_, source, lines, text, "target", scene_.targets.size());
+    if (text.find("position") != nullptr)
+      reader.error(positions.key, spec.id, {"a target has either position or positions", "", "one of them"});
+    if (positions.value.kind != toml::Kind::array)
+      return reader.error(positions.value.span, spec.id,
+                          {"positions is not an array", std::string(noun_of(positions.value.kind)),
+                           "[[x, y, z], [x, y, z], ...] or { file = \"FILE\" }"});
+    toml::Elements rows(source.text, positions.value);
+    const std::size_t before = scene_.targets.size();
+    constexpr std::size_t most_points = 10'000'000;
+    const std::size_t points_each = alike.gain_db.part[0].knots.size();
+    while (const auto row = rows.next()) {
+      if (reading_.log.full()) return;
+      if ((scene_.targets.size() - before) * points_each > most_points)
+        return reader.error(positions.key, spec.id,
+                            {"these targets are too many for a reflectivity of so many points", "",
+                             fmt::format("up to {} points in all", most_points),
+                             "put the positions into a file, or give fewer points"});
+      ObjectReader one(reading_, source, lines, text, "target", scene_.targets.size());
+      one.note_place("", row->value.span);
+      scene_.targets.push_back(alike);
+      static_cast<void>(one.read_vector(spec, row->value, scene_.targets.back().position_m));
+    }
+    if (scene_.targets.size() == before)
+      reader.warning(positions.value.span, spec.id, {"positions is empty: there is no such target", "", ""});
+  }
+
+  Reading& reading_;
+  Scene& scene_;
+};
+
+// References by exact name: what only begins alike, or differs in case, is not meant.
+class References {
+ public:
+  References(const Scene& scene, Reading& reading) : reading_(reading) {
+    platforms_.insert("Earth");
+    take_names("platform", scene.platforms, platforms_);
+    take_names("radar", scene.radars, radars_);
+    for_each_kind([&](const auto& kind) { check(kind, scene.*kind.list); });
+  }
+
+ private:
+  // Names are looked up without regard to case when echoes are computed, so that two must not differ in it alone.
+  template <class Object>
+  void take_names(std::string_view kind, const std::vector<Object>& list, std::set<std::string, std::less<>>& known) {
+    std::map<std::string, std::string> seen;
+    for (const std::string& name : known) seen.emplace(core::lower_case(name), "");
+    for (std::size_t i = 0; i < list.size() && !reading_.log.full(); ++i) {
+      const std::string& name = list[i].name;
+      const auto [before, is_new] = seen.emplace(core::lower_case(name), name);
+      const bool is_world = before->second.empty() && name == "Earth";
+      if (is_world) before->second = name;
+      known.insert(name);
+      if (is_new || is_world) continue;
+      const bool of_world = before->second.empty();
+      core::Problem problem =
+          core::problem_of(core::Severity::error,
+                           of_world ? "the name of the world is Earth"
+                                    : fmt::format("another {} has this name{}", kind,
+                                                  before->second == name ? "" : ", but for capital letters"),
+                           script::shown(name), "", "give it another name");
+      report_at(std::move(problem), kind, i, "name");
+    }
+  }
+
+  void report_at(core::Problem problem, std::string_view kind, std::size_t index, std::string_view field) {
+    problem.subject = {std::string(kind), index, std::string(field)};
+    problem.place = reading_.places.find(problem.subject);
+    reading_.log.add(std::move(problem));
+  }
+
+  template <class Object>
+  void check(const Kind<Object>& kind, const std::vector<Object>& list) {
+    const std::string* last = nullptr;
+    if (reading_.names_lost) return;
+    for (std::size_t i = 0; i < list.size() && !reading_.log.full(); ++i) {
+      const std::string* const name = carrier_member(list[i]);
+      if (name == nullptr || (last != nullptr && *last == *name)) continue;
+      last = name;
+      const bool of_radar = Kind<Object>::belongs_to_radar;
+      const auto& known = of_radar ? radars_ : platforms_;
+      if (known.contains(*name) || (of_radar && name->empty())) continue;
+      report(kind.name, i, of_radar ? "radar" : "platform", *name, known);
+    }
+  }
+
+  void report(std::string_view kind, std::size_t index, const char* refers, const std::string& name,
+              const std::set<std::string, std::less<>>& known) {
+    core::Problem problem = core::problem_of(
+        core::Severity::error, fmt::format("the scene has no {} of this name", refers), script::shown(name), "", "");
+    const auto alike =
+        std::ranges::find_if(known, [&](const auto& word) { return core::equal_ignoring_case(word, name); });
+    const std::string near = alike != known.end() ? *alike : core::nearest_word(name, known);
+    if (!near.empty())
+      problem.hint = fmt::format("did you mean \"{}\"?{}", near, alike != known.end() ? " Capital letters count" : "");
+    report_at(std::move(problem), kind, index, refers);
+  }
+
+  Reading& reading_;
+  std::set<std::string, std::less<>> platforms_;
+  std::set<std::string, std::less<>> radars_;
+};
+
+ScriptReading refuse_names(ScriptReading reading, const ReadControl& control) {
+  for (const auto& [name, value] : control.let)
+    reading.problems.push_back(core::problem_of(core::Severity::error,
+                                                "--let: a script of the language of 1998 has no [let]",
+                                                name + "=" + value, "", "convert it: sarsim convert A.scr A.toml"));
+  return reading;
+}
+
+}  // namespace
+
+ScriptReading read_format_2(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
+                            const ReadControl& control) {
+  Reading reading{script::ProblemLog(problem_limit), {}, loader, {}};
+  Sources sources;
+  take_apart(text, file_name, reading, sources);
+  read_names(sources, control.let, reading);
+  Scene scene;
+  SceneReader reader(reading, scene);
+  for (const Source& source : sources.sources) reader.read(source);
+  References(scene, reading);
+  return {std::move(scene), reading.log.take(), std::move(reading.places), Language::format_2};
+}
+
+ScriptReading read_scene_text(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
+                              const ReadControl& control) {
+  const bool is_text = text.find('\0') == std::string_view::npos;  // UTF-16 is refused as what it is.
+  const bool named_so = file_name.ends_with(".toml") && text.find('$') == std::string_view::npos;
+  if (is_text && (is_format_2(text) || named_so)) return read_format_2(text, file_name, loader, control);
+  return refuse_names(read_script(text, file_name, loader, control), control);
+}
+
+ScriptReading read_scene_file(const std::filesystem::path& path, const ReadControl& control) {
+  return read_text_of_file(path, control, read_scene_text);
+}
+
+}  // namespace sarsim::scene

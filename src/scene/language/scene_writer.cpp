@@ -1,0 +1,378 @@
+#include "scene/language/scene_writer.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "core/build/version.hpp"
+#include "core/text/json.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/keys.hpp"
+#include "scene/model/object_lists.hpp"
+#include "scene/schema/expression.hpp"
+#include "scene/schema/field_table.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+using namespace language;
+
+std::string in_quotes(std::string_view given) {
+  const std::string text = core::valid_utf8(given);  // Old scripts may be in Latin-1.
+  std::string quoted = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
+      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
+    else
+      quoted += c;
+  }
+  return quoted + "\"";
+}
+
+// A number as TOML has it, in the base unit.
+std::string bare(double number) {
+  std::string text = core::format_number(number);
+  if (text.starts_with('.')) return "0" + text;
+  return text;
+}
+
+std::string with_unit(double number, Quantity quantity) {
+  if (quantity == Quantity::number || quantity == Quantity::count) return bare(number);
+  return in_quotes(exact_quantity_text(number, quantity));
+}
+
+std::string vector_text(const core::Vec3& v) { return fmt::format("[{}, {}, {}]", bare(v.x), bare(v.y), bare(v.z)); }
+
+std::string flags_text(const FieldSpec& spec, double sum) {
+  const auto bits = static_cast<unsigned>(sum);
+  unsigned known = 0;
+  std::string text;
+  for (const Flag& flag : spec.flags) {
+    known |= flag.bit;
+    if ((bits & flag.bit) != 0) text += (text.empty() ? "" : ", ") + in_quotes(flag.id);
+  }
+  return (bits & ~known) == 0 ? "[" + text + "]" : bare(sum);
+}
+
+// The value of a field that is neither a function nor a choice with a table of its own.
+std::string value_text(const FieldSpec& spec, const FieldValue& value) {
+  if (const auto* const vector = std::get_if<core::Vec3>(&value)) return vector_text(*vector);
+  if (const auto* const text = std::get_if<std::string>(&value)) return in_quotes(*text);
+  if (const auto* const yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
+  if (const auto* const seed = std::get_if<std::uint64_t>(&value)) {
+    const std::string digits = std::to_string(*seed);
+    return *seed > static_cast<std::uint64_t>(INT64_MAX) ? in_quotes(digits) : digits;
+  }
+  if (spec.type == FieldType::flags) return flags_text(spec, std::get<double>(value));
+  if (spec.type == FieldType::choice) {
+    for (const Choice& choice : spec.choices)
+      if (choice.value == chosen(value)) return has_words(spec) ? in_quotes(type_word(choice)) : type_word(choice);
+  }
+  return with_unit(std::get<double>(value), spec.quantity);
+}
+
+std::string points_text(const core::SampledFunction& function, const FunctionBlock& block) {
+  std::string text;
+  bool counted = block.x_ignored;
+  for (std::size_t i = 0; i < function.knots.size(); ++i)
+    counted = counted && function.knots[i].x == static_cast<double>(i);
+  for (const core::Knot& knot : function.knots)
+    text += (text.empty() ? "" : ", ") + (counted ? bare(knot.y) : fmt::format("[{}, {}]", bare(knot.x), bare(knot.y)));
+  return "[" + text + "]";
+}
+
+Said function_part(const core::SampledFunction& function, const FunctionBlock& block, bool in_file) {
+  Said node{"", "", {}};
+  if (function.method != core::Interpolation::linear)
+    node.below.push_back({"interpolation", in_quotes(interpolation_word(function.method))});
+  if (!in_file && !function.knots.empty())
+    node.below.push_back({std::string(points_key(block)), points_text(function, block)});
+  return node;
+}
+
+void add_function(const FieldSpec& spec, const ConstFunctionRef& function, std::vector<Said>& nodes) {
+  const FunctionBlock& block = *spec.block;
+  const bool in_file = !function.file->empty();
+  for (std::size_t part = 0; part < block.count; ++part) {
+    Said node = function_part(function.parts[part], block, in_file);
+    if (node.below.empty()) continue;
+    if (block.count == 1) {
+      std::ranges::move(node.below, std::back_inserter(nodes));
+    } else {
+      node.key = part_key(block, part);
+      nodes.push_back(std::move(node));
+    }
+  }
+  if (in_file) nodes.push_back({"file", in_quotes(*function.file)});
+}
+
+// The node that a path below an object stands in, made where there is none yet.
+std::vector<Said>& nodes_of(std::vector<Said>& nodes, std::string_view path) {
+  if (path.empty()) return nodes;
+  const std::size_t dot = std::min(path.find('.'), path.size());
+  const std::string_view first = path.substr(0, dot);
+  auto found = std::ranges::find(nodes, first, &Said::key);
+  if (found == nodes.end()) found = nodes.insert(nodes.end(), {std::string(first), "", {}});
+  return nodes_of(found->below, path.substr(std::min(dot + 1, path.size())));
+}
+
+Said& node_at(std::vector<Said>& nodes, std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  std::vector<Said>& list = nodes_of(nodes, dot == std::string_view::npos ? std::string_view() : path.substr(0, dot));
+  const std::string_view last = path.substr(dot + 1);
+  const auto found = std::ranges::find(list, last, &Said::key);
+  return found != list.end() ? *found : list.emplace_back(Said{std::string(last), "", {}});
+}
+
+// What a table of fields says of an object.
+template <class Object>
+class ObjectNodes {
+ public:
+  ObjectNodes(const Object& object, Saying saying) : object_(object), saying_(saying) {
+    const FieldTable<Object>& table = table_of<Object>();
+    for (const FieldOf<Object>& field : table.fields())
+      if (table.applies(object_, field)) add(table, field);
+    drop_empty(nodes_);
+  }
+
+  [[nodiscard]] std::vector<Said> take() { return std::move(nodes_); }
+
+ private:
+  void add(const FieldTable<Object>& table, const FieldOf<Object>& field) {
+    const FieldSpec& spec = field.spec;
+    std::string_view key = spec.key;
+    if (!spec.other_key.key.empty() &&
+        table.fields()[spec.when.field].alternative(object_) == spec.other_key.alternative)
+      key = spec.other_key.key;
+    const FieldValue value = field.get(object_);
+    if (spec.type == FieldType::function)
+      return add_function(spec, std::get<ConstFunctionRef>(value), nodes_of(nodes_, key));
+    static const Object initial{};
+    const bool is_default = same(value, field.get(initial)) && !is_always_said(table, field);
+    if (const std::size_t bracket = key.find('['); bracket != std::string_view::npos)
+      return add_listed(spec, key.substr(0, bracket), value, is_default);
+    if (is_default && saying_ == Saying::differences) return;
+    if (spec.type == FieldType::check && spec.choices.size() == 1) {  // "same", beside a choice of the same key
+      if (chosen(value) == spec.choices.front().value) set(key, in_quotes(type_word(spec.choices.front())), is_default);
+      return;
+    }
+    if (spec.type == FieldType::choice && has_words(spec)) return add_choice(key, spec, value, is_default);
+    set(key, value_text(spec, value), is_default);
+  }
+
+  // Names, and a choice that is there at all only because another one of the same key is not "same".
+  static bool is_always_said(const FieldTable<Object>& table, const FieldOf<Object>& field) {
+    if (field.spec.type == FieldType::text) return true;
+    const Condition& when = field.spec.when;
+    return !when.among.empty() && table.fields()[when.field].spec.key == field.spec.key &&
+           field.spec.type == FieldType::choice;
+  }
+
+  static bool same(const FieldValue& a, const FieldValue& b) {
+    if (a.index() != b.index()) return false;
+    if (std::holds_alternative<ConstFunctionRef>(a)) return false;
+    return std::visit(
+        [&]<class Value>(const Value& first) {
+          if constexpr (std::is_same_v<Value, ConstFunctionRef>)
+            return false;
+          else
+            return first == std::get<Value>(b);
+        },
+        a);
+  }
+
+  void add_choice(std::string_view key, const FieldSpec& spec, const FieldValue& value, bool is_default) {
+    set(std::string(key) + ".type", value_text(spec, value), is_default);
+  }
+
+  // All values of one array stand, or none.
+  void add_listed(const FieldSpec& spec, std::string_view key, const FieldValue& value, bool is_default) {
+    Said& node = node_at(nodes_, key);
+    if (node.text.empty()) node.is_default = true;
+    node.text += (node.text.empty() ? "[" : ", ") + value_text(spec, value);
+    node.is_default = node.is_default && is_default;
+    const std::size_t last = spec.type == FieldType::vector ? 2 : 1;
+    if (spec.key[spec.key.find('[') + 1] == static_cast<char>('0' + last)) {
+      node.text += ']';
+      if (node.is_default && saying_ == Saying::differences) node.text.clear();
+    }
+  }
+
+  void set(std::string_view key, std::string text, bool is_default) {
+    Said& node = node_at(nodes_, key);
+    node.text = std::move(text);
+    node.is_default = is_default;
+  }
+
+  static void drop_empty(std::vector<Said>& nodes) {
+    for (Said& node : nodes) drop_empty(node.below);
+    std::erase_if(nodes, [](const Said& node) { return node.text.empty() && node.below.empty(); });
+  }
+
+  const Object& object_;
+  Saying saying_;
+  std::vector<Said> nodes_;
+};
+
+bool all_default(const Said& node) {
+  return node.below.empty() ? node.is_default : std::ranges::all_of(node.below, all_default);
+}
+
+// Where a table says a choice without the type, which is then the default, the type is put in front: a reader asks for
+// it. A table of the type alone is its word.
+template <class Object>
+void complete_choices(const Object& object, std::vector<Said>& nodes, const std::string& prefix) {
+  const FieldTable<Object>& table = table_of<Object>();
+  for (Said& node : nodes) {
+    const std::string path = prefix.empty() ? node.key : prefix + "." + node.key;
+    if (!node.text.empty()) continue;
+    complete_choices(object, node.below, path);
+    for (const FieldOf<Object>& field : table.fields()) {
+      const FieldSpec& spec = field.spec;
+      if (spec.type != FieldType::choice || !has_words(spec) || spec.key != path || !table.applies(object, field))
+        continue;
+      const auto type = std::ranges::find(node.below, "type", &Said::key);
+      if (type == node.below.end())
+        node.below.insert(node.below.begin(), {"type", value_text(spec, field.get(object)), {}, true});
+      else if (type != node.below.begin())
+        std::rotate(node.below.begin(), type, type + 1);
+      const bool is_default = all_default(node);
+      if (!is_default) node.below.front().is_default = false;
+      const FieldSpec* const standing = shorthand(table, field);
+      const bool is_first = chosen(field.get(object)) == spec.choices.front().value;
+      if (node.below.size() == 1)
+        node.text = node.below.front().text;
+      else if (standing != nullptr && is_first && node.below.size() == 2 &&
+               path + "." + node.below.back().key == standing->key)
+        node.text = node.below.back().text;
+      node.is_default = is_default;
+    }
+  }
+}
+
+// One line for each key, with tables that are too long for one line below headers of their own.
+void append_nodes(std::string& text, const std::vector<Said>& nodes, const std::string& header, Saying saying) {
+  constexpr std::size_t longest_line = 110;
+  std::vector<const Said*> tables;
+  for (const Said& node : nodes) {
+    std::string line = fmt::format("{} = {}", node.key, inline_text(node));
+    if (node.text.empty() && line.size() > longest_line) {
+      tables.push_back(&node);
+      continue;
+    }
+    text += (saying == Saying::everything && all_default(node) ? "# " : "") + line + "\n";
+  }
+  for (const Said* const node : tables) {
+    const std::string path = header + "." + node->key;
+    text += fmt::format("[{}]\n", path);
+    append_nodes(text, node->below, path, saying);
+  }
+}
+
+template <class Object>
+std::vector<Said> nodes_of_object(const Object& object, Saying saying) {
+  std::vector<Said> nodes = ObjectNodes<Object>(object, saying).take();
+  complete_choices(object, nodes, "");
+  return nodes;
+}
+
+template <class Object>
+std::string table_text(const Object& object, std::string_view header, Saying saying) {
+  std::string text = fmt::format("[[{}]]\n", header);
+  append_nodes(text, nodes_of_object(object, saying), std::string(header), saying);
+  return text;
+}
+
+// Length of the run of targets from one on that differ in their position alone.
+std::size_t alike_from(const std::vector<Target>& targets, std::size_t first) {
+  std::size_t last = first + 1;
+  for (; last < targets.size(); ++last) {
+    Target other = targets[last];
+    other.position_m = targets[first].position_m;
+    if (!(other == targets[first])) break;
+  }
+  return last - first;
+}
+
+std::string positions_text(const std::vector<Target>& targets, std::size_t first, std::size_t count) {
+  std::string text = "positions = [";
+  for (std::size_t i = 0; i < count; ++i)
+    text += (i == 0 ? "\n  " : ",\n  ") + vector_text(targets[first + i].position_m);
+  return text + "\n]\n";
+}
+
+void append_targets(std::string& text, const std::vector<Target>& targets, Saying saying) {
+  for (std::size_t i = 0; i < targets.size();) {
+    const std::size_t count = alike_from(targets, i);
+    if (count == 1) {
+      text += "\n" + table_text(targets[i], "target", saying);
+    } else {
+      Target alike = targets[i];
+      alike.position_m = {};
+      std::vector<Said> nodes = nodes_of_object(alike, saying);
+      std::erase_if(nodes, [](const Said& node) { return node.key == "position"; });
+      text += "\n[[target]]\n" + positions_text(targets, i, count);
+      append_nodes(text, nodes, "target", saying);
+    }
+    i += count;
+  }
+}
+
+void append_objects(std::string& text, const Scene& scene, ObjectKind kind, Saying saying) {
+  visit_list(scene, kind, [&]<class Object>(const std::vector<Object>& objects) {
+    if constexpr (std::is_same_v<Object, Target>)
+      append_targets(text, objects, saying);
+    else
+      for (const Object& object : objects) text += "\n" + table_text(object, header_of(kind), saying);
+  });
+}
+
+void append_options(std::string& text, const RunOptions& options, Saying saying) {
+  if (options == RunOptions{} && saying == Saying::differences) return;
+  text += "\n[options]\n";
+  append_nodes(text, nodes_of_object(options, saying), "options", saying);
+}
+
+}  // namespace
+
+std::string inline_text(const Said& said) {
+  if (!said.text.empty()) return said.text;
+  std::string text;
+  for (const Said& below : said.below)
+    text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", below.key, inline_text(below));
+  return "{ " + text + " }";
+}
+
+std::string lines_of(const Said& said, const std::string& header) {
+  std::string text;
+  append_nodes(text, {said}, header, Saying::differences);
+  return text;
+}
+
+std::vector<Said> said_of(const AnyObject& object) {
+  return std::visit([](const auto& any) { return nodes_of_object(any, Saying::differences); }, object);
+}
+
+std::vector<Said> said_of(const RunOptions& options) { return nodes_of_object(options, Saying::differences); }
+
+std::string position_text(const core::Vec3& position) { return vector_text(position); }
+
+std::string write_objects(const Scene& scene, ObjectKind kind) {
+  std::string text;
+  append_objects(text, scene, kind, Saying::differences);
+  return text;
+}
+
+std::string write_format_2(const Scene& scene, Saying saying) {
+  std::string text = fmt::format("# Radar scene, written by Sarsim {}\n", core::program_version);
+  text += "# Angles: azimuth from +y towards +x, elevation from the x-y plane upwards\n";
+  text += fmt::format("format = \"{}\"\n", format_2_mark);
+  for (const ObjectKind kind : written_object_kinds) append_objects(text, scene, kind, saying);
+  append_options(text, scene.options, saying);
+  return text;
+}
+
+}  // namespace sarsim::scene

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "core/task/parallel.hpp"
+#include "scene/model/object.hpp"
+#include "scene/model/scene.hpp"
+
+namespace sarsim::scene {
+
+/// How much the writer of format 2 says.
+enum class Saying {
+  differences,  ///< What is not at its default.
+  everything,   ///< Also what is, as comment lines.
+};
+
+/// A scene in format 2. Reading it gives the same scene, bit for bit, but for what its choices make meaningless and
+/// control characters in names. Single values have units, lists of coordinates none. Targets that differ in their
+/// position alone are one table with `positions`.
+[[nodiscard]] std::string write_format_2(const Scene& scene, Saying saying = Saying::differences);
+
+/// What the writer says of one key, for those who change single values of a text.
+struct Said {
+  std::string key;               ///< One part: "pulse".
+  std::string text = {};         ///< The value in one line; empty for a table that has no shorter form.
+  std::vector<Said> below = {};  ///< Of a table: its keys, also where `text` is its shorter form.
+  bool is_default = false;
+};
+
+/// What the writer says of an object, or of options, that is not at its default, in its order.
+[[nodiscard]] std::vector<Said> said_of(const AnyObject& object);
+[[nodiscard]] std::vector<Said> said_of(const RunOptions& options);
+
+/// The value of a key in one line, a table as an inline one.
+[[nodiscard]] std::string inline_text(const Said& said);
+
+/// The line of a key or, for a table that is too long for one, the lines of its header and of all below it.
+/// @param header  the path of the table that it stands in: "radar.antenna"
+[[nodiscard]] std::string lines_of(const Said& said, const std::string& header);
+
+/// A position as the lists of coordinates have it: "[1, 2.5, 0]".
+[[nodiscard]] std::string position_text(const core::Vec3& position);
+
+/// The tables of all objects of a kind, each with an empty line above it.
+[[nodiscard]] std::string write_objects(const Scene& scene, ObjectKind kind);
+
+}  // namespace sarsim::scene
