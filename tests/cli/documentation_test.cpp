@@ -10,9 +10,9 @@ namespace documentation_test {
 
 using testing::HasSubstr;
 
-const std::vector<std::string> commands{"run",    "sweep",      "check",    "info",    "geometry", "convert",
-                                        "plot",   "focus",      "measure",  "doppler", "search",   "format",
-                                        "verify", "completion", "profiles", "isar",    "merge",    "new"};
+const std::vector<std::string> commands{"run",      "sweep",   "check",   "info",   "geometry", "convert", "plot",
+                                        "focus",    "measure", "doppler", "search", "format",   "verify",  "completion",
+                                        "profiles", "isar",    "merge",   "new",    "explain"};
 
 class Documentation : public CommandTest {
  protected:

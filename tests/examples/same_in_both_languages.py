@@ -18,7 +18,7 @@ from run_example import Sarsim, failed, quotations, run
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 OLD_LANGUAGE_ONLY = {"sar_r_1998"}  # teaches what a script of 1998 does
 LONGEST_LINE = 120
-RESTING_EARTH = "[[platform]]\n\n"  # without a field: Earth, at the origin
+RESTING_EARTH = '[[platform]]\nname = "Earth"\n\n'  # at the origin
 
 
 def scene_text(sarsim, path):

@@ -9,6 +9,7 @@
 #include "workflow/convert/convert.hpp"
 #include "workflow/convert/convert_scene.hpp"
 #include "workflow/input/override_words.hpp"
+#include "workflow/input/recording_input.hpp"
 
 namespace sarsim::cli {
 
@@ -21,7 +22,7 @@ struct ConvertArguments {
 
 ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
   const workflow::ConvertRequest& request = arguments.samples;
-  if (workflow::language_of_name(request.output)) {
+  if (workflow::language_of_name(request.output) && workflow::holds_script(request.input)) {
     print_problems(streams,
                    workflow::convert_scene({request.input, request.output, arguments.overrides, request.force}));
     return exit_done;

@@ -136,7 +136,8 @@ void cut_where_it_is_strongest(PlotArguments& a, const picture::SampleSource& sa
 Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   PlotArguments a = arguments;
   if (a.kind != PlotKind::picture && !is_of_samples(a.kind))
-    throw core::Refused("antennas, pulses and functions are drawn from scripts", "give the script");
+    throw core::Refused("antennas, pulses and functions are drawn from scripts",
+                        "give the scene, a .scr or .toml file");
   Watch watch(streams, false);
   const workflow::PlacedImage input = workflow::open_placed_image({a.input, a.samples, a.simulation}, watch.observer());
   picture::ImageSamples part = chosen_part(a, input, streams.stop);

@@ -72,10 +72,12 @@ std::string bash_completion(const std::vector<CompletedCommand>& commands) {
       "  file=${file#[\\\"\\']}\n"
       "  COMPREPLY=()\n"
       "  if [ \"$COMP_CWORD\" -eq 1 ]; then\n";
-  text += "    " +
-          reply(fmt::format("compgen -W '{} {}' -- \"$word\"; compgen -f -X '!*.@(scr|toml)' -- \"$file\"",
-                            command_names(commands), all_names(commands.front()))) +
-          "\n";
+  text +=
+      "    " +
+      reply(fmt::format(
+          "compgen -W '{} {}' -- \"$word\"; compgen -f -X '!*.scr' -- \"$file\"; compgen -f -X '!*.toml' -- \"$file\"",
+          command_names(commands), all_names(commands.front()))) +
+      "\n";
   text += "    return\n  fi\n  case $command in\n";
   for (const CompletedCommand& command : commands) {
     if (command.name.empty()) continue;

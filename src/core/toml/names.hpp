@@ -50,6 +50,7 @@ class Names {
 
   /// A new table without a name; `drop` ends it.
   Node begin_nameless();
+  /// Ends a table: its names may be given again.
   void drop(Node table);
 
  private:

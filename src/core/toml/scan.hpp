@@ -21,6 +21,7 @@ enum ByteClass : std::uint8_t {
   bracket_byte = 16  ///< What matters where brackets are counted: brackets, braces, quotes and `#`.
 };
 
+/// The classes of every byte.
 constexpr std::array<std::uint8_t, 256> make_byte_classes() {
   std::array<std::uint8_t, 256> classes{};
   const auto add = [&](std::string_view bytes, unsigned kinds) {

@@ -239,7 +239,6 @@ ObjectTables find_tables(std::string_view text) {
   language::ObjectText object;
   std::size_t first = 0;
   while (objects.next(object)) {
-    if (first == 0) tables.includes = object.find("include") != nullptr;
     std::size_t last = first + 1;
     for (const language::Leaf& leaf : object.leaves)
       if (leaf.is_header && leaf.key != object.header) ++last;

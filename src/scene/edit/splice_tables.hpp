@@ -29,7 +29,6 @@ struct ObjectTables {
   core::toml::Document document;
   std::array<std::vector<ObjectTable>, kind_count> of;  ///< In the order of the text.
   std::optional<ObjectTable> options;
-  bool includes = false;  ///< Other files.
 
   [[nodiscard]] const std::vector<ObjectTable>& operator[](ObjectKind kind) const {
     return of[static_cast<std::size_t>(kind)];

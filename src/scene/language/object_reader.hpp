@@ -72,8 +72,12 @@ class ObjectReader {
   /// The same of a table that is no object.
   void finish(const std::vector<std::string>& known);
 
+  /// Reports what is wrong, or odd, with a piece of the text.
+  /// @param field  of the object; empty for all of it
+  /// @{
   void error(core::toml::Span at, std::string_view field, script::Complaint complaint);
   void warning(core::toml::Span at, std::string_view field, script::Complaint complaint);
+  /// @}
   [[nodiscard]] std::string_view text_of(core::toml::Span span) const { return core::toml::piece(source_.text, span); }
   /// What a string means; empty for other values.
   [[nodiscard]] std::string string_of(const core::toml::Value& value) const {

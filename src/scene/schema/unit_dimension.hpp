@@ -13,6 +13,7 @@ namespace sarsim::scene {
 /// What a value of an expression measures: whole powers of the units in which values are held. All zero: a pure number.
 /// An angle is a dimension of its own, and so are decibels.
 struct Dimension {
+  /// The units, by their place in `powers`.
   enum Base : std::size_t { metre, second, degree, kelvin, watt, volt, decibel };
 
   std::array<int, 7> powers{};

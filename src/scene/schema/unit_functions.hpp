@@ -37,10 +37,13 @@ struct Constant {
   Dimension dimension;
 };
 
+/// All that expressions may use, in the order of their names in messages.
 [[nodiscard]] std::span<const Function> functions();
+/// The same.
 [[nodiscard]] std::span<const Constant> constants();
 /// Null where there is none of that name.
 [[nodiscard]] const Function* function_named(std::string_view name);
+/// The same.
 [[nodiscard]] const Constant* constant_named(std::string_view name);
 
 }  // namespace sarsim::scene

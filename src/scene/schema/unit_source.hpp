@@ -32,10 +32,11 @@ class Source {
   [[nodiscard]] std::string_view plain() const { return plain_; }
   /// Byte of the typed text at which a character of the plain one, or its end, stands.
   [[nodiscard]] std::size_t origin(std::size_t place) const { return origins_.empty() ? place : origins_[place]; }
-  /// What was typed for a range of the plain text, and the same in quotes for messages.
+  /// What was typed for a range of the plain text.
   [[nodiscard]] std::string_view part(std::size_t begin, std::size_t end) const {
     return typed_.substr(origin(begin), origin(end) - origin(begin));
   }
+  /// The same in quotes, cut off where it is long.
   [[nodiscard]] std::string quote(std::size_t begin, std::size_t end) const;
 
  private:

@@ -15,6 +15,7 @@ namespace sarsim::scene {
 
 /// One unit of a quantity: value = number * 10^exponent, number * factor, or 10^((number + factor)/10).
 struct Unit {
+  /// How a number with the unit becomes a value.
   enum class Law { decimal, factor, decibel };
 
   std::string_view name;
