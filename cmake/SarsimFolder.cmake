@@ -56,6 +56,12 @@ function(sarsim_compile_quickly target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
 endfunction()
 
+# The same for a library without loops over samples, in the release: `level` is that of -O. A third of the time that commands
+# take to compile is spent on optimising what runs once.
+function(sarsim_optimise_less target level)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+endfunction()
+
 # Gives the program or library `target` the headers that `from` has precompiled.
 function(sarsim_reuse_headers target from)
   if(SARSIM_PRECOMPILED_HEADERS)
@@ -170,6 +176,7 @@ function(sarsim_folder name)
     list(FILTER module_sources INCLUDE REGEX "/${name}/${arg_MODULE}/")
     list(REMOVE_ITEM sources ${module_sources})
     sarsim_module(${arg_MODULE} "${module_sources};${arg_MODULE_SHARES}" "${arg_MODULE_LIBS}")
+    sarsim_compile_together(sarsim_${arg_MODULE} 12)
   endif()
   if(sources)
     add_library(sarsim_${name} STATIC ${sources})
