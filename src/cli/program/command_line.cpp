@@ -29,6 +29,7 @@
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/facts/version_text.hpp"
+#include "workflow/input/scene_input.hpp"
 #include "workflow/record/team.hpp"
 
 namespace sarsim::cli {
@@ -119,8 +120,7 @@ bool looks_like_scene(const std::string& word) {
   if (word.empty() || word.front() == '-') return false;
   const std::filesystem::path path(word);
   std::error_code ignored;
-  return core::equal_ignoring_case(path.extension().string(), ".scr") || path.has_parent_path() ||
-         std::filesystem::is_regular_file(path, ignored);
+  return workflow::language_of_name(path) || path.has_parent_path() || std::filesystem::is_regular_file(path, ignored);
 }
 
 // Puts "run" in front where the first word is no command but a script follows, as the original compiler was called.
