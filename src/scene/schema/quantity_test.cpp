@@ -191,6 +191,13 @@ TEST(Quantity, TheBaseUnitIsTheFirstThatMayBeTyped) {
       EXPECT_TRUE(read_quantity("1 " + std::string(unit), quantity).value) << unit;
 }
 
+TEST(Quantity, ASquareBelongsToAUnitAndNotToANumber) {
+  EXPECT_EQ(read_quantity("2 m^2", Quantity::area).value, 2.0);
+  EXPECT_EQ(read_quantity("2 m\xC2\xB2", Quantity::area).value, 2.0);
+  EXPECT_FALSE(read_quantity("10^2 m", Quantity::length).value);
+  EXPECT_FALSE(read_quantity("2\xC2\xB2", Quantity::number).value);
+}
+
 }  // namespace quantity_test
 
 }  // namespace sarsim::scene

@@ -184,7 +184,10 @@ std::string plain_text(std::string_view text) {
   std::string plain;
   plain.reserve(text.size());
   in_pieces(text, [&](std::string_view rest, const Spelling* spelling) {
-    plain += spelling == nullptr ? rest.substr(0, 1) : spelling->plain;
+    // A square belongs to a unit: "m^2". Behind a digit it would change the number: "10^2 m" is not 102 m.
+    const bool square = spelling != nullptr && spelling->in_expression == "^2";
+    const bool misplaced = square && !plain.empty() && core::is_digit(plain.back());
+    plain += spelling == nullptr || misplaced ? rest.substr(0, 1) : spelling->plain;
   });
   return plain;
 }
