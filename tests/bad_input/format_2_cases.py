@@ -159,7 +159,7 @@ def numbers():
         instead('"8450 m"', '"@8 450 m"', "A number holds no blanks.", "write 8450"),
         instead(POWER, "power = @.5", "TOML wants a digit before and behind the point.", r"0\.5 for \.5"),
         instead(POWER, "power = @007", "TOML allows no zero in front.", "leading zero"),
-        instead(POWER, "power = @nan", "That is no number to compute with.", "not finite"),
+        instead(POWER, "power = @nan", "Numbers are finite.", "not finite"),
         instead(POWER, "power = @1e30", "That is too large a number.", "too large"),
         instead(LAST, LAST + "bits = @65\n", "A value is out of its range.", "1 to 64"),
         instead(LAST, LAST + "bits = @8.5\n", "The field takes whole numbers.", "whole number"),
@@ -167,7 +167,7 @@ def numbers():
             'repetition = "500 Hz"', "repetition = @0", "A pulse repetition frequency is above zero.", "out of range"
         ),
         instead(POWER, "power = @true", "The field takes a number.", "not a number"),
-        instead(POWER, "power = @2024-04-01", "A date is no number.", "date"),
+        instead(POWER, "power = @2024-04-01", "A date is not a number.", "date"),
         instead(
             '"8450 m", "8950 m"', '"8950 m", @"8450 m"', "The ends of the window are swapped.", "end beyond the start"
         ),

@@ -85,7 +85,7 @@ Explanation explained(const PlainTable& table) {
   return explanation;
 }
 
-// The words before all headers and [let], which are no fields.
+// The words before all headers and [let], which are not fields.
 std::vector<Explanation> general_words() {
   Explanation format;
   format.name = "format";
@@ -161,7 +161,7 @@ std::vector<Found> paths_named(std::string_view word) {
   return found;
 }
 
-// Those below a table that is no choice: "radar.antenna.azimuth", of which there are points and interpolation.
+// Those below a table that is not a choice: "radar.antenna.azimuth", of which there are points and interpolation.
 std::vector<Found> paths_below(std::string_view word) {
   std::vector<Found> found;
   for (const PlainTable& table : plain_tables())

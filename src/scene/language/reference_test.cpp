@@ -81,7 +81,6 @@ TEST(Reference, PageHasWhatTheProgramSays) {
   ASSERT_NE(begin, std::string::npos);
   ASSERT_NE(end, std::string::npos);
   const std::string between = page.substr(begin + mark.size(), end - begin - mark.size());
-  if (between.find_first_not_of(" \n") == std::string::npos) GTEST_SKIP() << "the page is not filled yet";
   EXPECT_TRUE(between == "\n" + reference() + "\n") << "fill it with sarsim explain --reference";
 }
 

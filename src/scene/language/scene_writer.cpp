@@ -151,7 +151,7 @@ class ObjectNodes {
     if (spec.type == FieldType::function)
       return add_function(spec, std::get<ConstFunctionRef>(value), nodes_of(nodes_, key));
     static const Object initial{};
-    const bool is_default = same(value, field.get(initial)) && !is_always_said(table, field);
+    const bool is_default = value == field.get(initial) && !is_always_said(table, field);
     if (const std::size_t bracket = key.find('['); bracket != std::string_view::npos)
       return add_listed(spec, key.substr(0, bracket), value, is_default);
     if (is_default && saying_ == Saying::differences) return;
@@ -169,19 +169,6 @@ class ObjectNodes {
     const Condition& when = field.spec.when;
     return !when.among.empty() && table.fields()[when.field].spec.key == field.spec.key &&
            field.spec.type == FieldType::choice;
-  }
-
-  static bool same(const FieldValue& a, const FieldValue& b) {
-    if (a.index() != b.index()) return false;
-    if (std::holds_alternative<ConstFunctionRef>(a)) return false;
-    return std::visit(
-        [&]<class Value>(const Value& first) {
-          if constexpr (std::is_same_v<Value, ConstFunctionRef>)
-            return false;
-          else
-            return first == std::get<Value>(b);
-        },
-        a);
   }
 
   void add_choice(std::string_view key, const FieldSpec& spec, const FieldValue& value, bool is_default) {

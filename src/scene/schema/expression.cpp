@@ -54,12 +54,12 @@ std::optional<ExpressionFault> name_fault(std::string_view name) {
   if (constant_named(name) != nullptr) return taken("constant");
   if (function_named(name) != nullptr) return taken("function");
   if (!name.empty() && word_at(name, 0).size() == name.size()) return std::nullopt;
-  std::string mended(name);
-  for (char& c : mended)
+  std::string corrected(name);
+  for (char& c : corrected)
     if (!begins_word(c) && !core::is_digit(c)) c = '_';
-  if (mended.empty() || !begins_word(mended.front())) mended.insert(0, "_");
+  if (corrected.empty() || !begins_word(corrected.front())) corrected.insert(0, "_");
   return fault(fmt::format("{} is not a valid name", quoted(name)),
-               "letters A to Z, digits and underscores, no digit in front", fmt::format("write {}", quoted(mended)));
+               "letters A to Z, digits and underscores, no digit in front", fmt::format("write {}", quoted(corrected)));
 }
 
 // The value of a number with one unit in plain characters, which nearly all texts are; nothing for all others.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -123,6 +124,11 @@ struct FunctionRef {
 struct ConstFunctionRef {
   std::span<const core::SampledFunction> parts;
   const std::string* file = nullptr;
+
+  /// True where both say the same, wherever they are kept.
+  friend bool operator==(const ConstFunctionRef& a, const ConstFunctionRef& b) {
+    return *a.file == *b.file && std::ranges::equal(a.parts, b.parts);
+  }
 };
 
 /// The value of a field: numbers, flags and choices among numbers as double, in the unit in which they are held, angles

@@ -220,10 +220,10 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
     return digit_follows ? comma_failure(text, number) : fmt::format("{} has a comma after the number", quoted(text));
   }
   if (core::is_digit(rest.front())) {
-    std::string mended(whole);
-    std::erase_if(mended, core::is_blank);
-    const std::size_t length = number_length(mended);
-    return fmt::format("{} has a blank within the number; write {}", quoted(text), mended.substr(0, length));
+    std::string corrected(whole);
+    std::erase_if(corrected, core::is_blank);
+    const std::size_t length = number_length(corrected);
+    return fmt::format("{} has a blank within the number; write {}", quoted(text), corrected.substr(0, length));
   }
   if (rest.front() == '.' || rest.front() == '+' || rest.front() == '-')
     return fmt::format("{} is not a valid number: {} does not belong after one", quoted(text), quoted(rest));
@@ -231,11 +231,11 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
 }
 
 std::string comma_failure(std::string_view text, std::string_view number) {
-  std::string mended(number);
-  std::ranges::replace(mended, ',', '.');
-  if (std::ranges::count(mended, '.') > 1)
+  std::string corrected(number);
+  std::ranges::replace(corrected, ',', '.');
+  if (std::ranges::count(corrected, '.') > 1)
     return fmt::format("{} has commas; write the number without them, with a point before decimals", quoted(text));
-  return fmt::format("{} has a comma; the decimal mark is the point: {}", quoted(text), mended);
+  return fmt::format("{} has a comma; the decimal mark is the point: {}", quoted(text), corrected);
 }
 
 }  // namespace sarsim::scene

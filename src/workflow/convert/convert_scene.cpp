@@ -20,27 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool same(const scene::FieldValue& a, const scene::FieldValue& b) {
-  const auto* const function = std::get_if<scene::ConstFunctionRef>(&a);
-  const auto* const other = std::get_if<scene::ConstFunctionRef>(&b);
-  if (function != nullptr && other != nullptr)
-    return *function->file == *other->file && std::ranges::equal(function->parts, other->parts);
-  return function == nullptr && other == nullptr && a.index() == b.index() &&
-         std::visit(
-             [&]<class Value>(const Value& value) {
-               if constexpr (std::is_same_v<Value, scene::ConstFunctionRef>)
-                 return true;
-               else
-                 return value == std::get<Value>(b);
-             },
-             a);
-}
-
 // The fields of an object that come back from a script otherwise than they were.
 template <class Object>
 void add_unsayable(const Object& object, const Object& back, const core::Subject& subject, core::Problems& problems) {
   for (const auto& field : scene::table_of<Object>().fields()) {
-    if (!scene::table_of<Object>().applies(object, field) || same(field.get(object), field.get(back))) continue;
+    if (!scene::table_of<Object>().applies(object, field) || field.get(object) == field.get(back)) continue;
     core::Problem problem =
         core::problem_of(core::Severity::error,
                          fmt::format("a script of the language of 1998 cannot say the {} as it is", field.spec.words),
