@@ -22,7 +22,7 @@ struct ConvertArguments {
 
 ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
   const workflow::ConvertRequest& request = arguments.samples;
-  if (workflow::language_of_name(request.output) && workflow::holds_script(request.input)) {
+  if (workflow::holds_script(request.input)) {
     print_problems(streams,
                    workflow::convert_scene({request.input, request.output, arguments.overrides, request.force}));
     return exit_done;

@@ -12,6 +12,7 @@
 #include "scene/edit/splice_value.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/scene_reader.hpp"
+#include "scene/language/value_text.hpp"
 #include "scene/model/object_lists.hpp"
 
 namespace sarsim::scene {
@@ -222,8 +223,9 @@ class TableSplicer {
   [[nodiscard]] std::optional<std::string> new_row(const ListedObject& object, toml::Span row) const {
     if (object.after == nullptr || target_after(object).position_m == target_before(object).position_m)
       return std::nullopt;
-    const Said was{"position", position_text(target_before(object).position_m)};
-    return value_after(toml::piece(text_, row), &was, {"position", position_text(target_after(object).position_m)});
+    const Said was{"position", language::vector_text(target_before(object).position_m)};
+    return value_after(toml::piece(text_, row), &was,
+                       {"position", language::vector_text(target_after(object).position_m)});
   }
 
   [[nodiscard]] TextChanges changes_of_part(const ObjectTable& table, const ListPart& part) const {

@@ -45,11 +45,4 @@ template <class Object>
 /// The quantity that an axis of a function has; held in the base unit.
 [[nodiscard]] Quantity quantity_of(const FunctionAxis& axis);
 
-/// Every path below an object of a kind, with those of functions, in the order of the table.
-[[nodiscard]] const std::vector<std::string>& paths_of(ObjectKind kind);
-
-/// Which alternatives of which choice a path belongs to: "pulses of type chirp"; empty where it always means something
-/// or is none of the kind.
-[[nodiscard]] std::string owner_of(ObjectKind kind, std::string_view path);
-
 }  // namespace sarsim::scene::language

@@ -8,6 +8,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/toml/values.hpp"
+#include "scene/language/path_facts.hpp"
 #include "scene/model/limits.hpp"
 
 namespace sarsim::scene::language {

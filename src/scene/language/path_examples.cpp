@@ -6,37 +6,13 @@
 #include "core/text/number_text.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/path_facts.hpp"
+#include "scene/language/value_text.hpp"
 #include "scene/schema/expression.hpp"
 
 /// The defaults and examples of paths as format 2 writes them.
 namespace sarsim::scene::language {
 
 namespace {
-
-std::string in_quotes(std::string_view text) { return fmt::format("\"{}\"", text); }
-
-std::string number_written(double number, Quantity quantity) {
-  if (quantity != Quantity::number && quantity != Quantity::count)
-    return in_quotes(exact_quantity_text(number, quantity));
-  return core::format_number(number);
-}
-
-std::string vector_written(const core::Vec3& v) {
-  return fmt::format("[{}, {}, {}]", core::format_number(v.x), core::format_number(v.y), core::format_number(v.z));
-}
-
-std::string flags_written(const FieldSpec& spec, double sum) {
-  std::vector<std::string> ids;
-  for (const Flag& flag : spec.flags)
-    if ((static_cast<unsigned>(sum) & flag.bit) != 0) ids.push_back(in_quotes(flag.id));
-  return "[" + joined(ids, ", ") + "]";
-}
-
-std::string choice_written(const FieldSpec& spec, int value) {
-  for (const Choice& choice : spec.choices)
-    if (choice.value == value) return has_words(spec) ? in_quotes(type_word(choice)) : type_word(choice);
-  return {};
-}
 
 // Two values that a function may well have, and that show the size of what is usual.
 std::array<double, 2> sample_values(Quantity quantity) {
@@ -69,7 +45,7 @@ std::string points_example(const FunctionBlock& block, std::size_t part) {
   const Quantity quantity = quantity_of(block.y[part]);
   const auto values = sample_values(quantity);
   if (block.x_ignored)
-    return fmt::format("[{}, {}]", number_written(values[0], quantity), number_written(values[1], quantity));
+    return fmt::format("[{}, {}]", quantity_value(values[0], quantity), quantity_value(values[1], quantity));
   const double last_x = block.x.unit == "s" ? 10.0 : block.x.unit == "deg" ? 5.0 : block.x.unit == "m" ? 1000.0 : 1.0;
   return fmt::format("[[0, {}], [{}, {}]]", core::format_number(values[0]), core::format_number(last_x),
                      core::format_number(values[1]));
@@ -95,10 +71,10 @@ std::string example_value(const PathFacts& facts) {
   const auto* const initial = spec.type == FieldType::number ? std::get_if<double>(&*facts.field().initial) : nullptr;
   if (initial == nullptr || *initial != 0.0) return default_text(facts);
   const double sample = sample_value(spec.quantity);
-  if (facts.fields.size() == 1) return number_written(sample, spec.quantity);
+  if (facts.fields.size() == 1) return quantity_value(sample, spec.quantity);
   const auto* const last = std::get_if<double>(&*facts.fields.back()->initial);
   const double end = last != nullptr && *last != 0.0 ? *last : 1000.0 * sample;
-  return fmt::format("[{}, {}]", number_written(*initial, spec.quantity), number_written(end, spec.quantity));
+  return fmt::format("[{}, {}]", quantity_value(*initial, spec.quantity), quantity_value(end, spec.quantity));
 }
 
 // A key with what it is set to, or keys below it.
@@ -160,17 +136,6 @@ bool stands_beside(const PathFacts& facts, const PathFacts& other) {
 
 }  // namespace
 
-std::string written(const FieldSpec& spec, const FieldValue& value) {
-  if (const auto* const vector = std::get_if<core::Vec3>(&value)) return vector_written(*vector);
-  if (const auto* const text = std::get_if<std::string>(&value)) return in_quotes(*text);
-  if (const auto* const seed = std::get_if<std::uint64_t>(&value)) return std::to_string(*seed);
-  if (spec.type == FieldType::choice) return choice_written(spec, chosen(value));
-  if (const auto* const yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
-  const auto* const number = std::get_if<double>(&value);
-  if (number == nullptr) return {};
-  return spec.type == FieldType::flags ? flags_written(spec, *number) : number_written(*number, spec.quantity);
-}
-
 std::string default_text(const PathFacts& facts) {
   if (facts.role == PathRole::interpolation) return in_quotes(interpolation_word(core::Interpolation::linear));
   std::vector<std::string> values;
@@ -178,7 +143,7 @@ std::string default_text(const PathFacts& facts) {
     if (!field->initial || !is_in_range(*field)) return {};
     if (const auto* const text = std::get_if<std::string>(&*field->initial); text != nullptr && text->empty())
       return {};
-    values.push_back(written(field->spec, *field->initial));
+    values.push_back(value_text(field->spec, *field->initial));
   }
   return values.size() == 1 ? values.front() : "[" + joined(values, ", ") + "]";
 }
@@ -188,7 +153,7 @@ std::string example_text(const PlainTable& table, const PathFacts& facts) {
   set_types(root, table, facts);
   if (facts.role == PathRole::choice) {
     for (const Choice& alternative : alternatives(facts.spec()))
-      if (written(facts.spec(), alternative.value) == default_text(facts))
+      if (value_text(facts.spec(), alternative.value) == default_text(facts))
         return example_text(table, facts, alternative);
   }
   set(root, facts.path, example_value(facts));

@@ -8,6 +8,7 @@
 
 #include "core/text/number_text.hpp"
 #include "scene/language/keys.hpp"
+#include "scene/language/value_text.hpp"
 #include "scene/schema/unit_table.hpp"
 #include "scene/script/order.hpp"
 
@@ -100,6 +101,27 @@ std::string dependence_text(const PlainTable& table, const PathFacts& facts) {
   for (const Dependence& on : dependences(table, facts))
     text += fmt::format("{}{} of type {}", text.empty() ? "" : ", with ", on.choice, joined(on.words));
   return text;
+}
+
+const std::vector<std::string>& paths_of(ObjectKind kind) {
+  static const auto all = [] {
+    std::array<std::vector<std::string>, kind_count> made;
+    for (const ObjectKind of : all_object_kinds)
+      for (const PathFacts& facts : paths_of(*plain_table(header_of(of)))) {
+        std::vector<std::string>& paths = made[static_cast<std::size_t>(of)];
+        paths.push_back(facts.path);
+        if (facts.role == PathRole::choice) paths.push_back(facts.path + ".type");
+      }
+    return made;
+  }();
+  return all[static_cast<std::size_t>(kind)];
+}
+
+std::string owner_of(ObjectKind kind, std::string_view path) {
+  const PlainTable& table = *plain_table(header_of(kind));
+  const std::vector<PathFacts> all = paths_of(table);
+  const auto found = std::ranges::find(all, path, &PathFacts::path);
+  return found == all.end() ? std::string() : dependence_text(table, *found);
 }
 
 std::vector<Choice> alternatives(const FieldSpec& spec) {
@@ -201,7 +223,7 @@ std::string plural(Quantity quantity) {
 std::string types_listed(const FieldSpec& spec) {
   std::vector<std::string> words;
   for (const Choice& choice : alternatives(spec))
-    words.push_back(has_words(spec) ? written(spec, choice.value) : type_word(choice));
+    words.push_back(has_words(spec) ? value_text(spec, choice.value) : type_word(choice));
   return joined(words);
 }
 

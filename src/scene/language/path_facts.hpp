@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/language/plain_table.hpp"
+#include "scene/model/kinds.hpp"
 
 /// What is known of one path of format 2, such as "pulse.width", in the words of explanations, schema and reference.
 namespace sarsim::scene::language {
@@ -44,6 +45,11 @@ struct Dependence {
 /// "pulse of type chirp"; empty where the path always means something.
 [[nodiscard]] std::string dependence_text(const PlainTable& table, const PathFacts& facts);
 
+/// Every path below an object of a kind, and those of the words of its choices: "pulse.type".
+[[nodiscard]] const std::vector<std::string>& paths_of(ObjectKind kind);
+/// `dependence_text` of a path of a kind; empty also for a path that the kind does not have.
+[[nodiscard]] std::string owner_of(ObjectKind kind, std::string_view path);
+
 /// The alternatives of a choice, each word once.
 [[nodiscard]] std::vector<Choice> alternatives(const FieldSpec& spec);
 
@@ -66,8 +72,6 @@ struct Dependence {
 /// Meaning and formula.
 [[nodiscard]] std::string meaning_text(const PathFacts& facts);
 
-/// A value as format 2 writes it: "\"5 us\"", "[0, 0, 0]".
-[[nodiscard]] std::string written(const FieldSpec& spec, const FieldValue& value);
 /// The default as it would be written; empty where the path has none and, if it means anything, has to be written.
 [[nodiscard]] std::string default_text(const PathFacts& facts);
 /// Lines of format 2 below the header of the object: `pulse = { type = "chirp", width = "5 us" }`.

@@ -6,6 +6,7 @@
 
 #include "scene/language/explanation.hpp"
 #include "scene/language/path_facts.hpp"
+#include "scene/language/value_text.hpp"
 
 namespace sarsim::scene::language {
 
@@ -134,7 +135,7 @@ class TablePage {
     const std::string shorthand = shorthand_text(table_, choice);
     if (!shorthand.empty())
       text_ += fmt::format("{}   # the same as type = {}\n", shorthand,
-                           written(choice.spec(), choice.spec().choices.front().value));
+                           value_text(choice.spec(), choice.spec().choices.front().value));
     text_ += "```\n";
     add_fields_below(choice);
   }

@@ -145,7 +145,7 @@ class SceneReader {
     Object object;
     if constexpr (std::is_same_v<Object, Platform>) read_line_path(reader, text, object);
     reader.read(object);
-    if constexpr (std::is_same_v<Object, Cloud>) use_positions(text);
+    if constexpr (std::is_same_v<Object, Cloud>) use_positions(reader, text);
     Leaf* const positions = kind.kind == ObjectKind::target ? reader.find("positions") : nullptr;
     reader.finish(kind.kind);
     if constexpr (std::is_same_v<Object, Target>)
@@ -153,8 +153,10 @@ class SceneReader {
     list.push_back(std::move(object));
   }
 
-  static void use_positions(ObjectText& text) {
+  static void use_positions(ObjectReader& reader, ObjectText& text) {
     if (Leaf* const table = text.find("positions")) table->used = true;
+    if (const Leaf* const one = reader.find("position"))
+      reader.error(one->key, "file", {"a target has either position or positions", "", "one of them"});
   }
 
   // Targets that differ in their position alone.

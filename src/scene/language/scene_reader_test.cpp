@@ -107,6 +107,8 @@ TEST(Format2, PositionsInAFileMakeACloud) {
   EXPECT_TRUE(scene.targets.empty());
   EXPECT_EQ(scene.clouds[0].file, "points.npy");
   EXPECT_EQ(scene.clouds[0].rcs_m2, 3.0);
+  EXPECT_THAT(complaints("[[target]]\npositions = { file = \"points.npy\" }\nposition = [1, 2, 3]\n"),
+              HasSubstr("scene.toml:4:1: error: a target has either position or positions"));
 }
 
 TEST(Format2, NamesOfLetStandForNumbers) {

@@ -5,12 +5,10 @@
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
-#include "core/text/json.hpp"
-#include "core/text/number_text.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/keys.hpp"
+#include "scene/language/value_text.hpp"
 #include "scene/model/object_lists.hpp"
-#include "scene/schema/expression.hpp"
 #include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene {
@@ -19,68 +17,14 @@ namespace {
 
 using namespace language;
 
-std::string in_quotes(std::string_view given) {
-  const std::string text = core::valid_utf8(given);  // Old scripts may be in Latin-1.
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') quoted += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F)
-      quoted += fmt::format("\\u{:04X}", static_cast<unsigned>(static_cast<unsigned char>(c)));
-    else
-      quoted += c;
-  }
-  return quoted + "\"";
-}
-
-// A number as TOML has it, in the base unit.
-std::string bare(double number) {
-  std::string text = core::format_number(number);
-  if (text.starts_with('.')) return "0" + text;
-  return text;
-}
-
-std::string with_unit(double number, Quantity quantity) {
-  if (quantity == Quantity::number || quantity == Quantity::count) return bare(number);
-  return in_quotes(exact_quantity_text(number, quantity));
-}
-
-std::string vector_text(const core::Vec3& v) { return fmt::format("[{}, {}, {}]", bare(v.x), bare(v.y), bare(v.z)); }
-
-std::string flags_text(const FieldSpec& spec, double sum) {
-  const auto bits = static_cast<unsigned>(sum);
-  unsigned known = 0;
-  std::string text;
-  for (const Flag& flag : spec.flags) {
-    known |= flag.bit;
-    if ((bits & flag.bit) != 0) text += (text.empty() ? "" : ", ") + in_quotes(flag.id);
-  }
-  return (bits & ~known) == 0 ? "[" + text + "]" : bare(sum);
-}
-
-// The value of a field that is neither a function nor a choice with a table of its own.
-std::string value_text(const FieldSpec& spec, const FieldValue& value) {
-  if (const auto* const vector = std::get_if<core::Vec3>(&value)) return vector_text(*vector);
-  if (const auto* const text = std::get_if<std::string>(&value)) return in_quotes(*text);
-  if (const auto* const yes = std::get_if<bool>(&value)) return *yes ? "true" : "false";
-  if (const auto* const seed = std::get_if<std::uint64_t>(&value)) {
-    const std::string digits = std::to_string(*seed);
-    return *seed > static_cast<std::uint64_t>(INT64_MAX) ? in_quotes(digits) : digits;
-  }
-  if (spec.type == FieldType::flags) return flags_text(spec, std::get<double>(value));
-  if (spec.type == FieldType::choice) {
-    for (const Choice& choice : spec.choices)
-      if (choice.value == chosen(value)) return has_words(spec) ? in_quotes(type_word(choice)) : type_word(choice);
-  }
-  return with_unit(std::get<double>(value), spec.quantity);
-}
-
 std::string points_text(const core::SampledFunction& function, const FunctionBlock& block) {
   std::string text;
   bool counted = block.x_ignored;
   for (std::size_t i = 0; i < function.knots.size(); ++i)
     counted = counted && function.knots[i].x == static_cast<double>(i);
   for (const core::Knot& knot : function.knots)
-    text += (text.empty() ? "" : ", ") + (counted ? bare(knot.y) : fmt::format("[{}, {}]", bare(knot.x), bare(knot.y)));
+    text += (text.empty() ? "" : ", ") +
+            (counted ? number_text(knot.y) : fmt::format("[{}, {}]", number_text(knot.x), number_text(knot.y)));
   return "[" + text + "]";
 }
 
@@ -344,8 +288,6 @@ std::vector<Said> said_of(const AnyObject& object) {
 }
 
 std::vector<Said> said_of(const RunOptions& options) { return nodes_of_object(options, Saying::differences); }
-
-std::string position_text(const core::Vec3& position) { return vector_text(position); }
 
 std::string write_objects(const Scene& scene, ObjectKind kind) {
   std::string text;

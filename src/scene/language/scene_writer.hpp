@@ -43,9 +43,6 @@ struct Said {
 /// @param header  the path of the table that it stands in: "radar.antenna"
 [[nodiscard]] std::string lines_of(const Said& said, const std::string& header);
 
-/// A position as the lists of coordinates have it: "[1, 2.5, 0]".
-[[nodiscard]] std::string position_text(const core::Vec3& position);
-
 /// The tables of all objects of a kind, each with an empty line above it.
 [[nodiscard]] std::string write_objects(const Scene& scene, ObjectKind kind);
 
