@@ -229,6 +229,20 @@ class ScriptEditorTest : public QObject {
     QVERIFY((gui::script_spans("!all") == std::vector<gui::ScriptSpan>{{0, 4, gui::ScriptPart::comment}}));
   }
 
+  void parts_of_a_line_of_format_2_are_told_apart() {
+    using Part = gui::ScriptPart;
+    using Spans = std::vector<gui::ScriptSpan>;
+    QVERIFY((gui::format_2_spans("carrier = \"9 # GHz\"  # X band") ==
+             Spans{{0, 7, Part::keyword}, {10, 9, Part::name}, {21, 8, Part::comment}}));
+    QVERIFY((gui::format_2_spans("[[radar.swath]] # [1]") == Spans{{0, 15, Part::command}, {16, 5, Part::comment}}));
+    QVERIFY((gui::format_2_spans("  [1.5, -2, true],") ==
+             Spans{{3, 3, Part::number}, {8, 2, Part::number}, {12, 4, Part::number}}));
+    QVERIFY((gui::format_2_spans("a.b = { type = 'x' }") ==
+             Spans{{0, 3, Part::keyword}, {8, 4, Part::keyword}, {15, 3, Part::name}}));
+    QVERIFY((gui::format_2_spans("open = \"no end\\\"") == Spans{{0, 4, Part::keyword}, {7, 9, Part::name}}));
+    QVERIFY(gui::format_2_spans("").empty());
+  }
+
   void colours_follow_the_palette() {
     Bench bench;
     QApplication::processEvents();

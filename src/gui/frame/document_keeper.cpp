@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "gui/common/text.hpp"
+#include "scene/language/format_mark.hpp"
 
 namespace sarsim::gui {
 
@@ -101,7 +102,8 @@ bool DocumentKeeper::save() {
 bool DocumentKeeper::save_as() {
   QString path = ask_save_name();
   if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty()) path += ".scr";
+  if (QFileInfo(path).suffix().isEmpty())
+    path += QString::fromStdString("." + scene::usual_ending(session_.document().text()));
   return save_to(path);
 }
 

@@ -4,6 +4,7 @@
 
 #include "gui/common/text.hpp"
 #include "gui/frame/document_keeper.hpp"
+#include "scene/language/format_mark.hpp"
 
 // The dialogs in which a document keeper asks.
 
@@ -11,7 +12,7 @@ namespace sarsim::gui {
 
 namespace {
 
-QString script_filter() { return DocumentKeeper::tr("Sarsim scripts (*.scr *.SCR);;All files (*)"); }
+QString script_filter() { return DocumentKeeper::tr("Sarsim scenes (*.toml *.TOML *.scr *.SCR);;All files (*)"); }
 
 }  // namespace
 
@@ -32,8 +33,9 @@ void DocumentKeeper::make_questions() {
     const auto& path = session_.document().path();
     QFileDialog dialog(window_, tr("Save As"), QString(), script_filter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
-    dialog.setDefaultSuffix("scr");
-    dialog.selectFile(path.empty() ? QString("scene.scr") : text_of(path));
+    const QString ending = QString::fromStdString(scene::usual_ending(session_.document().text()));
+    dialog.setDefaultSuffix(ending);
+    dialog.selectFile(path.empty() ? "scene." + ending : text_of(path));
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
   };
   ask_read_again = [this](bool unsaved) {

@@ -1,8 +1,10 @@
 #include "gui/script/script_highlighter.hpp"
 
+#include <QTextDocument>
 #include <QTextLayout>
 
 #include "gui/common/palette_colours.hpp"
+#include "scene/language/format_mark.hpp"
 #include "scene/schema/grammar.hpp"
 #include "scene/script/tokens.hpp"
 
@@ -15,6 +17,21 @@ ScriptPart part_of(const scene::script::Token& token) {
   if (token.kind == scene::script::TokenKind::quoted) return ScriptPart::name;
   if (scene::script::is_keyword(token.text)) return ScriptPart::keyword;
   return scene::script::begins_like_number(token.text) ? ScriptPart::number : ScriptPart::name;
+}
+
+// A header and nothing else but a comment, rather than a row of an array.
+bool is_header(QStringView rest) {
+  const qsizetype comment = rest.indexOf(u'#');
+  const QStringView text = (comment < 0 ? rest : rest.left(comment)).trimmed();
+  return text.endsWith(u']') && !text.contains(u',') && text.size() > 2 &&
+         (text[1] == u'[' || text[1].isLetter() || text[1] == u'"');
+}
+
+// Whether a text is format 2, told by its first line that holds anything.
+bool is_of_format_2(QTextBlock line) {
+  QTextBlock first = line.document()->firstBlock();
+  while (first.isValid() && first.text().trimmed().isEmpty()) first = first.next();
+  return first.isValid() && scene::is_format_2(first.text().toStdString());
 }
 
 }  // namespace
@@ -37,6 +54,36 @@ std::vector<ScriptSpan> script_spans(const QString& line) {
   return spans;
 }
 
+std::vector<ScriptSpan> format_2_spans(const QString& line) {
+  std::vector<ScriptSpan> spans;
+  const auto is_word = [](QChar c) { return c.isLetterOrNumber() || QStringLiteral("_-+.:").contains(c); };
+  const auto add = [&](qsizetype from, qsizetype to, ScriptPart part) {
+    spans.push_back({static_cast<int>(from), static_cast<int>(to - from), part});
+    return to;
+  };
+  for (qsizetype at = 0; at < line.size();) {
+    const QChar c = line[at];
+    if (c == u'#') {
+      at = add(at, line.size(), ScriptPart::comment);
+    } else if (c == u'"' || c == u'\'') {
+      qsizetype end = at + 1;
+      while (end < line.size() && line[end] != c) end += c == u'"' && line[end] == u'\\' ? 2 : 1;
+      at = add(at, std::min(end + 1, line.size()), ScriptPart::name);
+    } else if (c == u'[' && spans.empty() && QStringView(line).left(at).trimmed().isEmpty() &&
+               is_header(QStringView(line).sliced(at))) {
+      at = add(at, line.lastIndexOf(u']', line.indexOf(u'#') < 0 ? -1 : line.indexOf(u'#')) + 1, ScriptPart::command);
+    } else if (is_word(c)) {
+      qsizetype end = at;
+      while (end < line.size() && is_word(line[end])) ++end;
+      const bool is_key = QStringView(line).sliced(end).trimmed().startsWith(u'=');
+      at = add(at, end, is_key ? ScriptPart::keyword : ScriptPart::number);
+    } else {
+      ++at;
+    }
+  }
+  return spans;
+}
+
 void ScriptHighlighter::set_palette(const QPalette& palette) {
   dark_ = is_dark(palette);
   const auto set = [&](ScriptPart part, picture::Role role, bool bold, bool italic) {
@@ -54,11 +101,12 @@ void ScriptHighlighter::set_palette(const QPalette& palette) {
 
 void ScriptHighlighter::colour(QTextBlock line) const {
   const QString text = line.text();
-  const int stamp =
-      static_cast<int>(qHash(text, dark_ ? 1 : 2) & 0x7FFFFFFF);  // Lines that were never coloured have -1.
+  const bool format_2 = is_of_format_2(line);
+  const std::size_t kind = (dark_ ? 1U : 2U) + (format_2 ? 2U : 0U);
+  const int stamp = static_cast<int>(qHash(text, kind) & 0x7FFFFFFF);  // Lines that were never coloured have -1.
   if (line.userState() == stamp) return;
   QList<QTextLayout::FormatRange> ranges;
-  for (const ScriptSpan& span : script_spans(text))
+  for (const ScriptSpan& span : format_2 ? format_2_spans(text) : script_spans(text))
     ranges += {span.at, span.length, formats_[static_cast<std::size_t>(span.part)]};
   line.setUserState(stamp);
   line.layout()->setFormats(ranges);

@@ -24,6 +24,10 @@ struct ScriptSpan {
 /// The words and the comment of one line of a script, in order.
 [[nodiscard]] std::vector<ScriptSpan> script_spans(const QString& line);
 
+/// The same of a line of format 2: headers are commands, keys are keywords, strings are names. A line alone does not
+/// show that it is inside of a string of several lines, which scenes do not need.
+[[nodiscard]] std::vector<ScriptSpan> format_2_spans(const QString& line);
+
 /// Colours a script: commands, keywords, numbers, comments. Weight and slant tell the parts apart as well as colour
 /// does. Lines are coloured one by one, when they are about to be seen, so that long scripts cost no more than short
 /// ones.

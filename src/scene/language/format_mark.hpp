@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace sarsim::scene {
@@ -11,5 +12,8 @@ inline constexpr std::string_view format_2_mark = "sarsim 2";
 /// that holds more than a comment, whatever the file is called. A script begins with `!` or `$` there, TOML with a
 /// comment after `#`, a header in brackets, or `key =`.
 [[nodiscard]] bool is_format_2(std::string_view text);
+
+/// The usual ending of a file with a text, without the point: "toml" or "scr".
+[[nodiscard]] inline std::string usual_ending(std::string_view text) { return is_format_2(text) ? "toml" : "scr"; }
 
 }  // namespace sarsim::scene
