@@ -412,7 +412,7 @@ TEST_F(Words, AScriptWithoutASimulationIsNamed) {
   scene.files = {};
   write_scene(scene);
   for (const char* command : {"doppler", "search", "focus"})
-    expect_refusal({command, "scene.scr"}, "scene.scr: error: the script has no $SIMULATION");
+    expect_refusal({command, "scene.scr"}, "scene.scr: error: the scene says nothing of what is recorded");
 }
 
 TEST_F(Words, ADiscardedRecordingHasNoSize) {

@@ -192,7 +192,7 @@ class Chapter3Test : public QObject {
 
   void the_example_built_with_widgets_gives_the_magnitude_of_the_thesis() {
     const QTemporaryDir folder;
-    const QString script = folder.filePath("chapter3.scr");
+    const QString script = folder.filePath("chapter3.toml");
     gui::MainWindow window;
     const Hands hands(window);
     hands.choose("file_new");
@@ -230,8 +230,8 @@ class Chapter3Test : public QObject {
     hands.pick("platform", "Earth");
     store_simulation(hands);
     hands.save_as(folder.filePath("mast"));
-    QVERIFY(QFileInfo::exists(folder.filePath("mast.scr")));
-    const Outcome outcome = run_script(folder.filePath("mast.scr"), folder.filePath("out"));
+    QVERIFY(QFileInfo::exists(folder.filePath("mast.toml")));
+    const Outcome outcome = run_script(folder.filePath("mast.toml"), folder.filePath("out"));
     QVERIFY2(outcome.status == 0, qPrintable(outcome.messages));
     QVERIFY(std::abs(1e3 * outcome.product["maximum_v"].toDouble() - magnitude_mv) < last_digit_mv);
   }

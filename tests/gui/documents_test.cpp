@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -283,6 +284,56 @@ class DocumentsTest : public QObject {
     QVERIFY(!window.isWindowModified());
     window.documents().ask_save_name = [] { return QString(); };
     QVERIFY(!window.documents().save());
+  }
+
+  void examples_are_offered_in_format_2_and_below_in_the_language_of_1998() {
+    gui::MainWindow window;
+    const auto* examples = window.findChild<QMenu*>("file_examples");
+    QVERIFY(examples != nullptr);
+    QStringList names;
+    const QMenu* scripts = nullptr;
+    for (const QAction* action : examples->actions()) {
+      if (action->menu() != nullptr)
+        scripts = action->menu();
+      else if (!action->isSeparator())
+        names += action->text();
+    }
+    QVERIFY(names.contains("sar_r.toml"));
+    QVERIFY(!names.contains("sar_r.scr"));
+    QVERIFY(scripts != nullptr);
+    const auto is_script = [](const QAction* action) { return action->text() == "sar_r_1998.scr"; };
+    QVERIFY(std::ranges::any_of(scripts->actions(), is_script));
+  }
+
+  void a_new_scene_is_in_format_2_and_is_saved_with_its_ending() {
+    QTemporaryDir folder;
+    gui::MainWindow window;
+    QVERIFY(window.documents().make_new());
+    QVERIFY(window.session().document().text().find("format = \"sarsim 2\"") != std::string::npos);
+    window.session().perform(scene::add_object(window.session().scene(), scene::Target()));
+    QVERIFY(window.session().document().text().find("[[target]]") != std::string::npos);
+    window.documents().ask_save_name = [&] { return folder.filePath("new"); };
+    QVERIFY(window.documents().save());
+    QCOMPARE(window.session().document().path().filename().string(), std::string("new.toml"));
+  }
+
+  void the_ending_of_the_other_language_is_asked_about_and_changes_nothing() {
+    Bench bench;
+    QString asked;
+    bool answer = false;
+    bench.window.documents().ask_ending = [&](const QString& path) { return asked = path, answer; };
+    const QString other = bench.temporary.filePath("b.toml");
+    bench.window.documents().ask_save_name = [&] { return other; };
+    QVERIFY(!bench.window.documents().save_as());
+    QCOMPARE(asked, other);
+    QVERIFY(!QFileInfo::exists(other));
+    answer = true;
+    QVERIFY(bench.window.documents().save_as());
+    QCOMPARE(text_in(other.toStdString()), std::string(script_text));
+    asked.clear();
+    bench.window.documents().ask_save_name = [&] { return bench.temporary.filePath("c.scr"); };
+    QVERIFY(bench.window.documents().save_as());
+    QVERIFY(asked.isEmpty());
   }
 
   void an_example_that_needs_its_data_files_is_opened_where_it_stands() {

@@ -113,7 +113,7 @@ class HelpTest : public QObject {
                             << "";
     QTest::newRow("products") << "products" << workbench << "Images from echoes";
     QTest::newRow("script") << "script"
-                            << "formats/script.md"
+                            << "formats/scene.md"
                             << "";
     QTest::newRow("log") << "log"
                          << "guide/troubleshooting.md"

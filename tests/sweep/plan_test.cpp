@@ -77,7 +77,7 @@ TEST_F(PlanCommand, SaysSoWhereAScriptHasNoRecording) {
   write_text(folder_ / "scene.scr", "$TARGET Earth 0 0 0 0 0 0 1 0 ISOTROPIC\n");
   const Finished plan = sarsim({"info", "scene.scr", "--plan"});
   EXPECT_EQ(plan.status, 0) << plan.err;
-  EXPECT_THAT(plan.out, HasSubstr("no $SIMULATION"));
+  EXPECT_THAT(plan.out, HasSubstr("the scene has no recording"));
   EXPECT_THAT(sarsim({"info", "scene.scr", "--plan", "--json"}).out, HasSubstr("\"seconds\""));
 }
 

@@ -103,13 +103,13 @@ ExitStatus check_scenes(const CheckArguments& arguments, Streams& streams) {
 
 Action add_check(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
-  app.add_option("scenes", arguments->scenes, "scripts to check")->type_name("SCENE")->required();
+  app.add_option("scenes", arguments->scenes, "scenes to check")->type_name("SCENE")->required();
   add_scene_overrides(app, arguments->overrides);
   app.add_flag("--json", arguments->json, "the problems as JSON on standard output");
   app.add_flag("--strict", arguments->strict, "warnings, too, give exit status 2");
-  add_examples(app, {{"sarsim check sar_r.scr", "all problems of a script, with line and column"},
+  add_examples(app, {{"sarsim check sar_r.toml", "all problems of a scene, with line and column"},
                      {"sarsim check *.scr", "of many"},
-                     {"sarsim check --json sar_r.scr", "for programs"}});
+                     {"sarsim check --json sar_r.toml", "for programs"}});
   return [arguments](Streams& streams) { return check_scenes(*arguments, streams); };
 }
 

@@ -92,12 +92,12 @@ ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
 Action add_focus(CLI::App& app) {
   auto arguments = std::make_shared<RequestArguments>();
   add_request_arguments(app, workflow::focus_option_table().options(), *arguments,
-                        "script to simulate and focus, or file of samples");
-  add_examples(app, {{"sarsim focus sar_r.scr", "simulate and focus: sar_r.img with its header sar_r.hdr"},
+                        "scene to simulate and focus, or file of samples");
+  add_examples(app, {{"sarsim focus sar_r.toml", "simulate and focus: sar_r.img with its header sar_r.hdr"},
                      {"sarsim focus sim1.h5 --window taylor:35:5", "a recording, with lower sidelobes"},
-                     {"sarsim focus sim1.bin --script scene.scr --out image.npy", "a file that carries no script"},
+                     {"sarsim focus sim1.bin --script scene.toml --out image.npy", "a file that carries no script"},
                      {"sarsim focus flight.h5 --autofocus --autofocus-phase phase.csv", "with phase errors taken out"},
-                     {"sarsim focus sar_r.scr --algorithm back-projection --grid ground", "onto level ground"},
+                     {"sarsim focus sar_r.toml --algorithm back-projection --grid ground", "onto level ground"},
                      {"sarsim focus big.h5 --memory 500M --scratch /data", "in less memory than the image"}});
   return [arguments](Streams& streams) { return run_focus(*arguments, streams); };
 }

@@ -35,6 +35,9 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   const workflow::SceneInput input =
       workflow::read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::reading);
   workflow::expect_usable(input);
+  if (arguments.in_place && input.json)
+    throw core::Refused("--in-place: '" + arguments.scene + "' is JSON, which Sarsim reads but does not write",
+                        "write TOML into another file: -o scene.toml");
   if (!arguments.output.empty())
     workflow::expect_free_outputs({arguments.output}, {input.sources, arguments.force, "-o"});
   print_problems(streams, input.problems);
@@ -57,7 +60,7 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
 
 Action add_format_command(CLI::App& app) {
   auto arguments = std::make_shared<FormatArguments>();
-  add_text(app, "scene", arguments->scene, "SCENE", "script to rewrite")->required();
+  add_text(app, "scene", arguments->scene, "SCENE", "scene to rewrite")->required();
   auto* output =
       add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   auto* in_place = app.add_flag("--in-place", arguments->in_place, "replace the script itself, all or nothing");
@@ -68,7 +71,7 @@ Action add_format_command(CLI::App& app) {
   add_scene_overrides(app, arguments->overrides);
   add_examples(app, {{"sarsim format old.scr", "the script as understood, on standard output"},
                      {"sarsim format old.scr -o new.scr", "into another file"},
-                     {"sarsim format scene.scr --targets points.csv --set seed=2 -o more.scr",
+                     {"sarsim format scene.toml --targets points.csv --set seed=2 -o more.toml",
                       "with other values and more targets"},
                      {"sarsim format old.scr --in-place", "instead of the old text; its own comments are lost"}});
   return [arguments](Streams& streams) { return format_scene(*arguments, streams); };

@@ -93,7 +93,7 @@ std::vector<scene::GeometryTable> chosen_tables(const GeometryArguments& argumen
     return {whole_table(recorded.radar, recorded.time_start_s, recorded.time_end_s)};
   }
   if (scene.geometries.empty())
-    throw core::Refused(arguments.input + ": the script has no $GEOMETRY",
+    throw core::Refused(arguments.input + ": the scene has no geometry table",
                         "choose pulses with --radar, --start and --end");
   if (arguments.numbers.empty()) return scene.geometries;
   std::vector<scene::GeometryTable> tables;
@@ -172,9 +172,9 @@ Action add_geometry(CLI::App& app) {
   add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   add_scene_overrides(app, arguments->overrides);
-  add_examples(app, {{"sarsim geometry scene.scr", "the $GEOMETRY tables of the script"},
-                     {"sarsim geometry sar_r.scr --radar Radar1 --start 0 --end 0.1", "any other pulses"},
-                     {"sarsim geometry scene.scr 1 --csv -o table.csv", "for other programs"},
+  add_examples(app, {{"sarsim geometry scene.toml", "the geometry tables of the scene"},
+                     {"sarsim geometry sar_r.toml --radar Radar1 --start 0 --end 0.1", "any other pulses"},
+                     {"sarsim geometry scene.toml 1 --csv -o table.csv", "for other programs"},
                      {"sarsim geometry sar_r.h5 --no-targets --csv -o track.csv",
                       "the track and attitude of a recording, pulse by pulse"}});
   return [arguments](Streams& streams) { return print_geometry(*arguments, streams); };

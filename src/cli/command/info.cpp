@@ -101,12 +101,12 @@ Action add_info(CLI::App& app) {
               "of --plan: threads of each; 0 for one per core (default)");
   add_scene_overrides(app, arguments->overrides);
   add_sample_arguments(app, arguments->sample);
-  add_examples(app, {{"sarsim info sar_r.scr", "resolution, ambiguities, SNR, size and time of a script"},
-                     {"sarsim info sar_r.scr --plan --workers 8", "what a run will take, and on eight machines"},
+  add_examples(app, {{"sarsim info sar_r.toml", "resolution, ambiguities, SNR, size and time of a scene"},
+                     {"sarsim info sar_r.toml --plan --workers 8", "what a run will take, and on eight machines"},
                      {"sarsim info sim1.h5", "shape, axes and attributes of a file of samples"},
                      {"sarsim info sim1.h5 --statistics", "also its largest samples, rms and share of zeros"},
                      {"sarsim info sim1.bin --columns 256 --bits 8", "of one that does not describe itself"},
-                     {"sarsim info sim1.bin --script sar_r.scr", "or with what its script says"}});
+                     {"sarsim info sim1.bin --script sar_r.toml", "or with what its script says"}});
   return [arguments](Streams& streams) { return print_info(*arguments, streams); };
 }
 

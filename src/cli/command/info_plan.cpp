@@ -42,7 +42,7 @@ class PlanInfo {
       text += "\nall of them\n" + figures_text({si_count("samples", plan_.samples()), size("files", plan_.bytes()),
                                                 size("memory of a worker", plan_.memory_bytes())});
     }
-    if (plan_.recordings.empty()) return text + "  the script has no $SIMULATION\n";
+    if (plan_.recordings.empty()) return text + "  the scene has no recording\n";
     return text + workers_text();
   }
 

@@ -116,10 +116,10 @@ ExitStatus run_isar(const RequestArguments& arguments, Streams& streams) {
 Action add_isar(CLI::App& app) {
   auto arguments = std::make_shared<RequestArguments>();
   add_request_arguments(app, workflow::isar_option_table().options(), *arguments);
-  add_examples(app, {{"sarsim isar turning_ship.scr", "simulate and image: turning_ship-isar.img"},
-                     {"sarsim isar turning_ship.scr --bursts 64 --step 32", "a series of images"},
+  add_examples(app, {{"sarsim isar turning_ship.toml", "simulate and image: turning_ship-isar.img"},
+                     {"sarsim isar turning_ship.toml --bursts 64 --step 32", "a series of images"},
                      {"sarsim isar sim1.h5 --motion estimated --window taylor:35:5", "without knowing the path"},
-                     {"sarsim isar turning_ship.scr --algorithm back-projection", "exact for any turning"}});
+                     {"sarsim isar turning_ship.toml --algorithm back-projection", "exact for any turning"}});
   return [arguments](Streams& streams) { return run_isar(*arguments, streams); };
 }
 

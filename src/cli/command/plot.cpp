@@ -382,15 +382,15 @@ Action add_plot(CLI::App& app) {
   add_sample_arguments(app, a->samples);
   add_scene_overrides(app, a->overrides);
   add_examples(
-      app,
-      {{"sarsim plot sar_r.scr -o echoes.png", "what its first simulation records"},
-       {"sarsim plot sar_r.scr --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
-       {"sarsim plot scene.scr --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
-       {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
-       {"sarsim plot sar_r.img --show db --peak -o image.png", "a focused image, every point of it seen"},
-       {"sarsim plot sar_r.scr --kind pulse --data compressed --show db --vary Radar1.window=RECT,HAMMING -o c.png",
-        "two curves in one picture"},
-       {"sarsim plot sar_r.scr --kind antenna --csv pattern.csv", "a table alone"}});
+      app, {{"sarsim plot sar_r.toml -o echoes.png", "what its first recording holds"},
+            {"sarsim plot sar_r.toml --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
+            {"sarsim plot scene.toml --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
+            {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
+            {"sarsim plot sar_r.img --show db --peak -o image.png", "a focused image, every point of it seen"},
+            {"sarsim plot sar_r.toml --kind pulse --data compressed --show db --vary Radar1.window=rectangular,hamming "
+             "-o c.png",
+             "two curves in one picture"},
+            {"sarsim plot sar_r.toml --kind antenna --csv pattern.csv", "a table alone"}});
   return [a](Streams& streams) { return plot(*a, streams); };
 }
 

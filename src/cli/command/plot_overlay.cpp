@@ -31,11 +31,11 @@ void add_variations(std::vector<Layer>& layers, const PlotArguments& a) {
   workflow::SweepValues values;
   values.settings = a.variations;
   values.folder = fs::path(a.input).parent_path();
-  const workflow::Sweep sweep(input.scene, values);
+  const workflow::Sweep sweep(input.scene, values, {a.input, a.overrides, input.names, input.sources});
   expect_few(sweep.size());
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     Layer layer{sweep.label(i), a};
-    for (const std::string& setting : sweep.settings(i)) layer.arguments.overrides.settings.push_back(setting);
+    sweep.add_to(layer.arguments.overrides, i);
     layers.push_back(std::move(layer));
   }
 }

@@ -32,7 +32,8 @@ scene::Simulation chosen_simulation(const PlotArguments& a, const scene::Scene& 
     return scene.simulations[number - 1];
   }
   if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];
-  if (scene.radars.empty()) throw core::Refused(a.input + ": the script has no radar", "add a $RADAR");
+  if (scene.radars.empty())
+    throw core::Refused(a.input + ": the scene has no radar", "add a [[radar]]; in a .scr, a $RADAR");
   scene::Simulation simulation;
   simulation.radar = scene.radars[a.radar.empty() ? 0 : workflow::radar_named(scene, a.radar)].name;
   return simulation;

@@ -160,10 +160,10 @@ Action add_profiles(CLI::App& app) {
   auto arguments = std::make_shared<RequestArguments>();
   add_request_arguments(app, workflow::profiles_option_table().options(), *arguments);
   add_examples(app,
-               {{"sarsim profiles stepped_aircraft.scr", "simulate: stepped_aircraft-profiles.img and .hdr"},
-                {"sarsim profiles stepped_aircraft.scr --velocity estimated --out a.csv", "sharpened, as a table"},
+               {{"sarsim profiles stepped_aircraft.toml", "simulate: stepped_aircraft-profiles.img and .hdr"},
+                {"sarsim profiles stepped_aircraft.toml --velocity estimated --out a.csv", "sharpened, as a table"},
                 {"sarsim profiles sim1.h5 --group scans --window taylor:35:5", "a recording, a profile for each scan"},
-                {"sarsim profiles sim1.bin --script scene.scr --json", "a file that carries no script"}});
+                {"sarsim profiles sim1.bin --script scene.toml --json", "a file that carries no script"}});
   return [arguments](Streams& streams) { return run_profiles(*arguments, streams); };
 }
 

@@ -158,18 +158,18 @@ void add_run_options(CLI::App& app, RunArguments& a) {
 
 Action add_run(CLI::App& app, workflow::Team* team) {
   auto arguments = std::make_shared<RunArguments>();
-  add_text(app, "scene", arguments->request.script, "SCENE", "script to simulate")->required();
+  add_text(app, "scene", arguments->request.script, "SCENE", "scene to simulate")->required();
   app.add_option("products", arguments->request.products,
                  "which products: numbers of simulations from 1, or output names (default: all)")
       ->type_name("NUMBER|NAME");
   add_run_options(app, *arguments);
   add_examples(app,
-               {{"sarsim run sar_r.scr", "everything that the script asks for"},
-                {"sarsim run sar_r.scr 2 --out results", "its second simulation, into another folder"},
-                {"sarsim run sar_r.scr --format hdf5 --force", "volts as HDF5, replacing older files"},
+               {{"sarsim run sar_r.toml", "everything that the scene asks for"},
+                {"sarsim run sar_r.toml 2 --out results", "its second recording, into another folder"},
+                {"sarsim run sar_r.toml --format hdf5 --force", "volts as HDF5, replacing older files"},
                 {"sarsim run old.scr --profile classic", "as the program of 1998 computed it"},
-                {"sarsim run sar_r.scr --part 3/8", "the third of eight shares, on any machine that sees the folder"},
-                {"sarsim run sar_r.scr --resume", "with a journal; the same again goes on where it ended"}});
+                {"sarsim run sar_r.toml --part 3/8", "the third of eight shares, on any machine that sees the folder"},
+                {"sarsim run sar_r.toml --resume", "with a journal; the same again goes on where it ended"}});
   return [arguments, team](Streams& streams) { return run(*arguments, streams, team); };
 }
 

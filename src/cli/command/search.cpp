@@ -46,10 +46,10 @@ ExitStatus run_search(const RequestArguments& arguments, Streams& streams) {
 Action add_search(CLI::App& app) {
   auto arguments = std::make_shared<RequestArguments>();
   add_request_arguments(app, workflow::search_option_table().options(), *arguments);
-  add_examples(app, {{"sarsim search search_radar.scr", "a picture, search_radar-ppi.img, and a table of detections"},
+  add_examples(app, {{"sarsim search search_radar.toml", "a picture, search_radar-ppi.img, and a table of detections"},
                      {"sarsim search sim1.h5 --scan 2 --pixel 25 --out turn2.npy", "the second turn, in larger pixels"},
-                     {"sarsim search scene.scr --canceller three --interval 8", "what moves"},
-                     {"sarsim search scene.scr --no-map --cfar os --json", "detections alone"}});
+                     {"sarsim search scene.toml --canceller three --interval 8", "what moves"},
+                     {"sarsim search scene.toml --no-map --cfar os --json", "detections alone"}});
   return [arguments](Streams& streams) { return run_search(*arguments, streams); };
 }
 

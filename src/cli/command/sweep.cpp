@@ -55,8 +55,11 @@ SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart 
   request.scene = std::move(input.scene);
   request.script = arguments.scene;
   request.places = std::move(input.places);
+  request.names = std::move(input.names);
   request.sources = std::move(input.sources);
   request.values = arguments.values;
+  for (const std::string& word : arguments.let)
+    request.values.settings.push_back(std::string(workflow::let_prefix) + word);
   request.values.table = arguments.table_of_values;
   request.values.draws = static_cast<std::size_t>(arguments.draws.value_or(0));
   request.values.folder = std::filesystem::path(arguments.scene).parent_path();
@@ -148,7 +151,7 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
   workflow::choose_simd(arguments.simd);
   workflow::SceneInput input = read_scene_to_vary(arguments, streams);
   if (arguments.fields) {
-    write_out(streams, workflow::field_list(input.scene));
+    write_out(streams, workflow::field_list({input.scene, input.names}));
     return exit_done;
   }
   const SweepRequest request = sweep_request(arguments, part, std::move(input));
@@ -177,17 +180,19 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
 Action add_sweep(CLI::App& app) {
   auto arguments = std::make_shared<SweepArguments>();
   add_sweep_arguments(app, *arguments);
-  add_examples(app, {{"sarsim sweep scene.scr --set seed=1..1000 --out runs", "a thousand noises"},
-                     {"sarsim sweep scene.scr --set Radar1.bandwidth=10MHz:10MHz:100MHz --set seed=1..10 --dry-run",
-                      "what a hundred combinations would be"},
-                     {"sarsim sweep scene.scr --set 'Target1.x=1km,2km' --discard", "figures alone, no recordings"},
-                     {"sarsim sweep scene.scr --values cases.csv --out runs", "a variation for each line of a table"},
-                     {"sarsim sweep scene.scr --zip --set 'Target1.rcs=normal(1, 0.2)' --set seed=1..100",
-                      "random values, each with its own noise"},
-                     {"sarsim sweep sar.scr --set seed=1..100 --discard --focus --measure",
-                      "the errors of a hundred images, as columns of the table"},
-                     {"sarsim sweep scene.scr --set seed=1..100 --dry-run --commands", "a command for each variation"},
-                     {"sarsim sweep scene.scr --fields", "what can be set"}});
+  add_examples(app,
+               {{"sarsim sweep scene.toml --set seed=1..1000 --out runs", "a thousand noises"},
+                {"sarsim sweep scene.toml --set Radar1.bandwidth=10MHz:10MHz:100MHz --set seed=1..10 --dry-run",
+                 "what a hundred combinations would be"},
+                {"sarsim sweep scene.toml --set 'Target1.x=1km,2km' --discard", "figures alone, no recordings"},
+                {"sarsim sweep scene.toml --let speed=100:50:300m/s", "a name of [let], and all that it stands for"},
+                {"sarsim sweep scene.toml --values cases.csv --out runs", "a variation for each line of a table"},
+                {"sarsim sweep scene.toml --zip --set 'Target1.rcs=normal(1, 0.2)' --set seed=1..100",
+                 "random values, each with its own noise"},
+                {"sarsim sweep sar.toml --set seed=1..100 --discard --focus --measure",
+                 "the errors of a hundred images, as columns of the table"},
+                {"sarsim sweep scene.toml --set seed=1..100 --dry-run --commands", "a command for each variation"},
+                {"sarsim sweep scene.toml --fields", "what can be set"}});
   return [arguments](Streams& streams) { return sweep_scene(*arguments, streams); };
 }
 

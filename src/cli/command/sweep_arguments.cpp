@@ -12,7 +12,7 @@
 namespace sarsim::cli {
 
 void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
-  add_text(app, "scene", a.scene, "SCENE", "script to vary")->required();
+  add_text(app, "scene", a.scene, "SCENE", "scene to vary")->required();
   app.add_option("products", a.products,
                  "which products: numbers of simulations from 1, or output names (default: all)")
       ->type_name("NUMBER|NAME");
@@ -21,6 +21,9 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
          "a field and its values: x, a,b,c, start:step:end, first..last, or random ones as normal(1, 0.2); repeat for "
          "combinations")
       ->type_name("FIELD=VALUES")
+      ->allow_extra_args(false);
+  app.add_option("--let", a.let, "a name of [let] and its values, as for --set: speed=200,250,300m/s; repeat")
+      ->type_name("NAME=VALUES")
       ->allow_extra_args(false);
   add_text(app, "--values", a.table_of_values, "CSV",
            "table of values: a column for each field, a line for each variation");

@@ -16,6 +16,7 @@ namespace sarsim::cli {
 /// What `sweep` is asked.
 struct SweepArguments {
   std::string scene;
+  std::vector<std::string> let;  ///< "NAME=VALUES".
   std::vector<std::string> products;
   workflow::SweepValues values;  ///< Without what follows.
   std::string table_of_values;

@@ -42,7 +42,9 @@ std::string run_commands(const SweepArguments& arguments, const workflow::SweepP
   auto row = plan.rows.begin();
   for (const std::size_t variation : plan.open) {
     text += fmt::format("sarsim run {}{}", core::shell_word(arguments.scene), chosen);
-    for (const std::string& setting : plan.sweep.settings(variation)) text += " --set " + core::shell_word(setting);
+    workflow::SceneOverrides values;
+    plan.sweep.add_to(values, variation);
+    text += " " + workflow::words_of_overrides(values);
     while (row->variation != variation) ++row;
     for (; row != plan.rows.end() && row->variation == variation; ++row) {
       const workflow::ProductJob& job = plan.products.at(row->product);

@@ -47,39 +47,39 @@ struct Program {
     std::function<Action(CLI::App&)> add_options;
   };
 
-  CLI::App app{"Simulates the echoes that a radar receives: from a script to complex baseband samples.", "sarsim"};
+  CLI::App app{"Simulates the echoes that a radar receives: from a scene to complex baseband samples.", "sarsim"};
   std::vector<Command> commands;
   std::vector<Action> actions_of_others;  // Keep the options that completion lists.
   bool begun = false;                     // A command was understood and is carried out.
 
   Program() {
     prepare();
-    add("run", "simulate: everything that a script asks for, or some of it",
+    add("run", "simulate: everything that a scene asks for, or some of it",
         [](CLI::App& command) { return add_run(command); });
-    add("new", "write a commented script to begin with", add_new);
-    add("sweep", "run variations of a script: ranges of values, seeds", add_sweep);
-    add("check", "say everything that is wrong with scripts", add_check);
+    add("new", "write a commented scene to begin with", add_new);
+    add("sweep", "run variations of a scene: ranges of values, seeds", add_sweep);
+    add("check", "say everything that is wrong with scenes", add_check);
     add("explain", "explain a field of a scene: meaning, unit, range, default", add_explain);
-    add("info", "describe a script or a file of samples", add_info);
+    add("info", "describe a scene or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
-    add("plot", "make pictures of echoes, from a script or a file of samples", add_plot);
+    add("plot", "make pictures of echoes, from a scene or a file of samples", add_plot);
     add("merge", "join the parts of recordings that were made apart", add_merge);
     add("convert", "convert files of samples between formats", add_convert);
     add("focus", "focus a recording or a simulated one to an image (synthetic aperture)", add_focus);
-    add("measure", "find a script's targets in a focused image and compare them with theory", add_measure);
+    add("measure", "find a scene's targets in a focused image and compare them with theory", add_measure);
     add("doppler", "make range-Doppler maps and detect what moves, interval by interval", add_doppler);
     add("search", "make the picture of a rotating antenna (PPI) and detect targets", add_search);
     add("profiles", "make synthetic range profiles from bursts of stepped frequencies", add_profiles);
     add("isar", "make images of a turning target (inverse synthetic aperture)", add_isar);
-    add("format", "rewrite a script in the standard layout (its own comments are not kept)", add_format_command);
+    add("format", "rewrite a scene in the standard layout (its own comments are not kept)", add_format_command);
     add("verify", "compare the simulator with formulas, the thesis and itself", add_verify);
     add("completion", "print a completion script for a shell", [this](CLI::App& command) {
       for (const Command& other : commands)
         if (other.app != &command) actions_of_others.push_back(other.add_options(*other.app));
       return add_completion(command, app);
     });
-    add_examples(app, {{"sarsim scene.scr", "the same as sarsim run scene.scr"},
-                       {"sarsim check scene.scr", "before computing anything"},
+    add_examples(app, {{"sarsim scene.toml", "the same as sarsim run scene.toml"},
+                       {"sarsim check scene.toml", "before computing anything"},
                        {"sarsim help run", "options and examples of a command, as sarsim run --help"}});
   }
   // For processes that run together.
@@ -87,9 +87,9 @@ struct Program {
     app.name("sarsim-mpi");
     app.description("Carries out sarsim run by the processes of an MPI job together.");
     prepare();
-    add("run", "simulate: everything that a script asks for, or some of it",
+    add("run", "simulate: everything that a scene asks for, or some of it",
         [&team](CLI::App& command) { return add_run(command, &team); });
-    add_examples(app, {{"mpirun -n 8 sarsim-mpi run scene.scr", "eight processes, each with its share of the cores"}});
+    add_examples(app, {{"mpirun -n 8 sarsim-mpi run scene.toml", "eight processes, each with its share of the cores"}});
   }
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;

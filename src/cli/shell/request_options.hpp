@@ -31,6 +31,6 @@ struct RequestArguments {
 /// Adds the input of a request, its options and, behind --force, what a terminal alone has: --json and --quiet.
 /// @param input  what may be named as the input, for the help
 void add_request_arguments(CLI::App& app, const std::vector<workflow::Option>& options, RequestArguments& arguments,
-                           const std::string& input = "script to simulate, or file of samples");
+                           const std::string& input = "scene to simulate, or file of samples");
 
 }  // namespace sarsim::cli

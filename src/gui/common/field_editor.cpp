@@ -1,15 +1,28 @@
 #include "gui/common/field_editor.hpp"
 
+#include <QAction>
+#include <QEvent>
 #include <QLabel>
 #include <QRegularExpression>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 
+#include "gui/common/palette_colours.hpp"
 #include "gui/common/problem_line.hpp"
 
 namespace sarsim::gui {
 
 namespace {
+
+// The colour of a text that is there without having been said. Dark buttons are lighter than the ground of lines, on
+// which alone the palette's own can be read.
+QColor faint_colour(const QPalette& palette, QPalette::ColorRole role) {
+  const QColor faint = palette.color(QPalette::PlaceholderText);
+  if (role != QPalette::ButtonText || !is_dark(palette)) return faint;
+  const QColor full = palette.color(QPalette::WindowText);
+  return {(faint.red() + full.red()) / 2, (faint.green() + full.green()) / 2, (faint.blue() + full.blue()) / 2};
+}
 
 // Wraps, as only rich text does in tooltips.
 QString tooltip_of(const scene::Field& field) {
@@ -48,34 +61,59 @@ FieldEditor::FieldEditor(const scene::Field& field, QWidget* parent)
 
 void FieldEditor::describe(QWidget* widget, bool with_label) {
   const QString name = QString::fromStdString(field_.label);
+  described_ = widget;
   widget->setObjectName("field_" + id());
   widget->setAccessibleName(name);
-  widget->setToolTip(tooltip_of(field_));
-  if (!with_label) return;
-  label_ = new QLabel(QString(name).replace('&', QStringLiteral("&&")), widget->parentWidget());
-  label_->setBuddy(widget);
-  label_->setToolTip(widget->toolTip());
-}
-
-void FieldEditor::show_value(const QString& text) {
-  const bool same = !different_ && text == value_;
-  if ((same && (pending() || refused())) || keeps(text)) {
-    value_ = text;
-    different_ = false;
-    return;
+  widget->installEventFilter(this);
+  reset_ = new QAction(tr("Back to Default"), widget);
+  reset_->setObjectName("reset_" + id());
+  reset_->setToolTip(tr("Takes what is said of this field out of the scene's text"));
+  reset_->setVisible(false);
+  widget->addAction(reset_);
+  connect(reset_, &QAction::triggered, this, &FieldEditor::reset_wanted);
+  if (with_label) {
+    label_ = new QLabel(QString(name).replace('&', QStringLiteral("&&")), widget->parentWidget());
+    label_->setBuddy(widget);
   }
-  value_ = text;
-  different_ = false;
-  clear_failure();
-  display();
+  refresh_tooltip();
 }
 
-void FieldEditor::show_different() {
+void FieldEditor::refresh_tooltip() {
+  QString text = tooltip_of(field_);
+  if (!content_.expression.isEmpty())
+    text +=
+        "<p>" + tr("The scene says %1, which is %2.").arg(content_.expression, content_.value).toHtmlEscaped() + "</p>";
+  if (content_.origin == FieldOrigin::by_default && !different_)
+    text += "<p>" + tr("This is the default: the text of the scene does not say it.") + "</p>";
+  described_->setToolTip(text);
+  if (label_ != nullptr) label_->setToolTip(text);
+}
+
+void FieldEditor::show(const FieldContent& content) {
+  const bool same = !different_ && content == content_;
+  const bool stays = (same && (pending() || refused())) || keeps(content.value);
+  content_ = content;
+  different_ = false;
+  if (!stays) {
+    clear_failure();
+    display();
+  }
+  if (same) return;
+  mark(refused());
+  refresh_tooltip();
+  refresh_problem_line();
+}
+
+void FieldEditor::show_different(FieldOrigin origin) {
+  const bool same = different_ && origin == content_.origin;
   if (different_ && (pending() || refused())) return;
-  value_.clear();
+  content_ = {.origin = origin};
   different_ = true;
   clear_failure();
   display();
+  if (same) return;
+  mark(refused());
+  refresh_tooltip();
 }
 
 void FieldEditor::set_choices(const QStringList&) {}
@@ -101,7 +139,22 @@ void FieldEditor::clear_failure() {
   refresh_problem_line();
 }
 
-void FieldEditor::mark(bool) {}
+void FieldEditor::mark(bool failed) {
+  const QScopedValueRollback marking(marking_, true);
+  QPalette palette;  // Only what is set here is the field's own; the rest follows the theme.
+  if (failed)
+    palette.setColor(text_role(), colour_of(picture::Role::error, described_->palette()));
+  else if (content_.origin == FieldOrigin::by_default && !different_)
+    palette.setColor(text_role(), faint_colour(described_->palette(), text_role()));
+  described_->setPalette(palette);
+  reset_->setVisible(content_.origin == FieldOrigin::said);
+  described_->setContextMenuPolicy(reset_->isVisible() ? Qt::ActionsContextMenu : Qt::DefaultContextMenu);
+}
+
+bool FieldEditor::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && watched == described_ && !marking_) mark(refused());
+  return QObject::eventFilter(watched, event);
+}
 
 void FieldEditor::restore() {
   clear_failure();
@@ -130,6 +183,7 @@ void FieldEditor::refresh_problem_line() {
     problem_line_->clear();
   else
     problem_line_->show_texts(worst, texts);
+  if (content_.origin == FieldOrigin::by_default) texts += tr("Default.");
   if (QWidget* own = widget()) own->setAccessibleDescription(texts.join(' '));
 }
 
@@ -142,6 +196,7 @@ void FieldEditor::set_shown(bool shown) {
   shown_ = shown;
   widget()->setVisible(shown);
   if (label_ != nullptr) label_->setVisible(shown);
+  show_result();
   refresh_problem_line();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPalette>
 #include <QStringList>
 
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/report/problem.hpp"
 #include "scene/schema/fields.hpp"
 
+class QAction;
 class QLabel;
 class QWidget;
 
@@ -18,8 +20,25 @@ class ProblemLine;
 /// A number with its unit, moved by steps of its last shown digit: "5.6 cm", 1: "5.7 cm". Empty for what is no number.
 [[nodiscard]] QString stepped_text(const QString& text, int steps);
 
+/// Where the value of a field comes from.
+enum class FieldOrigin {
+  unknown,     ///< Nothing is known of it, or it has no default to go back to.
+  by_default,  ///< The text of the scene does not say it.
+  said,        ///< The text says it.
+};
+
+/// What a field shows.
+struct FieldContent {
+  QString value = {};
+  QString expression = {};  ///< What the text says, where that is more than a number with a unit; else empty.
+  FieldOrigin origin = FieldOrigin::unknown;
+
+  friend bool operator==(const FieldContent&, const FieldContent&) = default;
+};
+
 /// One row of a form: label, widget "field_<id>" and a line for problems below. Knows texts only; whoever holds the
-/// object hears `entered`, tries the text, and answers with show_value or show_failure.
+/// object hears `entered`, tries the text, and answers with show_value or show_failure. A value that the scene does not
+/// say is grey, and one that it says can be taken back in the context menu (action "reset_<id>").
 class FieldEditor : public QObject {
   Q_OBJECT
 
@@ -33,12 +52,16 @@ class FieldEditor : public QObject {
   [[nodiscard]] QLabel* label() const { return label_; }
   /// What is typed into or chosen from.
   [[nodiscard]] virtual QWidget* widget() const = 0;
+  /// The value of an expression, to stand below the widget; null where there can be none.
+  [[nodiscard]] virtual QWidget* result() const { return nullptr; }
   [[nodiscard]] ProblemLine* problem_line() const { return problem_line_; }
 
   /// Shows the field's value; what is being typed, or was refused, stays as long as the value does.
-  void show_value(const QString& text);
+  void show_value(const QString& text) { show(FieldContent{text}); }
+  /// The same with an expression, which is shown in place of the value, and where it comes from.
+  void show(const FieldContent& content);
   /// Several objects do not agree.
-  void show_different();
+  void show_different(FieldOrigin origin = FieldOrigin::unknown);
   /// Names to choose from, for fields that refer to other objects.
   virtual void set_choices(const QStringList& choices);
   /// Says why the text that was entered cannot be taken; the text stays.
@@ -69,22 +92,34 @@ class FieldEditor : public QObject {
   void retyped(const QString& text);  ///< A refused text was changed; to be judged without applying it.
   void left();                        ///< A run of steps ended.
   void opened();                      ///< A function wants its editor.
+  void reset_wanted();                ///< The value is to be the default again.
 
  protected:
   /// For constructors of derived classes: names, tooltip and label of the widget.
   void describe(QWidget* widget, bool with_label);
-  /// Shows `value_`, or that values differ.
+  /// Shows `content_`, or that values differ.
   virtual void display() = 0;
   [[nodiscard]] virtual bool keeps(const QString& new_value) const;
+  /// Shows whether the text was refused, and where the value comes from.
   virtual void mark(bool failed);
+  /// Shows or hides the value of an expression.
+  virtual void show_result() {}
+  /// What colours the text of the widget.
+  [[nodiscard]] virtual QPalette::ColorRole text_role() const = 0;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  [[nodiscard]] QAction* reset_action() const { return reset_; }
 
-  QString value_;
+  FieldContent content_;
   bool different_ = false;
 
  private:
   void refresh_problem_line();
+  void refresh_tooltip();
 
   scene::Field field_;
+  QAction* reset_ = nullptr;
+  QWidget* described_ = nullptr;
+  bool marking_ = false;
   QLabel* label_ = nullptr;
   ProblemLine* problem_line_ = nullptr;
   QString failure_;

@@ -1,10 +1,12 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QScopedValueRollback>
 #include <QStyleOptionButton>
@@ -13,6 +15,7 @@
 
 #include <utility>
 
+#include "core/maths/rounding.hpp"
 #include "gui/common/field_editor.hpp"
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/problem_line.hpp"
@@ -23,12 +26,26 @@ namespace {
 
 QString different_text() { return FieldEditor::tr("(different)"); }
 
-// A line of text: quantities and names.
+// A value in few digits: "9.003 km".
+QString rounded_text(const QString& value, scene::Quantity quantity) {
+  constexpr int digits = 5;
+  const scene::QuantityReading reading = scene::read_quantity(value.toStdString(), quantity);
+  if (!reading.value) return value;
+  return QString::fromStdString(scene::quantity_text(core::tidy(*reading.value, digits), quantity));
+}
+
+// A line of text: quantities and names. Below an expression stands its value.
 class LineField : public FieldEditor {
  public:
-  LineField(const scene::Field& field, QWidget* parent) : FieldEditor(field, parent), edit_(new QLineEdit(parent)) {
+  LineField(const scene::Field& field, QWidget* parent)
+      : FieldEditor(field, parent), edit_(new QLineEdit(parent)), result_(new QLabel(parent)) {
     describe(edit_, true);
-    edit_->installEventFilter(this);
+    result_->setObjectName("result_" + id());
+    result_->setForegroundRole(QPalette::PlaceholderText);
+    result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    result_->setFocusPolicy(Qt::NoFocus);
+    result_->hide();
+    connect(edit_, &QLineEdit::textChanged, this, [this] { show_result(); });
     error_mark_ = edit_->addAction(severity_icon(core::Severity::error, *edit_), QLineEdit::TrailingPosition);
     error_mark_->setVisible(false);
     connect(edit_, &QLineEdit::editingFinished, this, [this] { commit(); });
@@ -39,6 +56,7 @@ class LineField : public FieldEditor {
   }
 
   [[nodiscard]] QWidget* widget() const override { return edit_; }
+  [[nodiscard]] QWidget* result() const override { return result_; }
   [[nodiscard]] bool pending() const override { return !refused() && !committing_ && edit_->text() != displayed_; }
 
   void commit() override {
@@ -66,9 +84,9 @@ class LineField : public FieldEditor {
 
  protected:
   void display() override {
-    displayed_ = different_ ? QString() : value_;
+    displayed_ = different_ ? QString() : content_.expression.isEmpty() ? content_.value : content_.expression;
     edit_->setPlaceholderText(different_ ? different_text() : QString());
-    if (edit_->text() == displayed_) return;
+    if (edit_->text() == displayed_) return show_result();
     edit_->setText(displayed_);
     // Of a long text the beginning matters; the caret stays where somebody types.
     if (!edit_->hasFocus()) edit_->setCursorPosition(0);
@@ -83,9 +101,20 @@ class LineField : public FieldEditor {
 
   void mark(bool failed) override {
     error_mark_->setVisible(failed);
-    QPalette palette;  // Only what is set here is the field's own; the rest follows the theme.
-    if (failed) palette.setColor(QPalette::Text, colour_of(picture::Role::error, edit_->palette()));
-    edit_->setPalette(palette);
+    FieldEditor::mark(failed);
+    edit_->setContextMenuPolicy(Qt::DefaultContextMenu);  // which holds the entries for text
+    show_result();
+  }
+
+  [[nodiscard]] QPalette::ColorRole text_role() const override { return QPalette::Text; }
+
+  // What is being typed has no value yet; rows below do not move for that.
+  void show_result() override {
+    const bool shows = shown() && !content_.expression.isEmpty() && !different_;
+    result_->setVisible(shows);
+    if (!shows) return;
+    const bool is_value = edit_->text() == displayed_;
+    result_->setText("= " + (is_value ? rounded_text(content_.value, field().quantity) : QStringLiteral("…")));
   }
 
   bool eventFilter(QObject* watched, QEvent* event) override {
@@ -97,12 +126,22 @@ class LineField : public FieldEditor {
       case QEvent::KeyPress: return key_pressed(*static_cast<QKeyEvent*>(event));
       case QEvent::Wheel: return wheel_turned(*static_cast<QWheelEvent*>(event));
       case QEvent::FocusOut: end_steps(); break;
+      case QEvent::ContextMenu: return open_menu(static_cast<QContextMenuEvent*>(event)->globalPos());
       default: break;
     }
     return FieldEditor::eventFilter(watched, event);
   }
 
  private:
+  bool open_menu(QPoint at) {
+    QMenu* menu = edit_->createStandardContextMenu();
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addSeparator();
+    menu->addAction(reset_action());
+    menu->popup(at);
+    return true;
+  }
+
   [[nodiscard]] bool to_restore() const { return refused() || edit_->text() != displayed_; }
 
   // Undo and redo are those of typing while something is typed; else those of the scene, which lines of text would
@@ -139,7 +178,9 @@ class LineField : public FieldEditor {
 
   bool step(int steps) {
     if (field().kind != scene::FieldKind::quantity) return false;
-    const QString text = stepped_text(edit_->text(), steps);
+    const bool is_expression = edit_->text() == displayed_ && !content_.expression.isEmpty();
+    const QString text =
+        stepped_text(is_expression ? rounded_text(content_.value, field().quantity) : edit_->text(), steps);
     if (text.isEmpty()) return true;
     clear_failure();
     stepping_ = true;
@@ -157,6 +198,7 @@ class LineField : public FieldEditor {
   }
 
   QLineEdit* edit_;
+  QLabel* result_;
   QAction* error_mark_;
   QString displayed_;
   QString refused_text_;
@@ -174,7 +216,6 @@ class ChoiceField : public FieldEditor {
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box_->setMinimumContentsLength(8);
     box_->setFocusPolicy(Qt::StrongFocus);
-    box_->installEventFilter(this);
     for (const std::string& choice : field.choices) choices_ += QString::fromStdString(choice);
     box_->addItems(choices_);
     connect(box_, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -193,10 +234,12 @@ class ChoiceField : public FieldEditor {
  protected:
   void display() override {
     const QScopedValueRollback showing(showing_, true);
-    const bool listed = different_ || choices_.contains(value_);
+    const bool listed = different_ || choices_.contains(content_.value);
     if (box_->count() != choices_.size() + (listed ? 0 : 1) || !listed) refill();
-    box_->setCurrentIndex(different_ ? -1 : box_->findText(value_, Qt::MatchExactly | Qt::MatchCaseSensitive));
+    box_->setCurrentIndex(different_ ? -1 : box_->findText(content_.value, Qt::MatchExactly | Qt::MatchCaseSensitive));
   }
+
+  [[nodiscard]] QPalette::ColorRole text_role() const override { return QPalette::ButtonText; }
 
   bool eventFilter(QObject* watched, QEvent* event) override {
     // A panel that is scrolled must not change what the pointer passes over.
@@ -213,8 +256,8 @@ class ChoiceField : public FieldEditor {
     const QScopedValueRollback showing(showing_, true);
     box_->clear();
     box_->addItems(choices_);
-    if (!different_ && !choices_.contains(value_)) box_->addItem(value_);
-    box_->setCurrentIndex(different_ ? -1 : box_->findText(value_, Qt::MatchExactly | Qt::MatchCaseSensitive));
+    if (!different_ && !choices_.contains(content_.value)) box_->addItem(content_.value);
+    box_->setCurrentIndex(different_ ? -1 : box_->findText(content_.value, Qt::MatchExactly | Qt::MatchCaseSensitive));
   }
 
   QComboBox* box_;
@@ -239,8 +282,10 @@ class CheckField : public FieldEditor {
   void display() override {
     const QScopedValueRollback showing(showing_, true);
     box_->setTristate(different_);
-    box_->setCheckState(different_ ? Qt::PartiallyChecked : value_ == "yes" ? Qt::Checked : Qt::Unchecked);
+    box_->setCheckState(different_ ? Qt::PartiallyChecked : content_.value == "yes" ? Qt::Checked : Qt::Unchecked);
   }
+
+  [[nodiscard]] QPalette::ColorRole text_role() const override { return QPalette::WindowText; }
 
  private:
   QCheckBox* box_;
@@ -277,10 +322,12 @@ class FunctionField : public FieldEditor {
 
  protected:
   void display() override {
-    const QString text = different_ ? different_text() : value_;
+    const QString text = different_ ? different_text() : content_.value;
     button_->setText(QString(text).replace('&', QStringLiteral("&&")) + QStringLiteral(" ..."));
     button_->setAccessibleName(tr("%1: %2, edit").arg(QString::fromStdString(field().label), text));
   }
+
+  [[nodiscard]] QPalette::ColorRole text_role() const override { return QPalette::ButtonText; }
 
  private:
   QPushButton* button_;

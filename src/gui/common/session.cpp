@@ -1,5 +1,6 @@
 #include "gui/common/session.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <utility>
@@ -57,6 +58,7 @@ void Session::perform(scene::Edit edit) {
     problems_soon_.stop();
   else
     look_for_problems();
+  log_replaced_expressions();
   // Also where nothing came of it: a window shows what was asked for and has to go back.
   if (document_.revision() != revision) change = follow_last_edit();
   emit scene_changed(change);
@@ -138,6 +140,23 @@ void Session::set_time(double time_s) {
 }
 
 void Session::log(core::Severity severity, const QString& text) { emit logged(static_cast<int>(severity), text); }
+
+void Session::log_replaced_expressions() {
+  constexpr std::size_t most = 3;
+  const std::vector<scene::ReplacedExpression>& replaced = document_.replaced_expressions();
+  for (std::size_t i = 0; i < std::min(replaced.size(), most); ++i) {
+    const auto& [object, field, expression] = replaced[i];
+    const std::string value = object ? scene::field_text(scene::object_of(scene(), *object), field->id)
+                                     : scene::field_text(scene().options, field->id);
+    log(core::Severity::note,
+        tr("%1, %2: the expression %3 was replaced by %4")
+            .arg(object ? QString::fromStdString(scene::label_of(scene(), *object)) : tr("Options"),
+                 QString::fromStdString(field->label), QString::fromStdString(expression),
+                 QString::fromStdString(value)));
+  }
+  if (replaced.size() > most)
+    log(core::Severity::note, tr("and %n more expression(s)", nullptr, static_cast<int>(replaced.size() - most)));
+}
 
 // Keeps pointing at the same objects where an edit moved them.
 scene::SceneChange Session::follow_last_edit() {

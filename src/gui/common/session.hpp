@@ -82,6 +82,7 @@ class Session : public QObject {
  private:
   [[nodiscard]] scene::SceneChange follow_last_edit();
   void look_for_problems();
+  void log_replaced_expressions();
   void find_put_off_problems();
 
   scene::Document document_;

@@ -102,9 +102,11 @@ bool DocumentKeeper::save() {
 bool DocumentKeeper::save_as() {
   QString path = ask_save_name();
   if (path.isEmpty()) return false;
-  if (QFileInfo(path).suffix().isEmpty())
-    path += QString::fromStdString("." + scene::usual_ending(session_.document().text()));
-  return save_to(path);
+  const QString usual = QString::fromStdString(scene::usual_ending(session_.document().text()));
+  const QString ending = QFileInfo(path).suffix().toLower();
+  if (ending.isEmpty()) path += "." + usual;
+  const bool is_of_other = ending != usual && (ending == "toml" || ending == "scr");
+  return (!is_of_other || ask_ending(path)) && save_to(path);
 }
 
 bool DocumentKeeper::save_to(const QString& name) {
@@ -164,7 +166,8 @@ void DocumentKeeper::note_recent(const QString& path) {
 
 std::filesystem::path DocumentKeeper::examples_folder() {
   const QDir program(QCoreApplication::applicationDirPath());
-  for (const char* place : {"../share/sarsim/examples", "../../../examples", "../../examples", "examples"})
+  for (const char* place :
+       {"../share/sarsim/examples", "../../../../examples", "../../../examples", "../../examples", "examples"})
     if (program.exists(place)) return program.cleanPath(program.absoluteFilePath(place)).toStdString();
   return {};
 }

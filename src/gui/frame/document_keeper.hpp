@@ -40,6 +40,8 @@ class DocumentKeeper : public QObject {
   std::function<Answer(const std::filesystem::path& document)> ask_recovery;
   std::function<QString()> ask_open_name;
   std::function<QString()> ask_save_name;
+  /// Asked whether to save under a name with the ending that is usual for the other language: the scene keeps its own.
+  std::function<bool(const QString& path)> ask_ending;
   /// Asked when another program has changed the file of the document: whether to read it anew.
   std::function<bool(bool unsaved)> ask_read_again;
   /// Told what failed and why. A dialog unless replaced: where nobody looks at one it would wait for ever.

@@ -38,6 +38,19 @@ void DocumentKeeper::make_questions() {
     dialog.selectFile(path.empty() ? "scene." + ending : text_of(path));
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
   };
+  ask_ending = [this](const QString& path) {
+    const bool is_2 = scene::is_format_2(session_.document().text());
+    QMessageBox box(QMessageBox::Question, tr("Save As"),
+                    is_2 ? tr("Save a scene of format 2 as '%1'?").arg(path)
+                         : tr("Save a scene in the language of 1998 as '%1'?").arg(path),
+                    QMessageBox::Save | QMessageBox::Cancel, window_);
+    box.setInformativeText(tr("The ending of the name does not change the language, which Sarsim tells by the content. "
+                              "The usual ending of "
+                              "this one is .%1; the command 'sarsim convert' writes the other one.")
+                               .arg(QString::fromStdString(scene::usual_ending(session_.document().text()))));
+    box.setDefaultButton(QMessageBox::Cancel);
+    return box.exec() == QMessageBox::Save;
+  };
   ask_read_again = [this](bool unsaved) {
     const QString path = text_of(session_.document().path());
     return QMessageBox::question(

@@ -34,7 +34,7 @@ constexpr NamedPlace places[] = {
     {"products", workbench, "Images from echoes"},
     {"target_table_dialog", workbench, "Many targets"},
     {"import_dialog", workbench, "Many targets"},
-    {"script_editor", "formats/script.md", ""},
+    {"script_editor", "formats/scene.md", ""},
     {"geometry_window", "formats/geometry-table.md", ""},
     {"log_panel", "guide/troubleshooting.md", ""},
     {"command_list", "guide/windows.md", ""},

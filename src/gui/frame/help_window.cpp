@@ -112,7 +112,7 @@ void HelpWindow::follow(const QUrl& link) {
     QDesktopServices::openUrl(whole);
   } else if (file.isDir()) {
     QStringList lines{"# " + file.fileName()};
-    for (const QString& name : QDir(file.filePath()).entryList({"*.md", "*.scr"}, QDir::Files, QDir::Name))
+    for (const QString& name : QDir(file.filePath()).entryList({"*.md", "*.toml", "*.scr"}, QDir::Files, QDir::Name))
       lines += QString("- [%1](%2/%1)").arg(name, whole.path());
     browser_->setMarkdown(lines.join('\n'));
   } else if (file.suffix() == "md") {

@@ -97,13 +97,7 @@ void MainWindow::make_file_menu() {
     documents_->open();
   });
   recent_ = file->addMenu(tr("Open &Recent"));
-  QMenu* examples = file->addMenu(tr("&Examples"));
-  const QDir folder(QString::fromStdString(DocumentKeeper::examples_folder().string()));
-  for (const QString& name : folder.entryList({"*.scr"}, QDir::Files, QDir::Name))
-    connect(examples->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
-      if (may_go()) documents_->open_example(path);
-    });
-  examples->setEnabled(!examples->isEmpty());
+  make_example_menu(file->addMenu(tr("&Examples")));
   file->addSeparator();
   add_action(file, tr("&Save"), "file_save", QKeySequence::Save, [this] {
     commit_typed();
@@ -119,6 +113,23 @@ void MainWindow::make_file_menu() {
       tr("Read targets from a file of x, y, z and perhaps RCS"));
   file->addSeparator();
   add_action(file, tr("E&xit"), "file_exit", QKeySequence("Ctrl+Q"), [this] { close(); });
+}
+
+// The scenes in format 2, and below them the same in the language of 1998.
+void MainWindow::make_example_menu(QMenu* examples) {
+  examples->setObjectName("file_examples");
+  const QDir folder(QString::fromStdString(DocumentKeeper::examples_folder().string()));
+  const auto add = [&](QMenu* menu, const char* names) {
+    for (const QString& name : folder.entryList({names}, QDir::Files, QDir::Name))
+      connect(menu->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
+        if (may_go()) documents_->open_example(path);
+      });
+  };
+  add(examples, "*.toml");
+  examples->addSeparator();
+  QMenu* scripts = examples->addMenu(tr("In the &Language of 1998"));
+  add(scripts, "*.scr");
+  examples->setEnabled(!scripts->isEmpty());
 }
 
 void MainWindow::make_edit_menu() {

@@ -78,6 +78,7 @@ class MainWindow : public QMainWindow {
   void make_docks();
   void make_menus();
   void make_file_menu();
+  void make_example_menu(QMenu* examples);
   void make_edit_menu();
   void make_geometry_menu();
   void make_simulation_menu();

@@ -19,7 +19,7 @@ namespace sarsim::gui {
 bool is_data_file(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  if (ending == ".scr" || ending == ".txt") return false;
+  if (ending == ".scr" || ending == ".toml" || ending == ".json" || ending == ".txt") return false;
   if (raster::row_from_path(path) != nullptr) return true;
   std::ifstream file(path, std::ios::binary);
   std::array<char, 4096> begin{};

@@ -109,12 +109,12 @@ PropertyPanel::~PropertyPanel() {
 // Objects of the kind of the current one; without one, the options.
 PanelSubject PropertyPanel::wanted_subject() const {
   const auto current = session_.current();
-  if (!current) return PanelSubject(session_.scene());
+  if (!current) return PanelSubject(session_.document());
   std::vector<scene::ObjectId> ids;
   for (const scene::ObjectId id : session_.selection())
     if (id.kind == current->kind) ids.push_back(id);
-  PanelSubject subject(session_.scene(), current->kind, ids);
-  return subject.ids().empty() ? PanelSubject(session_.scene()) : subject;
+  PanelSubject subject(session_.document(), current->kind, ids);
+  return subject.ids().empty() ? PanelSubject(session_.document()) : subject;
 }
 
 void PropertyPanel::refresh() {
@@ -134,9 +134,10 @@ void PropertyPanel::refresh() {
   fill();
 }
 
-// Fields show their objects and names of others; problems and figures depend on all of the scene.
+// Fields show their objects and names of others, and what the text says of them, which a change of the text alone may
+// concern; problems and figures depend on all of the scene.
 void PropertyPanel::follow(const scene::SceneChange& change) {
-  if (shows(change)) return refresh();
+  if (shows(change) || change.empty()) return refresh();
   if (!committing_) fill_outlook();
 }
 
@@ -153,8 +154,8 @@ void PropertyPanel::commit_pending() {
     if (!editor->pending()) continue;
     if (!subject_.stands_in(session_.scene())) return;
     editor->commit();
-    subject_ = subject_.kind() ? PanelSubject(session_.scene(), *subject_.kind(), subject_.ids())
-                               : PanelSubject(session_.scene());
+    subject_ = subject_.kind() ? PanelSubject(session_.document(), *subject_.kind(), subject_.ids())
+                               : PanelSubject(session_.document());
   }
 }
 
@@ -165,7 +166,7 @@ void PropertyPanel::commit() {
 
 void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
   const std::string key = step ? merge_key_of(subject_, editor->field()) : std::string();
-  FieldChange change = subject_.change(session_.scene(), editor->field(), text.toStdString(), key);
+  FieldChange change = subject_.change(session_.document(), editor->field(), text.toStdString(), key);
   if (!change.failure.empty()) {
     const QString sentence = QString::fromStdString(change.failure);
     if (committing_) session_.log(core::Severity::warning, tr("Not applied: %1").arg(sentence));
@@ -174,8 +175,13 @@ void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
   session_.perform(std::move(change.edit));
 }
 
+void PropertyPanel::reset(FieldEditor* editor) {
+  editor->restore();
+  session_.perform(subject_.reset(session_.document(), editor->field()));
+}
+
 void PropertyPanel::judge(FieldEditor* editor, const QString& text) {
-  const FieldChange change = subject_.change(session_.scene(), editor->field(), text.toStdString());
+  const FieldChange change = subject_.change(session_.document(), editor->field(), text.toStdString());
   if (change.failure.empty())
     editor->clear_failure();
   else
@@ -192,11 +198,20 @@ void PropertyPanel::fill() {
   for (const auto& [id, editor] : editors_) {
     fill_choices(editor);
     if (const auto text = subject_.common_text(editor->field().id))
-      editor->show_value(QString::fromStdString(*text));
+      editor->show(content_of(editor->field(), *text));
     else
-      editor->show_different();
+      editor->show_different(content_of(editor->field(), "").origin);
   }
   fill_outlook();
+}
+
+FieldContent PropertyPanel::content_of(const scene::Field& field, const std::string& value) const {
+  FieldContent content{QString::fromStdString(value)};
+  const auto typed = subject_.common_typed(field.id);
+  if (!typed) return content;
+  content.expression = QString::fromStdString(typed->expression);
+  content.origin = typed->said ? FieldOrigin::said : FieldOrigin::by_default;
+  return content;
 }
 
 void PropertyPanel::fill_outlook() {

@@ -22,6 +22,7 @@ namespace sarsim::gui {
 
 class FieldEditor;
 class ProblemLine;
+struct FieldContent;
 
 /// All fields of what is selected, to be read and changed; the run options of the script where nothing is. Several
 /// objects of one kind are changed together, in one step. Widgets are called "field_<id>".
@@ -74,6 +75,8 @@ class PropertyPanel : public QScrollArea {
   void show_figures(const std::vector<picture::DerivedFigure>& figures);
   void fold(Group& group, bool open);
   void apply(FieldEditor* editor, const QString& text, bool step);
+  void reset(FieldEditor* editor);
+  [[nodiscard]] FieldContent content_of(const scene::Field& field, const std::string& value) const;
   void judge(FieldEditor* editor, const QString& text);
   [[nodiscard]] FieldEditor* editor_of(const QString& id) const;
 

@@ -132,13 +132,15 @@ void PropertyPanel::add_row(Group& group, FieldEditor* editor) {
   } else {
     group.grid->addWidget(editor->widget(), row, 0, 1, 2);
   }
-  group.grid->addWidget(editor->problem_line(), row + 1, 0, 1, 2);
+  if (editor->result() != nullptr) group.grid->addWidget(editor->result(), row + 1, 1);
+  group.grid->addWidget(editor->problem_line(), row + 2, 0, 1, 2);
 }
 
 void PropertyPanel::connect_editor(FieldEditor* editor) {
   connect(editor, &FieldEditor::entered, this, [this, editor](const QString& text) { apply(editor, text, false); });
   connect(editor, &FieldEditor::stepped, this, [this, editor](const QString& text) { apply(editor, text, true); });
   connect(editor, &FieldEditor::retyped, this, [this, editor](const QString& text) { judge(editor, text); });
+  connect(editor, &FieldEditor::reset_wanted, this, [this, editor] { reset(editor); });
   connect(editor, &FieldEditor::left, this, [this] { session_.end_run(); });
   connect(editor, &FieldEditor::opened, this, [this, editor] {
     if (subject_.single()) emit function_requested(subject_.ids().front(), editor->id());

@@ -27,11 +27,19 @@ std::string words_of(scene::ObjectKind kind, std::size_t count) {
 
 }  // namespace
 
-PanelSubject::PanelSubject(const scene::Scene& scene, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids)
-    : kind_(kind), options_(scene.options) {
+PanelSubject::PanelSubject(const scene::Document& document)
+    : options_(document.scene().options), typed_{document.typed_fields(std::nullopt)} {}
+
+PanelSubject::PanelSubject(const scene::Document& document, scene::ObjectKind kind,
+                           const std::vector<scene::ObjectId>& ids)
+    : kind_(kind), options_(document.scene().options) {
+  constexpr std::size_t most_looked_at = 100;
+  const scene::Scene& scene = document.scene();
   std::ranges::copy_if(ids, std::back_inserter(ids_), [&](scene::ObjectId id) { return scene::has_object(scene, id); });
   objects_.reserve(ids_.size());
   for (const scene::ObjectId id : ids_) objects_.push_back(scene::object_of(scene, id));
+  if (ids_.size() > most_looked_at) return;
+  for (const scene::ObjectId id : ids_) typed_.push_back(document.typed_fields(id));
 }
 
 bool PanelSubject::stands_in(const scene::Scene& scene) const {
@@ -68,6 +76,21 @@ std::optional<std::string> PanelSubject::common_text(std::string_view field) con
   return first;
 }
 
+std::optional<scene::TypedField> PanelSubject::common_typed(const std::string& field) const {
+  std::optional<scene::TypedField> common;
+  for (const scene::TypedFields& fields : typed_) {
+    const auto found = fields.find(field);
+    if (found == fields.end()) return std::nullopt;
+    if (!common) {
+      common = found->second;
+      continue;
+    }
+    common->said = common->said || found->second.said;
+    if (common->expression != found->second.expression) common->expression.clear();
+  }
+  return common;
+}
+
 std::string PanelSubject::field_of(std::string_view problem_field) const {
   return std::string(kind_ ? scene::field_of_problem(*kind_, problem_field)
                            : scene::option_field_of_problem(problem_field));
@@ -79,34 +102,61 @@ bool PanelSubject::concerns(const core::Subject& subject) const {
          std::ranges::binary_search(ids_, scene::ObjectId{*kind_, subject.index});
 }
 
-FieldChange PanelSubject::change(const scene::Scene& scene, const scene::Field& field, const std::string& text,
-                                 const std::string& merge_key) const {
-  FieldChange change;
+template <class Change>
+FieldChange PanelSubject::change_all(const scene::Document& document, const std::string& label, bool also_same,
+                                     const Change& change) const {
+  const scene::Scene& scene = document.scene();
+  FieldChange all;
   if (!kind_) {
     scene::RunOptions options = options_;
-    change.failure = scene::set_field(options, field.id, text);
-    if (change.failure.empty() && options != options_) change.edit = scene::change_options(scene, options);
-    change.edit.merge_key = merge_key;
-    return change;
+    all.failure = change(options);
+    if (all.failure.empty() && (also_same || options != options_)) all.edit = scene::change_options(scene, options);
+    return all;
   }
-  if (scene::is_named(*kind_) && field.id == "name") {
+  for (std::size_t i = 0; i < ids_.size(); ++i) {
+    scene::AnyObject object = objects_[i];
+    if (std::string failure = change(object); !failure.empty()) return {{}, std::move(failure)};
+    if (!also_same && object == objects_[i]) continue;
+    scene::Edit one = scene::replace_object(scene, ids_[i], std::move(object), label);
+    std::ranges::move(one.changes, std::back_inserter(all.edit.changes));
+  }
+  all.edit.label = single() ? label : fmt::format("{} of {}", label, title(scene));
+  return all;
+}
+
+void PanelSubject::say(scene::Edit& edit, const scene::Field& field, const std::string& text) const {
+  const scene::Field* const known = &*std::ranges::find(fields(), field.id, &scene::Field::id);
+  if (!kind_) edit.typed.push_back({std::nullopt, known, text});
+  for (const scene::ObjectId id : ids_) edit.typed.push_back({id, known, text});
+}
+
+FieldChange PanelSubject::change(const scene::Document& document, const scene::Field& field, const std::string& text,
+                                 const std::string& merge_key) const {
+  const scene::Scene& scene = document.scene();
+  if (kind_ && scene::is_named(*kind_) && field.id == "name") {
+    FieldChange change;
     change.failure =
         single() ? scene::name_objection(scene, ids_.front(), text) : "names must differ; rename one after another";
     if (change.failure.empty()) change.edit = scene::rename_object(scene, ids_.front(), text);
     return change;
   }
-  const std::string label = "Change " + within_sentence(field.label);
-  for (std::size_t i = 0; i < ids_.size() && change.failure.empty(); ++i) {
-    scene::AnyObject object = objects_[i];
-    change.failure = scene::set_field(object, field.id, text);
-    if (!change.failure.empty() || object == objects_[i]) continue;
-    scene::Edit one = scene::replace_object(scene, ids_[i], std::move(object), label);
-    std::ranges::move(one.changes, std::back_inserter(change.edit.changes));
-  }
-  if (!change.failure.empty()) change.edit = {};
-  change.edit.label = single() ? label : fmt::format("{} of {}", label, title(scene));
+  const scene::LetNames* const names = document.let_names();
+  const bool is_typed = names != nullptr && merge_key.empty() && field.kind == scene::FieldKind::quantity;
+  FieldChange change = change_all(document, "Change " + within_sentence(field.label), is_typed,
+                                  [&](auto& object) { return scene::set_field(object, field.id, text, names); });
   change.edit.merge_key = merge_key;
+  if (is_typed && change.failure.empty()) say(change.edit, field, scene::text_as_typed(field, text, *names));
   return change;
+}
+
+scene::Edit PanelSubject::reset(const scene::Document& document, const scene::Field& field) const {
+  const auto reset_one = [&](auto& object) {
+    scene::reset_field(object, field.id);
+    return std::string();
+  };
+  scene::Edit edit = change_all(document, "Reset " + within_sentence(field.label), true, reset_one).edit;
+  say(edit, field, "");
+  return edit;
 }
 
 }  // namespace sarsim::gui

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
+#include "scene/edit/document.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/schema/fields.hpp"
 
@@ -22,9 +23,9 @@ class PanelSubject {
  public:
   PanelSubject() = default;
   /// The run options of a scene.
-  explicit PanelSubject(const scene::Scene& scene) : options_(scene.options) {}
+  explicit PanelSubject(const scene::Document& document);
   /// Objects of one kind; ids that the scene does not have are left out.
-  PanelSubject(const scene::Scene& scene, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids);
+  PanelSubject(const scene::Document& document, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids);
 
   /// Nothing for the run options.
   [[nodiscard]] std::optional<scene::ObjectKind> kind() const { return kind_; }
@@ -44,20 +45,34 @@ class PanelSubject {
   [[nodiscard]] bool applies(std::string_view field) const;
   /// What all objects show for a field; nothing where they differ.
   [[nodiscard]] std::optional<std::string> common_text(std::string_view field) const;
+  /// What the text of the scene says of a field: that it says it where it does so for one of them, and an expression
+  /// where all have the same. Nothing where that is not known, as of more than 100 objects.
+  [[nodiscard]] std::optional<scene::TypedField> common_typed(const std::string& field) const;
   /// The field of the panel that a problem's field belongs to; empty where there is none.
   [[nodiscard]] std::string field_of(std::string_view problem_field) const;
   /// Whether a problem is about one of the objects.
   [[nodiscard]] bool concerns(const core::Subject& subject) const;
 
-  /// The edit that gives all objects the typed value, as one step.
-  [[nodiscard]] FieldChange change(const scene::Scene& scene, const scene::Field& field, const std::string& text,
+  /// The edit that gives all objects the typed value, as one step. In format 2 the text of the scene then says what was
+  /// typed, unless it is one of a run of steps.
+  [[nodiscard]] FieldChange change(const scene::Document& document, const scene::Field& field, const std::string& text,
                                    const std::string& merge_key = "") const;
+  /// The edit that gives all objects the default, and takes what the text of format 2 says of the field out of it.
+  [[nodiscard]] scene::Edit reset(const scene::Document& document, const scene::Field& field) const;
 
  private:
+  // Changes one object or the options; says why not where it cannot.
+  template <class Change>
+  [[nodiscard]] FieldChange change_all(const scene::Document& document, const std::string& label, bool also_same,
+                                       const Change& change) const;
+  // Has the text of format 2 say something of a field of all objects.
+  void say(scene::Edit& edit, const scene::Field& field, const std::string& text) const;
+
   std::optional<scene::ObjectKind> kind_;
   std::vector<scene::ObjectId> ids_;
   std::vector<scene::AnyObject> objects_;
   scene::RunOptions options_;
+  std::vector<scene::TypedFields> typed_;  // of each object, or of the options
 };
 
 }  // namespace sarsim::gui

@@ -30,6 +30,7 @@
 #include "gui/runs/product_kind.hpp"
 #include "gui/runs/report_view.hpp"
 #include "scene/edit/document_data.hpp"
+#include "scene/language/format_mark.hpp"
 #include "workflow/options/option_words.hpp"
 
 namespace sarsim::gui {
@@ -193,7 +194,8 @@ QStringList ProductWindow::chosen_words() const {
 
 QString ProductWindow::command() const {
   const std::filesystem::path path = session_.document().path();
-  const QString script = path.empty() ? QStringLiteral("scene.scr") : QString::fromStdString(path.filename().string());
+  const std::string usual = "scene." + scene::usual_ending(session_.document().text());
+  const QString script = QString::fromStdString(path.empty() ? usual : path.filename().string());
   QStringList words{"sarsim", kind().command, quoted(script)};
   for (const QString& word : chosen_words()) words << quoted(word);
   return (words << "--out" << quoted(QFileInfo(script).completeBaseName() + "_" + kind().command + ".npy")).join(' ');
@@ -223,7 +225,7 @@ workflow::GivenWords ProductWindow::given_words() const {
 std::string ProductWindow::write_scene() {
   const std::string text = scene::self_contained_script(session_.document());
   lines_are_known_ = text == session_.document().text();
-  script_ = folder_->filePath("scene.scr");
+  script_ = folder_->filePath(QString::fromStdString("scene." + scene::usual_ending(text)));
   QFile file(script_);
   if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0 ||
       !file.flush())

@@ -17,6 +17,7 @@
 
 #include "gui/common/find_bar.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/script/script_completer.hpp"
 #include "gui/script/script_text.hpp"
 
 namespace sarsim::gui {
@@ -119,6 +120,7 @@ void ScriptEditor::connect_text() {
     if (run_end_.isActive()) session_.end_run();
     run_end_.stop();
   });
+  text_->completer().set_names([this]() -> const scene::language::KnownNames& { return names(); });
   connect(text_, &ScriptText::undo_wanted, this, [this] {
     commit();
     session_.undo();
@@ -141,23 +143,29 @@ void ScriptEditor::make_actions() {
   copy_command_ = new QAction(tr("&Copy as command line"), this);
   copy_command_->setObjectName("script_copy_command");
   copy_command_->setToolTip(tr("Copies the command that runs this script without the workbench; save it first"));
+  complete_ = new QAction(tr("Complete the &word"), this);
+  complete_->setObjectName("script_complete");
+  complete_->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Space));
+  complete_->setToolTip(tr("Shows what may stand at the cursor, in a script of format 2 (Ctrl+Space)"));
   auto* next = new QAction(tr("Find next"), this);
   next->setShortcut(QKeySequence(Qt::Key_F3));
   auto* previous = new QAction(tr("Find previous"), this);
   previous->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F3));
-  for (QAction* action : {find_, next, previous, copy_command_}) {
+  for (QAction* action : {find_, next, previous, copy_command_, complete_}) {
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     addAction(action);
   }
-  text_->addActions({find_, copy_command_});
+  text_->addActions({complete_, find_, copy_command_});
   connect(find_, &QAction::triggered, find_bar_, &FindBar::open);
   connect(next, &QAction::triggered, find_bar_, &FindBar::find_next);
   connect(previous, &QAction::triggered, find_bar_, &FindBar::find_previous);
+  connect(complete_, &QAction::triggered, &text_->completer(), &ScriptCompleter::complete);
   connect(copy_command_, &QAction::triggered, this, &ScriptEditor::copy_command);
 }
 
 void ScriptEditor::take_document() {
   pause_.stop();
+  names_.reset();
   run_end_.stop();
   coding_ = coding_of(session_.document().text());
   shared_ = decoded(session_.document().text(), coding_);
@@ -180,6 +188,7 @@ void ScriptEditor::showEvent(QShowEvent* event) {
 
 // Puts in what the session changed since the two last agreed.
 void ScriptEditor::take_session_text() {
+  names_.reset();
   if (!isVisible() && !pause_.isActive()) {
     stale_ = true;
     return;
@@ -244,6 +253,7 @@ void ScriptEditor::commit() {
   agreed_ = typed == shared_;
   if (agreed_) return;
   shared_ = typed;
+  names_.reset();
   session_.type_text(encoded(typed, coding_));  // Not to be taken back as a change made elsewhere: still not agreed.
   agreed_ = true;
   run_end_.start();
@@ -255,6 +265,16 @@ core::Problems ScriptEditor::listed_problems() const {
   if (of_echoes_.empty() || core::has_errors(found)) return found;
   std::ranges::copy(of_echoes_, std::back_inserter(found));
   return core::ranked(std::move(found));
+}
+
+const scene::language::KnownNames& ScriptEditor::names() {
+  if (names_) return *names_;
+  names_ = scene::language::known_names(session_.scene(), session_.document().text());
+  if (const scene::LetNames* const let = session_.document().let_names())
+    for (const std::string_view name : let->all())  // Those of included files.
+      if (std::ranges::find(names_->let, name, &scene::language::LetText::name) == names_->let.end())
+        names_->let.push_back({std::string(name), {}});
+  return *names_;
 }
 
 void ScriptEditor::refresh_problems() {

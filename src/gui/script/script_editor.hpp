@@ -4,10 +4,12 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "gui/common/session.hpp"
 #include "gui/script/script_coding.hpp"
+#include "scene/language/completion.hpp"
 
 class QAction;
 class QLabel;
@@ -58,6 +60,7 @@ class ScriptEditor : public QWidget {
   void show_position();
   void copy_command();
   [[nodiscard]] core::Problems listed_problems() const;
+  [[nodiscard]] const scene::language::KnownNames& names();
 
   Session& session_;
   ScriptText* text_ = nullptr;
@@ -67,17 +70,19 @@ class ScriptEditor : public QWidget {
   QLabel* state_ = nullptr;
   QAction* find_ = nullptr;
   QAction* copy_command_ = nullptr;
+  QAction* complete_ = nullptr;
   QTimer pause_;    // since the last key
   QTimer run_end_;  // after which typing is another step of undo
   QTimer problems_soon_;
   ScriptCoding coding_;
-  QString shared_;                   // the text that editor and session had in common last
-  bool stale_ = false;               // the session's text changed while nobody looked
-  bool agreed_ = true;               // nothing was typed since
-  std::uint64_t revision_ = 0;       // of the document then
-  bool splicing_ = false;            // the session's text is being put in
-  std::vector<core::Place> places_;  // of the lines of the list
-  core::Problems of_echoes_;         // what the session does not know
+  QString shared_;                                    // the text that editor and session had in common last
+  bool stale_ = false;                                // the session's text changed while nobody looked
+  bool agreed_ = true;                                // nothing was typed since
+  std::uint64_t revision_ = 0;                        // of the document then
+  bool splicing_ = false;                             // the session's text is being put in
+  std::vector<core::Place> places_;                   // of the lines of the list
+  core::Problems of_echoes_;                          // what the session does not know
+  std::optional<scene::language::KnownNames> names_;  // nothing: to be looked for
 };
 
 /// A file name as one word for a shell.

@@ -1,6 +1,5 @@
 #include "gui/script/script_highlighter.hpp"
 
-#include <QTextDocument>
 #include <QTextLayout>
 
 #include "gui/common/palette_colours.hpp"
@@ -25,13 +24,6 @@ bool is_header(QStringView rest) {
   const QStringView text = (comment < 0 ? rest : rest.left(comment)).trimmed();
   return text.endsWith(u']') && !text.contains(u',') && text.size() > 2 &&
          (text[1] == u'[' || text[1].isLetter() || text[1] == u'"');
-}
-
-// Whether a text is format 2, told by its first line that holds anything.
-bool is_of_format_2(QTextBlock line) {
-  QTextBlock first = line.document()->firstBlock();
-  while (first.isValid() && first.text().trimmed().isEmpty()) first = first.next();
-  return first.isValid() && scene::is_format_2(first.text().toStdString());
 }
 
 }  // namespace
@@ -84,6 +76,12 @@ std::vector<ScriptSpan> format_2_spans(const QString& line) {
   return spans;
 }
 
+bool is_format_2(const QTextDocument& text) {
+  QTextBlock first = text.firstBlock();
+  while (first.isValid() && first.text().trimmed().isEmpty()) first = first.next();
+  return first.isValid() && scene::is_format_2(first.text().toStdString());
+}
+
 void ScriptHighlighter::set_palette(const QPalette& palette) {
   dark_ = is_dark(palette);
   const auto set = [&](ScriptPart part, picture::Role role, bool bold, bool italic) {
@@ -101,7 +99,7 @@ void ScriptHighlighter::set_palette(const QPalette& palette) {
 
 void ScriptHighlighter::colour(QTextBlock line) const {
   const QString text = line.text();
-  const bool format_2 = is_of_format_2(line);
+  const bool format_2 = is_format_2(*line.document());
   const std::size_t kind = (dark_ ? 1U : 2U) + (format_2 ? 2U : 0U);
   const int stamp = static_cast<int>(qHash(text, kind) & 0x7FFFFFFF);  // Lines that were never coloured have -1.
   if (line.userState() == stamp) return;

@@ -3,6 +3,7 @@
 #include <QPalette>
 #include <QTextBlock>
 #include <QTextCharFormat>
+#include <QTextDocument>
 
 #include <array>
 #include <vector>
@@ -27,6 +28,9 @@ struct ScriptSpan {
 /// The same of a line of format 2: headers are commands, keys are keywords, strings are names. A line alone does not
 /// show that it is inside of a string of several lines, which scenes do not need.
 [[nodiscard]] std::vector<ScriptSpan> format_2_spans(const QString& line);
+
+/// Whether a text is format 2, told by its first line that holds anything.
+[[nodiscard]] bool is_format_2(const QTextDocument& text);
 
 /// Colours a script: commands, keywords, numbers, comments. Weight and slant tell the parts apart as well as colour
 /// does. Lines are coloured one by one, when they are about to be seen, so that long scripts cost no more than short

@@ -12,7 +12,12 @@
 
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/script/explanation_tip.hpp"
+#include "gui/script/object_lines.hpp"
+#include "gui/script/script_completer.hpp"
 #include "gui/script/script_highlighter.hpp"
+#include "scene/language/cursor.hpp"
+#include "scene/language/hover.hpp"
 
 namespace sarsim::gui {
 
@@ -21,6 +26,24 @@ namespace {
 constexpr std::size_t most_marks = 500;
 constexpr double smallest_size_pt = 5.0;
 constexpr double largest_size_pt = 60.0;
+
+// End of what begins at a byte of a line, in characters.
+int end_of_piece(const QString& line, std::size_t column, const ScriptCoding& coding) {
+  const std::size_t end = scene::language::piece_end(encoded(line, coding), column - 1);
+  return position_of_column(line, end + 1, coding);
+}
+
+// The span of a line that a character is in; one of no length where there is none.
+ScriptSpan span_at(const QString& line, int at) {
+  for (const ScriptSpan& span : script_spans(line))
+    if (span.at <= at && at < span.at + span.length) return span;
+  return {at, 0};
+}
+
+QString paragraphs_of(const QString& lines) {
+  if (lines.isEmpty()) return {};
+  return "<p>" + lines.toHtmlEscaped().replace('\n', QStringLiteral("</p><p>")) + "</p>";
+}
 
 // Paints the line numbers; everything about them is known by the text.
 class LineNumbers : public QWidget {
@@ -51,6 +74,7 @@ ScriptText::ScriptText(QWidget* parent) : QPlainTextEdit(parent), margin_(new Li
   setTabStopDistance(8.0 * fontMetrics().horizontalAdvance(u' '));
   first_size_pt_ = font().pointSizeF() > 0.0 ? font().pointSizeF() : 10.0;
   highlighter_ = std::make_unique<ScriptHighlighter>();
+  completer_ = new ScriptCompleter(this);
   connect(this, &QPlainTextEdit::blockCountChanged, this, &ScriptText::place_margin);
   connect(this, &QPlainTextEdit::updateRequest, this, &ScriptText::scroll_margin);
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, &ScriptText::show_marks);
@@ -95,9 +119,10 @@ QTextCursor ScriptText::stretch_of(const core::Place& place, const ScriptCoding&
   const QString line = block.text();
   int begin = position_of_column(line, place.column, coding);
   int end = static_cast<int>(line.size());
-  if (place.column > 0)
-    for (const ScriptSpan& span : script_spans(line))
-      if (span.at <= begin && begin < span.at + span.length) end = span.at + span.length;
+  if (place.column > 0 && is_format_2(*document()))
+    end = end_of_piece(line, place.column, coding);
+  else if (const ScriptSpan span = span_at(line, begin); place.column > 0 && span.length > 0)
+    end = span.at + span.length;
   if (begin >= end) begin = 0;
   QTextCursor cursor(block);
   cursor.setPosition(block.position() + begin);
@@ -127,6 +152,32 @@ QString ScriptText::problem_at(int position) const {
   for (const Mark& mark : marks_)
     if (position >= mark.where.selectionStart() && position <= mark.where.selectionEnd()) texts += mark.text;
   return texts.join('\n');
+}
+
+QString ScriptText::explanation_at(int position) const {
+  std::optional<scene::language::Explanation> found;
+  if (is_format_2(*document())) {
+    if (const auto lines = object_lines(*document(), position))
+      found = scene::language::explanation_at(lines->text, lines->offset);
+  } else {
+    const QTextBlock block = document()->findBlock(position);
+    const ScriptSpan span = span_at(block.text(), position - block.position());
+    if (span.length > 0 && span.part == ScriptPart::command)
+      found = scene::language::explanation_of_command(block.text().mid(span.at + 1, span.length - 1).toStdString());
+  }
+  return found ? explanation_tip(*found) : QString();
+}
+
+// Words of problems and of what stands under the mouse.
+QString ScriptText::tip_at(const QPoint& place) const {
+  QTextCursor cursor = cursorForPosition(place);
+  QString tip = paragraphs_of(problem_at(cursor.position()));
+  const bool is_behind = cursorRect(cursor).left() > place.x();  // The cursor is at the nearer end of the character.
+  if (is_behind) cursor.movePosition(QTextCursor::PreviousCharacter);
+  if (!is_behind && cursor.atBlockEnd()) return tip;
+  const QString explanation = explanation_at(cursor.position());
+  if (!tip.isEmpty() && !explanation.isEmpty()) tip += QStringLiteral("<hr>");
+  return tip + explanation;
 }
 
 void ScriptText::jump_to(const core::Place& place, const ScriptCoding& coding) {
@@ -233,7 +284,9 @@ void ScriptText::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::ZoomIn)) return zoom(1);
   if (event->matches(QKeySequence::ZoomOut)) return zoom(-1);
   if (event->modifiers() == Qt::ControlModifier && event->key() == Qt::Key_0) return zoom(0);
+  if (completer_->take_key(*event)) return event->accept();
   QPlainTextEdit::keyPressEvent(event);
+  completer_->follow_key(*event);
 }
 
 void ScriptText::wheelEvent(QWheelEvent* event) {
@@ -244,6 +297,7 @@ void ScriptText::wheelEvent(QWheelEvent* event) {
 
 void ScriptText::focusOutEvent(QFocusEvent* event) {
   QPlainTextEdit::focusOutEvent(event);
+  completer_->hide();
   emit left();
 }
 
@@ -256,12 +310,11 @@ void ScriptText::changeEvent(QEvent* event) {
 bool ScriptText::viewportEvent(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QPlainTextEdit::viewportEvent(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const QString text = problem_at(cursorForPosition(help->pos()).position());
-  if (text.isEmpty())
+  const QString tip = tip_at(help->pos());
+  if (tip.isEmpty())
     QToolTip::hideText();
   else
-    QToolTip::showText(help->globalPos(),
-                       "<p>" + text.toHtmlEscaped().replace('\n', QStringLiteral("</p><p>")) + "</p>", viewport());
+    QToolTip::showText(help->globalPos(), tip, viewport());
   return true;
 }
 

@@ -10,10 +10,12 @@
 
 namespace sarsim::gui {
 
+class ScriptCompleter;
 class ScriptHighlighter;
 
 /// The text of a script as it is typed: line numbers, colours, the current line marked, problems underlined where they
-/// are with their words as tooltips. Undo and redo are left to whoever holds the document.
+/// are; tooltips with the words of problems and explanations of what stands there; in format 2 completion. Undo and
+/// redo are left to whoever holds the document.
 class ScriptText : public QPlainTextEdit {
   Q_OBJECT
 
@@ -34,6 +36,10 @@ class ScriptText : public QPlainTextEdit {
   [[nodiscard]] std::vector<std::pair<int, int>> underlined() const;
   /// Words of the problems underlined at a position of the text; empty where there are none.
   [[nodiscard]] QString problem_at(int position) const;
+  /// What the word at a position is, as rich text; empty where there is nothing to say.
+  [[nodiscard]] QString explanation_at(int position) const;
+  /// Completes what is typed.
+  [[nodiscard]] ScriptCompleter& completer() { return *completer_; }
   /// Puts the cursor where a problem is, and brings it into sight.
   void jump_to(const core::Place& place, const ScriptCoding& coding);
 
@@ -71,10 +77,12 @@ class ScriptText : public QPlainTextEdit {
   void scroll_margin(const QRect& area, int dy);
   void show_marks();
   void refresh_colours();
+  [[nodiscard]] QString tip_at(const QPoint& place) const;
   [[nodiscard]] QTextCursor stretch_of(const core::Place& place, const ScriptCoding& coding) const;
 
   QWidget* margin_ = nullptr;
   std::unique_ptr<ScriptHighlighter> highlighter_;
+  ScriptCompleter* completer_ = nullptr;
   std::vector<Mark> marks_;
   double first_size_pt_ = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scene/edit/edit.hpp"
@@ -30,6 +31,9 @@ class PendingData {
   /// Notes the data of functions that an edit gives new points or another file, as far as the file does not say the
   /// same already.
   void follow(const Edit& edit, bool forwards, const DataFileLoader& disk);
+
+  /// Puts a text in place of what a file holds: of a file that the scene's text includes.
+  void put(const std::string& name, std::string text) { texts_[name] = std::move(text); }
 
   /// Finds the pending data first, then what is on disk. Data that have come to stand on disk exactly are no longer
   /// pending.

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
+#include "core/toml/scan.hpp"
 #include "scene/check/check.hpp"
 #include "scene/edit/splice.hpp"
 #include "scene/edit/splice_format_2.hpp"
 #include "scene/edit/splice_tables.hpp"
 #include "scene/edit/text_file.hpp"
 #include "scene/language/format_mark.hpp"
+#include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/scene_writer.hpp"
 #include "scene/script/tokens.hpp"
@@ -31,21 +34,26 @@ bool keeps_line_ends(std::string_view before, std::string_view after) {
 Document::Document() {
   Scene scene;
   scene.platforms.emplace_back();
-  load(write_script(scene));
+  load(write_format_2(scene));
 }
 
 Document Document::open(const fs::path& path) {
   Document document;
   std::optional<std::string> bytes = read_text_file(path);
-  if (!bytes || script::find_control_byte(*bytes) != std::string_view::npos) {
+  const bool json = bytes && language::is_json(*bytes);
+  if (!bytes || json || script::find_control_byte(*bytes) != std::string_view::npos) {
     ScriptReading reading = read_scene_file(path);
+    if (json && !core::has_errors(reading.problems)) {
+      document.load(write_format_2(reading.scene));
+      return document;
+    }
     if (!core::has_errors(reading.problems)) {
       core::Problem problem;
       problem.message = "cannot read the script";
       problem.place.file = path.string();
       reading.problems.push_back(std::move(problem));
     }
-    document.findings_ = {core::ranked(std::move(reading.problems)), document.places()};
+    document.findings_ = {core::ranked(std::move(reading.problems)), document.places(), {}};
     return document;
   }
   document.path_ = path;
@@ -65,7 +73,7 @@ void Document::load(std::string text) {
   text_ = std::move(text);
   ScriptReading reading = read(text_);
   scene_ = std::move(reading.scene);
-  commands_.reset();
+  forget_places();
   findings_ = found_in(std::move(reading));
 }
 
@@ -85,17 +93,29 @@ bool Document::changed() const { return history_.changed(); }
 DataFileLoader Document::disk() const { return disk_loader(path_.parent_path()); }
 
 ScriptReading Document::read(const std::string& text) const {
-  return read_scene_text(text, path_.string(), data_.loader(disk()));
+  if (language::is_json(text)) {
+    ScriptReading reading;
+    reading.problems.push_back(core::problem_of(core::Severity::error, "a scene in JSON cannot be edited", {}, {},
+                                                "open its file: it then goes on in TOML"));
+    return reading;
+  }
+  ReadControl control;
+  control.draft = true;
+  return read_scene_text(text, path_.string(), data_.loader(disk()), control);
 }
 
 Document::Findings Document::found_in(ScriptReading reading) const {
   if (!core::has_errors(reading.problems)) {
     core::Problems of_scene = check(scene_);
+    std::erase_if(of_scene, [&](const core::Problem& problem) {
+      return std::ranges::find(reading.of_names, problem.subject, &core::Problem::subject) != reading.of_names.end();
+    });
+    std::ranges::move(reading.of_names, std::back_inserter(of_scene));
     std::ranges::copy(of_clouds_, std::back_inserter(of_scene));
     locate(of_scene, reading.places);
     std::ranges::move(of_scene, std::back_inserter(reading.problems));
   }
-  return {core::ranked(std::move(reading.problems)), std::move(reading.places)};
+  return {core::ranked(std::move(reading.problems)), std::move(reading.places), std::move(reading.names)};
 }
 
 const Document::Findings& Document::findings() const {
@@ -105,31 +125,133 @@ const Document::Findings& Document::findings() const {
 
 const CommandPlaces& Document::commands() const {
   if (!commands_) {
-    const std::string text = last_sound_text().value_or("");
-    commands_ = is_format_2(text) ? find_objects(text) : find_commands(text);
+    static const std::string nothing;
+    const std::string& text = sound_text() != nullptr ? *sound_text() : nothing;
+    commands_ = is_format_2(text) ? find_objects(text, tables()) : find_commands(text);
   }
   return *commands_;
 }
 
-// The last text that could be read; nothing where it is not known.
-std::optional<std::string> Document::last_sound_text() const {
-  return text_broken_ ? sound_text_ : std::optional(text_);
+// The last text that could be read; null where it is not known.
+const std::string* Document::sound_text() const {
+  if (!text_broken_) return &text_;
+  return sound_text_ ? &*sound_text_ : nullptr;
+}
+
+// Of the last text that could be read, which is in format 2.
+const format_2::ObjectTables& Document::tables() const {
+  if (!tables_) tables_ = format_2::find_tables(*sound_text());
+  return *tables_;
+}
+
+void Document::forget_places() {
+  commands_.reset();
+  tables_.reset();
+}
+
+std::vector<IncludedText> Document::included() const {
+  const std::string* const text = sound_text();
+  if (text == nullptr || !is_format_2(*text)) return {};
+  return included_texts(*text, path_.string(), data_.loader(disk()));
+}
+
+bool Document::touches_included(const Edit& edit) const {
+  if (language() != Language::format_2 || sound_text() == nullptr) return false;
+  return std::ranges::any_of(edit.changes, [&](const ObjectChange& change) {
+    const std::size_t all = count_of(scene_, change.id.kind);
+    return change.before && change.id.index + std::min(all, commands()[change.id.kind].size()) < all;
+  });
+}
+
+// What another program has changed meanwhile stays as it is.
+void Document::change_included(const ScriptChange& change, bool forwards, PendingData& data) const {
+  const DataFileLoader loader = data.loader(disk());
+  for (const auto& [name, changes] : change.included) {
+    const std::string now = loader(name).text;
+    try {
+      data.put(name, forwards ? apply_changes(now, changes) : revert_changes(now, changes));
+    } catch (const std::logic_error&) {
+    }
+  }
+}
+
+TypedFields Document::typed_fields(std::optional<ObjectId> id) const {
+  const std::string* const text = sound_text();
+  TypedFields fields;
+  if (text == nullptr || !is_format_2(*text)) return fields;
+  if (!id) {
+    std::optional<format_2::TypedObject> said;
+    if (tables().options) said.emplace(*text, tables(), *tables().options);
+    for (const Field& field : option_fields())
+      if (has_default(field)) fields[field.id] = said ? said->typed(scene_.options, field) : TypedField{false};
+    return fields;
+  }
+  const std::vector<TextStretch>& places = commands()[id->kind];
+  const std::size_t included = count_of(scene_, id->kind) - std::min(places.size(), count_of(scene_, id->kind));
+  if (!has_object(scene_, *id) || id->index < included) return fields;
+  const std::size_t index = id->index - included;
+  const format_2::ObjectTable* const table = format_2::table_with(tables(), id->kind, index);
+  if (table == nullptr) return fields;
+  std::optional<core::toml::Value> row;
+  if (table->positions) row = {core::toml::Kind::array, core::toml::span_of(places[index].begin, places[index].end)};
+  format_2::TypedObject said(*text, tables(), *table, row);
+  const AnyObject object = object_of(scene_, *id);
+  for (const Field& field : fields_of(id->kind))
+    if (has_default(field)) fields[field.id] = said.typed(object, field);
+  return fields;
+}
+
+const LetNames* Document::let_names() const { return language() == Language::format_2 ? &findings().names : nullptr; }
+
+// The expressions of fields whose values an edit changes, but for those that were typed into.
+std::vector<ReplacedExpression> Document::expressions_at_stake(const Edit& edit) const {
+  constexpr std::size_t most_objects = 1000;
+  std::vector<ReplacedExpression> found;
+  const auto look = [&](std::optional<ObjectId> id, const auto& before, const auto& after) {
+    for (auto& [field_id, typed] : typed_fields(id)) {
+      if (typed.expression.empty() || field_text(before, field_id) == field_text(after, field_id)) continue;
+      const std::vector<Field>& fields = id ? fields_of(id->kind) : option_fields();
+      const Field* const field = &*std::ranges::find(fields, field_id, &Field::id);
+      const auto is_it = [&](const TypedText& text) { return text.object == id && text.field == field; };
+      if (std::ranges::none_of(edit.typed, is_it)) found.push_back({id, field, typed.expression});
+    }
+  };
+  const auto replaces = [](const ObjectChange& change) { return change.before && change.after; };
+  if (!std::ranges::all_of(edit.changes, replaces)) return found;
+  for (std::size_t i = 0; i < std::min(edit.changes.size(), most_objects); ++i) {
+    const ObjectChange& change = edit.changes[i];
+    look(change.id, *change.before, *change.after);
+  }
+  if (edit.options_before && edit.options_after) look(std::nullopt, *edit.options_before, *edit.options_after);
+  return found;
+}
+
+void Document::drop_those_kept(std::vector<ReplacedExpression>& expressions) const {
+  std::erase_if(expressions, [&](const ReplacedExpression& was) {
+    const TypedFields now = typed_fields(was.object);
+    const auto typed = now.find(was.field->id);
+    return typed != now.end() && typed->second.expression == was.expression;
+  });
 }
 
 // That of the last text that could be read, or of the present one.
 Language Document::language() const {
-  return is_format_2(text_broken_ && sound_text_ ? *sound_text_ : text_) ? Language::format_2 : Language::script;
+  return is_format_2(sound_text() != nullptr ? *sound_text() : text_) ? Language::format_2 : Language::script;
 }
 
 // The text that says what the edit makes of the scene.
 Document::NewText Document::text_after(const Edit& edit, const DataFileLoader& loader) const {
   const bool is_2 = language() == Language::format_2;
-  std::optional<std::string> base = last_sound_text();
-  if (!base) base = is_2 ? write_format_2(scene_) : write_script(scene_);
-  if (!is_2) return script_after(*base, edit, loader);
-  Format2Splice spliced = splice_format_2(*base, scene_, edit, path_.string(), loader);
+  const bool known = sound_text() != nullptr;
+  const std::string written = known ? "" : is_2 ? write_format_2(scene_) : write_script(scene_);
+  const std::string& base = known ? *sound_text() : written;
+  if (!is_2) return script_after(base, edit, loader);
+  Format2Splice spliced =
+      known ? splice_format_2(base, tables(), touches_included(edit) ? included() : std::vector<IncludedText>{}, scene_,
+                              edit, path_.string(), loader)
+            : splice_format_2(base, format_2::find_tables(base), {}, scene_, edit, path_.string(), loader);
   TextChanges changes = text_broken_ ? text_difference(text_, spliced.text) : std::move(spliced.changes);
-  return {std::move(spliced.text), std::nullopt, std::move(changes)};
+  return {std::move(spliced.text), std::nullopt, std::move(changes), std::move(spliced.included)};
 }
 
 // The same in the language of 1998.
@@ -142,14 +264,14 @@ Document::NewText Document::script_after(const std::string& base, const Edit& ed
     Splice spliced = splice(base, places, edit, loader);
     if (keeps_line_ends(base, spliced.text)) {
       TextChanges changes = text_broken_ ? text_difference(text_, spliced.text) : std::move(spliced.changes);
-      return {std::move(spliced.text), std::move(spliced.places), std::move(changes)};
+      return {std::move(spliced.text), std::move(spliced.places), std::move(changes), {}};
     }
   }
   Scene after = scene_;
   apply(edit, after);
   std::string text = write_script(after);
   TextChanges changes = text_difference(text_, text);
-  return {std::move(text), std::nullopt, std::move(changes)};
+  return {std::move(text), std::nullopt, std::move(changes), {}};
 }
 
 void Document::perform(Edit edit) {
@@ -157,15 +279,23 @@ void Document::perform(Edit edit) {
   data.follow(edit, true, disk());
   const DataFileLoader loader = data.loader(disk());
   settle_values(edit, loader, language());
-  if (changes_nothing(edit)) return;
+  replaced_.clear();
+  if (changes_nothing(edit) && edit.typed.empty()) return;
+  std::vector<ReplacedExpression> at_stake = expressions_at_stake(edit);
   NewText next = text_after(edit, loader);
-  edit.script = {std::move(next.changes), text_broken_, false};
+  edit.script = {std::move(next.changes), std::move(next.included), text_broken_, false};
+  edit.typed.clear();
+  if (changes_nothing(edit)) return;
+  change_included(edit.script, true, data);
   history_.perform(edit, scene_);
   note_edit(std::move(edit), true);
   text_ = std::move(next.text);
+  forget_places();
   commands_ = std::move(next.commands);
   text_broken_ = false;
   sound_text_.reset();
+  drop_those_kept(at_stake);
+  replaced_ = std::move(at_stake);
   data_ = std::move(data);
   findings_.reset();
   read_clouds();
@@ -178,12 +308,12 @@ void Document::type_text(std::string text) {
   Edit edit = broken ? Edit{} : difference(scene_, reading.scene, "");
   edit.label = "Edit script";
   edit.merge_key = "script";
-  edit.script = {text_difference(text_, text), text_broken_, broken};
+  edit.script = {text_difference(text_, text), {}, text_broken_, broken};
   history_.perform(edit, scene_);
   note_edit(std::move(edit), true);
   if (!broken) {
     sound_text_.reset();
-    commands_.reset();
+    forget_places();
   } else if (!text_broken_) {
     sound_text_ = std::move(text_);
   }
@@ -207,8 +337,9 @@ void Document::follow_history(const Edit& edit, bool forwards) {
   text_ = forwards ? apply_changes(text_, edit.script.changes) : revert_changes(text_, edit.script.changes);
   text_broken_ = forwards ? edit.script.broken_after : edit.script.broken_before;
   sound_text_.reset();
-  commands_.reset();
+  forget_places();
   data_.follow(edit, forwards, disk());
+  change_included(edit.script, forwards, data_);
   note_edit(edit, forwards);
   findings_.reset();
   read_clouds();

@@ -11,10 +11,20 @@
 #include "core/report/problem.hpp"
 #include "scene/edit/data_functions.hpp"
 #include "scene/edit/history.hpp"
+#include "scene/edit/included_texts.hpp"
 #include "scene/edit/splice_places.hpp"
+#include "scene/edit/splice_tables.hpp"
+#include "scene/edit/typed_fields.hpp"
 #include "scene/script/reader.hpp"
 
 namespace sarsim::scene {
+
+/// An expression of a text in whose place an edit wrote something else.
+struct ReplacedExpression {
+  std::optional<ObjectId> object;  ///< Nothing: of the options.
+  const Field* field = nullptr;
+  std::string expression;
+};
 
 /// A scene being edited together with its text in either language (`Language`), its file and its history. Scene and
 /// text always say the same: an edit of the scene rewrites what the text says of the objects it touched and leaves
@@ -22,12 +32,12 @@ namespace sarsim::scene {
 /// are undone together, byte by byte.
 class Document {
  public:
-  /// An empty scene: one platform, Earth (thesis 4.1).
+  /// An empty scene in format 2: one platform, Earth (thesis 4.1).
   Document();
 
   /// A document from a file. Throws nothing: what stands in the way is in `problems`. Where that is the file itself
   /// (none, a folder, no text) the document is empty and without a path; where the script holds mistakes, the scene is
-  /// what could be understood of it.
+  /// what could be understood of it. A scene in JSON becomes one in TOML that was never saved.
   [[nodiscard]] static Document open(const std::filesystem::path& path);
   /// A document without a file from a text, for templates and examples; mistakes as in `open`.
   [[nodiscard]] static Document from_text(std::string text);
@@ -52,6 +62,11 @@ class Document {
   /// the text is broken, those of the last one that could be read, or none. Found when they are asked for, once after
   /// each change.
   [[nodiscard]] const CommandPlaces& commands() const;
+  /// What the text says of each field of an object's form, or of the options where there is no id. Empty in the
+  /// language of 1998, which says every field, for objects of included files, and while a broken text hides it.
+  [[nodiscard]] TypedFields typed_fields(std::optional<ObjectId> id) const;
+  /// The names of [let], which expressions in fields may use; null in the language of 1998. Found as the problems are.
+  [[nodiscard]] const LetNames* let_names() const;
   /// True where the text was typed so that it cannot be read: the scene is then the last one that could.
   [[nodiscard]] bool text_broken() const { return text_broken_; }
   /// Texts of the data files, by their names in the script, that hold the points of edited functions and are not on
@@ -66,6 +81,9 @@ class Document {
   /// @throws std::logic_error where the edit was not made for this scene; nothing is changed then
   void perform(Edit edit);
   void end_run() { history_.end_run(); }
+  /// The expressions in whose place the last `perform` wrote something else, because the scene demanded it: other than
+  /// those of fields that were typed into. Looked for among the first 1000 objects of an edit that only replaces.
+  [[nodiscard]] const std::vector<ReplacedExpression>& replaced_expressions() const { return replaced_; }
   /// Replaces the text, as typed. Where it can be read without errors of language, the scene follows in one undoable
   /// step; otherwise the scene stays and `problems` says why. Typing in a row is one step.
   void type_text(std::string text);
@@ -84,6 +102,9 @@ class Document {
   /// one before.
   [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
+  /// What the text includes, changes that are not on disk yet among it. Reads the files.
+  [[nodiscard]] std::vector<IncludedText> included() const;
+
   /// Writes the text to a file, completely or not at all, and makes it this document's. Throws std::runtime_error that
   /// names the file and the cause.
   void save(const std::filesystem::path& path);
@@ -95,6 +116,7 @@ class Document {
   struct Findings {
     core::Problems problems;
     FieldPlaces places;
+    LetNames names;
   };
 
   // A text, where its commands stand if that is known, and how it comes from the present one.
@@ -102,6 +124,7 @@ class Document {
     std::string text;
     std::optional<CommandPlaces> commands;
     TextChanges changes;
+    std::map<std::string, TextChanges> included;  // of files that the text includes
   };
 
   void load(std::string text);
@@ -110,7 +133,13 @@ class Document {
   void note_edit(Edit edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
   [[nodiscard]] NewText script_after(const std::string& base, const Edit& edit, const DataFileLoader& loader) const;
-  [[nodiscard]] std::optional<std::string> last_sound_text() const;
+  [[nodiscard]] const std::string* sound_text() const;
+  [[nodiscard]] const format_2::ObjectTables& tables() const;
+  [[nodiscard]] std::vector<ReplacedExpression> expressions_at_stake(const Edit& edit) const;
+  void drop_those_kept(std::vector<ReplacedExpression>& expressions) const;
+  void forget_places();
+  [[nodiscard]] bool touches_included(const Edit& edit) const;
+  void change_included(const ScriptChange& change, bool forwards, PendingData& data) const;
   [[nodiscard]] Language language() const;
   [[nodiscard]] ScriptReading read(const std::string& text) const;
   [[nodiscard]] DataFileLoader disk() const;
@@ -122,6 +151,7 @@ class Document {
   bool text_broken_ = false;
   std::optional<std::string> sound_text_;  // the last that could be read, where it is known and the text is broken
   mutable std::optional<CommandPlaces> commands_;
+  mutable std::optional<format_2::ObjectTables> tables_;  // of a text of format 2
   std::filesystem::path path_;
   std::string text_on_disk_;
   mutable PendingData data_;
@@ -130,6 +160,7 @@ class Document {
   core::Problems of_clouds_;
   History history_;
   std::optional<LastEdit> last_edit_;
+  std::vector<ReplacedExpression> replaced_;
   std::uint64_t revision_ = 0;
 };
 

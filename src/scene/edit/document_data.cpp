@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include "scene/edit/text_file.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/scene_writer.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 
@@ -84,7 +86,9 @@ std::vector<DataFileWrite> data_to_write(const Document& document, const fs::pat
   const DataFileLoader at_old = disk_loader(document.path().parent_path());
   const DataFileLoader at_new = disk_loader(script.parent_path());
   std::vector<DataFileWrite> files;
-  for (const std::string& name : files_of(document.scene())) {
+  std::set<std::string> names = files_of(document.scene());
+  for (const IncludedText& included : document.included()) names.insert(included.name);
+  for (const std::string& name : names) {
     const auto edited = pending.find(name);
     if (edited == pending.end() && !moves) continue;
     DataFileText wanted = edited != pending.end() ? DataFileText{name, edited->second, {}} : at_old(name);
@@ -99,11 +103,11 @@ std::vector<DataFileWrite> data_to_write(const Document& document, const fs::pat
 }
 
 std::string self_contained_script(const Document& document) {
-  if (files_of(document.scene()).empty() || document.text_broken() || core::has_errors(document.problems()))
-    return document.text();
+  const bool alone = files_of(document.scene()).empty() && document.included().empty();
+  if (alone || document.text_broken() || core::has_errors(document.problems())) return document.text();
   Scene scene = document.scene();
   forget_files(scene, document.path().parent_path());
-  return write_script(scene);
+  return is_format_2(document.text()) ? write_format_2(scene) : write_script(scene);
 }
 
 void write_data(const std::vector<DataFileWrite>& files) {

@@ -17,13 +17,14 @@ struct DataFileWrite {
 };
 
 /// The data files that the script of a document, saved as `script`, would miss or find with other points, in the order
-/// of their names: those of edited functions (`Document::pending_data`), as far as the scene still speaks of them, and,
-/// where the script goes to another folder, those that were found from the old one, byte by byte. Files that cannot be
-/// read now, and those of other folders (absolute names), are left out unless they were edited. Reads the disk.
+/// of their names: those of edited functions and included files (`Document::pending_data`), as far as the scene still
+/// speaks of them, and, where the script goes to another folder, those that were found from the old one, byte by byte.
+/// Files that cannot be read now, and those of other folders (absolute names), are left out unless they were edited.
+/// Reads the disk.
 [[nodiscard]] std::vector<DataFileWrite> data_to_write(const Document& document, const std::filesystem::path& script);
 
-/// A script that means what the document shows, to be written anywhere: every function INLINE, every cloud with the
-/// whole path of its file.
+/// A scene that means what the document shows, to be written anywhere, in the document's language: every function with
+/// its points, every cloud with the whole path of its file, and nothing included.
 /// The text itself where it speaks of no data file, or holds mistakes for its reader to report.
 [[nodiscard]] std::string self_contained_script(const Document& document);
 

@@ -11,6 +11,8 @@
 
 #include "scene/edit/edit_test_support.hpp"
 #include "scene/edit/text_file.hpp"
+#include "scene/language/format_mark.hpp"
+#include "scene/language/scene_reader.hpp"
 #include "scene/script/writer.hpp"
 
 namespace sarsim::scene {
@@ -62,14 +64,28 @@ std::string failure_of(const std::function<void()>& work) {
   return "";
 }
 
-TEST(Document, BeginsWithThePlatformEarth) {
+TEST(Document, BeginsWithThePlatformEarthInFormat2) {
   const Document document;
   ASSERT_EQ(document.scene().platforms.size(), 1U);
   EXPECT_EQ(document.scene().platforms[0].name, "Earth");
-  EXPECT_TRUE(scene_of(document.text()) == document.scene());
+  EXPECT_TRUE(is_format_2(document.text()));
+  EXPECT_TRUE(read_format_2(document.text(), "", {}).scene == document.scene());
   EXPECT_FALSE(document.changed());
   EXPECT_FALSE(document.text_broken());
   EXPECT_TRUE(document.path().empty());
+}
+
+TEST(Document, WritesANewSceneInFormat2) {
+  Document document;
+  const std::string empty = document.text();
+  document.perform(add_object(document.scene(), Target()));
+  document.perform(add_object(document.scene(), Radar()));
+  EXPECT_NE(document.text().find("[[target]]"), std::string::npos) << document.text();
+  EXPECT_NE(document.text().find("[[radar]]"), std::string::npos) << document.text();
+  EXPECT_TRUE(read_format_2(document.text(), "", {}).scene == document.scene());
+  document.undo();
+  document.undo();
+  EXPECT_EQ(document.text(), empty);
 }
 
 TEST(Document, WritesAnEditIntoTheTextAndTakesItBackByteByByte) {

@@ -153,6 +153,8 @@ Edit composed(Edit first, const Edit& second) {
     first.options_after = second.options_after;
   }
   first.script.changes = composed(first.script.changes, second.script.changes);
+  for (const auto& [name, changes] : second.script.included)
+    first.script.included[name] = composed(first.script.included[name], changes);
   first.script.broken_after = second.script.broken_after;
   return first;
 }

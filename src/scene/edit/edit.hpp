@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -8,6 +9,7 @@
 #include "scene/edit/text_change.hpp"
 #include "scene/model/kept_object.hpp"
 #include "scene/model/object.hpp"
+#include "scene/schema/fields.hpp"
 
 namespace sarsim::scene {
 
@@ -18,10 +20,18 @@ struct ObjectChange {
   KeptObject after;
 };
 
+/// What a text of format 2 is to say of a field that was typed into.
+struct TypedText {
+  std::optional<ObjectId> object;  ///< Nothing: of the options.
+  const Field* field = nullptr;    ///< Of `fields_of` or `option_fields`.
+  std::string text = {};           ///< `text_as_typed`; empty: what the writer says, which at the default is nothing.
+};
+
 /// What a step of editing does to the script text of a document.
 struct ScriptChange {
   TextChanges changes;
-  bool broken_before = false;  ///< The text before, or after, could not be read.
+  std::map<std::string, TextChanges> included = {};  ///< Of files that the text includes, by their names.
+  bool broken_before = false;                        ///< The text before, or after, could not be read.
   bool broken_after = false;
 };
 
@@ -32,7 +42,8 @@ struct Edit {
   std::vector<ObjectChange> changes;
   std::optional<RunOptions> options_before;  ///< Both or neither.
   std::optional<RunOptions> options_after;
-  ScriptChange script;  ///< Filled in by Document.
+  std::vector<TypedText> typed;  ///< Of objects that it replaces, and of the options.
+  ScriptChange script;           ///< Filled in by Document.
   /// Edits in a row with the same key, not empty, are one step: the runs of a spin box, the moves of a drag. A key ends
   /// with `History::end_run`.
   std::string merge_key;

@@ -10,6 +10,7 @@
 #include "scene/edit/splice_check.hpp"
 #include "scene/edit/splice_tables.hpp"
 #include "scene/edit/splice_value.hpp"
+#include "scene/edit/typed_fields.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/value_text.hpp"
@@ -33,6 +34,14 @@ struct ListedObject {
 
 using Listed = std::span<const ListedObject>;
 
+// Fields that were typed into: as the text says them, and as it is to say them.
+struct TypedWords {
+  std::vector<SaidField> before;
+  std::vector<SaidField> after;
+};
+
+bool is_position(const TypedText& typed) { return typed.field->spec->key == "position"; }
+
 bool differ_in_position_alone(const Target& a, const Target& b) {
   Target moved = a;
   moved.position_m = b.position_m;
@@ -46,13 +55,27 @@ struct ListPart {
   const Target* alike = nullptr;  // what they have in common; null: what they had
 };
 
+// A text that makes objects, and how many stand before its own in the scene.
+struct SplicedText {
+  std::string name = {};  // as files are included; empty: the one that includes them
+  std::string_view text;
+  const ObjectTables* tables = nullptr;
+  ObjectCounts preceding = {};
+};
+
 class TableSplicer {
  public:
   // @param fine  false: changed objects are written anew
-  TableSplicer(std::string_view text, const ObjectTables& tables, const Scene& before, bool fine)
-      : text_(text), tables_(tables), before_(before), fine_(fine) {}
+  TableSplicer(const SplicedText& text, const Scene& before, bool fine)
+      : text_(text.text),
+        tables_(*text.tables),
+        preceding_(text.preceding),
+        takes_new_(text.name.empty()),
+        before_(before),
+        fine_(fine) {}
 
   TextChanges make(const Edit& edit) {
+    for (const TypedText& typed : edit.typed) typed_.insert({typed.object, &typed});
     std::array<std::vector<ListedObject>, kind_count> lists;
     for (const ObjectChange& change : edit.changes) {
       std::vector<ListedObject>& list = lists[static_cast<std::size_t>(change.id.kind)];
@@ -66,7 +89,8 @@ class TableSplicer {
     }
     for (const ObjectKind kind : written_object_kinds)
       if (touched_[static_cast<std::size_t>(kind)]) write_list(kind, lists[static_cast<std::size_t>(kind)]);
-    if (edit.options_before && edit.options_after && *edit.options_before != *edit.options_after)
+    const bool options_typed = typed_.contains(std::nullopt);
+    if (edit.options_before && edit.options_after && (options_typed || *edit.options_before != *edit.options_after))
       write_options(*edit.options_before, *edit.options_after);
     return finish();
   }
@@ -77,12 +101,10 @@ class TableSplicer {
  private:
   std::vector<ListedObject> standing(ObjectKind kind) {
     touched_[static_cast<std::size_t>(kind)] = true;
-    std::size_t own = 0;
-    for (const ObjectTable& table : tables_[kind]) own += table.objects;
-    const std::size_t all = count_of(before_, kind);
-    std::vector<ListedObject> list(all - std::min(own, all));  // of included files
+    std::vector<ListedObject> list(preceding_[static_cast<std::size_t>(kind)]);
     for (const ObjectTable& table : tables_[kind])
       for (std::size_t row = 0; row < table.objects; ++row) list.push_back({&table, row, list.size()});
+    list.resize(std::max(list.size(), count_of(before_, kind)));
     return list;
   }
 
@@ -116,7 +138,8 @@ class TableSplicer {
         last = next++;
       } else if (objects[at].is_new) {
         while (end < objects.size() && objects[end].is_new) ++end;
-        insert(kind, last, end < objects.size() ? objects[end].table : nullptr, objects.subspan(at, end - at));
+        if (takes_new_)
+          insert(kind, last, end < objects.size() ? objects[end].table : nullptr, objects.subspan(at, end - at));
       } else if (objects[at].after != nullptr) {
         alone_ = false;  // it stands in an included file
       }
@@ -143,9 +166,31 @@ class TableSplicer {
     changed_.push_back({kind, &table, first, objects.size()});
     if (!fine_) return write_anew(kind, table, objects);
     if (table.positions) return write_positions(table, objects);
-    const AnyObject before = object_of(before_, {kind, objects.front().index});
-    append(changes_, change_tables(text_, tables_, table, std::string(language::header_of(kind)), said_of(before),
-                                   said_of(**objects.front().after)));
+    const ObjectId id{kind, objects.front().index};
+    const AnyObject before = object_of(before_, id);
+    const TypedWords words = words_of(id, before, table);
+    append(changes_, change_tables(text_, tables_, table, std::string(language::header_of(kind)),
+                                   said_of(before, words.before), said_of(**objects.front().after, words.after)));
+  }
+
+  // @param id   nothing: the options
+  // @param row  of a target in a list: its position alone; nothing: all that its table says
+  template <class Values>
+  [[nodiscard]] TypedWords words_of(std::optional<ObjectId> id, const Values& before, const ObjectTable& table,
+                                    std::optional<toml::Value> row = std::nullopt) const {
+    TypedWords words;
+    const auto [first, last] = typed_.equal_range(id);
+    if (first == last) return words;
+    TypedObject object(text_, tables_, table, row);
+    for (auto entry = first; entry != last; ++entry) {
+      const TypedText& typed = *entry->second;
+      if (table.positions && is_position(typed) != row.has_value()) continue;
+      const Field& field = *typed.field;
+      if (const auto value = object.find(before, field))
+        words.before.push_back({field.spec, field.part, std::string(toml::piece(text_, value->span))});
+      if (!typed.text.empty()) words.after.push_back({field.spec, field.part, typed.text});
+    }
+    return words;
   }
 
   void write_anew(ObjectKind kind, const ObjectTable& table, Listed objects) {
@@ -173,6 +218,11 @@ class TableSplicer {
     return object.after != nullptr ? *object.after->get_if<Target>() : target_before(object);
   }
 
+  [[nodiscard]] bool is_typed_beside_position(const ListedObject& object) const {
+    const auto [first, last] = typed_.equal_range(ObjectId{ObjectKind::target, object.index});
+    return std::any_of(first, last, [](const auto& entry) { return !is_position(*entry.second); });
+  }
+
   // Objects in a row that have the same in common are one part.
   [[nodiscard]] std::vector<ListPart> parts_of(Listed objects) const {
     std::vector<ListPart> parts;
@@ -180,7 +230,8 @@ class TableSplicer {
       const ListedObject& object = objects[i];
       const Target& after = target_after(object);
       const bool moved =
-          !object.is_new && (object.after == nullptr || differ_in_position_alone(target_before(object), after));
+          !object.is_new && (object.after == nullptr || (!is_typed_beside_position(object) &&
+                                                         differ_in_position_alone(target_before(object), after)));
       ListPart* const part = parts.empty() ? nullptr : &parts.back();
       const bool joins =
           part != nullptr && part->is_new == object.is_new &&
@@ -217,15 +268,19 @@ class TableSplicer {
     Target before = target_before(part.objects.front());
     Target after = *part.alike;
     before.position_m = after.position_m = {};
-    return change_tables(text_, tables_, table, "target", said_of(before), said_of(after));
+    const TypedWords words = words_of(ObjectId{ObjectKind::target, part.objects.front().index}, before, table);
+    return change_tables(text_, tables_, table, "target", said_of(before, words.before), said_of(after, words.after));
   }
 
-  [[nodiscard]] std::optional<std::string> new_row(const ListedObject& object, toml::Span row) const {
-    if (object.after == nullptr || target_after(object).position_m == target_before(object).position_m)
-      return std::nullopt;
-    const Said was{"position", language::vector_text(target_before(object).position_m)};
-    return value_after(toml::piece(text_, row), &was,
-                       {"position", language::vector_text(target_after(object).position_m)});
+  [[nodiscard]] std::optional<std::string> new_row(const ListedObject& object, const toml::Value& row) const {
+    if (object.after == nullptr) return std::nullopt;
+    const Target& before = target_before(object);
+    const core::Vec3& position = target_after(object).position_m;
+    const TypedWords words = words_of(ObjectId{ObjectKind::target, object.index}, before, *object.table, row);
+    if (position == before.position_m && words.before.empty()) return std::nullopt;
+    const FieldSpec& field = table_of<Target>().field<&Target::position_m>().spec;
+    const Said was{"position", said_value(field, before.position_m, words.before)};
+    return value_after(toml::piece(text_, row.span), &was, {"position", said_value(field, position, words.after)});
   }
 
   [[nodiscard]] TextChanges changes_of_part(const ObjectTable& table, const ListPart& part) const {
@@ -233,7 +288,7 @@ class TableSplicer {
     const std::vector<toml::Value> rows = rows_of(text_, *table.positions);
     std::vector<RowChange> row_changes(table.objects, RowChange{true});
     for (const ListedObject& object : part.objects)
-      row_changes[object.row] = {false, new_row(object, rows[object.row].span)};
+      row_changes[object.row] = {false, new_row(object, rows[object.row])};
     append(changes, change_rows(text_, *table.positions, row_changes));
     return changes;
   }
@@ -242,8 +297,8 @@ class TableSplicer {
   [[nodiscard]] TextChanges changes_of_single(const ObjectTable& table, const ListPart& part) const {
     TextChanges changes = changes_of_keys(table, part);
     const ListedObject& object = part.objects.front();
-    const toml::Span row = rows_of(text_, *table.positions)[object.row].span;
-    const std::string position = new_row(object, row).value_or(std::string(toml::piece(text_, row)));
+    const toml::Value row = rows_of(text_, *table.positions)[object.row];
+    const std::string position = new_row(object, row).value_or(std::string(toml::piece(text_, row.span)));
     const toml::Span line{table.positions_key.begin, table.positions->span.end};
     changes.push_back({line.begin, std::string(toml::piece(text_, line)), "position = " + position});
     return changes;
@@ -296,15 +351,28 @@ class TableSplicer {
 
   void write_options(const RunOptions& before, const RunOptions& after) {
     alone_ = false;
-    const std::vector<Said> was = said_of(before);
-    const std::vector<Said> becomes = said_of(after);
+    const TypedWords words = tables_.options ? words_of(std::nullopt, before, *tables_.options) : new_options_words();
+    const std::vector<Said> was = said_of(before, words.before);
+    const std::vector<Said> becomes = said_of(after, words.after);
     if (!tables_.options) {
+      if (becomes.empty()) return;
       std::string lines = "\n[options]\n";
       for (const Said& said : becomes) lines += lines_of(said, "options");
       return add_block(text_.size(), lines);
     }
     if (would_be_empty(text_, tables_, *tables_.options, was, becomes)) return remove(*tables_.options);
     append(changes_, change_tables(text_, tables_, *tables_.options, "options", was, becomes));
+  }
+
+  // Where the text has no table of them yet.
+  [[nodiscard]] TypedWords new_options_words() const {
+    TypedWords words;
+    const auto [first, last] = typed_.equal_range(std::nullopt);
+    for (auto entry = first; entry != last; ++entry) {
+      const TypedText& typed = *entry->second;
+      if (!typed.text.empty()) words.after.push_back({typed.field->spec, typed.field->part, typed.text});
+    }
+    return words;
   }
 
   // ---- changes
@@ -334,8 +402,11 @@ class TableSplicer {
 
   std::string_view text_;
   const ObjectTables& tables_;
+  const ObjectCounts& preceding_;
+  bool takes_new_;
   const Scene& before_;
   bool fine_;
+  std::multimap<std::optional<ObjectId>, const TypedText*> typed_;
   std::array<bool, kind_count> touched_{};
   std::map<std::size_t, std::string> blocks_;  // what comes in, by where
   TextChanges changes_;
@@ -343,30 +414,59 @@ class TableSplicer {
   bool alone_ = true;
 };
 
+std::vector<SplicedText> spliced_texts(std::string_view text, const ObjectTables& tables,
+                                       const std::vector<IncludedText>& included, const Scene& before) {
+  std::vector<SplicedText> texts;
+  ObjectCounts preceding{};
+  for (const IncludedText& file : included) {
+    texts.push_back({file.name, file.text, &file.tables, preceding});
+    const ObjectCounts own = counts_of(file.tables);
+    for (std::size_t kind = 0; kind < kind_count; ++kind) preceding[kind] += own[kind];
+  }
+  const ObjectCounts own = counts_of(tables);
+  for (const ObjectKind kind : all_object_kinds) {
+    const auto at = static_cast<std::size_t>(kind);
+    preceding[at] = count_of(before, kind) - std::min(own[at], count_of(before, kind));
+  }
+  texts.push_back({"", text, &tables, preceding});
+  return texts;
+}
+
 }  // namespace
 
-Format2Splice splice_format_2(std::string_view text, const Scene& before, const Edit& edit, const std::string& file,
-                              const DataFileLoader& loader) {
+Format2Splice splice_format_2(std::string_view text, const ObjectTables& tables,
+                              const std::vector<IncludedText>& included, const Scene& before, const Edit& edit,
+                              const std::string& file, const DataFileLoader& loader) {
   Scene after = before;
   apply(edit, after);
   const auto scene_of = [&](const std::string& said) { return read_format_2(said, file, loader).scene; };
-  const ObjectTables tables = find_tables(text);
+  const std::vector<SplicedText> all = spliced_texts(text, tables, included, before);
   Format2Splice splice;
   for (const bool fine : {true, false}) {
-    TableSplicer splicer(text, tables, before, fine);
-    TextChanges changes = splicer.make(edit);
-    std::string changed = apply_changes(text, changes);
+    Format2Splice tried;
+    std::map<std::string, std::string> texts;
+    for (const SplicedText& one : std::span(all).first(included.size())) {
+      TextChanges changes = TableSplicer(one, before, fine).make(edit);
+      if (changes.empty()) continue;
+      texts[one.name] = apply_changes(one.text, changes);
+      tried.included[one.name] = std::move(changes);
+    }
+    TableSplicer splicer(all.back(), before, fine);
+    tried.changes = splicer.make(edit);
+    tried.text = apply_changes(text, tried.changes);
     const std::vector<ChangedTable>* const alone = splicer.changed_alone();
-    const bool right =
-        alone != nullptr ? tables_say(text, tables, changes, *alone, after, file, loader) : scene_of(changed) == after;
-    if (right || fine) splice = {std::move(changes), std::move(changed)};
+    const bool right = tried.included.empty() && alone != nullptr
+                           ? tables_say(text, tables, tried.changes, *alone, after, file, loader)
+                           : read_format_2(tried.text, file, with_texts(loader, std::move(texts))).scene == after;
+    if (right || fine) splice = std::move(tried);
     if (right) return splice;
   }
+  splice.included.clear();
   // What no text can say, a number that is none for example, is no reason to write all of it anew.
   std::string whole = write_format_2(after);
   if (scene_of(whole) == scene_of(splice.text)) return splice;
   TextChanges changes = text_difference(text, whole);
-  return {std::move(changes), std::move(whole)};
+  return {std::move(changes), std::move(whole), {}};
 }
 
 }  // namespace sarsim::scene

@@ -92,7 +92,7 @@ Scene scene_of(const std::string& text) {
 // The text after an edit; what the edit makes of the scene must be what it says.
 std::string after_edit(const std::string& text, const Edit& edit) {
   const Scene before = scene_of(text);
-  const Format2Splice splice = splice_format_2(text, before, edit, "", {});
+  const Format2Splice splice = splice_format_2(text, format_2::find_tables(text), {}, before, edit, "", {});
   EXPECT_EQ(apply_changes(text, splice.changes), splice.text);
   EXPECT_EQ(revert_changes(splice.text, splice.changes), text);
   Scene after = before;
@@ -415,7 +415,7 @@ TEST(SpliceFormat2, KnowsIncludedObjects) {
     const Edit edit = replace_object(scene, {ObjectKind::target, index}, target, "");
     Scene expected = scene;
     apply(edit, expected);
-    const std::string after = splice_format_2(text, scene, edit, "", loader).text;
+    const std::string after = splice_format_2(text, format_2::find_tables(text), {}, scene, edit, "", loader).text;
     EXPECT_TRUE(read_format_2(after, "", loader).scene == expected) << after;
     return after;
   };
@@ -428,12 +428,13 @@ TEST(SpliceFormat2, StaysInPlaceWhereAnObjectCannotBeSaid) {
   Target target = scene.targets[0];
   target.position_m.x = std::numeric_limits<double>::quiet_NaN();
   const Edit edit = replace_object(scene, {ObjectKind::target, 0}, target, "");
-  EXPECT_EQ(splice_format_2(commented, scene, edit, "", {}).text, with(commented, "\"2 * 5 m\"", "nan"));
+  EXPECT_EQ(splice_format_2(commented, format_2::find_tables(commented), {}, scene, edit, "", {}).text,
+            with(commented, "\"2 * 5 m\"", "nan"));
 }
 
 TEST(FindObjects, FindsTablesAndRows) {
   const std::string text = commented;
-  const CommandPlaces places = find_objects(text);
+  const CommandPlaces places = find_objects(text, format_2::find_tables(text));
   EXPECT_TRUE(places.fits(scene_of(text)));
   const auto piece = [&](TextStretch at) { return text.substr(at.begin, at.end - at.begin); };
   EXPECT_EQ(piece(places[ObjectKind::target][2]), "[2, 0, 0]");
@@ -544,8 +545,8 @@ TEST(SpliceFormat2Property, CommentsStayWhereOneObjectChanges) {
     radar.name = "R";
     radar.platform = "Earth";
     const std::string after = after_edit(text, replace_object(scene, id, radar, ""));
-    const CommandPlaces was = find_objects(text);
-    const CommandPlaces is = find_objects(after);
+    const CommandPlaces was = find_objects(text, format_2::find_tables(text));
+    const CommandPlaces is = find_objects(after, format_2::find_tables(after));
     ASSERT_EQ(after.substr(0, is[id.kind][0].begin), text.substr(0, was[id.kind][0].begin));
     ASSERT_EQ(after.substr(is[id.kind][0].end), text.substr(was[id.kind][0].end));
   }

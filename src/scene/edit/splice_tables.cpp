@@ -1,6 +1,7 @@
 #include "scene/edit/splice_tables.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/toml/lines.hpp"
 #include "core/toml/scan.hpp"
@@ -37,7 +38,9 @@ void add_object_table(ObjectTables& tables, std::string_view text, language::Obj
     toml::Elements rows(text, list->value);
     for (table.objects = 0; list->value.kind == toml::Kind::array && rows.next();) ++table.objects;
   }
-  tables.of[static_cast<std::size_t>(*kind)].push_back(table);
+  std::vector<ObjectTable>& list = tables.of[static_cast<std::size_t>(*kind)];
+  if (!list.empty()) table.preceding = list.back().preceding + list.back().objects;
+  list.push_back(table);
 }
 
 // A key as it stands in a text: with a line of its own, as a table with a header, or as one that dotted keys make.
@@ -248,6 +251,14 @@ ObjectTables find_tables(std::string_view text) {
   return tables;
 }
 
+const ObjectTable* table_with(const ObjectTables& tables, ObjectKind kind, std::size_t index) {
+  const std::vector<ObjectTable>& list = tables[kind];
+  const auto behind = std::ranges::upper_bound(list, index, {}, &ObjectTable::preceding);
+  if (behind == list.begin()) return nullptr;
+  const ObjectTable& table = *std::prev(behind);
+  return index < table.preceding + table.objects ? &table : nullptr;
+}
+
 std::vector<toml::Value> rows_of(std::string_view text, const toml::Value& array) {
   std::vector<toml::Value> rows;
   toml::Elements elements(text, array);
@@ -287,8 +298,7 @@ std::string with_ends_of(std::string_view text, std::string lines) {
 
 namespace sarsim::scene {
 
-CommandPlaces find_objects(std::string_view text) {
-  const format_2::ObjectTables tables = format_2::find_tables(text);
+CommandPlaces find_objects(std::string_view text, const format_2::ObjectTables& tables) {
   CommandPlaces places;
   for (const ObjectKind kind : all_object_kinds)
     for (const format_2::ObjectTable& table : tables[kind]) {

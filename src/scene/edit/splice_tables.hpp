@@ -10,6 +10,7 @@
 #include "core/toml/document.hpp"
 #include "scene/edit/splice_places.hpp"
 #include "scene/edit/text_change.hpp"
+#include "scene/language/object_text.hpp"
 #include "scene/language/scene_writer.hpp"
 
 /// Where the objects of a text of format 2 stand, and how the text of one of them is changed.
@@ -21,7 +22,8 @@ struct ObjectTable {
   std::size_t last = 0;                             ///< Behind those below it.
   std::optional<core::toml::Value> positions = {};  ///< The array of a list.
   core::toml::Span positions_key = {};
-  std::size_t objects = 1;  ///< Its rows.
+  std::size_t objects = 1;    ///< Its rows.
+  std::size_t preceding = 0;  ///< Objects of its kind that stand before it in the text.
 };
 
 /// A text of format 2 with the objects that itself holds; those of included files come before them in a scene.
@@ -37,6 +39,10 @@ struct ObjectTables {
 
 /// Takes a text apart, in time linear in it.
 [[nodiscard]] ObjectTables find_tables(std::string_view text);
+
+/// The table of an object; null where the text has none.
+/// @param index  among the objects of its kind in the text
+[[nodiscard]] const ObjectTable* table_with(const ObjectTables& tables, ObjectKind kind, std::size_t index);
 
 /// The values of an array.
 [[nodiscard]] std::vector<core::toml::Value> rows_of(std::string_view text, const core::toml::Value& array);
@@ -69,6 +75,6 @@ namespace sarsim::scene {
 
 /// Where the objects of a text of format 2 stand: from their header to the end of the last line below it; the row of an
 /// object in a list of positions. Objects of included files are not there.
-[[nodiscard]] CommandPlaces find_objects(std::string_view text);
+[[nodiscard]] CommandPlaces find_objects(std::string_view text, const format_2::ObjectTables& tables);
 
 }  // namespace sarsim::scene

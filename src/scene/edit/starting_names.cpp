@@ -23,8 +23,8 @@ bool names_own_file(std::string_view before, std::string_view after) {
   if (!is_letter_or_digit(after[1])) return false;
   if (after.front() != '_') return true;
   const auto end_of_stem = std::ranges::find_if_not(after, is_of_name);
-  const std::string_view ending = after.substr(static_cast<std::size_t>(end_of_stem - after.begin()));
-  return !ending.starts_with(".scr") && !ending.starts_with(".toml");
+  const std::string_view suffix = after.substr(static_cast<std::size_t>(end_of_stem - after.begin()));
+  return !suffix.starts_with(".scr") && !suffix.starts_with(".toml");
 }
 
 // A name as it stands within the quotes of format 2. Those of files may hold anything.

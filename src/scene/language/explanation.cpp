@@ -22,12 +22,6 @@ struct Found {
   [[nodiscard]] std::string name() const { return fmt::format("{}.{}", table->header, facts.path); }
 };
 
-std::string first_sentence(const std::string& text) {
-  for (std::size_t end = text.find(". "); end != std::string::npos; end = text.find(". ", end + 1))
-    if (end < 2 || text[end - 2] != '.') return text.substr(0, end + 1);  // "i.e. so" goes on
-  return text;
-}
-
 ExplanationLine line_of(const Found& found) {
   return {found.name(), default_text(found.facts), first_sentence(meaning_text(found.facts))};
 }
@@ -60,7 +54,7 @@ Explanation explained(const Found& found) {
   }
   explanation.limits = range_of(facts);
   explanation.range = range_text(facts);
-  if (facts.role == PathRole::value) explanation.likely_limits = facts.spec().likely;
+  if (!likely_text(facts).empty()) explanation.likely_limits = likely_range_of(facts);
   explanation.likely = likely_text(facts);
   explanation.initial = default_text(facts);
   explanation.applies_to = dependence_text(*found.table, facts);
@@ -215,6 +209,12 @@ std::string plain_word(std::string_view word) {
 }
 
 }  // namespace
+
+std::string first_sentence(const std::string& text) {
+  for (std::size_t end = text.find(". "); end != std::string::npos; end = text.find(". ", end + 1))
+    if (end < 2 || text[end - 2] != '.') return text.substr(0, end + 1);  // "i.e. so" goes on
+  return text;
+}
 
 Explanation explain(std::string_view word) {
   const std::string text = plain_word(word);

@@ -57,6 +57,9 @@ struct Explanation {
 /// Nothing (an empty word) gives the kinds of objects.
 [[nodiscard]] Explanation explain(std::string_view word);
 
+/// The first of some sentences.
+[[nodiscard]] std::string first_sentence(const std::string& text);
+
 /// The explanation in lines for people.
 [[nodiscard]] std::string text_of(const Explanation& explanation);
 

@@ -41,7 +41,10 @@ std::string description(const PlainTable& table, const PathFacts& facts) {
   return text;
 }
 
-// Writes the schema of a table.
+std::string_view meaning_of(const Choice& choice) { return choice.meaning.empty() ? choice.shown : choice.meaning; }
+
+// Writes the schema of a table. taplo shows each member of an `anyOf` by itself, so each has its own description and
+// default.
 class SchemaWriter {
  public:
   SchemaWriter(core::JsonWriter& json, const PlainTable& table) : json_(json), table_(table) {}
@@ -82,12 +85,13 @@ class SchemaWriter {
     const bool is_table =
         std::ranges::any_of(paths, [&](const PathFacts& other) { return is_below(other.path, path); });
     if (own == paths.end()) return write_inner_table(paths, path);
-    json_.begin_object().member("description", description(table_, *own));
-    write_default(*own);
+    json_.begin_object();
+    write_head(*own);
     if (own->role == PathRole::choice) {
       write_choice(*own);
     } else if (is_table) {
       json_.key("anyOf").begin_array().begin_object();
+      write_head(*own);
       write_value(*own);
       json_.end_object();
       write_inner_table(paths, path);
@@ -98,8 +102,18 @@ class SchemaWriter {
     json_.end_object();
   }
 
+  void write_head(const PathFacts& facts) {
+    json_.member("description", description(table_, facts));
+    write_default(facts);
+  }
+
+  // Described as its points, or whatever comes first in it, are.
   void write_inner_table(const std::vector<PathFacts>& paths, const std::string& path) {
     json_.begin_object().member("type", "object");
+    auto first = std::ranges::find(paths, path + ".points", &PathFacts::path);
+    if (first == paths.end())
+      first = std::ranges::find_if(paths, [&](const PathFacts& facts) { return is_below(facts.path, path); });
+    if (first != paths.end()) json_.member("description", meaning_text(*first));
     write_own_keys(json_);
     json_.key("properties").begin_object();
     write_properties(paths, path);
@@ -110,37 +124,69 @@ class SchemaWriter {
   void write_choice(const PathFacts& choice) {
     json_.key("anyOf").begin_array();
     json_.begin_object();
+    write_head(choice);
     write_enumeration(choice.spec());
     json_.end_object();
     const std::vector<PathFacts> all = paths_of(table_);
     const auto standing = std::ranges::find(all, choice.field().shorthand, &PathFacts::path);
     if (standing != all.end()) {
-      json_.begin_object().member("description", description(table_, *standing));
+      json_.begin_object();
+      write_head(*standing);
       write_value(*standing);
       json_.end_object();
     }
-    for (const Choice& alternative : alternatives(choice.spec())) write_alternative(choice, alternative);
+    write_choice_table(choice);
     json_.end_array();
+  }
+
+  // The alternatives that are more than a word.
+  [[nodiscard]] std::vector<Choice> table_alternatives(const PathFacts& choice) const {
+    std::vector<Choice> tables = alternatives(choice.spec());
+    std::erase_if(tables, [&](const Choice& alternative) {
+      return alternative.value >= first_added_value && paths_of_alternative(table_, choice, alternative).empty();
+    });
+    return tables;
+  }
+
+  // tombi offers the words of `type` only where they stand together, before the alternatives.
+  void write_choice_table(const PathFacts& choice) {
+    const std::vector<Choice> tables = table_alternatives(choice);
+    if (tables.empty()) return;
+    json_.begin_object().member("type", "object").member("description", description(table_, choice));
+    json_.key("required").begin_array().value("type").end_array();
+    json_.key("properties").begin_object().key("type").begin_object();
+    json_.member("description", description(table_, choice));
+    write_words(choice.spec(), tables);
+    json_.end_object().end_object();
+    json_.key("anyOf").begin_array();
+    for (const Choice& alternative : tables) write_alternative(choice, alternative);
+    json_.end_array().end_object();
   }
 
   void write_alternative(const PathFacts& choice, const Choice& alternative) {
-    const std::vector<PathFacts> paths = paths_of_alternative(table_, choice, alternative);
-    const bool is_word_alone = alternative.value >= first_added_value && paths.empty();
-    if (is_word_alone) return;
-    json_.begin_object().member("type", "object");
-    json_.member("description", alternative.meaning.empty() ? alternative.shown : alternative.meaning);
+    json_.begin_object().member("type", "object").member("description", meaning_of(alternative));
     json_.key("required").begin_array().value("type").end_array();
     write_own_keys(json_);
     json_.key("properties").begin_object();
-    json_.key("type").begin_object().key("enum").begin_array().value(type_word(alternative)).end_array().end_object();
-    write_properties(paths, choice.path);
+    json_.key("type").begin_object().member("description", meaning_of(alternative));
+    // With it, taplo writes the table out.
+    json_.member("default", type_word(alternative));
+    json_.key("enum").begin_array().value(type_word(alternative)).end_array().end_object();
+    write_properties(paths_of_alternative(table_, choice, alternative), choice.path);
     json_.end_object().end_object();
   }
 
-  void write_enumeration(const FieldSpec& spec) {
+  void write_enumeration(const FieldSpec& spec) { write_words(spec, alternatives(spec)); }
+
+  void write_words(const FieldSpec& spec, const std::vector<Choice>& choices) {
     json_.key("enum").begin_array();
-    for (const Choice& choice : alternatives(spec)) write_word(spec, choice);
+    for (const Choice& choice : choices) write_word(spec, choice);
     json_.end_array();
+    if (std::ranges::all_of(choices, &std::string_view::empty, &Choice::meaning)) return;
+    // What taplo shows beside each word.
+    json_.key("x-taplo").begin_object().key("docs").begin_object().key("enumValues").begin_array();
+    for (const Choice& choice : choices) json_.value(meaning_of(choice));
+    json_.end_array().end_object().end_object();
   }
 
   void write_word(const FieldSpec& spec, const Choice& choice) {
@@ -163,7 +209,7 @@ class SchemaWriter {
       case FieldType::vector: return write_vectors(facts);
       case FieldType::choice: return write_enumeration(spec);
       case FieldType::check: return write_type("boolean");
-      case FieldType::flags: return write_flags(spec);
+      case FieldType::flags: return write_flags(facts);
       case FieldType::text:
       case FieldType::name: return write_type("string");
       case FieldType::seed: return write_number("integer", zero_or_more);
@@ -176,13 +222,12 @@ class SchemaWriter {
 
   void write_type(const char* type) { json_.member("type", type); }
 
-  // A number within limits, or an expression.
+  // A number within limits, or an expression. Limits do not concern texts.
   void write_number(const char* type, const Range& range) {
-    json_.key("anyOf").begin_array().begin_object().member("type", type);
+    json_.key("type").begin_array().value(type).value("string").end_array();
     if (std::isfinite(range.low)) json_.member("minimum", range.low);
     if (std::isfinite(range.low) && range.low_excluded) json_.member("exclusiveMinimum", true);
     if (std::isfinite(range.high)) json_.member("maximum", range.high);
-    json_.end_object().begin_object().member("type", "string").end_object().end_array();
   }
 
   // @param count  of elements; 0: any
@@ -212,14 +257,17 @@ class SchemaWriter {
   }
 
   // Their names, or their sum.
-  void write_flags(const FieldSpec& spec) {
+  void write_flags(const PathFacts& facts) {
+    const FieldSpec& spec = facts.spec();
     json_.key("anyOf").begin_array().begin_object();
+    write_head(facts);
     write_array(0, [&] {
       json_.key("enum").begin_array();
       for (const Flag& flag : spec.flags) json_.value(flag.id);
       json_.end_array();
     });
-    json_.end_object().begin_object().member("type", "integer");
+    json_.end_object().begin_object();
+    json_.member("description", description(table_, facts)).member("type", "integer");
     json_.member("minimum", spec.range.low).member("maximum", spec.range.high).end_object().end_array();
   }
 

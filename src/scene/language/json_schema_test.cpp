@@ -183,18 +183,45 @@ TEST(JsonSchema, DefaultsAreThoseOfTheTable) {
 TEST(JsonSchema, ChoicesTakeAWordAShorthandAndATable) {
   const Json& carrier = *schemas_of("radar", "carrier").front();
   const std::vector<Json>& forms = carrier.find("anyOf")->elements;
-  ASSERT_EQ(forms.size(), 5U);  // words, shorthand, three tables
+  ASSERT_EQ(forms.size(), 3U);
   EXPECT_EQ(forms[0].find("enum")->elements.size(), 3U);
-  EXPECT_EQ(forms[1].find("anyOf")->elements.front().find("type")->text, "number");
-  for (std::size_t i = 2; i < forms.size(); ++i) EXPECT_EQ(forms[i].find("required")->elements.front().text, "type");
+  EXPECT_EQ(forms[1].find("type")->elements.front().text, "number");
+  EXPECT_EQ(forms[1].find("type")->elements.back().text, "string");
+  EXPECT_EQ(forms[2].find("required")->elements.front().text, "type");
+  EXPECT_EQ(forms[2].find("properties")->find("type")->find("enum")->elements.size(), 3U);
+  EXPECT_EQ(forms[2].find("anyOf")->elements.size(), 3U);
+}
+
+// taplo shows each form by itself.
+void expect_descriptions_in_every_form(const Json& json) {
+  if (const Json* const forms = json.find("anyOf")) {
+    for (const Json& form : forms->elements) EXPECT_NE(form.find("description"), nullptr);
+  }
+  for (const auto& [name, member] : json.members) expect_descriptions_in_every_form(member);
+  for (const Json& element : json.elements) expect_descriptions_in_every_form(element);
+}
+
+TEST(JsonSchema, EveryFormIsDescribed) { expect_descriptions_in_every_form(schema()); }
+
+TEST(JsonSchema, FormsHaveTheirOwnDefaults) {
+  const std::vector<Json>& forms = schemas_of("radar", "carrier").front()->find("anyOf")->elements;
+  EXPECT_EQ(forms[0].find("default")->text, "single");
+  EXPECT_EQ(forms[1].find("default")->text, "1 GHz");
+}
+
+TEST(JsonSchema, EveryWordHasAMeaning) {
+  const Json& words = schemas_of("radar", "window").front()->find("anyOf")->elements.front();
+  const std::vector<Json>& meanings = words.find("x-taplo")->find("docs")->find("enumValues")->elements;
+  ASSERT_EQ(meanings.size(), words.find("enum")->elements.size());
+  EXPECT_EQ(meanings[3].text, "matched filter with a Hamming window");
 }
 
 TEST(JsonSchema, LimitsAreThoseOfTheTable) {
-  const Json& bits = schemas_of("recording", "bits").front()->find("anyOf")->elements.front();
-  EXPECT_EQ(bits.find("type")->text, "integer");
+  const Json& bits = *schemas_of("recording", "bits").front();
+  EXPECT_EQ(bits.find("type")->elements.front().text, "integer");
   EXPECT_EQ(bits.find("minimum")->text, "1");
   EXPECT_EQ(bits.find("maximum")->text, "64");
-  const Json& rate = schemas_of("recording", "sample_rate").front()->find("anyOf")->elements.front();
+  const Json& rate = *schemas_of("recording", "sample_rate").front();
   EXPECT_EQ(rate.find("exclusiveMinimum")->text, "true");
 }
 

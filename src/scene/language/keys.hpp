@@ -33,6 +33,15 @@ template <class Object>
   return found;
 }
 
+/// The path of a field below its object: another one where its choice is the alternative that has one of its own.
+template <class Object>
+[[nodiscard]] std::string_view key_of(const FieldTable<Object>& table, const FieldOf<Object>& field,
+                                      const Object& object) {
+  const OtherKey& other = field.spec.other_key;
+  if (other.key.empty()) return field.spec.key;
+  return table.fields()[field.spec.when.field].alternative(object) == other.alternative ? other.key : field.spec.key;
+}
+
 /// The name of one function of a block that holds several: "x", "azimuth", "i".
 [[nodiscard]] std::string part_key(const FunctionBlock& block, std::size_t part);
 

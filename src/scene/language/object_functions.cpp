@@ -64,7 +64,8 @@ void ObjectReader::read_points(const FieldSpec& spec, const Leaf& leaf, std::siz
                                core::SampledFunction& function) {
   const FunctionBlock& block = *spec.block;
   const FieldSpec x_spec = axis_spec(spec, block.x, any_value);
-  const FieldSpec y_spec = axis_spec(spec, block.y[part], range_of_y(block));
+  FieldSpec y_spec = axis_spec(spec, block.y[part], range_of_y(block));
+  y_spec.likely = likely_y(block);
   if (leaf.value.kind != toml::Kind::array) {
     const char* const form = block.x_ignored ? "[value, value, ...]" : "[[x, y], [x, y], ...]";
     return error(leaf.value.span, spec.problem_place(),

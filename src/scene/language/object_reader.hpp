@@ -22,6 +22,8 @@ struct Source {
   std::string file;       ///< For the places of problems.
   std::string_view text;  ///< Outlives the reading.
   core::toml::Document document;
+  std::string name;        ///< As files beside the scene's own are named; empty: the scene's own text.
+  std::string_view typed;  ///< As it stands in the file, of the same length: another text where that is JSON.
 };
 
 /// What all objects of one reading share.

@@ -44,7 +44,9 @@ struct ObjectText {
 class ObjectTexts {
  public:
   /// Text and document must outlive it.
-  ObjectTexts(std::string_view text, const core::toml::Document& document) : text_(text), document_(document) {}
+  /// @param first  the table to begin with
+  ObjectTexts(std::string_view text, const core::toml::Document& document, std::size_t first = 0)
+      : text_(text), document_(document), table_(first) {}
 
   /// The next object; false behind the last one. What was handed out before is gone then.
   [[nodiscard]] bool next(ObjectText& object);
@@ -57,7 +59,7 @@ class ObjectTexts {
 
   std::string_view text_;
   const core::toml::Document& document_;
-  std::size_t table_ = 0;
+  std::size_t table_;
   std::deque<std::string> paths_;  // those that do not stand in the text
 };
 

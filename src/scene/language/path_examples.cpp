@@ -149,14 +149,18 @@ std::string default_text(const PathFacts& facts) {
 }
 
 std::string example_text(const PlainTable& table, const PathFacts& facts) {
-  Node root;
-  set_types(root, table, facts);
   if (facts.role == PathRole::choice) {
     for (const Choice& alternative : alternatives(facts.spec()))
       if (value_text(facts.spec(), alternative.value) == default_text(facts))
         return example_text(table, facts, alternative);
   }
-  set(root, facts.path, example_value(facts));
+  return example_text(table, facts, example_value(facts));
+}
+
+std::string example_text(const PlainTable& table, const PathFacts& facts, const std::string& value) {
+  Node root;
+  set_types(root, table, facts);
+  set(root, facts.path, value);
   for (const PathFacts& other : paths_of(table))
     if (stands_beside(facts, other)) set(root, other.path, example_value(other));
   return lines_of(root);

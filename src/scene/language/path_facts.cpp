@@ -177,15 +177,19 @@ std::string range_text(const PathFacts& facts) {
   const auto& usable = facts.spec().usable;
   if (facts.role != PathRole::value || !usable || !facts.spec().choices.empty()) return text;
   const Range& allowed = facts.spec().range;
-  const Range both{std::max(allowed.low, usable->low), std::min(allowed.high, usable->high),
-                   usable->low >= allowed.low ? usable->low_excluded : allowed.low_excluded};
-  const std::string needed = range_words(both, quantity);
+  const std::string needed = range_words(both(allowed, *usable), quantity);
   if (needed == text || needed.empty()) return text;
   return fmt::format("{}{}{} to be simulated", text, text.empty() ? "" : "; ", needed);
 }
 
+Range likely_range_of(const PathFacts& facts) {
+  if (facts.role == PathRole::points) return likely_y(*facts.spec().block);
+  return facts.role == PathRole::value ? facts.spec().likely : any_value;
+}
+
 std::string likely_text(const PathFacts& facts) {
-  return facts.role == PathRole::value ? range_words(facts.spec().likely, facts.spec().quantity) : std::string();
+  const std::string text = range_words(likely_range_of(facts), quantity_of(facts));
+  return text == range_text(facts) ? std::string() : text;
 }
 
 std::string meaning_text(const PathFacts& facts) {

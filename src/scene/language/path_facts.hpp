@@ -67,6 +67,8 @@ struct Dependence {
 [[nodiscard]] std::string range_words(const Range& range, Quantity quantity);
 /// The same of a path, with what simulating asks for beyond it.
 [[nodiscard]] std::string range_text(const PathFacts& facts);
+/// Those of them that are not suspicious.
+[[nodiscard]] Range likely_range_of(const PathFacts& facts);
 /// What is not suspicious; empty where anything goes.
 [[nodiscard]] std::string likely_text(const PathFacts& facts);
 /// Meaning and formula.
@@ -76,6 +78,8 @@ struct Dependence {
 [[nodiscard]] std::string default_text(const PathFacts& facts);
 /// Lines of format 2 below the header of the object: `pulse = { type = "chirp", width = "5 us" }`.
 [[nodiscard]] std::string example_text(const PlainTable& table, const PathFacts& facts);
+/// The same with a given value.
+[[nodiscard]] std::string example_text(const PlainTable& table, const PathFacts& facts, const std::string& value);
 /// The same of a choice with all that belongs to an alternative.
 [[nodiscard]] std::string example_text(const PlainTable& table, const PathFacts& choice, const Choice& alternative);
 

@@ -11,9 +11,11 @@ void read_line_path(ObjectReader& reader, ObjectText& text, Platform& platform) 
   start.id = "trajectory_m";
   start.words = "start of the path";
   start.quantity = Quantity::length;
+  start.likely = likely_range(Quantity::length);
   FieldSpec velocity = start;
   velocity.words = "velocity of the path";
   velocity.quantity = Quantity::speed;
+  velocity.likely = likely_range(Quantity::speed);
   core::Vec3 at_zero;
   core::Vec3 per_second;
   reader.note_place(start.id, type->value.span);

@@ -106,9 +106,11 @@ void add_line(PlainTable& platforms) {
   start.type = FieldType::vector;
   start.group = path->spec.group;
   start.when = {at, {first_added_value}};
+  start.likely = likely_range(Quantity::length);
   FieldSpec velocity = start;
   velocity.key = "path.velocity";
   velocity.quantity = Quantity::speed;
+  velocity.likely = likely_range(Quantity::speed);
   velocity.tip = "World velocity, which stays; without it there is no such path.";
   constexpr std::string_view in_script = "TRAJECTORY with one or two points for each coordinate";
   fields.push_back({.spec = start, .initial = core::Vec3{}, .in_script = in_script});

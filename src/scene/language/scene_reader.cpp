@@ -1,8 +1,10 @@
 #include "scene/language/scene_reader.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,7 @@
 #include "core/text/number_text.hpp"
 #include "core/toml/values.hpp"
 #include "scene/language/format_mark.hpp"
+#include "scene/language/json_text.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/path_line.hpp"
 #include "scene/language/sources.hpp"
@@ -57,7 +60,7 @@ class SceneReader {
   SceneReader(Reading& reading, Scene& scene) : reading_(reading), scene_(scene) {}
 
   void read(const Source& source) {
-    toml::Lines lines(source.text);
+    toml::Lines lines(source.typed);
     ObjectTexts texts(source.text, source.document);
     ObjectText text;
     for (bool root = true; !reading_.log.full() && texts.next(text); root = false) {
@@ -197,12 +200,14 @@ class SceneReader {
 // References by exact name: what only begins alike, or differs in case, is not meant.
 class References {
  public:
-  References(const Scene& scene, Reading& reading) : reading_(reading) {
+  References(const Scene& scene, const Reading& reading) : reading_(reading) {
     platforms_.insert("Earth");
     take_names("platform", scene.platforms, platforms_);
     take_names("radar", scene.radars, radars_);
     for_each_kind([&](const auto& kind) { check(kind, scene.*kind.list); });
   }
+
+  [[nodiscard]] core::Problems take() { return std::move(problems_); }
 
  private:
   // Names are looked up without regard to case when echoes are computed, so that two must not differ in it alone.
@@ -210,7 +215,7 @@ class References {
   void take_names(std::string_view kind, const std::vector<Object>& list, std::set<std::string, std::less<>>& known) {
     std::map<std::string, std::string> seen;
     for (const std::string& name : known) seen.emplace(core::lower_case(name), "");
-    for (std::size_t i = 0; i < list.size() && !reading_.log.full(); ++i) {
+    for (std::size_t i = 0; i < list.size() && !full(); ++i) {
       const std::string& name = list[i].name;
       const auto [before, is_new] = seen.emplace(core::lower_case(name), name);
       const bool is_world = before->second.empty() && name == "Earth";
@@ -231,14 +236,16 @@ class References {
   void report_at(core::Problem problem, std::string_view kind, std::size_t index, std::string_view field) {
     problem.subject = {std::string(kind), index, std::string(field)};
     problem.place = reading_.places.find(problem.subject);
-    reading_.log.add(std::move(problem));
+    problems_.push_back(std::move(problem));
   }
+
+  [[nodiscard]] bool full() const { return reading_.log.full() || problems_.size() >= problem_limit; }
 
   template <class Object>
   void check(const Kind<Object>& kind, const std::vector<Object>& list) {
     const std::string* last = nullptr;
     if (reading_.names_lost) return;
-    for (std::size_t i = 0; i < list.size() && !reading_.log.full(); ++i) {
+    for (std::size_t i = 0; i < list.size() && !full(); ++i) {
       const std::string* const name = carrier_member(list[i]);
       if (name == nullptr || (last != nullptr && *last == *name)) continue;
       last = name;
@@ -261,7 +268,8 @@ class References {
     report_at(std::move(problem), kind, index, refers);
   }
 
-  Reading& reading_;
+  const Reading& reading_;
+  core::Problems problems_;
   std::set<std::string, std::less<>> platforms_;
   std::set<std::string, std::less<>> radars_;
 };
@@ -285,15 +293,22 @@ ScriptReading read_format_2(std::string_view text, const std::string& file_name,
   Scene scene;
   SceneReader reader(reading, scene);
   for (const Source& source : sources.sources) reader.read(source);
-  References(scene, reading);
-  return {std::move(scene), reading.log.take(), std::move(reading.places), Language::format_2};
+  core::Problems of_names = References(scene, reading).take();
+  ScriptReading result{std::move(scene),   reading.log.take(), std::move(reading.places),
+                       Language::format_2, is_json(text),      std::move(reading.names)};
+  result.of_names = std::move(of_names);
+  if (!control.draft) std::ranges::move(std::exchange(result.of_names, {}), std::back_inserter(result.problems));
+  for (const Source& source : sources.sources)
+    if (!source.name.empty()) result.included.emplace_back(source.file);
+  return result;
 }
 
 ScriptReading read_scene_text(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
                               const ReadControl& control) {
   const bool is_text = text.find('\0') == std::string_view::npos;  // UTF-16 is refused as what it is.
   const bool named_so = file_name.ends_with(".toml") && text.find('$') == std::string_view::npos;
-  if (is_text && (is_format_2(text) || named_so)) return read_format_2(text, file_name, loader, control);
+  if (is_text && (is_json(text) || is_format_2(text) || named_so))
+    return read_format_2(text, file_name, loader, control);
   return refuse_names(read_script(text, file_name, loader, control), control);
 }
 

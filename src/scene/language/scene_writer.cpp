@@ -1,6 +1,7 @@
 #include "scene/language/scene_writer.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 
@@ -75,7 +76,8 @@ Said& node_at(std::vector<Said>& nodes, std::string_view path) {
 template <class Object>
 class ObjectNodes {
  public:
-  ObjectNodes(const Object& object, Saying saying) : object_(object), saying_(saying) {
+  ObjectNodes(const Object& object, Saying saying, std::span<const SaidField> also)
+      : object_(object), saying_(saying), also_(also) {
     const FieldTable<Object>& table = table_of<Object>();
     for (const FieldOf<Object>& field : table.fields())
       if (table.applies(object_, field)) add(table, field);
@@ -87,15 +89,14 @@ class ObjectNodes {
  private:
   void add(const FieldTable<Object>& table, const FieldOf<Object>& field) {
     const FieldSpec& spec = field.spec;
-    std::string_view key = spec.key;
-    if (!spec.other_key.key.empty() &&
-        table.fields()[spec.when.field].alternative(object_) == spec.other_key.alternative)
-      key = spec.other_key.key;
+    const std::string_view key = key_of(table, field, object_);
     const FieldValue value = field.get(object_);
     if (spec.type == FieldType::function)
       return add_function(spec, std::get<ConstFunctionRef>(value), nodes_of(nodes_, key));
     static const Object initial{};
-    const bool is_default = value == field.get(initial) && !is_always_said(table, field);
+    const bool is_wanted =
+        is_always_said(table, field) || std::ranges::find(also_, &spec, &SaidField::field) != also_.end();
+    const bool is_default = !is_wanted && value == field.get(initial);
     if (const std::size_t bracket = key.find('['); bracket != std::string_view::npos)
       return add_listed(spec, key.substr(0, bracket), value, is_default);
     if (is_default && saying_ == Saying::differences) return;
@@ -104,7 +105,7 @@ class ObjectNodes {
       return;
     }
     if (spec.type == FieldType::choice && has_words(spec)) return add_choice(key, spec, value, is_default);
-    set(key, value_text(spec, value), is_default);
+    set(key, said_value(spec, value, also_), is_default);
   }
 
   // Names, and a choice that is there at all only because another one of the same key is not "same".
@@ -123,7 +124,7 @@ class ObjectNodes {
   void add_listed(const FieldSpec& spec, std::string_view key, const FieldValue& value, bool is_default) {
     Said& node = node_at(nodes_, key);
     if (node.text.empty()) node.is_default = true;
-    node.text += (node.text.empty() ? "[" : ", ") + value_text(spec, value);
+    node.text += (node.text.empty() ? "[" : ", ") + said_value(spec, value, also_);
     node.is_default = node.is_default && is_default;
     const std::size_t last = spec.type == FieldType::vector ? 2 : 1;
     if (spec.key[spec.key.find('[') + 1] == static_cast<char>('0' + last)) {
@@ -145,6 +146,7 @@ class ObjectNodes {
 
   const Object& object_;
   Saying saying_;
+  std::span<const SaidField> also_;
   std::vector<Said> nodes_;
 };
 
@@ -204,8 +206,8 @@ void append_nodes(std::string& text, const std::vector<Said>& nodes, const std::
 }
 
 template <class Object>
-std::vector<Said> nodes_of_object(const Object& object, Saying saying) {
-  std::vector<Said> nodes = ObjectNodes<Object>(object, saying).take();
+std::vector<Said> nodes_of_object(const Object& object, Saying saying, std::span<const SaidField> also = {}) {
+  std::vector<Said> nodes = ObjectNodes<Object>(object, saying, also).take();
   complete_choices(object, nodes, "");
   return nodes;
 }
@@ -283,11 +285,32 @@ std::string lines_of(const Said& said, const std::string& header) {
   return text;
 }
 
-std::vector<Said> said_of(const AnyObject& object) {
-  return std::visit([](const auto& any) { return nodes_of_object(any, Saying::differences); }, object);
+std::vector<Said> said_of(const AnyObject& object, std::span<const SaidField> also) {
+  return std::visit([&](const auto& any) { return nodes_of_object(any, Saying::differences, also); }, object);
 }
 
-std::vector<Said> said_of(const RunOptions& options) { return nodes_of_object(options, Saying::differences); }
+std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> also) {
+  return nodes_of_object(options, Saying::differences, also);
+}
+
+std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words) {
+  const auto word_of = [&](std::size_t part) -> const std::string* {
+    const auto is_it = [&](const SaidField& said) {
+      return said.field == &field && said.part == part && !said.text.empty();
+    };
+    const auto found = std::ranges::find_if(words, is_it);
+    return found == words.end() ? nullptr : &found->text;
+  };
+  const auto* const vector = std::get_if<core::Vec3>(&value);
+  if (vector == nullptr) {
+    const std::string* const word = word_of(0);
+    return word != nullptr ? *word : value_text(field, value);
+  }
+  std::array<std::string, 3> numbers{number_text(vector->x), number_text(vector->y), number_text(vector->z)};
+  for (std::size_t part = 0; part < numbers.size(); ++part)
+    if (const std::string* const word = word_of(part)) numbers[part] = *word;
+  return fmt::format("[{}, {}, {}]", numbers[0], numbers[1], numbers[2]);
+}
 
 std::string write_objects(const Scene& scene, ObjectKind kind) {
   std::string text;

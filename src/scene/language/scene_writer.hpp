@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/task/parallel.hpp"
 #include "scene/model/object.hpp"
 #include "scene/model/scene.hpp"
+#include "scene/schema/field_spec.hpp"
 
 namespace sarsim::scene {
 
@@ -32,9 +34,21 @@ struct Said {
   bool is_default = false;
 };
 
+/// A field that is said even where it is at its default.
+struct SaidField {
+  const FieldSpec* field = nullptr;  ///< Of the object's table.
+  std::size_t part = 0;              ///< Of a vector: 0 to 2.
+  std::string text = {};             ///< Of its number, with the quotes; empty: as the writer says it.
+};
+
 /// What the writer says of an object, or of options, that is not at its default, in its order.
-[[nodiscard]] std::vector<Said> said_of(const AnyObject& object);
-[[nodiscard]] std::vector<Said> said_of(const RunOptions& options);
+/// @param also  further fields to say, and with which words
+[[nodiscard]] std::vector<Said> said_of(const AnyObject& object, std::span<const SaidField> also = {});
+[[nodiscard]] std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> also = {});
+
+/// What the writer says of one field.
+/// @param words  for the field or parts of it
+[[nodiscard]] std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words);
 
 /// The value of a key in one line, a table as an inline one.
 [[nodiscard]] std::string inline_text(const Said& said);

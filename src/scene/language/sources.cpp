@@ -11,6 +11,7 @@
 #include "core/text/number_text.hpp"
 #include "core/toml/values.hpp"
 #include "scene/language/format_mark.hpp"
+#include "scene/language/json_text.hpp"
 
 namespace sarsim::scene::language {
 
@@ -21,7 +22,7 @@ namespace {
 // What is read of one file.
 class SourceReader {
  public:
-  SourceReader(const Source& source, Reading& reading) : source_(source), reading_(reading), lines_(source.text) {}
+  SourceReader(const Source& source, Reading& reading) : source_(source), reading_(reading), lines_(source.typed) {}
 
   void error(toml::Span at, script::Complaint complaint) {
     const toml::Position position = lines_.at(at.begin);
@@ -87,7 +88,7 @@ class Taking {
 
   // @param name  as files beside the scene's own are named
   void take(std::string_view text, const std::string& file, const std::string& name) {
-    Source source{file, text, toml::parse(text)};
+    Source source = source_of(text, file, name);
     SourceReader reader(source, reading_);
     reader.report_mistakes();
     const auto is_broken = [](const toml::Table& table) { return table.broken; };
@@ -99,6 +100,12 @@ class Taking {
   }
 
  private:
+  Source source_of(std::string_view text, const std::string& file, const std::string& name) {
+    if (!is_json(text)) return {file, text, toml::parse(text), name, text};
+    JsonText json = read_json(text);
+    return {file, sources_.texts.emplace_back(std::move(json.toml)), std::move(json.document), name, text};
+  }
+
   void take_included(const toml::Value& value, SourceReader& reader, const Source& source, const std::string& name) {
     if (value.kind != toml::Kind::array)
       return reader.error(value.span,
@@ -158,7 +165,11 @@ class NamesReader {
       reading_.log.add(std::move(problem));
       return;
     }
-    reading_.names.define(name, value);
+    const Measured* const replaced = reading_.names.find(name);
+    if (const auto number = core::parse_number(value); number && replaced != nullptr)
+      reading_.names.define(name, Measured{*number, replaced->dimension});
+    else
+      reading_.names.define(name, value);
     replaced_[name] = value;
   }
 
@@ -183,11 +194,14 @@ class NamesReader {
  private:
   void read_source(const Source& source, std::size_t number) {
     for (const toml::Table& table : source.document.tables) {
-      const std::string_view name = toml::piece(source.text, table.name);
-      if (name.starts_with("let.") || (name == "let" && table.element))
-        readers_[number].error(table.header, {"the names of [let] stand in one table", script::shown(name), "[let]",
+      const std::string_view written = toml::piece(source.text, table.name);
+      if (written.find("let") == std::string_view::npos) continue;
+      const std::vector<std::string> name = toml::key_parts(source.text, table.name);
+      if (name.front() != "let") continue;
+      if (name.size() > 1 || table.element)
+        readers_[number].error(table.header, {"the names of [let] stand in one table", script::shown(written), "[let]",
                                               "write single brackets, and all names below them"});
-      if (name != "let") continue;
+      if (name.size() > 1) continue;
       for (std::size_t i = 0; i < table.entries; ++i)
         add(source, source.document.entries[table.first_entry + i], number);
     }
@@ -226,6 +240,7 @@ void take_apart(std::string_view text, const std::string& file, Reading& reading
 void read_names(const Sources& sources, const std::vector<std::pair<std::string, std::string>>& stand_ins,
                 Reading& reading) {
   NamesReader reader(sources, reading);
+  if (!stand_ins.empty()) static_cast<void>(reading.names.resolve());  // What they measure; faults may be replaced.
   for (const auto& [name, value] : stand_ins) reader.stand_in(name, value);
   reader.resolve();
 }

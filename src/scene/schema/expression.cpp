@@ -114,12 +114,14 @@ std::string exact_quantity_text(double value, Quantity quantity) {
   return value == 0.0 && std::signbit(value) ? "-" + text : text;
 }
 
-void LetNames::define(std::string name, double value) {
-  Entry entry{std::move(name), {}, false, Measured{value, {}}, {}, false};
-  if (!std::isfinite(value)) {
+void LetNames::define(std::string name, double value) { define(std::move(name), Measured{value, {}}); }
+
+void LetNames::define(std::string name, const Measured& value) {
+  Entry entry{std::move(name), {}, false, value, {}, false};
+  if (!std::isfinite(value.value)) {
     entry.value = std::nullopt;
     entry.fault =
-        ExpressionFault{0, 0, core::format_number(value) + " is not a number to compute with", "a finite number"};
+        ExpressionFault{0, 0, core::format_number(value.value) + " is not a number to compute with", "a finite number"};
   }
   add(std::move(entry));
 }

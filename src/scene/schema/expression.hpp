@@ -52,6 +52,7 @@ class LetNames {
   /// Gives a name a number or an expression, which may use other names, whatever their order. A name that is defined
   /// again has its last value only. Values of expressions, and faults, are there after `resolve`.
   void define(std::string name, double value);
+  void define(std::string name, const Measured& value);
   void define(std::string name, std::string expression);
 
   /// Computes all values; takes time in proportion to the length of all expressions.

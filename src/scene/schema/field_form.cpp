@@ -9,6 +9,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
+#include "scene/schema/expression.hpp"
 
 namespace sarsim::scene::field_forms {
 
@@ -49,8 +50,33 @@ struct NumberReading {
   std::string failure;
 };
 
-NumberReading read_number(const FieldSpec& spec, std::string_view text) {
-  QuantityReading reading = read_quantity(text, spec.quantity);
+// Whether a text looks like one number, perhaps with a unit, rather than like an expression.
+bool looks_plain(std::string_view text) {
+  text = core::trimmed(text);
+  const std::size_t length = number_length(text);
+  return text.empty() || (length > 0 && text.find_first_of("+-*/^(", length) == std::string_view::npos);
+}
+
+std::string sentence_of(const ExpressionFault& fault, std::string_view text) {
+  if (fault.follows) return fmt::format("'{}' uses a name of [let] that has no value", core::clipped(text));
+  std::string sentence = fault.message;
+  if (!fault.expected.empty()) sentence += fmt::format("; expected {}", fault.expected);
+  if (!fault.hint.empty()) sentence += fmt::format("; {}", fault.hint);
+  return sentence;
+}
+
+// What a file accepts, and where it does not, what a form does.
+QuantityReading read_with_names(std::string_view text, Quantity quantity, const LetNames& names) {
+  const QuantityResult result = evaluate(text, quantity, names);
+  if (result.value) return {result.value, {}};
+  QuantityReading plain = read_quantity(text, quantity);
+  if (!plain.value && !looks_plain(text)) plain.failure = sentence_of(*result.fault, text);
+  return plain;
+}
+
+NumberReading read_number(const FieldSpec& spec, std::string_view text, const LetNames* names) {
+  QuantityReading reading =
+      names == nullptr ? read_quantity(text, spec.quantity) : read_with_names(text, spec.quantity, *names);
   if (!reading.value) return {0.0, std::move(reading.failure)};
   const double value = *reading.value;
   const std::string found = core::clipped(core::trimmed(text));
@@ -133,8 +159,8 @@ std::string function_summary(const ConstFunctionRef& function) {
   return fmt::format("{} {}, {}", listed(sizes, " and "), single ? "point" : "points", listed(kinds, " and "));
 }
 
-std::string set_number(const FieldSpec& spec, double& value, std::string_view text) {
-  NumberReading reading = read_number(spec, text);
+std::string set_number(const FieldSpec& spec, double& value, std::string_view text, const LetNames* names) {
+  NumberReading reading = read_number(spec, text, names);
   if (reading.failure.empty()) value = reading.value;
   return std::move(reading.failure);
 }
@@ -177,8 +203,6 @@ std::string set_text(const FieldSpec& spec, std::string& value, std::string_view
   return failure;
 }
 
-double& component(core::Vec3& v, std::size_t axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
-
 std::string yes_or_no(bool value) { return value ? "yes" : "no"; }
 
 // What follows the meaning in a tooltip: ", 0 to 7" in the field's unit; empty where anything goes.
@@ -203,6 +227,10 @@ FieldKind form_kind(const FieldSpec& spec) {
 }
 
 }  // namespace
+
+double& component(core::Vec3& vector, std::size_t part) {
+  return part == 0 ? vector.x : part == 1 ? vector.y : vector.z;
+}
 
 std::vector<std::string> shown_choices(const FieldSpec& spec) {
   std::vector<std::string> shown;
@@ -232,11 +260,13 @@ std::vector<Field> form_fields(const FieldSpec& spec) {
       Field& part = fields.emplace_back(field);
       part.id += fmt::format(".{}", axis);
       part.label = fmt::format("{} {}", static_cast<char>(axis - 'a' + 'A'), field.label);
+      part.part = static_cast<std::size_t>(axis - 'x');
     }
   for (const Flag& flag : spec.flags) {
     Field& part = fields.emplace_back(field);
     part.id += fmt::format(".{}", flag.id);
     part.label = flag.label;
+    part.part = fields.size() - 1;
   }
   if (fields.empty()) fields.push_back(std::move(field));
   return fields;
@@ -264,11 +294,12 @@ std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_
   return {};
 }
 
-std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part, std::string_view text) {
+std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part, std::string_view text,
+                      const LetNames* names) {
   switch (spec.type) {
-    case FieldType::number: return set_number(spec, std::get<double>(value), text);
+    case FieldType::number: return set_number(spec, std::get<double>(value), text, names);
     case FieldType::seed: return set_seed(std::get<std::uint64_t>(value), text);
-    case FieldType::vector: return set_number(spec, component(std::get<core::Vec3>(value), part), text);
+    case FieldType::vector: return set_number(spec, component(std::get<core::Vec3>(value), part), text, names);
     case FieldType::choice: return set_choice(spec, value, text);
     case FieldType::check: return set_check(std::get<bool>(value), text);
     case FieldType::flags: return set_flag(spec.flags[part], std::get<double>(value), text);

@@ -14,6 +14,9 @@ namespace sarsim::scene::field_forms {
 /// The fields of a form that stand for a field.
 [[nodiscard]] std::vector<Field> form_fields(const FieldSpec& spec);
 
+/// The number of one of the three fields that stand for a vector.
+[[nodiscard]] double& component(core::Vec3& vector, std::size_t part);
+
 /// The names that a form shows for the values of a choice, which count from 0.
 [[nodiscard]] std::vector<std::string> shown_choices(const FieldSpec& spec);
 
@@ -21,6 +24,8 @@ namespace sarsim::scene::field_forms {
 [[nodiscard]] std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_t part);
 
 /// Sets the value of one of `form_fields` from what was typed; says why not, and leaves it as it is, where it cannot.
-[[nodiscard]] std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part, std::string_view text);
+/// @param names  of [let], for numbers that are expressions; null: they may not be
+[[nodiscard]] std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part, std::string_view text,
+                                    const LetNames* names);
 
 }  // namespace sarsim::scene::field_forms

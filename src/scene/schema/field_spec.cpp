@@ -45,6 +45,33 @@ std::string type_word(const Choice& choice) {
 
 Range range_of_y(const FunctionBlock& block) { return block.x_ignored ? above_zero : any_value; }
 
+Range likely_y(const FunctionBlock& block) { return {block.likely_low, block.likely_high}; }
+
+Range likely_range(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length: return {-1e9, 1e9};
+    case Quantity::time: return {-1e6, 1e6};
+    case Quantity::frequency: return {-1e12, 1e12};
+    case Quantity::angle: return {-360.0, 360.0};
+    case Quantity::angle_rate: return {-1e6, 1e6};
+    case Quantity::area: return {-1e9, 1e9};
+    case Quantity::power: return {-1e10, 1e10};
+    case Quantity::ratio_db: return {-300.0, 300.0};
+    case Quantity::temperature: return {-1e6, 1e6};
+    case Quantity::voltage: return {-1e6, 1e6};
+    case Quantity::speed: return {-1e5, 1e5};
+    case Quantity::number:
+    case Quantity::count: break;
+  }
+  return any_value;
+}
+
+Range both(const Range& a, const Range& b) {
+  Range range{std::max(a.low, b.low), std::min(a.high, b.high)};
+  range.low_excluded = (a.low_excluded && a.low == range.low) || (b.low_excluded && b.low == range.low);
+  return range;
+}
+
 int script_shift(const FieldSpec& spec) {
   return spec.script_unit.empty() ? 0 : exponent_of(spec.script_unit, spec.quantity);
 }

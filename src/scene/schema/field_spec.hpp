@@ -99,7 +99,7 @@ struct FieldSpec {
   Range range = any_value;            ///< What a script or a form can say; refused beyond.
   std::optional<Range> usable = {};   ///< What `check` lets pass where the field means something, anything elsewhere;
                                       ///< empty: `range`, everywhere.
-  Range likely = any_value;           ///< What is not suspicious.
+  Range likely = any_value;           ///< What is not suspicious; where not given, that of the quantity.
   const FunctionBlock* block = nullptr;  ///< FieldType::function.
   std::vector<Choice> choices = {};      ///< FieldType::choice and check, in the order of the script language.
   std::vector<Flag> flags = {};          ///< FieldType::flags.
@@ -149,6 +149,13 @@ using FieldValue = std::variant<double, std::uint64_t, core::Vec3, int, bool, st
 
 /// The values that a point of a function may have: those of lists are above zero.
 [[nodiscard]] Range range_of_y(const FunctionBlock& block);
+/// Those of them that are not suspicious.
+[[nodiscard]] Range likely_y(const FunctionBlock& block);
+
+/// What no scene of a radar exceeds, in the unit in which the quantity is held; any value for pure numbers.
+[[nodiscard]] Range likely_range(Quantity quantity);
+/// The values that are in both.
+[[nodiscard]] Range both(const Range& a, const Range& b);
 
 /// Decimal exponent from the script's unit of a field to the unit in which it is held.
 [[nodiscard]] int script_shift(const FieldSpec& spec);

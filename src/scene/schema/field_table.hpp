@@ -61,6 +61,7 @@ class FieldTable {
   FieldTable& add(FieldSpec spec) {
     using Member = std::remove_cvref_t<decltype(field_values::member<Path...>(std::declval<Object&>()))>;
     spec.type = field_values::type_of<Member>(spec);
+    spec.likely = both(both(spec.likely, likely_range(spec.quantity)), spec.range);
     spec.group = group_;
     spec.when = when_;
     FieldOf<Object> field{

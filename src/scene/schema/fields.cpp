@@ -5,6 +5,7 @@
 
 #include "scene/model/kinds.hpp"
 #include "scene/schema/field_form.hpp"
+#include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene {
 
@@ -42,12 +43,13 @@ class Form {
   }
 
   // Says why not, and leaves the object as it is, where it cannot.
-  [[nodiscard]] std::string set(Object& object, std::string_view id, std::string_view text) const {
+  [[nodiscard]] std::string set(Object& object, std::string_view id, std::string_view text,
+                                const LetNames* names) const {
     const std::size_t at = position(id);
     const auto& [field, part] = parts_[at];
     const FieldValue before = field->get(object);
     FieldValue after = before;
-    if (std::string failure = set_value(field->spec, after, part, text); !failure.empty()) return failure;
+    if (std::string failure = set_value(field->spec, after, part, text, names); !failure.empty()) return failure;
     if (form_text(field->spec, before, part) == form_text(field->spec, after, part)) return {};
     if (!table_of<Object>().applies(object, *field))
       return fields_[at].label + " does not apply with the present choices; change those first";
@@ -61,6 +63,22 @@ class Form {
     table_of<Object>().settle(object, changed);
     object = std::move(changed);
     return {};
+  }
+
+  void reset(Object& object, std::string_view id) const {
+    const auto& [field, part] = parts_[position(id)];
+    Object changed = object;
+    if (field->spec.type == FieldType::vector) {
+      FieldValue value = field->get(object);
+      FieldValue initial = field->get(Object{});
+      component(std::get<core::Vec3>(value), part) = component(std::get<core::Vec3>(initial), part);
+      field->put(changed, value);
+    } else {
+      field->reset(changed);
+    }
+    if (field->spec.type == FieldType::choice || field->spec.type == FieldType::check)
+      table_of<Object>().settle(object, changed);
+    object = std::move(changed);
   }
 
  private:
@@ -123,12 +141,18 @@ std::string field_text(const AnyObject& object, std::string_view id) {
 
 std::string field_text(const RunOptions& options, std::string_view id) { return form_of(options).text(options, id); }
 
-std::string set_field(AnyObject& object, std::string_view id, std::string_view text) {
-  return std::visit([&](auto& alternative) { return form_of(alternative).set(alternative, id, text); }, object);
+std::string set_field(AnyObject& object, std::string_view id, std::string_view text, const LetNames* names) {
+  return std::visit([&](auto& alternative) { return form_of(alternative).set(alternative, id, text, names); }, object);
 }
 
-std::string set_field(RunOptions& options, std::string_view id, std::string_view text) {
-  return form_of(options).set(options, id, text);
+std::string set_field(RunOptions& options, std::string_view id, std::string_view text, const LetNames* names) {
+  return form_of(options).set(options, id, text, names);
 }
+
+void reset_field(AnyObject& object, std::string_view id) {
+  std::visit([&](auto& alternative) { form_of(alternative).reset(alternative, id); }, object);
+}
+
+void reset_field(RunOptions& options, std::string_view id) { form_of(options).reset(options, id); }
 
 }  // namespace sarsim::scene

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +10,8 @@
 #include "scene/schema/field_spec.hpp"
 
 namespace sarsim::scene {
+
+class LetNames;
 
 /// What a field holds, and so how it is edited.
 enum class FieldKind {
@@ -32,6 +35,7 @@ struct Field {
   std::vector<std::string> choices;  ///< FieldKind::choice, as shown.
   bool rare = false;                 ///< Shown a level down.
   const FieldSpec* spec = nullptr;   ///< The field that this is, or is a part of.
+  std::size_t part = 0;              ///< Which part: of a vector 0 to 2, of flags their position.
 };
 
 /// The fields of a kind of object, in the order of the thesis's dialogs (4.2 to 4.5, 4.10).
@@ -59,8 +63,15 @@ struct Field {
 /// begin with. Choices are matched without regard to case, by their whole name or a beginning that only one has. What a
 /// script cannot say is refused; what only `check` judges is taken, so that an object can be half-typed. A function
 /// takes only the text that it shows.
+/// @param names  those of [let]: numbers may then be expressions, as in a text of format 2; null: they may not
 /// @returns empty, or why not, in words; the object is then unchanged
-[[nodiscard]] std::string set_field(AnyObject& object, std::string_view id, std::string_view text);
-[[nodiscard]] std::string set_field(RunOptions& options, std::string_view id, std::string_view text);
+[[nodiscard]] std::string set_field(AnyObject& object, std::string_view id, std::string_view text,
+                                    const LetNames* names = nullptr);
+[[nodiscard]] std::string set_field(RunOptions& options, std::string_view id, std::string_view text,
+                                    const LetNames* names = nullptr);
+
+/// Gives a field the value that a new object has, also one that `set_field` refuses; of flags all of them.
+void reset_field(AnyObject& object, std::string_view id);
+void reset_field(RunOptions& options, std::string_view id);
 
 }  // namespace sarsim::scene

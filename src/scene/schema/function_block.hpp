@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 
 namespace sarsim::scene {
@@ -21,6 +22,8 @@ struct FunctionBlock {
   bool x_ignored = false;          ///< A list: only the order of the points matters.
   int y_shift = 0;                 ///< Decimal exponent from y in the script to y in the scene.
   std::string_view list_key = {};  ///< Of a list: what format 2 calls its values.
+  double likely_low = -std::numeric_limits<double>::infinity();  ///< Values of y that are not suspicious, in the
+  double likely_high = std::numeric_limits<double>::infinity();  ///< unit in which the scene holds them.
 };
 
 /// The fourteen blocks of the script language, by the member of the scene that they fill.
@@ -53,9 +56,9 @@ inline constexpr FunctionBlock rotation_envelope{
 inline constexpr FunctionBlock pulse_iq{"pulse", 2, pulse_fraction, {{{"I", "V"}, {"Q", "V"}}}};
 inline constexpr FunctionBlock envelope_gain{"pulse envelope", 1, pulse_fraction, {{{"amplitude", ""}}}};
 inline constexpr FunctionBlock pri{
-    "pulse repetition intervals", 1, pulse_number, {{{"interval", "s"}}}, true, 0, "intervals"};
-inline constexpr FunctionBlock carrier_list{"carrier frequencies", 1, pulse_number, {{{"frequency", "GHz"}}}, true, 9,
-                                            "frequencies"};
+    "pulse repetition intervals", 1, pulse_number, {{{"interval", "s"}}}, true, 0, "intervals", 1e-6, 1.0};
+inline constexpr FunctionBlock carrier_list{"carrier frequencies", 1,   pulse_number, {{{"frequency", "GHz"}}}, true, 9,
+                                            "frequencies",         1e6, 1e12};
 inline constexpr FunctionBlock transmit_gain{
     "gain of the transmit antenna", 2, offset_angle, {{{"gain in azimuth", "dB"}, {"gain in elevation", "dB"}}}};
 inline constexpr FunctionBlock receive_gain{

@@ -10,6 +10,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
+#include "scene/schema/expression.hpp"
 #include "scene/schema/field_names.hpp"
 #include "scene/script/data_file.hpp"
 #include "scene/script/field_places.hpp"
@@ -28,15 +29,21 @@ struct ScriptReading {
   core::Problems problems;
   FieldPlaces places;
   Language language = Language::script;
+  bool json = false;                                 ///< Format 2 as JSON, which nothing writes.
+  LetNames names = {};                               ///< Of [let], resolved; format 2 alone has them.
+  std::vector<std::filesystem::path> included = {};  ///< Texts that this one includes.
+  core::Problems of_names = {};  ///< Of a draft: names that mean nothing or mean two things, in format 2.
 };
 
-/// How a script is read; nothing here but `let` can change what is found.
+/// How a script is read; nothing here but `let` and `draft` can change what is found.
 struct ReadControl {
   core::WorkControl work;
   /// Scripts are read by all threads in pieces of about so many bytes; shorter ones of scripts that have few of them.
   std::size_t piece_bytes = std::size_t{1} << 18;
   /// Names of [let] with the numbers or expressions that stand in for theirs; format 2 alone has such names.
   std::vector<std::pair<std::string, std::string>> let = {};
+  /// A text that is being typed: errors that are about names alone are kept apart, as the scene can be shown with them.
+  bool draft = false;
 };
 
 /// Reads a script in any dialect of the language (docs/formats/script.md).

@@ -123,7 +123,7 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
   if (points == 0) return std::nullopt;
   if (listed == 0)
     throw core::Refused(fmt::format("the {} points of the clouds are too many to be measured one by one", points),
-                        fmt::format("the limit is {} cloud points; add a $TARGET where an image is to be measured",
+                        fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
                                     most_examined_targets));
   return core::problem_of(core::Severity::note,
                           fmt::format("the {} points of the clouds are not measured one by one", points), {},

@@ -19,6 +19,7 @@
 #include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
 #include "scene/language/format_mark.hpp"
+#include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "workflow/input/cloud_input.hpp"
 #include "workflow/input/output_names.hpp"
@@ -40,7 +41,7 @@ void expect_sound(core::Problems problems) {
 std::size_t simulation_of_scene(const scene::Scene& scene, const std::string& script,
                                 std::optional<std::int64_t> wanted, const Suits& suits) {
   if (scene.simulations.empty()) {
-    core::Refused none("the script has no $SIMULATION, which says what is recorded", "add one");
+    core::Refused none("the scene says nothing of what is recorded", "add a [[recording]]; in a .scr, a $SIMULATION");
     none.problems.front().place.file = script;
     throw none;
   }
@@ -221,7 +222,7 @@ bool begins_like_script(const std::string& path) {
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.find('\0') != std::string::npos) return false;
-  if (scene::is_format_2(text)) return true;
+  if (scene::is_format_2(text) || scene::language::is_json(text)) return true;
   for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
     const std::size_t before = text.find_last_not_of(" \t", i == 0 ? 0 : i - 1);
     const bool starts_line = i == 0 || before == std::string::npos || text[before] == '\n' || text[before] == '\r';

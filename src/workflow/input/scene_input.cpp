@@ -188,6 +188,8 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   input.scene = std::move(reading.scene);
   input.places = std::move(reading.places);
   input.language = reading.language;
+  input.json = reading.json;
+  input.names = std::move(reading.names);
   apply(overrides, input.scene);
   core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene);
   if (core::has_errors(of_tables)) throw core::Refused(std::move(of_tables));
@@ -232,6 +234,7 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
                       const core::WorkControl& control, const ChooseProducts& choose) {
   scene::ScriptReading reading = scene::read_scene_file(path, read_control(overrides, control));
   std::vector<std::filesystem::path> sources{path};
+  append(sources, std::move(reading.included));
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
   append(sources, data_files_of(reading.scene, folder));
   SceneInput input = looked_at(std::move(reading), folder, overrides, scrutiny, control, choose);
@@ -292,8 +295,10 @@ std::vector<std::filesystem::path> files_of(const SceneOverrides& overrides,
 
 std::vector<std::filesystem::path> sources_of_script(const std::string& path) {
   if (path.empty()) return {};
+  scene::ScriptReading reading = scene::read_scene_file(path);
   std::vector<std::filesystem::path> sources{path};
-  append(sources, data_files_of(scene::read_scene_file(path).scene, std::filesystem::path(path).parent_path()));
+  append(sources, std::move(reading.included));
+  append(sources, data_files_of(reading.scene, std::filesystem::path(path).parent_path()));
   return sources;
 }
 

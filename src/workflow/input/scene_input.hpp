@@ -39,11 +39,13 @@ struct SceneOverrides {
 struct SceneInput {
   scene::Scene scene;
   scene::FieldPlaces places;
-  std::vector<std::filesystem::path> sources;  ///< The script and the data files that it names.
+  scene::LetNames names;                       ///< Of [let], as they stand for numbers in the scene.
+  std::vector<std::filesystem::path> sources;  ///< The script, what it includes, and the data files that it names.
   core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
   std::vector<simulate::EchoSummary> echoes;   ///< Of the simulations that are wanted, where echoes were looked at.
   std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
   scene::Language language = scene::Language::script;       ///< Of the text that was read.
+  bool json = false;                                        ///< It is JSON, which nothing writes.
 };
 
 /// The language of scenes that a file's name asks for: `.scr` or `.toml`; nothing for another ending.

@@ -20,7 +20,8 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr TableFileRules rules_of_targets{"the table of targets", std::uint64_t{1} << 30, "make a $CLOUD of it"};
+constexpr TableFileRules rules_of_targets{"the table of targets", std::uint64_t{1} << 30,
+                                          "give it as positions = { file = ... }; in a .scr, as a $CLOUD"};
 
 std::string platform_for(const TargetTable& table, const scene::Scene& scene) {
   if (!table.platform.empty()) return table.platform;

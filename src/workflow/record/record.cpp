@@ -168,11 +168,12 @@ class Recorder {
       return scene::belongs_to_radar(kind) || scene::count_of(scene, kind) == 0;
     });
     if (empty) {
-      core::Refused nothing("the script asks for nothing", "add a $SIMULATION or a $GEOMETRY");
+      core::Refused nothing("the script asks for nothing",
+                            "add a [[recording]] or a [[geometry]]; in a .scr, a $SIMULATION or a $GEOMETRY");
       nothing.problems.front().place.file = request_.script;
       throw nothing;
     }
-    observer_.announces(request_.script + ": nothing to do: the script has no $SIMULATION and no $GEOMETRY");
+    observer_.announces(request_.script + ": nothing to do: the scene has no recording and no geometry table");
   }
 
   void take_problems(core::Problems more) {

@@ -176,13 +176,14 @@ class SweepRunner {
     std::vector<SweepRow*> rows;
     for (SweepRow& row : std::span(plan_.rows).subspan(place * products, products))
       if (!row.done) rows.push_back(&row);
-    core::Problems none;  // The plan is sound.
+    core::Problems none;  // The plan is sound; only a text that changed since could say something.
     const auto note = [this](const SweepRow& row) {
       if (row.done) journal_.add(row);
     };
     const scene::Scene scene = plan_.sweep.scene(request_.scene, variation, none);
+    if (!none.empty()) throw core::Refused(std::move(none));
     SweptScene swept{scene, {request_.script, {}, {}, request_.overrides}};
-    std::ranges::move(plan_.sweep.settings(variation), std::back_inserter(swept.source.overrides.settings));
+    plan_.sweep.add_to(swept.source.overrides, variation);
     remarks_.add(variation, 1, run_variation(swept, plan_.products, rows, rules_, observer_.stop, note));
   }
 

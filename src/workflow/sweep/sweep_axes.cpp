@@ -33,6 +33,8 @@ constexpr std::size_t longest_name = 200;
 // Of settings that are wrong; those behind them are not read.
 constexpr std::size_t most_mistakes = 20;
 
+const char* option_of(std::string_view setting) { return setting.starts_with(let_prefix) ? "" : "--set "; }
+
 core::Problem mistake(std::string message, std::string hint = {}) {
   core::Problem problem;
   problem.message = std::move(message);
@@ -41,7 +43,7 @@ core::Problem mistake(std::string message, std::string hint = {}) {
 }
 
 core::Problem mistake_in(const std::string& setting, const std::string& message, std::string hint = {}) {
-  return mistake(fmt::format("--set {}: {}", setting.substr(0, 80), message), std::move(hint));
+  return mistake(fmt::format("{}{}: {}", option_of(setting), setting.substr(0, 80), message), std::move(hint));
 }
 
 // The same word for the same value, another one for each other value.
@@ -77,8 +79,14 @@ std::uint64_t stamp_of(const fs::path& file) {
   return core::fnv1a(failure ? "missing" : fmt::format("{} {}", size, time.time_since_epoch().count()));
 }
 
+std::uint64_t stamp_of(const std::vector<fs::path>& files) {
+  std::uint64_t stamp = 1;
+  for (const fs::path& file : files) stamp = core::fnv1a(fmt::format("{:016x}", stamp_of(file)), stamp);
+  return stamp;
+}
+
 // "Radar1.bandwidth=10MHz,20MHz"; random values are not drawn yet.
-std::optional<SweepAxis> axis_of(const scene::Scene& scene, const std::string& setting, core::Problems& problems) {
+std::optional<SweepAxis> axis_of(const NamedThings& things, const std::string& setting, core::Problems& problems) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos) {
     problems.push_back(
@@ -88,7 +96,9 @@ std::optional<SweepAxis> axis_of(const scene::Scene& scene, const std::string& s
   const std::string texts(core::trimmed(std::string_view(setting).substr(equals + 1)));
   SweepAxis axis;
   axis.name = core::trimmed(std::string_view(setting).substr(0, equals));
-  axis.field = scene::find_named_field(scene, axis.name, is_random(texts) ? "0" : texts);
+  SweptField swept = find_swept_field(things, axis.name, is_random(texts) ? "0" : texts);
+  axis.field = std::move(swept.named);
+  axis.let = std::move(swept.let);
   std::string failure = axis.field.failure;
   if (axis.field.field != nullptr && is_random(texts)) {
     axis.law = texts;
@@ -172,7 +182,12 @@ std::string SweepAxis::table_text(std::size_t value) const {
   return reading.value ? core::format_number(*reading.value) : text;
 }
 
-Sweep::Sweep(const scene::Scene& scene, const SweepValues& values) : folder_(values.folder), table_(values.table) {
+std::string SweepAxis::let_word(std::size_t value) const {
+  return fmt::format("{}={}", name.substr(let_prefix.size()), values.at(value));
+}
+
+Sweep::Sweep(const scene::Scene& scene, const SweepValues& values, SceneSource source)
+    : source_(std::move(source)), folder_(values.folder), table_(values.table) {
   if (values.settings.empty() && values.table.empty())
     throw core::Refused("sweep: nothing varies",
                         "say what does with --set, for instance --set seed=1..10, or with --values FILE.csv");
@@ -183,6 +198,12 @@ Sweep::Sweep(const scene::Scene& scene, const SweepValues& values) : folder_(val
   if (problems.empty()) set_size(problems);
   name_values(problems);
   if (!problems.empty()) throw core::Refused(std::move(problems));
+  look_at_source();
+}
+
+void Sweep::look_at_source() {
+  if (std::ranges::any_of(axes_, [](const SweepAxis& axis) { return axis.let != nullptr; }))
+    source_stamp_ = stamp_of(source_.files);
 }
 
 void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core::Problems& problems) {
@@ -199,7 +220,7 @@ void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core
     }
   };
   if (!values.table.empty()) {
-    ValueTable table = read_value_table(scene, values.table, problems);
+    ValueTable table = read_value_table({scene, source_.names}, values.table, problems);
     heading_line_ = table.heading_line;
     table_lines_ = std::move(table.lines);
     for (SweepAxis& axis : table.axes) {
@@ -212,7 +233,7 @@ void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core
   }
   for (const std::string& setting : values.settings) {
     if (problems.size() >= most_mistakes) return;
-    if (std::optional<SweepAxis> axis = axis_of(scene, setting, problems))
+    if (std::optional<SweepAxis> axis = axis_of({scene, source_.names}, setting, problems))
       add(*std::move(axis), mistake_in(setting, ""));
   }
 }
@@ -346,13 +367,22 @@ std::size_t Sweep::value_of(std::size_t variation, std::size_t axis) const {
   return variation / axes_[axis].stride % axes_[axis].values.size();
 }
 
-std::string Sweep::label(std::size_t variation) const { return fmt::format("{}", fmt::join(settings(variation), " ")); }
-
-std::vector<std::string> Sweep::settings(std::size_t variation) const {
+std::string Sweep::label(std::size_t variation) const {
   std::vector<std::string> settings;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     settings.push_back(fmt::format("{}={}", axes_[i].name, axes_[i].values[value_of(variation, i)]));
-  return settings;
+  return fmt::format("{}", fmt::join(settings, " "));
+}
+
+void Sweep::add_to(SceneOverrides& overrides, std::size_t variation) const {
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const SweepAxis& axis = axes_[i];
+    const std::size_t value = value_of(variation, i);
+    if (axis.let != nullptr)
+      overrides.let.push_back(axis.let_word(value));
+    else
+      overrides.settings.push_back(fmt::format("{}={}", axis.name, axis.values[value]));
+  }
 }
 
 std::string Sweep::file_name(const std::string& stem, const std::string& extension, std::size_t variation) const {
@@ -366,15 +396,37 @@ std::string Sweep::file_name(const std::string& stem, const std::string& extensi
 }
 
 scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const {
-  scene::Scene scene = base;
+  scene::Scene scene = source_stamp_ == 0 ? base : read_anew(variation, problems);
+  if (!problems.empty()) return scene;
   const scene::PointsLoader load = scene::disk_points(folder_);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (axes_[i].let != nullptr) continue;
     const std::size_t value = value_of(variation, i);
     const std::string failure = scene::set_named_field(scene, axes_[i].field, axes_[i].values[value], load);
     if (!failure.empty()) problems.push_back(mistake_of(axes_[i], value, failure));
   }
   if (problems.empty()) std::ranges::move(read_clouds(scene, folder_, {1}), std::back_inserter(problems));
   return scene;
+}
+
+// The text says what follows from a name of [let].
+scene::Scene Sweep::read_anew(std::size_t variation, core::Problems& problems) const {
+  SceneOverrides overrides = source_.overrides;
+  for (std::size_t i = 0; i < axes_.size(); ++i)
+    if (axes_[i].let != nullptr) overrides.let.push_back(axes_[i].let_word(value_of(variation, i)));
+  try {
+    SceneInput input = read_scene(source_.file, overrides, Scrutiny::reading, {1});
+    std::erase_if(input.problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
+    problems = std::move(input.problems);
+    if (stamp_of(source_.files) != source_stamp_)
+      problems.push_back(
+          mistake(fmt::format("'{}' or a file that it names has changed since the sweep began", source_.file),
+                  "start the sweep again"));
+    return std::move(input.scene);
+  } catch (core::Refused& refused) {
+    problems = std::move(refused.problems);
+    return {};
+  }
 }
 
 std::uint64_t Sweep::stamp(std::size_t variation) const {
@@ -408,7 +460,8 @@ core::Place Sweep::place_of(const core::Subject& subject, std::size_t variation)
 
 core::Problems Sweep::remarks(const scene::Scene& scene) const {
   core::Problems remarks;
-  for (const SweepAxis& axis : axes_)
+  for (const SweepAxis& axis : axes_) {
+    if (axis.let != nullptr) continue;
     for (std::size_t value = 0; value < axis.values.size(); ++value)
       if (auto remark = remark_on_bare_number(scene, axis.field, axis.name, axis.values[value])) {
         constexpr std::string_view option = "--set ";
@@ -417,6 +470,7 @@ core::Problems Sweep::remarks(const scene::Scene& scene) const {
         remarks.push_back(*std::move(remark));
         break;
       }
+  }
   return remarks;
 }
 

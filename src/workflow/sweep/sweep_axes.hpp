@@ -9,6 +9,8 @@
 #include "core/report/problem.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/schema/field_names.hpp"
+#include "workflow/input/scene_input.hpp"
+#include "workflow/sweep/swept_field.hpp"
 
 namespace sarsim::workflow {
 
@@ -17,8 +19,8 @@ inline constexpr std::size_t most_variations = 100000;
 
 /// What varies in a sweep, in words.
 struct SweepValues {
-  /// "OBJECT.FIELD=VALUES" (scene/schema/field_names.hpp), with values as of scene/schema/value_list.hpp or random ones
-  /// (workflow/sweep/random_values.hpp).
+  /// "OBJECT.FIELD=VALUES" (scene/schema/field_names.hpp) or "let.NAME=VALUES", with values as of
+  /// scene/schema/value_list.hpp or random ones (workflow/sweep/random_values.hpp).
   std::vector<std::string> settings{};
   bool paired = false;             ///< All values are paired instead of combined, see Sweep.
   std::filesystem::path table{};   ///< CSV file of values: a column for each field, a line for each variation.
@@ -26,16 +28,25 @@ struct SweepValues {
   std::filesystem::path folder{};  ///< Of the script: where data files are looked for.
 };
 
+/// The text of a scene, which is read anew where names of [let] vary.
+struct SceneSource {
+  std::string file;
+  SceneOverrides overrides{};                  ///< That it is read with.
+  scene::LetNames names{};                     ///< As they were read.
+  std::vector<std::filesystem::path> files{};  ///< Of which it is made; they must stay as they are.
+};
+
 /// A field and the values that it takes, one after the other.
 struct SweepAxis {
-  std::string name;  ///< As typed: "Radar1.bandwidth".
+  std::string name;  ///< As typed: "Radar1.bandwidth", "let.speed".
   scene::NamedField field;
-  std::vector<std::string> values{};    ///< As `set_named_field` takes them.
-  std::vector<std::string> words{};     ///< The values as parts of file names; no two values have one word.
-  std::vector<std::uint64_t> stamps{};  ///< Of the files that the values name; empty where they name none.
-  std::string law{};                    ///< That values are drawn by, as "normal(1, 0.2)"; empty where they are given.
-  bool of_table = false;                ///< From the table of values.
-  std::size_t stride = 1;               ///< So many variations have the same value before the next one follows.
+  std::shared_ptr<const scene::Field> let{};  ///< See `SweptField`.
+  std::vector<std::string> values{};          ///< As `set_named_field` takes them.
+  std::vector<std::string> words{};           ///< The values as parts of file names; no two values have one word.
+  std::vector<std::uint64_t> stamps{};        ///< Of the files that the values name; empty where they name none.
+  std::string law{};       ///< That values are drawn by, as "normal(1, 0.2)"; empty where they are given.
+  bool of_table = false;   ///< From the table of values.
+  std::size_t stride = 1;  ///< So many variations have the same value before the next one follows.
 
   /// "Hz"; empty for pure numbers and for what is no number.
   [[nodiscard]] std::string unit() const;
@@ -45,6 +56,8 @@ struct SweepAxis {
   [[nodiscard]] std::string table_text(std::size_t value) const;
   /// Whether this is the seed, which `check` does not look at.
   [[nodiscard]] bool is_seed() const { return field.objects.empty() && field.field->id == "seed"; }
+  /// "speed=200m/s": what the reader takes in place of a name of [let].
+  [[nodiscard]] std::string let_word(std::size_t value) const;
   /// Whether the values are names of files: of the points of a function, or of a cloud.
   [[nodiscard]] bool names_files() const;
 };
@@ -54,8 +67,9 @@ struct SweepAxis {
 /// are random.
 class Sweep {
  public:
+  /// @param source  of the scene, where names of [let] may vary
   /// @throws core::Refused with everything that is wrong with the values
-  Sweep(const scene::Scene& scene, const SweepValues& values);
+  Sweep(const scene::Scene& scene, const SweepValues& values, SceneSource source = {});
 
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const std::vector<SweepAxis>& axes() const { return axes_; }
@@ -63,8 +77,8 @@ class Sweep {
   [[nodiscard]] std::size_t value_of(std::size_t variation, std::size_t axis) const;
   /// "Radar1.bandwidth=10MHz seed=1".
   [[nodiscard]] std::string label(std::size_t variation) const;
-  /// The same as settings, one for each axis.
-  [[nodiscard]] std::vector<std::string> settings(std::size_t variation) const;
+  /// The same as stand-ins for values of the scene's text: names of [let] and settings of fields.
+  void add_to(SceneOverrides& overrides, std::size_t variation) const;
   /// The file of a product in a variation, from its file in the script: "sim1_Radar1.bandwidth=10MHz_seed=1.bin". Holds
   /// nothing but letters, digits and "._+=-"; depends on the values of this variation alone. Names that would be
   /// longer than a file system takes end in a number made from the values instead.
@@ -89,6 +103,8 @@ class Sweep {
 
  private:
   void read_axes(const scene::Scene& scene, const SweepValues& values, core::Problems& problems);
+  void look_at_source();
+  [[nodiscard]] scene::Scene read_anew(std::size_t variation, core::Problems& problems) const;
   void group_axes(bool paired);
   void draw(std::uint64_t seed, const SweepValues& values, core::Problems& problems);
   void set_size(core::Problems& problems);
@@ -102,6 +118,8 @@ class Sweep {
   std::vector<SweepAxis> axes_;
   std::vector<std::vector<std::size_t>>
       groups_;  // Axes that go through their values together; the last varies fastest.
+  SceneSource source_;
+  std::uint64_t source_stamp_ = 0;  // Of its files; 0: it need not be read again.
   std::filesystem::path folder_;
   std::filesystem::path table_;
   std::size_t heading_line_ = 0;          // Of the table: the names of its columns.

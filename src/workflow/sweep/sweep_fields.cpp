@@ -42,9 +42,19 @@ void add_object(std::vector<Line>& lines, const scene::Scene& scene, scene::Obje
                        scene::field_text(object, field.id), takes(field)});
 }
 
+void add_let(std::vector<Line>& lines, const NamedThings& things, std::string_view name) {
+  const SweptField swept = find_swept_field(things, std::string(let_prefix) + std::string(name), "");
+  if (swept.let == nullptr) return;
+  const bool number = swept.let->kind == scene::FieldKind::quantity;
+  lines.push_back({swept.let->id,
+                   number ? scene::quantity_text(things.names.find(name)->value, swept.let->quantity) : "",
+                   number ? takes(*swept.let) : ""});
+}
+
 }  // namespace
 
-std::string field_list(const scene::Scene& scene) {
+std::string field_list(const NamedThings& things) {
+  const scene::Scene& scene = things.scene;
   std::vector<Line> lines;
   for (const scene::ObjectKind kind : scene::all_object_kinds) {
     const std::size_t count = scene::count_of(scene, kind);
@@ -55,6 +65,7 @@ std::string field_list(const scene::Scene& scene) {
   for (const scene::Field& field : scene::option_fields())
     lines.push_back(
         {scene::short_name(scene::option_fields(), field), scene::field_text(scene.options, field.id), takes(field)});
+  for (const std::string_view name : things.names.all()) add_let(lines, things, name);
   std::size_t name_width = 0;
   std::size_t value_width = 0;
   for (const Line& line : lines) {

@@ -28,7 +28,8 @@ std::vector<ProductJob> products_of(const SweepRequest& request) {
   if (core::has_errors(names.problems)) throw core::Refused(names.problems);
   std::vector<ProductJob> products = chosen_products(request.scene, names, request.products);
   if (!products.empty()) return products;
-  core::Refused nothing("the script asks for nothing that could vary", "add a $SIMULATION or a $GEOMETRY");
+  core::Refused nothing("the script asks for nothing that could vary",
+                        "add a [[recording]] or a [[geometry]]; in a .scr, a $SIMULATION or a $GEOMETRY");
   nothing.problems.front().place.file = request.script;
   throw nothing;
 }
@@ -111,12 +112,12 @@ void share_threads(const SweepRequest& request, unsigned threads, SweepPlan& pla
 SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer) {
   const unsigned threads = core::thread_count(request.threads);
   expect_sense(request.follow_up);
-  Sweep sweep(request.scene, request.values);
+  Sweep sweep(request.scene, request.values, {request.script, request.overrides, request.names, request.sources});
   SweepPlan plan{std::move(sweep), products_of(request)};
   if (request.follow_up && std::ranges::all_of(plan.products, &ProductJob::table))
     throw core::Refused(
         fmt::format("--{}: no recording is made that could be followed up", word_of(request.follow_up.kind)),
-        "choose a $SIMULATION");
+        "choose a recording");
   name_rows(request, plan);
   if (request.resume) take_journals(request, plan.rows);
   plan.open = open_variations(plan);

@@ -26,6 +26,7 @@ struct SweepRequest {
   scene::Scene scene;                          ///< As read; values that vary may be wrong in it.
   std::string script;                          ///< Its file, as tables and messages name it; follow-ups read it.
   SceneOverrides overrides;                    ///< That `scene` was read with, for follow-ups.
+  scene::LetNames names;                       ///< Of its [let].
   scene::FieldPlaces places;                   ///< Where its values stand, for problems.
   std::vector<std::filesystem::path> sources;  ///< Script and data files, which no output may replace.
   SweepValues values;                          ///< What varies.

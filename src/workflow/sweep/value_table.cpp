@@ -19,8 +19,8 @@ constexpr std::size_t most_told = 20;
 // Reads the lines of a table into the axes of its columns.
 class TableReader {
  public:
-  TableReader(const scene::Scene& scene, std::string file, core::Problems& problems)
-      : scene_(scene), file_(std::move(file)), problems_(problems) {}
+  TableReader(const NamedThings& things, std::string file, core::Problems& problems)
+      : things_(things), file_(std::move(file)), problems_(problems) {}
 
   ValueTable read(std::string_view text) {
     const std::vector<scene::TableLine> lines = scene::table_lines(text);
@@ -58,7 +58,7 @@ class TableReader {
       if (problems_.size() >= most_told) break;
       SweepAxis axis;
       axis.name = column.written;
-      axis.field = scene::find_named_field(scene_, axis.name, column.unit.empty() ? "" : "0");
+      name(axis, column.unit.empty() ? "" : "0");
       if (axis.name.empty())
         tell(line.number, "a column has no name", std::string(core::clipped(line.text)),
              "names as in Radar1.bandwidth or seed");
@@ -72,6 +72,12 @@ class TableReader {
     }
     if (!problems_.empty()) axes.clear();
     return axes;
+  }
+
+  void name(SweepAxis& axis, std::string_view value) const {
+    SweptField swept = find_swept_field(things_, axis.name, value);
+    axis.field = std::move(swept.named);
+    axis.let = std::move(swept.let);
   }
 
   // Units stand in brackets at the end of a name.
@@ -109,7 +115,7 @@ class TableReader {
 
   void add_cell(const scene::TableLine& line, std::string cell, const std::string& unit, SweepAxis& axis) {
     // The heading alone does not tell "carrier", a number, from the kind of carrier of the same name.
-    if (axis.values.empty()) axis.field = scene::find_named_field(scene_, axis.name, cell);
+    if (axis.values.empty()) name(axis, cell);
     std::string failure = cell.empty() ? "a value is missing" : axis.field.failure;
     if (failure.empty() && axis.is_number() && !axis.is_seed()) {
       if (scene::number_length(cell) == cell.size()) cell += unit;
@@ -122,7 +128,7 @@ class TableReader {
     axis.values.push_back(std::move(cell));
   }
 
-  const scene::Scene& scene_;
+  const NamedThings& things_;
   std::string file_;
   core::Problems& problems_;
   std::vector<std::string> units_;
@@ -131,13 +137,13 @@ class TableReader {
 
 }  // namespace
 
-ValueTable read_value_table(const scene::Scene& scene, const std::filesystem::path& file, core::Problems& problems) {
+ValueTable read_value_table(const NamedThings& things, const std::filesystem::path& file, core::Problems& problems) {
   auto read = read_table_text(file, {"the table of values", std::uint64_t{1} << 28, ""});
   if (auto* failure = std::get_if<core::Problem>(&read)) {
     problems.push_back(std::move(*failure));
     return {};
   }
-  return TableReader(scene, file.string(), problems).read(std::get<std::string>(read));
+  return TableReader(things, file.string(), problems).read(std::get<std::string>(read));
 }
 
 }  // namespace sarsim::workflow
