@@ -293,7 +293,7 @@ def worst_width(axis, *focus):
     return measure
 
 
-def measured_targets(lab, focus="sarsim focus examples/sar_r.scr --out sar_r.img --quiet"):
+def measured_targets(lab, focus="sarsim focus examples/sar_r.toml --out sar_r.img --quiet"):
     """What `sarsim measure` says of each target in the image that a command makes."""
     lab.once(focus)
     words = focus.split()

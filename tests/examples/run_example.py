@@ -166,7 +166,10 @@ def complaints_about_commands(sarsim, name, quotes):
 
 
 def complaints_about_page(name, page):
-    return [] if f"(../../examples/{name})" in page else [f"the gallery does not name {name}"]
+    """The page names an example in either language."""
+    stem = name.rpartition(".")[0]
+    named = any(f"(../../examples/{stem}.{ending})" in page for ending in ("toml", "scr"))
+    return [] if named else [f"the gallery does not name {name}"]
 
 
 def complaints_about(program, script):

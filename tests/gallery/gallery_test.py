@@ -78,11 +78,13 @@ class Page(unittest.TestCase):
             self.assertIn(words, complaints)
 
     def test_an_example_that_no_figure_uses_is_found(self):
-        (gallery.ROOT / "examples" / "new.scr").write_text("", encoding="utf-8")
-        (gallery.ROOT / "examples" / "sar_r.scr").write_text("", encoding="utf-8")
+        for name in ("new.toml", "new.scr", "only.scr", "sar_r.toml", "sar_r.scr"):
+            (gallery.ROOT / "examples" / name).write_text("", encoding="utf-8")
         complaints = "\n".join(gallery.complaints_about_files())
-        self.assertIn("new.scr", complaints)
-        self.assertNotIn("examples/sar_r.scr", complaints)
+        self.assertIn("examples/new.toml is neither", complaints)
+        self.assertIn("examples/only.scr is neither", complaints)
+        self.assertNotIn("examples/new.scr", complaints)  # The same scene in the other language.
+        self.assertNotIn("examples/sar_r", complaints)
 
 
 class Numbers(unittest.TestCase):

@@ -3,7 +3,7 @@
 
 usage: command_examples.py PROJECT BIN_FOLDER [--show]     --show prints how long each takes
 
-Commands are the lines that begin with "sarsim" in fences without a language. The files they name (scene.scr, sim1.h5
+Commands are the lines that begin with "sarsim" in fences without a language. The files they name (scene.toml, sim1.h5
 ...) are stand-ins, small ones of the kind that the section is about; a thousand seeds are twenty here. What needs a
 cluster is left out here, told, and tested in tests/parts.
 """
@@ -30,22 +30,72 @@ ELSEWHERE = {
 
 # A small scene that stands for any, of four pulses.
 SCENE = """
-$TARGET Earth  0, 3000, 0  0, 0, 0  1, 0  ISOTROPIC
-$TARGET Earth  0, 3100, 0  0, 0, 0  2, 0  ISOTROPIC
-$TARGET Earth  10, 3200, 0  0, 0, 0  1, 0  ISOTROPIC
-$RADAR Radar1 Earth  CHIRP 0.01 2000 RECT  CONSTANT 1000  SINGLE 3  1000 0 300  ISOTROPIC SAME  FIXED 0 90  RECT  NO_STC
-$SIMULATION Radar1  1600, 3518.67  0, 0.003  8  0.02  1E-5  BINARY RAW sim1.bin BEGIN
-$SIMULATION Radar1  1600, 3518.67  0, 0.003  8  0.02  0  HDF5 MATCHED_FILTER sim2.h5 BEGIN
-$GEOMETRY Radar1  0, 100000  0, 0.01  SPACE  255  geo1.txt
+format = "sarsim 2"
+
+[let]
+speed = "240 m/s"
+height = "2 km"
+
+[[target]]
+position = [0, 3000, 0]
+
+[[target]]
+position = [0, 3100, 0]
+rcs = 2
+
+[[target]]
+position = [10, 3200, 0]
+
+[[radar]]
+name = "Radar1"
+pulse = { type = "chirp", bandwidth = "10 MHz", width = "2 us" }
+repetition = "1 kHz"
+carrier = "3 GHz"
+power = "1 MW"
+noise_temperature = "300 K"
+beam = { type = "fixed", elevation = "0 deg", azimuth = "90 deg" }
+
+[[recording]]
+radar = "Radar1"
+range = [1600, 3518.67]
+time = ["0 s", "3 ms"]
+sample_rate = "20 MHz"
+lsb = "10 nV"
+file = "sim1.bin"
+
+[[recording]]
+radar = "Radar1"
+range = [1600, 3518.67]
+time = ["0 s", "3 ms"]
+sample_rate = "20 MHz"
+processing = "matched-filter"
+format = "hdf5"
+file = "sim2.h5"
+
+[[geometry]]
+radar = "Radar1"
+range = ["0 m", "100 km"]
+time = ["0 s", "10 ms"]
+columns = ["time", "frequency", "position", "velocity", "rotation", "delay", "amplitude", "radial_speed"]
+file = "geo1.txt"
 """
 
 
-def writing(script, name, form):
-    """A script whose recording has another name and format."""
-    head, tail = script.rsplit("$SIMULATION", 1)
-    tail = re.sub(r"\b(HDF5|NPY|ASCII|BINARY)\b", form, tail, count=1)
-    own = name if re.search(r"^\S+\.(h5|npy|asc|bin)", tail, re.MULTILINE) else "sim2" + pathlib.Path(name).suffix
-    return head + "$SIMULATION" + re.sub(r"\S+\.(h5|npy|asc|bin)\b", own, tail, count=1)
+# A script in the language of 1998.
+OLD = """
+$TARGET Earth  0, 3000, 0  0, 0, 0  1, 0  ISOTROPIC
+$RADAR Radar1 Earth  CHIRP 0.01 2000 RECT  CONSTANT 1000  SINGLE 3  1000 0 300  ISOTROPIC SAME  FIXED 0 90  RECT  NO_STC
+$SIMULATION Radar1  1600, 3518.67  0, 0.003  8  0.02  1E-5  BINARY RAW sim1.bin BEGIN
+"""
+
+
+def writing(scene, name, form):
+    """A scene whose last recording has another name and format; sim2 where the name is taken."""
+    head, mark, tail = scene.rpartition("[[recording]]")
+    name = "sim2" + pathlib.Path(name).suffix if f'"{name}"' in head else name
+    tail, _, rest = tail.partition("\n[[")
+    tail = re.sub(r"^(file|format) = .*\n", "", tail, flags=re.MULTILINE)
+    return f'{head}{mark}{tail.rstrip()}\nfile = "{name}"\nformat = "{form}"\n' + (f"\n[[{rest}" if rest else "")
 
 
 def commands_of(text):
@@ -69,7 +119,7 @@ class Stage:
         self.examples = project / "examples"
 
     def example(self, name):
-        return (self.examples / f"{name}.scr").read_text(encoding="utf-8")
+        return (self.examples / f"{name}.toml").read_text(encoding="utf-8")
 
     def write(self, name, text):
         (self.folder / name).write_text(text, encoding="utf-8")
@@ -77,16 +127,16 @@ class Stage:
     def sarsim(self, *words):
         subprocess.run([self.programs / "sarsim", *words, "--quiet"], cwd=self.folder, check=True, capture_output=True)
 
-    def recordings(self, script):
-        """The script as scene.scr, which writes sim1.bin, and its recording in several formats."""
-        self.write("scene.scr", writing(script, "sim1.bin", "BINARY"))
+    def recordings(self, scene):
+        """The scene as scene.toml, which writes sim1.bin, and its recording in several formats."""
+        self.write("scene.toml", writing(scene, "sim1.bin", "binary"))
         for form in ("binary", "hdf5", "ascii"):
-            self.sarsim("run", "scene.scr", "1", "--format", form, "--force")
+            self.sarsim("run", "scene.toml", "1", "--format", form, "--force")
 
     def make(self, section):
         for name in ("sar_r", "stripmap_motion", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
-            self.write(f"{name}.scr", self.example(name))
-        self.write("old.scr", SCENE)
+            self.write(f"{name}.toml", self.example(name))
+        self.write("old.scr", OLD)
         self.write("points.csv", "x,y,z,rcs\n1000,5,0,2\n")
         self.write("cases.csv", "Target1.rcs [m2],seed\n1,1\n1,2\n4,1\n")
         kinds = {
@@ -99,16 +149,16 @@ class Stage:
         if section in kinds:
             self.recordings(self.example(kinds[section]))
         else:
-            self.recordings(SCENE.replace("0, 0.003", "0, 0.3") if section in ("plot", "") else SCENE)
+            self.recordings(SCENE.replace("3 ms", "300 ms") if section in ("plot", "") else SCENE)
         if section in ("plot", "measure", "info", "convert"):
             for form in ("npy", "img"):  # Both have the header sar_r.hdr, kept here under names of their own.
-                self.sarsim("focus", "sar_r.scr", "--out", f"sar_r.{form}")
+                self.sarsim("focus", "sar_r.toml", "--out", f"sar_r.{form}")
                 (self.folder / "sar_r.hdr").rename(self.folder / f"sar_r.{form}.hdr")
         if section in ("run", "info", "geometry"):
-            self.write("sar_r.scr", SCENE)
+            self.write("sar_r.toml", SCENE)
         if section == "check":
             for name in ("stripmap_motion", "mti", "search_radar", "stepped_aircraft", "turning_ship"):
-                (self.folder / f"{name}.scr").unlink()
+                (self.folder / f"{name}.toml").unlink()
         shutil.copyfile(self.folder / "sim1.h5", self.folder / "big.h5")
         shutil.copyfile(self.folder / "sim1.h5", self.folder / "recording.h5")
         if section in ("merge", "Recipes"):
@@ -117,10 +167,10 @@ class Stage:
             (self.folder / place).mkdir(parents=True)
 
     def parts(self):
-        self.write("scene.scr", SCENE.replace("sim1.bin", "sim.bin"))
+        self.write("scene.toml", SCENE.replace("sim1.bin", "sim.bin"))
         for k, places in ((1, ("out", "a", "here")), (2, ("out", "b", "here"))):
             for place in places:
-                self.sarsim("run", "scene.scr", "1", "--out", place, "--part", f"{k}/2", "--part-file")
+                self.sarsim("run", "scene.toml", "1", "--out", place, "--part", f"{k}/2", "--part-file")
 
 
 def outputs_named(command):
@@ -142,8 +192,8 @@ def copy_named(command, stage, folder):
             shutil.copyfile(entry, folder / entry.name)
         elif entry.suffix == ".hdr" and entry.stem in words:
             shutil.copyfile(entry, folder / f"{entry.stem.split('.')[0]}.hdr")
-            shutil.copyfile(stage / "sar_r.scr", folder / "sar_r.scr")
-        elif entry.suffix == ".scr" and "*.scr" in words:
+            shutil.copyfile(stage / "sar_r.toml", folder / "sar_r.toml")
+        elif entry.suffix == ".toml" and "*.toml" in words:
             shutil.copyfile(entry, folder / entry.name)
 
 

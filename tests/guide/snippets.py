@@ -8,7 +8,7 @@ A page is read by its fences:
 
     ```sh           run by bash in an empty folder of the page's own, with sarsim on the path and a copy of examples/
     ```python       run by Python (with NumPy and h5py), ```octave by Octave, ```gdl by GNU Data Language
-    ```scr NAME     written to the file NAME of that folder
+    ```toml NAME    written to the file NAME of that folder, as is ```scr NAME
     ```output       what the snippet before printed: these lines, in this order; "..." stands for any lines, and within a line
                     for any text
 
@@ -28,6 +28,7 @@ import unittest
 
 MARK = "not run by the tests"
 RUN = {"sh", "python", "octave", "gdl"}
+SCENES = {"toml", "scr"}
 UNRUNNABLE = {"matlab", "idl", "vba", "powershell"}
 QUIET = {"", "text", "json", "csv", "make", "c"}
 WORKBENCH = re.compile(r"^sarsim-gui ", re.MULTILINE)
@@ -142,11 +143,11 @@ def check_fence(fence, machine, result):
     """Runs or counts one fence that is no output; gives what it printed, or None."""
     if fence.marked:
         result.marked += 1
-    elif fence.language == "scr" and fence.words:
+    elif fence.language in SCENES and fence.words:
         (machine.folder / fence.words[0]).write_text(fence.text, encoding="utf-8")
     elif fence.language in UNRUNNABLE:
         result.faults.append(f"line {fence.line}: a snippet in {fence.language} without the words '{MARK}' above it")
-    elif fence.language not in RUN | QUIET | {"scr"}:
+    elif fence.language not in RUN | QUIET | SCENES:
         result.faults.append(f"line {fence.line}: no such language: {fence.language}")
     elif fence.language in RUN and machine.programs[fence.language] is None:
         result.missing.append(fence.language)
@@ -204,8 +205,10 @@ class Reading(unittest.TestCase):
         return result.run, result.marked, result.missing, [fault.splitlines()[0] for fault in result.faults]
 
     def test_snippets_run_in_order_in_one_folder(self):
-        text = "```scr a.scr\n! x\n```\n```sh\ncat a.scr > b\n```\n```python\nprint(open('b').read())\n```\n```output\n! x\n```\n"
+        text = "```toml a.toml\n# x\n```\n```sh\ncat a.toml > b\n```\n```python\nprint(open('b').read())\n```\n```output\n# x\n```\n"
         self.assertEqual(self.check(text), (2, 0, [], []))
+        self.assertEqual(self.check(text.replace("toml", "scr")), (2, 0, [], []))
+        self.assertEqual(self.check("```toml\nx = 1\n```\n"), (0, 0, [], []))
 
     def test_a_snippet_that_fails_is_found(self):
         self.assertEqual(self.check("a\n\n```sh\nfalse\ntrue\n```\n"), (1, 0, [], ["line 3: exit status 1"]))
