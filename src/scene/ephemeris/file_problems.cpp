@@ -1,0 +1,80 @@
+#include "scene/ephemeris/file_problems.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
+
+namespace sarsim::scene::ephemeris {
+
+namespace {
+
+constexpr FileProblems::Mark unlisted = static_cast<FileProblems::Mark>(-1);
+
+}  // namespace
+
+FileProblems::Mark FileProblems::add(core::Severity severity, std::string_view at, ProblemWords words) {
+  std::size_t& count = severity == core::Severity::error ? errors_ : warnings_;
+  if (count++ >= limit) return unlisted;
+  core::Problem problem = core::problem_of(severity, std::move(words.message), core::clipped(words.found),
+                                           std::move(words.expected), std::move(words.hint));
+  problem.place = place_of(at);
+  problems_.push_back(std::move(problem));
+  return problems_.size();
+}
+
+bool FileProblems::again(Mark mark) {
+  if (mark == 0) return false;
+  if (mark != unlisted) ++problems_[mark - 1].count;
+  return true;
+}
+
+core::Place FileProblems::place_of(std::string_view at) {
+  const char* const begin = text_.data();
+  const char* const end = begin + text_.size();
+  if (at.data() == nullptr || std::less<>{}(at.data(), begin) || std::less<>{}(end, at.data())) return {file_, 0, 0};
+  const auto offset = static_cast<std::size_t>(at.data() - begin);
+  if (offset < known_offset_) {
+    known_offset_ = 0;
+    known_line_ = 1;
+  }
+  known_line_ += static_cast<std::size_t>(std::count(begin + known_offset_, begin + offset, '\n'));
+  known_offset_ = offset;
+  const std::size_t line_end = text_.substr(0, offset).rfind('\n');
+  const std::size_t line_begin = line_end == std::string_view::npos ? 0 : line_end + 1;
+  return {file_, known_line_, offset - line_begin + 1};
+}
+
+core::Problems FileProblems::take() {
+  if (errors_ >= limit) {
+    core::Problem stopped;
+    stopped.message = fmt::format("reading stopped after {} errors", limit);
+    stopped.place = {file_, 0, 0};
+    problems_.push_back(std::move(stopped));
+  }
+  if (warnings_ > limit)
+    problems_.push_back(core::problem_of(core::Severity::note,
+                                         fmt::format("{} more warnings are not shown", warnings_ - limit), {}, {}, {}));
+  return std::exchange(problems_, {});
+}
+
+bool read_number(std::string_view cell, std::string_view words, std::string_view unit, int exponent_shift,
+                 FileProblems& problems, double& value) {
+  const std::optional<double> number = core::parse_number(cell, exponent_shift);
+  if (number) {
+    value = *number;
+    return true;
+  }
+  const bool blank = core::trimmed(cell).empty();
+  const std::string expected = unit.empty() ? "a number" : fmt::format("a finite number in {}", unit);
+  problems.error(cell, {fmt::format("{} is {}", words, blank ? "missing" : "not a finite number"), core::clipped(cell),
+                        expected, cell.find(',') == std::string_view::npos ? "" : "write a point, not a comma"});
+  return false;
+}
+
+}  // namespace sarsim::scene::ephemeris

@@ -1,0 +1,145 @@
+#include "scene/ephemeris/state_collector.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/ephemeris/read_ephemeris.hpp"
+
+namespace sarsim::scene::ephemeris {
+
+namespace {
+
+constexpr double farthest_m = 1e9;
+// Half axes of WGS 84, less 1 km: no point of dry land is lower, and the axes of the frames differ by 100 m here.
+constexpr double equator_m = 6378137.0 - 1000.0;
+constexpr double pole_m = 6356752.3 - 1000.0;
+
+bool is_below_surface(const core::Vec3& p) {
+  const double across = (p.x * p.x + p.y * p.y) / (equator_m * equator_m);
+  return across + p.z * p.z / (pole_m * pole_m) < 1.0;
+}
+
+bool follows(const EphemerisState& before, const EphemerisState& state) {
+  return state.time > before.time || (state.time == before.time && state.since_epoch_s > before.since_epoch_s);
+}
+
+// Seconds between two states of one day; nothing for others.
+std::optional<double> step_s(const EphemerisState& before, const EphemerisState& state) {
+  const radar::CivilTime& a = before.time;
+  const radar::CivilTime& b = state.time;
+  if (a == b) return state.since_epoch_s - before.since_epoch_s;
+  if (a.year != b.year || a.month != b.month || a.day != b.day) return std::nullopt;
+  return radar::seconds_between(a, b);
+}
+
+}  // namespace
+
+EphemerisSegment& StateCollector::begin_segment(std::string_view at) {
+  begins_.push_back(at);
+  return file_.segments.emplace_back();
+}
+
+void StateCollector::add(const EphemerisState& state, std::string_view time_at, std::string_view position_at) {
+  if (file_.segments.empty()) begin_segment(time_at);
+  std::vector<EphemerisState>& states = file_.segments.back().states;
+  if (states_ >= most_ephemeris_states) {
+    if (!problems_.again(too_many_))
+      too_many_ = problems_.error(time_at, {"the file has too many states", "",
+                                            fmt::format("at most {}", most_ephemeris_states), "thin them out"});
+    return;
+  }
+  check_position(state.position_m, position_at);
+  if (!states.empty()) {
+    const bool ascends = follows(states.back(), state);
+    if (!ascends && !problems_.again(unordered_))
+      unordered_ =
+          problems_.error(time_at, {"times must ascend and must not repeat", core::clipped(time_at),
+                                    file_.form == TimeForm::civil
+                                        ? "a time after " + radar::format_civil(states.back().time)
+                                        : "a time after " + core::format_number(states.back().since_epoch_s) + " s",
+                                    "sort the states by time and give each time once"});
+    if (ascends && states.size() == 1 && low_ == 0 && far_ == 0) check_velocity(states.back(), state, position_at);
+  }
+  states.push_back(state);
+  ++states_;
+}
+
+void StateCollector::check_position(const core::Vec3& position_m, std::string_view at) {
+  const double distance_m = core::norm(position_m);
+  const bool low = is_below_surface(position_m);
+  if (!low && distance_m <= farthest_m) return;
+  FileProblems::Mark& mark = low ? low_ : far_;
+  if (problems_.again(mark)) return;
+  // What is below by a factor between 20 and 2000 or beyond is probably in the other unit.
+  const bool other_unit = low ? distance_m > 3e3 && distance_m < 3e5 : distance_m < 1e12;
+  mark = problems_.error(
+      at, {low ? "a position is below the surface of the Earth" : "a position is more than 1e9 m from the Earth",
+           fmt::format("{:.6g} m from its centre", distance_m), low ? "at least 6.357e6 m" : "at most 1e9 m",
+           other_unit ? fmt::format("are the numbers in another unit? {} is expected here", unit_)
+                      : fmt::format("positions are in {} from the centre of the Earth", unit_)});
+}
+
+// Velocities in another unit or of another frame do not fit the positions by a factor that no orbit explains.
+void StateCollector::check_velocity(const EphemerisState& before, const EphemerisState& state, std::string_view at) {
+  constexpr double longest_step_s = 600.0;
+  constexpr double least_mps = 100.0;
+  const std::optional<double> step = step_s(before, state);
+  if (!before.velocity_mps || !state.velocity_mps || !step || *step > longest_step_s) return;
+  const double moved_mps = core::norm(state.position_m - before.position_m) / *step;
+  const double speed_mps = 0.5 * (core::norm(*before.velocity_mps) + core::norm(*state.velocity_mps));
+  if (std::max(moved_mps, speed_mps) < least_mps || (speed_mps < 2.0 * moved_mps && moved_mps < 2.0 * speed_mps))
+    return;
+  if (!problems_.again(wrong_speed_))
+    wrong_speed_ = problems_.warning(
+        at, {"velocities do not fit the positions", fmt::format("a speed of {:.6g} m/s", speed_mps),
+             fmt::format("about {:.6g} m/s, by the first two positions", moved_mps),
+             fmt::format("are the velocities in {}/s, and relative to the same axes?", unit_ == "km" ? "km" : "m")});
+}
+
+void check_usable(const UsableRange& usable, const radar::CivilTime& first, const radar::CivilTime& last,
+                  std::string_view at, FileProblems& problems) {
+  const std::string range = fmt::format("within {} to {}", radar::format_civil(first), radar::format_civil(last));
+  const char* hint = "correct the usable range or add the missing states";
+  if (usable.start && (*usable.start < first || *usable.start > last))
+    problems.error(
+        at, {"the usable range begins where there are no states", radar::format_civil(*usable.start), range, hint});
+  if (usable.stop && (*usable.stop < first || *usable.stop > last))
+    problems.error(at,
+                   {"the usable range ends where there are no states", radar::format_civil(*usable.stop), range, hint});
+  if (usable.start && usable.stop && *usable.stop < *usable.start)
+    problems.error(at, {"the usable range ends before it begins", radar::format_civil(*usable.stop),
+                        "a time after " + radar::format_civil(*usable.start), ""});
+}
+
+void check_neighbours(const radar::CivilTime& end_before, const radar::CivilTime& begin, std::string_view at,
+                      FileProblems& problems) {
+  if (begin >= end_before) return;
+  problems.error(at, {"two segments may be used at the same time", radar::format_civil(begin),
+                      "a beginning at or after " + radar::format_civil(end_before),
+                      "give the segments usable ranges that do not overlap, in the order of time"});
+}
+
+void StateCollector::finish(std::string_view at) {
+  // What follows from other mistakes is not said.
+  const bool comparable = file_.form == TimeForm::civil && !problems_.has_errors();
+  const EphemerisSegment* before = nullptr;
+  for (std::size_t i = 0; comparable && i < file_.segments.size(); ++i) {
+    const EphemerisSegment& segment = file_.segments[i];
+    if (segment.states.empty()) continue;
+    const radar::CivilTime& first = segment.states.front().time;
+    check_usable(segment.usable, first, segment.states.back().time, begins_[i], problems_);
+    if (before != nullptr && !problems_.has_errors())
+      check_neighbours(before->usable.stop.value_or(before->states.back().time), segment.usable.start.value_or(first),
+                       begins_[i], problems_);
+    before = &segment;
+  }
+  std::erase_if(file_.segments, [](const EphemerisSegment& segment) { return segment.states.empty(); });
+  if (file_.segments.empty() && !problems_.has_errors())
+    problems_.error(at, {"the file holds no states", "", "times with positions", ""});
+}
+
+}  // namespace sarsim::scene::ephemeris

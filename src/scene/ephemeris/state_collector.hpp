@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/ephemeris/ephemeris_file.hpp"
+#include "scene/ephemeris/file_problems.hpp"
+
+namespace sarsim::scene::ephemeris {
+
+/// Adds states to an ephemeris and reports what cannot be: times that do not ascend, positions below the surface of the
+/// Earth or beyond 1e9 m, too many states. Says each once, with a count.
+class StateCollector {
+ public:
+  /// @param unit  of positions in the file, for messages: "km"
+  StateCollector(EphemerisFile& file, FileProblems& problems, std::string_view unit)
+      : file_(file), problems_(problems), unit_(unit) {}
+
+  /// Begins a segment, in which times ascend anew.
+  /// @param at  the line at which it begins
+  EphemerisSegment& begin_segment(std::string_view at);
+
+  /// Adds a state to the last segment, or begins one where there is none.
+  /// @param time_at      where the time stands in the text
+  /// @param position_at  where the position stands
+  void add(const EphemerisState& state, std::string_view time_at, std::string_view position_at);
+
+  /// Where the segments end: drops empty ones and reports that no states remain, and usable ranges that reach beyond
+  /// the states or overlap.
+  /// @param at  where the last line stands, or what else is to blame for missing states
+  void finish(std::string_view at);
+
+  /// Whether nothing more should be read.
+  [[nodiscard]] bool full() const { return problems_.full() || too_many_ != 0; }
+
+ private:
+  void check_position(const core::Vec3& position_m, std::string_view at);
+  void check_velocity(const EphemerisState& before, const EphemerisState& state, std::string_view at);
+
+  EphemerisFile& file_;
+  FileProblems& problems_;
+  std::string unit_;
+  std::vector<std::string_view> begins_;  // of the segments
+  std::size_t states_ = 0;
+  FileProblems::Mark unordered_ = 0;
+  FileProblems::Mark low_ = 0;
+  FileProblems::Mark far_ = 0;
+  FileProblems::Mark wrong_speed_ = 0;
+  FileProblems::Mark too_many_ = 0;
+};
+
+/// Reports usable ranges whose ends are not in order or reach beyond the data, for one segment.
+/// @param first  time of the first state
+/// @param at     where the segment stands
+void check_usable(const UsableRange& usable, const radar::CivilTime& first, const radar::CivilTime& last,
+                  std::string_view at, FileProblems& problems);
+
+/// Reports a segment whose times begin before those of the segment before it end.
+void check_neighbours(const radar::CivilTime& end_before, const radar::CivilTime& begin, std::string_view at,
+                      FileProblems& problems);
+
+}  // namespace sarsim::scene::ephemeris
