@@ -1,6 +1,7 @@
 #include "scene/language/reference.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -105,10 +106,11 @@ class TablePage {
 
   void add_fields() {
     std::string_view group;
-    text_ += "\n| Field | Takes | Unit | Range | Default | Meaning | 1998 |\n|---|---|---|---|---|---|---|\n";
+    text_ +=
+        "\n| Field | Takes | Unit | Range | Default | Example | Meaning | 1998 |\n|---|---|---|---|---|---|---|---|\n";
     for (const PathFacts& facts : all_) {
       if (choice_around(facts) != nullptr) continue;
-      if (facts.spec().group != group) text_ += fmt::format("| **{}** | | | | | | |\n", facts.spec().group);
+      if (facts.spec().group != group) text_ += fmt::format("| **{}** | | | | | | | |\n", facts.spec().group);
       group = facts.spec().group;
       add_row(facts, dependence_text(table_, facts));
     }
@@ -120,9 +122,17 @@ class TablePage {
     const std::string field = has_section ? fmt::format("[`{}`](#{})", facts.path, anchor(name)) : names(facts);
     const std::string said =
         condition.empty() ? meaning(facts) : fmt::format("{} Only for {}.", meaning(facts), condition);
-    text_ +=
-        fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", field, in_cell(takes_text(facts)), unit_text(facts),
-                    range_cell(facts), in_cell(code(default_text(facts))), in_cell(said), in_cell(script_text(facts)));
+    text_ += fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} |\n", field, in_cell(takes_text(facts)),
+                         unit_text(facts), range_cell(facts), in_cell(code(default_text(facts))), example_cell(facts),
+                         in_cell(said), in_cell(script_text(facts)));
+  }
+
+  // Each line of the example is a line of the cell.
+  [[nodiscard]] std::string example_cell(const PathFacts& facts) const {
+    std::istringstream lines(example_text(table_, facts));
+    std::string cell;
+    for (std::string line; std::getline(lines, line);) cell += (cell.empty() ? "" : "<br>") + in_cell(code(line));
+    return cell;
   }
 
   void add_choice(const PathFacts& choice) {
@@ -150,7 +160,8 @@ class TablePage {
   }
 
   void add_fields_below(const PathFacts& choice) {
-    text_ += "\n| Field | Takes | Unit | Range | Default | Meaning | 1998 |\n|---|---|---|---|---|---|---|\n";
+    text_ +=
+        "\n| Field | Takes | Unit | Range | Default | Example | Meaning | 1998 |\n|---|---|---|---|---|---|---|---|\n";
     for (const PathFacts& facts : all_)
       if (is_shown(facts) && choice_around(facts) != nullptr && choice_around(facts)->path == choice.path)
         add_row(facts, dependence_text(table_, facts));

@@ -29,6 +29,9 @@ TEST(Reference, HasEveryField) {
       const bool is_list = facts.role == PathRole::interpolation && facts.spec().block->x_ignored;
       if (is_list) continue;
       EXPECT_THAT(page, HasSubstr(fmt::format("`{}`", facts.path))) << table.header;
+      const std::string example = example_text(table, facts);
+      if (facts.part != 0) continue;
+      EXPECT_THAT(page, HasSubstr(fmt::format("`{}`", example.substr(0, example.find('\n'))))) << table.header;
     }
   }
 }

@@ -183,8 +183,7 @@ const FieldTable<Platform>& table_of<Platform>() {
                                 .key = "name",
                                 .label = "Platform name",
                                 .words = "name of the platform",
-                                .tip = "Targets, surfaces and radars refer to the platform by this name; capital and "
-                                       "small letters are the same."});
+                                .tip = "Targets, surfaces and radars refer to the platform by this name."});
     add_position(table);
     add_rotation(table);
     add_position_errors(table);

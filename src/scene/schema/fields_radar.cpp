@@ -264,13 +264,11 @@ const FieldTable<Radar>& table_of<Radar>() {
   static const FieldTable<Radar> made = [] {
     FieldTable<Radar> table;
     table.group("Radar");
-    table.add<&Radar::name>(
-        {.id = "name",
-         .key = "name",
-         .label = "Radar name",
-         .words = "name of the radar",
-         .tip = "Simulations and geometry tables refer to the radar by this name; capital and small letters are the "
-                "same."});
+    table.add<&Radar::name>({.id = "name",
+                             .key = "name",
+                             .label = "Radar name",
+                             .words = "name of the radar",
+                             .tip = "Recordings and geometry tables refer to the radar by this name."});
     table.add<&Radar::platform>({.id = "platform",
                                  .key = "platform",
                                  .label = "Platform name",
