@@ -82,6 +82,8 @@ TEST_F(SweepLet, SaysWhatIsWrongWithANameOrAValue) {
   EXPECT_THAT(sarsim({"sweep", "scene.toml", "--let", "sped=1,2"}).err, HasSubstr("did you mean 'speed'?"));
   EXPECT_THAT(sarsim({"sweep", "scene.toml", "--let", "speed=1km,2km"}).err, HasSubstr("is not a valid speed"));
   EXPECT_THAT(sarsim({"sweep", "scene.toml", "--let", "turn=x"}).err, HasSubstr("turn=x"));
+  EXPECT_THAT(sarsim({"sweep", "scene.toml", "--let", "speed=1,2", "--set", "let.speed=3"}).err,
+              HasSubstr("this field is set by let.speed already"));
   const Finished far = sarsim({"sweep", "scene.toml", "--let", "away=20 km,30 km", "--dry-run"});
   EXPECT_THAT(far.err, HasSubstr("scene.toml:"));
 }

@@ -191,6 +191,8 @@ JsonText read_json(std::string_view text) {
   Writer writer(text);
   JsonText json{writer.write(), {}};
   toml::Document flat = toml::parse(json.toml);
+  for (toml::Mistake& mistake : flat.mistakes)
+    if (mistake.hint.find(" line ") != std::string::npos) mistake.hint.clear();  // It counts the lines of TOML.
   flat.mistakes.insert(flat.mistakes.begin(), writer.mistakes().begin(), writer.mistakes().end());
   json.document = Tables(json.toml, flat).build();
   std::ranges::stable_sort(json.document.mistakes, {}, [](const toml::Mistake& m) { return m.at.begin; });

@@ -120,13 +120,13 @@ class Setters {
     std::vector<scene::ObjectId> objects = named.objects;
     if (objects.empty()) objects.emplace_back();  // An option, whose field no object has.
     for (const scene::ObjectId object : objects)
-      if (const auto known = axes_.find({named.field, object}); known != axes_.end()) return known->second;
-    for (const scene::ObjectId object : objects) axes_.emplace(std::pair(named.field, object), axis);
+      if (const auto known = axes_.find({named.field->id, object}); known != axes_.end()) return known->second;
+    for (const scene::ObjectId object : objects) axes_.emplace(std::pair(named.field->id, object), axis);
     return std::nullopt;
   }
 
  private:
-  std::map<std::pair<const scene::Field*, scene::ObjectId>, std::size_t> axes_;
+  std::map<std::pair<std::string, scene::ObjectId>, std::size_t> axes_;
 };
 
 // What two draws of one value are, of which no two variations can be made.
