@@ -147,6 +147,7 @@ const format_2::ObjectTables& Document::tables() const {
 void Document::forget_places() {
   commands_.reset();
   tables_.reset();
+  included_.reset();
 }
 
 std::vector<IncludedText> Document::included() const {
@@ -175,6 +176,18 @@ void Document::change_included(const ScriptChange& change, bool forwards, Pendin
   }
 }
 
+namespace {
+
+TypedFields typed_of(format_2::TypedObject said, ObjectId id, const Scene& scene) {
+  TypedFields fields;
+  const AnyObject object = object_of(scene, id);
+  for (const Field& field : fields_of(id.kind))
+    if (has_default(field)) fields[field.id] = said.typed(object, field);
+  return fields;
+}
+
+}  // namespace
+
 TypedFields Document::typed_fields(std::optional<ObjectId> id) const {
   const std::string* const text = sound_text();
   TypedFields fields;
@@ -188,17 +201,31 @@ TypedFields Document::typed_fields(std::optional<ObjectId> id) const {
   }
   const std::vector<TextStretch>& places = commands()[id->kind];
   const std::size_t included = count_of(scene_, id->kind) - std::min(places.size(), count_of(scene_, id->kind));
-  if (!has_object(scene_, *id) || id->index < included) return fields;
+  if (!has_object(scene_, *id)) return fields;
+  if (id->index < included) return typed_in_included(*id);
   const std::size_t index = id->index - included;
   const format_2::ObjectTable* const table = format_2::table_with(tables(), id->kind, index);
   if (table == nullptr) return fields;
   std::optional<core::toml::Value> row;
   if (table->positions) row = {core::toml::Kind::array, core::toml::span_of(places[index].begin, places[index].end)};
-  format_2::TypedObject said(*text, tables(), *table, row);
-  const AnyObject object = object_of(scene_, *id);
-  for (const Field& field : fields_of(id->kind))
-    if (has_default(field)) fields[field.id] = said.typed(object, field);
-  return fields;
+  return typed_of(format_2::TypedObject(*text, tables(), *table, row), *id, scene_);
+}
+
+// The same of an object of an included file, as the files were when they were first asked for since the last change.
+TypedFields Document::typed_in_included(ObjectId id) const {
+  if (!included_) included_ = included();
+  std::size_t before = 0;
+  for (const IncludedText& file : *included_) {
+    const std::size_t own = counts_of(file.tables)[static_cast<std::size_t>(id.kind)];
+    const std::size_t index = id.index - before;
+    before += own;
+    if (index >= own) continue;
+    const format_2::ObjectTable* const table = format_2::table_with(file.tables, id.kind, index);
+    std::optional<core::toml::Value> row;
+    if (table->positions) row = format_2::rows_of(file.text, *table->positions).at(index - table->preceding);
+    return typed_of(format_2::TypedObject(file.text, file.tables, *table, row), id, scene_);
+  }
+  return {};
 }
 
 const LetNames* Document::let_names() const { return language() == Language::format_2 ? &findings().names : nullptr; }

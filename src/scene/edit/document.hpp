@@ -63,7 +63,7 @@ class Document {
   /// each change.
   [[nodiscard]] const CommandPlaces& commands() const;
   /// What the text says of each field of an object's form, or of the options where there is no id. Empty in the
-  /// language of 1998, which says every field, for objects of included files, and while a broken text hides it.
+  /// language of 1998, which says every field, and while a broken text hides it.
   [[nodiscard]] TypedFields typed_fields(std::optional<ObjectId> id) const;
   /// The names of [let], which expressions in fields may use; null in the language of 1998. Found as the problems are.
   [[nodiscard]] const LetNames* let_names() const;
@@ -138,6 +138,7 @@ class Document {
   [[nodiscard]] std::vector<ReplacedExpression> expressions_at_stake(const Edit& edit) const;
   void drop_those_kept(std::vector<ReplacedExpression>& expressions) const;
   void forget_places();
+  [[nodiscard]] TypedFields typed_in_included(ObjectId id) const;
   [[nodiscard]] bool touches_included(const Edit& edit) const;
   void change_included(const ScriptChange& change, bool forwards, PendingData& data) const;
   [[nodiscard]] Language language() const;
@@ -152,6 +153,7 @@ class Document {
   std::optional<std::string> sound_text_;  // the last that could be read, where it is known and the text is broken
   mutable std::optional<CommandPlaces> commands_;
   mutable std::optional<format_2::ObjectTables> tables_;  // of a text of format 2
+  mutable std::optional<std::vector<IncludedText>> included_;
   std::filesystem::path path_;
   std::string text_on_disk_;
   mutable PendingData data_;

@@ -112,6 +112,29 @@ TEST_F(IncludedTexts, UndoTakesItBackInThatFile) {
   EXPECT_EQ(pending("ground.toml"), replaced(ground, "[1, 0, 0]", "[10, 0, 0]"));
 }
 
+TEST_F(IncludedTexts, FormsKnowWhatTheirFilesSay) {
+  const TypedFields first = document_.typed_fields(ObjectId{ObjectKind::target, 0});
+  EXPECT_TRUE(first.at("position_m.x").said);
+  EXPECT_FALSE(first.at("rcs_m2").said);
+  EXPECT_EQ(document_.typed_fields(ObjectId{ObjectKind::target, 2}).at("rcs_m2").expression, "far / 1 km * 1 m2");
+  EXPECT_TRUE(document_.typed_fields(ObjectId{ObjectKind::target, 3}).at("position_m.x").said);
+  EXPECT_EQ(document_.typed_fields(ObjectId{ObjectKind::target, 4}).at("position_m.x").expression, "far");
+}
+
+TEST_F(IncludedTexts, AnExpressionIsTypedIntoTheFile) {
+  const ObjectId id{ObjectKind::target, 0};
+  const std::vector<Field>& fields = fields_of(id.kind);
+  const Field& field = *std::ranges::find(fields, std::string("rcs_m2"), &Field::id);
+  Target target = document_.scene().targets.at(0);
+  target.rcs_m2 = 4.0;
+  Edit edit = replace_object(document_.scene(), id, target, "Change target");
+  edit.typed.push_back({id, &field, "\"2 * far / 1 km * 1 m2\""});
+  document_.perform(edit);
+  EXPECT_THAT(pending("ground.toml"), HasSubstr("rcs = \"2 * far / 1 km * 1 m2\""));
+  EXPECT_EQ(document_.text(), whole);
+  EXPECT_EQ(saved().targets.at(0).rcs_m2, 4.0);
+}
+
 TEST_F(IncludedTexts, ADragIsOneStep) {
   for (const double x : {5.0, 6.0, 7.0}) {
     Target target = document_.scene().targets.at(3);
