@@ -7,6 +7,9 @@
 #include <cstdio>
 
 #include "scene/check/check.hpp"
+#include "scene/language/exact_names.hpp"
+#include "scene/language/scene_reader.hpp"
+#include "scene/language/scene_writer.hpp"
 #include "scene/script/reader.hpp"
 #include "scene/script/writer.hpp"
 #include "simulate/plan/row_maker.hpp"
@@ -62,6 +65,17 @@ TEST_F(OriginalScripts, GiveTheSameSceneAfterBeingWrittenAndReadAgain) {
     const scene::ScriptReading again = scene::read_script(scene::write_script(reading.scene), "written", {});
     EXPECT_EQ(errors_of(again.problems), "") << path;
     EXPECT_TRUE(again.scene == reading.scene) << path;
+  }
+}
+
+// By way of format 2 the script is the same to the byte, but for names, which are written as they were defined.
+TEST_F(OriginalScripts, ComeBackFromFormat2AsTheyWere) {
+  for (const auto& path : scripts_) {
+    const scene::Scene scene = scene::with_exact_names(scene::read_script_file(path).scene);
+    const scene::ScriptReading again = scene::read_format_2(scene::write_format_2(scene), "written", {});
+    EXPECT_EQ(errors_of(again.problems), "") << path;
+    EXPECT_TRUE(again.scene == scene) << path;
+    EXPECT_EQ(scene::write_script(again.scene), scene::write_script(scene)) << path;
   }
 }
 

@@ -414,7 +414,8 @@ void ObjectReader::finish(ObjectKind kind) {
   const std::vector<std::string>& known = paths_of(kind);
   for (std::size_t i = 0; i < text_.leaves.size() && !reading_.log.full(); ++i) {
     const Leaf leaf = text_.leaves[i];
-    if (leaf.is_header && text_of(leaf.key).starts_with("[["))
+    const auto within = [&](const std::string& path) { return is_below(path, leaf.path); };
+    if (leaf.is_header && text_of(leaf.key).starts_with("[[") && std::ranges::any_of(known, within))
       error(leaf.key, "",
             {"there is one such table", script::shown(text_of(leaf.key)), fmt::format("[{}.{}]", text_.kind, leaf.path),
              "write single brackets"});

@@ -218,17 +218,17 @@ class References {
     for (std::size_t i = 0; i < list.size() && !full(); ++i) {
       const std::string& name = list[i].name;
       const auto [before, is_new] = seen.emplace(core::lower_case(name), name);
-      const bool is_world = before->second.empty() && name == "Earth";
+      const bool is_world = !is_new && before->second.empty() && before->first == "earth";
       if (is_world) before->second = name;
       known.insert(name);
-      if (is_new || is_world) continue;
-      const bool of_world = before->second.empty();
+      if (is_new || (is_world && name == "Earth")) continue;
       core::Problem problem =
-          core::problem_of(core::Severity::error,
-                           of_world ? "the name of the world is Earth"
-                                    : fmt::format("another {} has this name{}", kind,
+          is_world ? core::problem_of(core::Severity::warning, "the world is called Earth", script::shown(name),
+                                      "Earth", "this is taken for the same platform; write its usual name everywhere")
+                   : core::problem_of(core::Severity::error,
+                                      fmt::format("another {} has this name{}", kind,
                                                   before->second == name ? "" : ", but for capital letters"),
-                           script::shown(name), "", "give it another name");
+                                      script::shown(name), "", "give it another name");
       report_at(std::move(problem), kind, i, "name");
     }
   }

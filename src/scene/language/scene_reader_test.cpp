@@ -180,6 +180,23 @@ TEST(Format2, UnlikelyNumbersAreRemarkedOn) {
   EXPECT_THAT(complaints("[[radar]]\ncarrier = \"5.3 Hz\"\n"), testing::Not(HasSubstr("is a unit missing?")));
 }
 
+TEST(Format2, TheWorldInOtherLettersIsTheWorld) {
+  const std::string text = mark + "[[platform]]\nname = \"EARTH\"\n[[target]]\nplatform = \"EARTH\"\n[[target]]\n";
+  const ScriptReading reading = read_format_2(text, "scene.toml", {});
+  ASSERT_EQ(reading.problems.size(), 1U);
+  EXPECT_EQ(reading.problems[0].severity, core::Severity::warning);
+  EXPECT_THAT(core::to_string(reading.problems[0]), HasSubstr("scene.toml:3:8: warning: the world is called Earth"));
+  EXPECT_THAT(complaints("[[platform]]\nname = \"EARTH\"\n[[platform]]\nname = \"Earth\"\n"),
+              HasSubstr("another platform has this name, but for capital letters"));
+}
+
+TEST(Format2, UnknownTablesAreUnknownAndNotOneTooMany) {
+  const std::string told = complaints("[[radar]]\n[[radar.swath]]\nlook = 3\n");
+  EXPECT_THAT(told, HasSubstr("radar has no field '[[radar.swath]]'"));
+  EXPECT_THAT(told, testing::Not(HasSubstr("there is one such table")));
+  EXPECT_THAT(complaints("[[radar]]\n[[radar.pulse]]\nwidth = 3\n"), HasSubstr("there is one such table"));
+}
+
 TEST(Format2, TheMarkMustBeThere) {
   const ScriptReading reading = read_format_2("[[target]]\n", "scene.toml", {});
   ASSERT_EQ(reading.problems.size(), 1U);

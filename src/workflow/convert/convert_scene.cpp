@@ -9,6 +9,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/language/exact_names.hpp"
 #include "scene/language/scene_writer.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/script/writer.hpp"
@@ -70,7 +71,9 @@ std::string text_of_names(const scene::Scene& scene) {
 
 std::string scene_text(const SceneInput& input, scene::Language language, bool everything) {
   if (language == scene::Language::script) return script_text(input);
-  return scene::write_format_2(input.scene, everything ? scene::Saying::everything : scene::Saying::differences);
+  const scene::Saying saying = everything ? scene::Saying::everything : scene::Saying::differences;
+  if (input.language == scene::Language::format_2) return scene::write_format_2(input.scene, saying);
+  return scene::write_format_2(scene::with_exact_names(input.scene), saying);
 }
 
 core::Problems convert_scene(const ConvertSceneRequest& request) {

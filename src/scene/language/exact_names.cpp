@@ -1,0 +1,31 @@
+#include "scene/language/exact_names.hpp"
+
+#include <string>
+
+#include "core/text/number_text.hpp"
+#include "scene/model/object_lists.hpp"
+#include "scene/model/scene_index.hpp"
+
+namespace sarsim::scene {
+
+Scene with_exact_names(Scene scene) {
+  Scene named;
+  named.platforms = scene.platforms;
+  named.radars = scene.radars;
+  SceneIndex index(named);
+  for_each_kind([&]<class Object>(const Kind<Object>& kind) {
+    constexpr bool of_radar = Kind<Object>::belongs_to_radar;
+    for (Object& object : scene.*kind.list) {
+      std::string* const name = carrier_member(object);
+      if (name == nullptr || name->empty()) continue;
+      const std::size_t meant = of_radar ? index.radar(*name) : index.platform(*name);
+      if (meant != not_found)
+        *name = of_radar ? named.radars[meant].name : named.platforms[meant].name;
+      else if (!of_radar && core::equal_ignoring_case(*name, "Earth"))
+        *name = "Earth";
+    }
+  });
+  return scene;
+}
+
+}  // namespace sarsim::scene
