@@ -43,6 +43,15 @@ std::string without_units(std::string_view id) {
   return result + std::string(rest);
 }
 
+// "pulse.width", "position.x": the path in format 2. Of a field with two, the second is asked for by `other`.
+std::string path_of(const Field& field, bool other) {
+  if (field.spec == nullptr) return {};
+  const std::string_view key = other ? field.spec->other_key.key : field.spec->key;
+  const std::size_t dot = field.spec->type == FieldType::vector ? field.id.rfind('.') : std::string::npos;
+  if (key.empty() || dot == std::string::npos) return std::string(key);
+  return std::string(key) + field.id.substr(dot);
+}
+
 bool starts_like_number(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   return first != std::string_view::npos &&
@@ -64,6 +73,9 @@ std::vector<const Field*> fields_called(const std::vector<Field>& fields, std::s
   };
   collect([](const Field& field) { return std::string_view(field.id); });
   collect([](const Field& field) { return without_units(field.id); });
+  if (!found.empty()) return found;
+  collect([](const Field& field) { return path_of(field, false); });
+  collect([](const Field& field) { return path_of(field, true); });
   if (!found.empty()) return found;
   if (wanted == "x" || wanted == "y" || wanted == "z")
     collect([&](const Field& field) { return field.id == "position_m." + wanted ? wanted : std::string(); });
@@ -127,7 +139,8 @@ void find_by_kind(const Scene& scene, std::string_view word, ObjectSearch& searc
   std::string text = plain(word);
   std::erase_if(text, [](char c) { return c == '[' || c == ']'; });
   const std::size_t letters = std::min(text.find_first_of("*0123456789"), text.size());
-  const auto kind = kind_called(std::string_view(text).substr(0, letters));
+  const std::string_view called = std::string_view(text).substr(0, letters);
+  const auto kind = called == "recording" ? ObjectKind::simulation : kind_called(called);
   if (!kind) return;
   const std::size_t count = count_of(scene, *kind);
   const std::string_view rest = std::string_view(text).substr(letters);
@@ -227,12 +240,13 @@ std::string set_function(AnyObject& object, const Field& field, std::string_view
   return {};
 }
 
-// The choice that a word of the script language stands for; the text itself where it is none.
+// The choice that a word of one of the languages stands for; the text itself where it is none.
 std::string_view choice_text(const NamedField& named, std::string_view text) {
   if (named.field->kind != FieldKind::choice) return text;
   const std::string wanted = plain(text);
   for (const Choice& choice : named.field->spec->choices)
-    if (!choice.word.empty() && plain(choice.word) == wanted) return choice.shown;
+    if ((!choice.word.empty() && plain(choice.word) == wanted) || plain(type_word(choice)) == wanted)
+      return choice.shown;
   return text;
 }
 

@@ -21,10 +21,11 @@ struct NamedField {
 /// Finds the field that a name such as "Radar1.bandwidth", "Target3.position.x", "Simulation*.bits" or "seed" means.
 ///
 /// An object is called by its name (platforms and radars), by its output file (simulations and geometry tables), or by
-/// its kind and number in the script, from 1 ("Target3"); a kind alone is the only object of that kind, and with a star
-/// all of them. A field is called by its id, by its id without units ("bandwidth" for "bandwidth_hz", "corner2.x"), by
-/// its label in the workbench, or, for the position of a platform or target, by "x", "y" or "z". Capitals, blanks and
-/// underscores do not matter. Words without an object are options.
+/// its kind and number in the script, from 1 ("Target3", "Recording1"); a kind alone is the only object of that kind,
+/// and with a star all of them. A field is called by its id, by its id without units ("bandwidth" for "bandwidth_hz",
+/// "corner2.x"), by its path in format 2 ("pulse.bandwidth"), by its label in the workbench, or, for the position of a
+/// platform or target, by "x", "y" or "z". Capitals, blanks and underscores do not matter. Words without an object are
+/// options.
 ///
 /// @param value  that is to be set; tells the number "carrier" (Hz) from the kind of carrier of the same name
 [[nodiscard]] NamedField find_named_field(const Scene& scene, std::string_view name, std::string_view value = {});
@@ -45,9 +46,9 @@ struct NamedPoints {
 /// Reads the data file of a name, as a script gives it.
 using PointsLoader = std::function<NamedPoints(const std::string& name, const FunctionBlock& block)>;
 
-/// Sets the field of every one of its objects as `set_field` does; words of the script language are taken for choices,
-/// too ("MATCHED_FILTER"). Of a user-defined function the text is the name of a data file; its method of interpolation
-/// stays.
+/// Sets the field of every one of its objects as `set_field` does; words of both languages are taken for choices,
+/// too ("MATCHED_FILTER", "matched-filter"). Of a user-defined function the text is the name of a data file; its method
+/// of interpolation stays.
 /// @param load  reads data files; without it functions cannot be set
 /// @returns empty, or why not, in words; the scene is then half changed where several objects are concerned
 [[nodiscard]] std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text,

@@ -48,6 +48,31 @@ TEST(FieldNames, FindsFieldsByIdWithoutUnitsAndByLabel) {
   EXPECT_EQ(id_of(scene, "Radar1.transmit_antenna.elevation_beamwidth"), "transmit_antenna.elevation_beamwidth");
 }
 
+TEST(FieldNames, FindsFieldsByTheirPathsInFormat2) {
+  const Scene scene = small_scene();
+  EXPECT_EQ(id_of(scene, "Radar1.pulse.bandwidth"), "bandwidth_hz");
+  EXPECT_EQ(id_of(scene, "Radar1.repetition.frequency"), "prf_hz");
+  EXPECT_EQ(id_of(scene, "Radar1.carrier.first"), "carrier_hz");
+  EXPECT_EQ(id_of(scene, "Recording2.sample_rate"), "sample_rate_hz");
+  EXPECT_EQ(id_of(scene, "Recording1.range[0]"), "range_start_m");
+  EXPECT_EQ(id_of(scene, "Target2.position_deviation.y"), "position_stddev_m.y");
+  for (const ObjectKind kind : {ObjectKind::platform, ObjectKind::target, ObjectKind::radar})
+    for (const Field& field : fields_of(kind)) {
+      if (field.spec->type == FieldType::vector || field.spec->key.empty() || field.spec->block != nullptr) continue;
+      const char* const value = field.kind == FieldKind::quantity ? "1" : "word";
+      const std::string name = std::string(name_of(kind)) + "1." + std::string(field.spec->key);
+      EXPECT_EQ(id_of(scene, name, value).substr(0, 5) == "none:", false) << name;
+    }
+}
+
+TEST(FieldNames, TakesTheWordsOfFormat2) {
+  Scene scene = small_scene();
+  EXPECT_EQ(set(scene, "Recording1.processing", "matched-filter"), "");
+  EXPECT_EQ(scene.simulations[0].processing, Processing::matched_filter);
+  EXPECT_EQ(set(scene, "Radar1.antenna", "sinx"), "");
+  EXPECT_EQ(set(scene, "Radar1.stc", "range-law"), "");
+}
+
 TEST(FieldNames, TellsANumberFromAChoiceOfTheSameName) {
   const Scene scene = small_scene();
   EXPECT_EQ(id_of(scene, "Radar1.carrier", "1GHz"), "carrier_hz");
