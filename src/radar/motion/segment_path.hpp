@@ -28,8 +28,8 @@ struct PathSegment {
 [[nodiscard]] PathSegment after(const PathSegment& segment);
 
 /// A path of segments one after another; straight and unaccelerated before the first and after the last of them.
-/// Segments start where their predecessors end, the builders see to that; velocities may step between them. Const
-/// members are safe to call from many threads, with times in any order.
+/// Each segment starts where the one before it ends (`leg_path` and `waypoint_path` make them so); the velocity may
+/// step there. Const members are safe to call from many threads, with times in any order.
 class SegmentPath {
  public:
   /// Rests at the origin.

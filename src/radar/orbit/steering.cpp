@@ -51,14 +51,14 @@ OrbitAttitude with_exact_z(const MovingVector& ahead, const MovingVector& down) 
   return attitude_of(cross(y, z), y, z);
 }
 
-MovingVector velocity_of(const OrbitMotion& motion, const EarthInWorld& earth, FlightDirection flight) {
+MovingVector velocity_of(const OrbitMotion& motion, const TurningAxes& earth, FlightDirection flight) {
   if (flight == FlightDirection::earth_fixed) return {motion.velocity_mps, motion.acceleration_mps2};
   return {inertial_velocity_mps(motion, earth),
-          motion.acceleration_mps2 + core::cross(earth.rotation_world_rad_per_s, motion.velocity_mps)};
+          motion.acceleration_mps2 + core::cross(earth.rotation_rad_per_s, motion.velocity_mps)};
 }
 
-MovingVector down_from(const OrbitMotion& motion, const EarthInWorld& earth) {
-  return unit({earth.centre_world_m - motion.position_m, -motion.velocity_mps}, {0.0, 0.0, -1.0});
+MovingVector down_from(const OrbitMotion& motion, const TurningAxes& earth) {
+  return unit({earth.centre_m - motion.position_m, -motion.velocity_mps}, {0.0, 0.0, -1.0});
 }
 
 // The attitude after a turn in the platform: rotation and its derivative by the angle.
@@ -70,15 +70,15 @@ OrbitAttitude turned(const OrbitAttitude& attitude, const Mat3& turn, const Mat3
 
 }  // namespace
 
-core::Vec3 inertial_velocity_mps(const OrbitMotion& motion, const EarthInWorld& earth) {
-  return motion.velocity_mps + core::cross(earth.rotation_world_rad_per_s, motion.position_m - earth.centre_world_m);
+core::Vec3 inertial_velocity_mps(const OrbitMotion& motion, const TurningAxes& earth) {
+  return motion.velocity_mps + carried_mps(earth, motion.position_m);
 }
 
-OrbitAttitude zero_doppler_attitude(const OrbitMotion& motion, const EarthInWorld& earth, FlightDirection flight) {
+OrbitAttitude zero_doppler_attitude(const OrbitMotion& motion, const TurningAxes& earth, FlightDirection flight) {
   return with_exact_x(velocity_of(motion, earth, flight), down_from(motion, earth));
 }
 
-OrbitAttitude nadir_attitude(const OrbitMotion& motion, const EarthInWorld& earth, FlightDirection flight) {
+OrbitAttitude nadir_attitude(const OrbitMotion& motion, const TurningAxes& earth, FlightDirection flight) {
   return with_exact_z(velocity_of(motion, earth, flight), down_from(motion, earth));
 }
 

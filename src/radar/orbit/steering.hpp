@@ -1,19 +1,15 @@
 #pragma once
 
 #include "core/maths/vector.hpp"
+#include "radar/earth/sagnac.hpp"
 #include "radar/orbit/orbit_state.hpp"
 
 namespace sarsim::radar {
 
-/// The Earth in a Cartesian world frame that turns with it.
-struct EarthInWorld {
-  core::Vec3 centre_world_m;
-  core::Vec3 rotation_world_rad_per_s;  ///< Its angular velocity: 7.292115e-5 rad/s along the axis to the north pole.
-};
-
-/// Velocity as an observer sees it who does not turn with the Earth, in the directions of the world's axes:
-/// v + w x (r - centre).
-[[nodiscard]] core::Vec3 inertial_velocity_mps(const OrbitMotion& motion, const EarthInWorld& earth);
+/// Velocity relative to axes that do not turn with the Earth, in the directions of the world's axes: v + w x (r - C),
+/// m/s.
+/// @param earth  how the world turns about the Earth's centre
+[[nodiscard]] core::Vec3 inertial_velocity_mps(const OrbitMotion& motion, const TurningAxes& earth);
 
 /// The attitude of a satellite: its x axis ahead, y to the right, z down. Columns of the matrix are these axes in the
 /// world frame.
@@ -40,11 +36,11 @@ enum class FlightDirection {
 
 /// x axis exactly along the velocity, z axis as far down as that allows. With FlightDirection::earth_fixed this is
 /// total zero-Doppler steering: whatever the roll, a beam in the y-z plane sees a Doppler frequency of 0 at all ranges.
-[[nodiscard]] OrbitAttitude zero_doppler_attitude(const OrbitMotion& motion, const EarthInWorld& earth,
+[[nodiscard]] OrbitAttitude zero_doppler_attitude(const OrbitMotion& motion, const TurningAxes& earth,
                                                   FlightDirection flight = FlightDirection::earth_fixed);
 
 /// z axis exactly down, x axis as far along the velocity as that allows.
-[[nodiscard]] OrbitAttitude nadir_attitude(const OrbitMotion& motion, const EarthInWorld& earth,
+[[nodiscard]] OrbitAttitude nadir_attitude(const OrbitMotion& motion, const TurningAxes& earth,
                                            FlightDirection flight = FlightDirection::earth_fixed);
 
 /// z axis exactly at a point, x axis as far along the Earth-fixed velocity as that allows.

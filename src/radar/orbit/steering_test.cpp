@@ -17,7 +17,7 @@ using core::rad_per_deg;
 using core::Vec3;
 
 // The Earth-fixed frame as world frame.
-constexpr EarthInWorld earth{{}, {0.0, 0.0, orbit_test::earth_rotation_rad_per_s}};
+constexpr TurningAxes earth{{0.0, 0.0, orbit_test::earth_rotation_rad_per_s}, {}};
 
 OrbitMotion motion_of(const OrbitState& state) {
   return {state.position_m, state.velocity_mps, orbit_test::j2_acceleration(state.position_m, state.velocity_mps)};
@@ -208,7 +208,7 @@ TEST(InertialVelocity, TakesTheEarthWhereItIs) {
   const Vec3 shift{1e6, -2e6, 3e6};
   const auto turned = [](const Vec3& v) { return Vec3{v.y, v.z, v.x}; };
   const OrbitMotion other{turned(motion.position_m) + shift, turned(motion.velocity_mps), {}};
-  const EarthInWorld moved{shift, turned(earth.rotation_world_rad_per_s)};
+  const TurningAxes moved{turned(earth.rotation_rad_per_s), shift};
   EXPECT_LT(core::norm(inertial_velocity_mps(other, moved) - turned(expected)), 1e-9);
 }
 
@@ -248,7 +248,7 @@ TEST(YawSteering, IsExactOnCircles) {
       const KeplerElements k{7.1e6, 0.0, inclination, 0.3, 0.0, u};
       const OrbitState state = state_on_ellipse(k, point);
       const OrbitMotion motion{
-          state.position_m, state.velocity_mps - core::cross(earth.rotation_world_rad_per_s, state.position_m), {}};
+          state.position_m, state.velocity_mps - core::cross(earth.rotation_rad_per_s, state.position_m), {}};
       const double ratio = j2_rates(k, point).mean_anomaly_rad_per_s / orbit_test::earth_rotation_rad_per_s;
       EXPECT_NEAR(yaw_between_flights(motion), yaw_steering_rad(inclination, u, ratio), 1e-13);
     }

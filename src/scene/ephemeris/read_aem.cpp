@@ -245,18 +245,8 @@ class AemReader {
   }
 
   void finish() {
-    const bool comparable = !problems_.has_errors();  // What follows from other mistakes is not said.
-    const AttitudeSegment* before = nullptr;
-    for (std::size_t i = 0; comparable && i < file_.segments.size(); ++i) {
-      const AttitudeSegment& segment = file_.segments[i];
-      if (segment.states.empty()) continue;
-      const radar::CivilTime& first = segment.states.front().time;
-      check_usable(segment.usable, first, segment.states.back().time, begins_[i], problems_);
-      if (before != nullptr && !problems_.has_errors())
-        check_neighbours(before->usable.stop.value_or(before->states.back().time), segment.usable.start.value_or(first),
-                         begins_[i], problems_);
-      before = &segment;
-    }
+    // What follows from other mistakes is not said.
+    if (!problems_.has_errors()) check_segments(file_.segments, begins_, problems_);
     std::erase_if(file_.segments, [](const AttitudeSegment& segment) { return segment.states.empty(); });
     if (file_.segments.empty() && !problems_.has_errors())
       problems_.error(last_, {"the file holds no attitudes", "", "times with quaternions", ""});

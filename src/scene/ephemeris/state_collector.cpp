@@ -126,17 +126,7 @@ void check_neighbours(const radar::CivilTime& end_before, const radar::CivilTime
 void StateCollector::finish(std::string_view at) {
   // What follows from other mistakes is not said.
   const bool comparable = file_.form == TimeForm::civil && !problems_.has_errors();
-  const EphemerisSegment* before = nullptr;
-  for (std::size_t i = 0; comparable && i < file_.segments.size(); ++i) {
-    const EphemerisSegment& segment = file_.segments[i];
-    if (segment.states.empty()) continue;
-    const radar::CivilTime& first = segment.states.front().time;
-    check_usable(segment.usable, first, segment.states.back().time, begins_[i], problems_);
-    if (before != nullptr && !problems_.has_errors())
-      check_neighbours(before->usable.stop.value_or(before->states.back().time), segment.usable.start.value_or(first),
-                       begins_[i], problems_);
-    before = &segment;
-  }
+  if (comparable) check_segments(file_.segments, begins_, problems_);
   std::erase_if(file_.segments, [](const EphemerisSegment& segment) { return segment.states.empty(); });
   if (file_.segments.empty() && !problems_.has_errors())
     problems_.error(at, {"the file holds no states", "", "times with positions", ""});

@@ -62,4 +62,22 @@ void check_usable(const UsableRange& usable, const radar::CivilTime& first, cons
 void check_neighbours(const radar::CivilTime& end_before, const radar::CivilTime& begin, std::string_view at,
                       FileProblems& problems);
 
+/// Reports both of all segments of a file, of orbits or of attitudes; those without states are passed over.
+/// @param begins  where each segment stands
+template <class Segment>
+void check_segments(const std::vector<Segment>& segments, const std::vector<std::string_view>& begins,
+                    FileProblems& problems) {
+  const Segment* before = nullptr;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& segment = segments[i];
+    if (segment.states.empty()) continue;
+    const radar::CivilTime& first = segment.states.front().time;
+    check_usable(segment.usable, first, segment.states.back().time, begins[i], problems);
+    if (before != nullptr && !problems.has_errors())
+      check_neighbours(before->usable.stop.value_or(before->states.back().time), segment.usable.start.value_or(first),
+                       begins[i], problems);
+    before = &segment;
+  }
+}
+
 }  // namespace sarsim::scene::ephemeris

@@ -89,13 +89,6 @@ class ObjectReader {
   void note_place(std::string_view field, core::toml::Span at);
 
  private:
-  template <class Object>
-  [[nodiscard]] static std::string_view key_of(const FieldTable<Object>& table, const FieldOf<Object>& field,
-                                               const Object& object) {
-    const OtherKey& other = field.spec.other_key;
-    if (other.key.empty()) return field.spec.key;
-    return table.fields()[field.spec.when.field].alternative(object) == other.alternative ? other.key : field.spec.key;
-  }
   [[nodiscard]] bool says_anything_of(std::string_view key) const;
 
   bool read_value(const FieldSpec& spec, std::string_view key, const FieldSpec* shorthand, FieldValue& value);
