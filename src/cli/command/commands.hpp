@@ -26,6 +26,7 @@ using Action = std::function<ExitStatus(Streams&)>;
 [[nodiscard]] Action add_explain(CLI::App& app);
 [[nodiscard]] Action add_info(CLI::App& app);
 [[nodiscard]] Action add_geometry(CLI::App& app);
+[[nodiscard]] Action add_motion(CLI::App& app);
 [[nodiscard]] Action add_plot(CLI::App& app);
 [[nodiscard]] Action add_convert(CLI::App& app);
 [[nodiscard]] Action add_focus(CLI::App& app);

@@ -14,6 +14,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
 #include "simulate/run/geometry_table.hpp"
+#include "workflow/input/motion_input.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/input/scene_input.hpp"
@@ -42,6 +43,11 @@ struct GeometrySource {
   scene::Scene scene;
   std::optional<std::size_t> simulation;
   std::vector<std::filesystem::path> files;
+
+  /// Where the data files of the script are looked for.
+  [[nodiscard]] std::filesystem::path folder() const {
+    return files.empty() ? std::filesystem::path() : files.front().parent_path();
+  }
 };
 
 constexpr double unlimited_m = 1e300;
@@ -125,11 +131,12 @@ void write_tables(const GeometryArguments& arguments, const scene::Scene& scene,
 }
 
 // What the script does not say has not been checked with it: whether pulses leave at these times.
-void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene) {
+void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene, const std::filesystem::path& folder) {
   scene.geometries = {table};
   scene.geometries[0].file = "table";
   scene.geometries[0].range_end_m = 1.0;
-  core::Problems problems = scene::check(scene);
+  core::Problems problems = workflow::read_motions(scene, folder);  // which may be needed for other times now
+  std::ranges::move(scene::check(scene), std::back_inserter(problems));
   std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   if (!problems.empty()) throw core::Refused(std::move(problems));
 }
@@ -138,7 +145,7 @@ ExitStatus print_geometry(const GeometryArguments& arguments, Streams& streams) 
   GeometrySource source = source_of(arguments);
   if (arguments.no_targets) remove_targets(source.scene);
   std::vector<scene::GeometryTable> tables = chosen_tables(arguments, source);
-  if (!arguments.radar.empty()) expect_pulses(tables.front(), source.scene);
+  if (!arguments.radar.empty()) expect_pulses(tables.front(), source.scene, source.folder());
   if (arguments.columns)
     for (scene::GeometryTable& table : tables) table.columns = static_cast<int>(*arguments.columns);
   if (arguments.output.empty()) {

@@ -18,7 +18,7 @@
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/script/reader.hpp"
-#include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_input.hpp"
 #include "workflow/input/scene_input.hpp"
 #include "workflow/input/simd_choice.hpp"
 #include "workflow/sweep/sweep.hpp"
@@ -88,7 +88,7 @@ workflow::SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams
       read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::reading, {threads, streams.stop});
   if (!core::has_errors(input.problems)) {
     const std::filesystem::path folder = std::filesystem::path(arguments.scene).parent_path();
-    core::Problems of_clouds = workflow::read_clouds(input.scene, folder, {threads, streams.stop});
+    core::Problems of_clouds = workflow::read_files_of(input.scene, folder, {threads, streams.stop});
     scene::locate(of_clouds, input.places);
     std::ranges::move(of_clouds, std::back_inserter(input.problems));
   }

@@ -62,6 +62,7 @@ struct Program {
     add("explain", "explain a field of a scene: meaning, unit, range, default", add_explain);
     add("info", "describe a scene or a file of samples", add_info);
     add("geometry", "print where everything is, pulse by pulse", add_geometry);
+    add("motion", "write how a platform moves, for other programs or for focusing", add_motion);
     add("plot", "make pictures of echoes, from a scene or a file of samples", add_plot);
     add("merge", "join the parts of recordings that were made apart", add_merge);
     add("convert", "convert files of samples between formats", add_convert);

@@ -17,6 +17,7 @@ enum class RandomKind : std::uint32_t {
   target_rcs = 7,
   target_pointing = 8,
   sweep_value = 9,
+  wave = 10,
 };
 
 /// A stream of random numbers without state: each number is a function of the stream's key and of

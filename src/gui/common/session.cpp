@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_input.hpp"
 
 namespace sarsim::gui {
 
@@ -30,8 +30,8 @@ std::shared_ptr<const scene::Scene> Session::shared_scene() const {
 
 void Session::take(scene::Document document) {
   document_ = std::move(document);
-  document_.read_clouds_with([](scene::Scene& scene, const std::filesystem::path& folder) {
-    return workflow::read_clouds(scene, folder, {core::thread_count(0)});
+  document_.read_files_with([](scene::Scene& scene, const std::filesystem::path& folder) {
+    return workflow::read_files_of(scene, folder, {core::thread_count(0)});
   });
   shared_.reset();
   selection_.clear();
@@ -49,7 +49,7 @@ void Session::take(scene::Document document) {
 }
 
 void Session::perform(scene::Edit edit) {
-  if (edit.changes.empty() && !edit.options_after) return;
+  if (edit.changes.empty() && !edit.options_after && !edit.world_after) return;
   const bool in_run = !edit.merge_key.empty();
   const std::uint64_t revision = document_.revision();
   scene::SceneChange change = scene::change_of(edit);

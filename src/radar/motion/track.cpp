@@ -1,53 +1,30 @@
 #include "radar/motion/track.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 
 namespace sarsim::radar {
 
 namespace {
 
-// [w]x m: what each column of m gains per second as it turns with the angular velocity w.
-core::Mat3 turned(const core::Vec3& w, const core::Mat3& m) {
-  return {{w.y * m.row[2] - w.z * m.row[1], w.z * m.row[0] - w.x * m.row[2], w.x * m.row[1] - w.y * m.row[0]}};
-}
-
-// A rotation and the axes about which roll, pitch and yaw turn, world axes, as seen along them: Rz(-c) Ry(-b) x,
-// Rz(-c) y, z.
-struct Attitude {
-  core::Mat3 world_from_platform;
-  std::array<core::Vec3, 3> axes;
-};
-
-Attitude attitude_of(const std::array<double, 3>& angle) {
-  const double sa = std::sin(angle[0]), ca = std::cos(angle[0]);
-  const double sb = std::sin(angle[1]), cb = std::cos(angle[1]);
-  const double sc = std::sin(angle[2]), cc = std::cos(angle[2]);
-  const core::Vec3 x{cb, sb * sa, -sb * ca};  // rows of Ry(-b) Rx(-a)
-  const core::Vec3 y{0.0, ca, sa};
-  return {{{cc * x + sc * y, cc * y - sc * x, core::Vec3{sb, -cb * sa, cb * ca}}},
-          {core::Vec3{cc * cb, -sc * cb, sb}, core::Vec3{sc, cc, 0.0}, core::Vec3{0.0, 0.0, 1.0}}};
-}
-
-// Sum of speeds about the axes; angles turn clockwise.
-core::Vec3 about(const std::array<core::Vec3, 3>& axes, const std::array<double, 3>& speed) {
-  return -(speed[0] * axes[0] + speed[1] * axes[1] + speed[2] * axes[2]);
-}
-
-bool still(const std::array<double, 3>& rate) { return rate[0] == 0.0 && rate[1] == 0.0 && rate[2] == 0.0; }
-
-constexpr core::Mat3 nothing{{core::Vec3{}, core::Vec3{}, core::Vec3{}}};
-
 bool moves(const core::Interpolator& function) { return function.knots().size() > 1; }
 
+bool swings(const Sine& sine) { return sine.amplitude != 0.0 && sine.frequency_hz != 0.0; }
+
 bool is_fixed(const Motion& motion) {
+  if (!motion.path.fixed() || motion.attitude.axes_turn(motion.path)) return false;
+  if (std::ranges::any_of(motion.sines, swings)) return false;
   for (std::size_t i = 0; i < 3; ++i)
-    if (moves(motion.position_m[i]) || moves(motion.rotation_rad[i]) || motion.rotation_rate_rad_per_s[i] != 0.0 ||
+    if (moves(motion.rotation_rad[i]) || motion.rotation_rate_rad_per_s[i] != 0.0 ||
         motion.position_stddev_m[i] != 0.0 || motion.rotation_stddev_rad[i] != 0.0 ||
         moves(motion.position_envelope[i]) || moves(motion.rotation_envelope[i]))
       return false;
-  return true;
+  return motion.parent == nullptr || motion.parent->fixed();
 }
 
 // Adds the angles that turn the x axis along the velocity, and their rates (thesis 4.3).
@@ -77,65 +54,63 @@ std::array<double, 2> aligned_accelerations(const core::Vec3& v, const core::Vec
           (v.y * j.x - v.x * j.y - 2.0 * azimuth_rate * level * level_rate) / (level * level)};
 }
 
-std::array<core::Jet, 3> jets(const std::array<core::Interpolator, 3>& path, double time_s) {
-  return {path[0].jet(time_s), path[1].jet(time_s), path[2].jet(time_s)};
-}
-
-core::Vec3 third_derivative(const std::array<core::Interpolator, 3>& path, double time_s) {
-  return {path[0].third_derivative(time_s), path[1].third_derivative(time_s), path[2].third_derivative(time_s)};
-}
-
-core::Mat3 rate_of(const Attitude& attitude, const std::array<double, 3>& rate_rad_per_s) {
-  if (still(rate_rad_per_s)) return nothing;
-  return turned(about(attitude.axes, rate_rad_per_s), attitude.world_from_platform);
+bool any_active(const std::array<ErrorProcess, 3>& processes) {
+  return std::ranges::any_of(processes, &ErrorProcess::active);
 }
 
 }  // namespace
 
-core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad) {
-  return attitude_of(rotation_rad).world_from_platform;
-}
-
-core::Mat3 world_from_platform_rate(const std::array<double, 3>& rotation_rad,
-                                    const std::array<double, 3>& rate_rad_per_s) {
-  return rate_of(attitude_of(rotation_rad), rate_rad_per_s);
-}
-
-core::Mat3 world_from_platform_acceleration(const std::array<double, 3>& rotation_rad,
-                                            const std::array<double, 3>& rate_rad_per_s,
-                                            const std::array<double, 3>& acceleration_rad_per_s2) {
-  if (still(rate_rad_per_s) && still(acceleration_rad_per_s2)) return nothing;
-  const Attitude attitude = attitude_of(rotation_rad);
-  const auto& axes = attitude.axes;
-  const core::Vec3 w = about(axes, rate_rad_per_s);
-  // Yaw turns the pitch axis, yaw and pitch the roll axis.
-  const core::Vec3 yaw = -rate_rad_per_s[2] * axes[2];
-  const core::Vec3 yaw_and_pitch = yaw - rate_rad_per_s[1] * axes[1];
-  const core::Vec3 w_rate = about(axes, acceleration_rad_per_s2) - rate_rad_per_s[1] * core::cross(yaw, axes[1]) -
-                            rate_rad_per_s[0] * core::cross(yaw_and_pitch, axes[0]);
-  const core::Mat3& m = attitude.world_from_platform;
-  return turned(w_rate, m) + turned(w, turned(w, m));
-}
-
 Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
     : motion_(std::move(motion)),
       position_noise_(seed, core::RandomKind::platform_position, core::name_key(name)),
-      rotation_noise_(seed, core::RandomKind::platform_rotation, core::name_key(name)),
-      fixed_(is_fixed(motion_)) {
+      rotation_noise_(seed, core::RandomKind::platform_rotation, core::name_key(name)) {
+  CORE_EXPECT(motion_.attitude.kind != AttitudeLaw::Kind::quaternions || motion_.attitude.table != nullptr);
   const core::RandomStream position(seed, core::RandomKind::position_envelope, core::name_key(name));
   const core::RandomStream rotation(seed, core::RandomKind::rotation_envelope, core::name_key(name));
+  auto& moving = motion_.errors_follow_path ? along_process_ : position_process_;
   for (std::size_t i = 0; i < 3; ++i) {
-    position_process_[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i));
+    moving[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i));
     rotation_process_[i] = ErrorProcess(motion_.rotation_envelope[i], rotation, static_cast<int>(i));
-    turns_ = turns_ || moves(motion_.rotation_rad[i]) || motion_.rotation_rate_rad_per_s[i] != 0.0 ||
-             rotation_process_[i].active();
   }
-  const auto& path = motion_.position_m;
-  acceleration_bound_mps2_ =
-      core::norm({path[0].curvature_bound(), path[1].curvature_bound(), path[2].curvature_bound()});
-  for (const core::Interpolator& way : path) turns_ = turns_ || (motion_.aligned && way.knots().size() > 2);
-  for (const double stddev_rad : motion_.rotation_stddev_rad) shakes_ = shakes_ || stddev_rad != 0.0;
-  if (!turns_ && !shakes_) attitude_ = rotated_at_0();
+  for (const Sine& sine : motion_.sines)
+    (static_cast<int>(sine.axis) < 3 ? position_sines_ : rotation_sines_).push_back(sine);
+  errors_along_ = any_active(along_process_);
+  adds_travel_ = !position_sines_.empty() || errors_along_;
+  adds_rotation_ = !rotation_sines_.empty() || motion_.attitude.kind == AttitudeLaw::Kind::coordinated;
+  note_own_turning();
+  note_carried();
+}
+
+void Track::note_own_turning() {
+  const AttitudeLaw& law = motion_.attitude;
+  aligned_ = law.kind == AttitudeLaw::Kind::coordinated || (law.kind == AttitudeLaw::Kind::angles && motion_.aligned);
+  has_axes_ = law.has_axes();
+  own_turns_ = law.axes_turn(motion_.path) || (aligned_ && motion_.path.may_turn()) ||
+               std::ranges::any_of(rotation_sines_, swings) || any_active(rotation_process_);
+  for (std::size_t i = 0; i < 3; ++i) {
+    own_turns_ = own_turns_ || moves(motion_.rotation_rad[i]) || motion_.rotation_rate_rad_per_s[i] != 0.0;
+    own_shakes_ = own_shakes_ || motion_.rotation_stddev_rad[i] != 0.0;
+  }
+  if (!own_turns_ && !own_shakes_) attitude_ = rotated_at_0();
+}
+
+void Track::note_carried() {
+  const Track* parent = motion_.parent.get();
+  acceleration_bound_mps2_ = own_acceleration_bound_mps2();
+  fixed_ = is_fixed(motion_);
+  turns_ = own_turns_ || (parent != nullptr && parent->turns());
+  if (fixed_) {
+    ErrorSteps steps;
+    attitude_ = parent != nullptr ? carried_at(0.0, 0, steps) : own_at(0.0, 0, steps);
+  }
+  if (parent == nullptr) return;
+  acceleration_bound_mps2_ = parent->turns() ? std::numeric_limits<double>::infinity()
+                                             : acceleration_bound_mps2_ + parent->acceleration_bound_mps2();
+}
+
+double Track::own_acceleration_bound_mps2() const {
+  if (errors_along_ && motion_.path.may_turn()) return std::numeric_limits<double>::infinity();
+  return motion_.path.acceleration_bound_mps2() + radar::acceleration_bound_mps2(position_sines_);
 }
 
 Pose Track::at(double time_s, std::int64_t pulse) const {
@@ -144,12 +119,30 @@ Pose Track::at(double time_s, std::int64_t pulse) const {
 }
 
 Pose Track::at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
-  const std::array<core::Jet, 3> path = jets(motion_.position_m, time_s);
+  if (fixed_) return attitude_;
+  if (motion_.parent != nullptr) return carried_at(time_s, pulse, steps);
+  return own_at(time_s, pulse, steps);
+}
+
+Travel Track::travel_at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
+  if (fixed_) return {attitude_.position_world_m, attitude_.velocity_world_mps};
+  if (motion_.parent != nullptr) return carried_travel_at(time_s, pulse, steps);
+  return travel_along(motion_.path.jets(time_s), time_s, pulse, steps);
+}
+
+PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse, const Pose& pose) const {
+  if (fixed_) return {};
+  if (motion_.parent != nullptr) return acceleration_at(time_s, pulse);
+  return own_acceleration_at(time_s, pulse, pose, nullptr);
+}
+
+Pose Track::own_at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
+  const PathJets path = motion_.path.jets(time_s);
   const Travel travel = travel_along(path, time_s, pulse, steps);
   Pose pose = attitude_;
   pose.position_world_m = travel.position_world_m;
   pose.velocity_world_mps = travel.velocity_world_mps;
-  if (!turns_ && !shakes_) return pose;
+  if (!own_turns_ && !own_shakes_) return pose;
   add_rotation(pose, path, time_s, pulse, steps);
   return pose;
 }
@@ -157,44 +150,43 @@ Pose Track::at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
 Pose Track::rotated_at_0() const {
   Pose pose;
   ErrorSteps steps;
-  add_rotation(pose, jets(motion_.position_m, 0.0), 0.0, 0, steps);
+  add_rotation(pose, motion_.path.jets(0.0), 0.0, 0, steps);
   return pose;
 }
 
-Travel Track::travel_at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {
-  return travel_along(jets(motion_.position_m, time_s), time_s, pulse, steps);
-}
-
-PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse) const {
-  return acceleration_at(time_s, at(time_s, pulse));
-}
-
-PoseAcceleration Track::acceleration_at(double time_s, const Pose& pose) const {
-  const auto [x, y, z] = jets(motion_.position_m, time_s);
-  PoseAcceleration result;
-  result.acceleration_world_mps2 = {x.curvature, y.curvature, z.curvature};
-  std::array<double, 3> turning{};
-  for (std::size_t i = 0; i < 3; ++i) turning[i] = motion_.rotation_rad[i].jet(time_s).curvature;
-  if (motion_.aligned) {
-    const auto [pitch, yaw] = aligned_accelerations({x.slope, y.slope, z.slope}, result.acceleration_world_mps2,
-                                                    third_derivative(motion_.position_m, time_s));
-    turning[1] += pitch;
-    turning[2] += yaw;
+Travel Track::travel_along(const PathJets& path, double time_s, std::int64_t pulse, ErrorSteps& steps) const {
+  std::array<double, 3> shift{};
+  std::array<double, 3> speed{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (motion_.position_stddev_m[i] != 0.0)
+      shift[i] += motion_.position_stddev_m[i] * position_noise_.normals(pulse, static_cast<std::int64_t>(i))[0];
+    if (!position_process_[i].active()) continue;
+    const core::Jet deviation = position_process_[i].at(time_s, steps.position[i]);
+    shift[i] += deviation.value;
+    speed[i] += deviation.slope;
   }
-  result.world_from_platform_acceleration =
-      world_from_platform_acceleration(pose.rotation_rad, pose.rotation_rate_rad_per_s, turning);
-  return result;
+  Travel travel{{path[0].value + shift[0], path[1].value + shift[1], path[2].value + shift[2]},
+                {path[0].slope + speed[0], path[1].slope + speed[1], path[2].slope + speed[2]}};
+  if (adds_travel_) add_sines_and_errors(travel, path, time_s, steps);
+  return travel;
+}
+
+void Track::add_rotation(Pose& pose, const PathJets& path, double time_s, std::int64_t pulse, ErrorSteps& steps) const {
+  add_angles(pose, path, time_s, pulse, steps);
+  const TurningMatrix own = turning_matrix(pose.rotation_rad, pose.rotation_rate_rad_per_s);
+  pose.world_from_platform = own.matrix;
+  pose.world_from_platform_rate = own.rate;
+  if (has_axes_) turn_within_axes(pose, path, time_s);
 }
 
 // The angles, which follow the nominal path where the platform is aligned, and their errors.
-void Track::add_rotation(Pose& pose, const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
-                         ErrorSteps& steps) const {
+void Track::add_angles(Pose& pose, const PathJets& path, double time_s, std::int64_t pulse, ErrorSteps& steps) const {
   for (std::size_t i = 0; i < 3; ++i) {
     const core::Jet angle = motion_.rotation_rad[i].jet(time_s);
     pose.rotation_rad[i] = angle.value + motion_.rotation_rate_rad_per_s[i] * time_s;
     pose.rotation_rate_rad_per_s[i] = angle.slope + motion_.rotation_rate_rad_per_s[i];
   }
-  if (motion_.aligned)
+  if (aligned_)
     align(pose, {path[0].slope, path[1].slope, path[2].slope},
           {path[0].curvature, path[1].curvature, path[2].curvature});
   for (std::size_t i = 0; i < 3; ++i) {
@@ -206,25 +198,29 @@ void Track::add_rotation(Pose& pose, const std::array<core::Jet, 3>& path, doubl
     pose.rotation_rad[i] += deviation.value;
     pose.rotation_rate_rad_per_s[i] += deviation.slope;
   }
-  const Attitude attitude = attitude_of(pose.rotation_rad);
-  pose.world_from_platform = attitude.world_from_platform;
-  pose.world_from_platform_rate = rate_of(attitude, pose.rotation_rate_rad_per_s);
+  if (adds_rotation_) add_bank_and_sines(pose, time_s);
 }
 
-Travel Track::travel_along(const std::array<core::Jet, 3>& path, double time_s, std::int64_t pulse,
-                           ErrorSteps& steps) const {
-  std::array<double, 3> shift{};
-  std::array<double, 3> speed{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (motion_.position_stddev_m[i] != 0.0)
-      shift[i] += motion_.position_stddev_m[i] * position_noise_.normals(pulse, static_cast<std::int64_t>(i))[0];
-    if (!position_process_[i].active()) continue;
-    const core::Jet deviation = position_process_[i].at(time_s, steps.position[i]);
-    shift[i] += deviation.value;
-    speed[i] += deviation.slope;
+PoseAcceleration Track::own_acceleration_at(double time_s, std::int64_t pulse, const Pose& pose,
+                                            ErrorSteps* steps) const {
+  const PathJets path = motion_.path.jets(time_s);
+  PoseAcceleration result;
+  result.acceleration_world_mps2 = {path[0].curvature, path[1].curvature, path[2].curvature};
+  std::array<double, 3> turning{};
+  for (std::size_t i = 0; i < 3; ++i) turning[i] = motion_.rotation_rad[i].jet(time_s).curvature;
+  if (aligned_) {
+    const auto [pitch, yaw] = aligned_accelerations({path[0].slope, path[1].slope, path[2].slope},
+                                                    result.acceleration_world_mps2, motion_.path.jerk_mps3(time_s));
+    turning[1] += pitch;
+    turning[2] += yaw;
   }
-  return {{path[0].value + shift[0], path[1].value + shift[1], path[2].value + shift[2]},
-          {path[0].slope + speed[0], path[1].slope + speed[1], path[2].slope + speed[2]}};
+  if (adds_rotation_) add_bank_and_sines_to(turning, path, time_s);
+  if (adds_travel_)
+    result.acceleration_world_mps2 = result.acceleration_world_mps2 + added_acceleration_mps2(path, time_s, steps);
+  result.world_from_platform_acceleration =
+      has_axes_ ? acceleration_within_axes(path, time_s, pulse, turning, steps)
+                : world_from_platform_acceleration(pose.rotation_rad, pose.rotation_rate_rad_per_s, turning);
+  return result;
 }
 
 }  // namespace sarsim::radar

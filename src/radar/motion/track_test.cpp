@@ -25,8 +25,8 @@ core::Interpolator smooth(std::vector<core::Knot> knots) {
 // A winding path and winding angles, knots 1 s apart.
 Motion winding() {
   Motion motion;
-  motion.position_m = {smooth({{0, 0}, {1, 30}, {2, 70}, {3, 90}}), smooth({{0, 5}, {1, 0}, {2, 20}, {3, 60}}),
-                       smooth({{0, 100}, {1, 110}, {2, 105}, {3, 130}})};
+  motion.path = FunctionPath{{smooth({{0, 0}, {1, 30}, {2, 70}, {3, 90}}), smooth({{0, 5}, {1, 0}, {2, 20}, {3, 60}}),
+                              smooth({{0, 100}, {1, 110}, {2, 105}, {3, 130}})}};
   motion.rotation_rad = {smooth({{0, 0.0}, {1, 0.4}, {2, -0.3}, {3, 0.1}}),
                          smooth({{0, 0.2}, {1, -0.1}, {2, 0.3}, {3, 0.0}}),
                          smooth({{0, -0.5}, {1, 0.5}, {2, 0.2}, {3, 0.9}})};
@@ -149,14 +149,14 @@ TEST(Track, ATurntablesPointHasTheCentripetalAcceleration) {
   const Pose pose = track.at(0.7, 0);
   const core::Vec3 arm{2.0, 1.0, 5.0};
   const core::Vec3 level{2.0, 1.0, 0.0};
-  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, pose), arm), -9.0 * (pose.world_from_platform * level),
-              1000.0 * epsilon);
+  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, 0, pose), arm),
+              -9.0 * (pose.world_from_platform * level), 1000.0 * epsilon);
 }
 
 TEST(Track, StraightFlightsAndBrokenLinesHaveNoAcceleration) {
   Motion motion;
-  motion.position_m = {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0),
-                       constant(0)};
+  motion.path = FunctionPath{
+      {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0), constant(0)}};
   motion.aligned = true;
   motion.position_envelope[1] = core::Interpolator({core::Interpolation::linear, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}});
   const PoseAcceleration found = Track(motion, 1, "A").acceleration_at(1.3, 0);
@@ -166,7 +166,7 @@ TEST(Track, StraightFlightsAndBrokenLinesHaveNoAcceleration) {
 
 TEST(Track, AlignedPlatformHasItsXAxisAlongTheVelocityAndItsYAxisLevel) {
   Motion motion;
-  motion.position_m = winding().position_m;
+  motion.path = winding().path;
   motion.aligned = true;
   const Track track(motion, 1, "A");
   for (const double t : {-1.0, 0.0, 0.4, 1.0, 1.9, 2.7, 5.0}) {
@@ -180,7 +180,7 @@ TEST(Track, AlignedPlatformHasItsXAxisAlongTheVelocityAndItsYAxisLevel) {
 
 TEST(Track, RollOfAnAlignedPlatformLeavesTheXAxisAlone) {
   Motion motion;
-  motion.position_m = winding().position_m;
+  motion.path = winding().path;
   motion.aligned = true;
   motion.rotation_rad = {constant(0.4), constant(0.0), constant(0.0)};
   const Pose pose = Track(motion, 1, "A").at(1.3, 0);
@@ -192,8 +192,8 @@ TEST(Track, RollOfAnAlignedPlatformLeavesTheXAxisAlone) {
 
 TEST(Track, AtTheKnotOfABrokenLineTheVelocityIsTheOneToTheRight) {
   Motion motion;
-  motion.position_m = {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0),
-                       constant(0)};
+  motion.path = FunctionPath{
+      {core::Interpolator({core::Interpolation::linear, {{0, 0}, {1, 10}, {2, 5}}}), constant(0), constant(0)}};
   EXPECT_EQ(Track(motion, 1, "A").at(1.0, 0).velocity_world_mps, (core::Vec3{-5, 0, 0}));
 }
 
@@ -294,7 +294,7 @@ TEST(Track, ErrorStepsAndTravelsChangeNoBit) {
 
 TEST(Track, BoundsItsAccelerationAndSaysWhetherItTurns) {
   Motion motion;
-  motion.position_m = winding().position_m;
+  motion.path = winding().path;
   const Track track(motion, 1, "A");
   EXPECT_FALSE(track.turns());
   for (int i = -10; i <= 40; ++i)
@@ -302,7 +302,7 @@ TEST(Track, BoundsItsAccelerationAndSaysWhetherItTurns) {
   EXPECT_GT(track.acceleration_bound_mps2(), 0.0);
   motion.aligned = true;
   EXPECT_TRUE(Track(motion, 1, "A").turns());
-  motion.position_m = {smooth({{0, 0}, {1, 30}}), constant(0), constant(0)};
+  motion.path = FunctionPath{{smooth({{0, 0}, {1, 30}}), constant(0), constant(0)}};
   EXPECT_FALSE(Track(motion, 1, "A").turns());
   EXPECT_EQ(Track(motion, 1, "A").acceleration_bound_mps2(), 0.0);
   motion.rotation_rate_rad_per_s[1] = 0.1;
@@ -325,7 +325,7 @@ TEST(Track, ErrorsWithABoxEnvelopeMoveThePositionAndTheRotationAlone) {
 
 TEST(Track, IsFixedOnlyWhereNothingMovesIt) {
   Motion still;
-  still.position_m = {constant(1), constant(2), constant(3)};
+  still.path = FunctionPath{{constant(1), constant(2), constant(3)}};
   still.rotation_rad = {constant(0.1), constant(0), constant(0)};
   EXPECT_TRUE(Track(still, 1, "A").fixed());
   const auto with = [&](auto change) {
@@ -333,7 +333,7 @@ TEST(Track, IsFixedOnlyWhereNothingMovesIt) {
     change(motion);
     return Track(motion, 1, "A").fixed();
   };
-  EXPECT_FALSE(with([](Motion& m) { m.position_m[2] = smooth({{0, 0}, {1, 1}}); }));
+  EXPECT_FALSE(with([](Motion& m) { m.path = FunctionPath{{constant(1), constant(2), smooth({{0, 0}, {1, 1}})}}; }));
   EXPECT_FALSE(with([](Motion& m) { m.rotation_rad[1] = smooth({{0, 0}, {1, 1}}); }));
   EXPECT_FALSE(with([](Motion& m) { m.rotation_rate_rad_per_s[0] = 0.1; }));
   EXPECT_FALSE(with([](Motion& m) { m.position_stddev_m[1] = 0.1; }));

@@ -3,6 +3,7 @@
 #include <optional>
 #include <utility>
 
+#include "scene/check/check_motion.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/check_values.hpp"
 #include "scene/model/limits.hpp"
@@ -70,7 +71,12 @@ core::Problems check(const Scene& scene, const core::WorkControl& control) {
   NameCheck platforms("platform", names_of(scene.platforms));
   NameCheck radars("radar", names_of(scene.radars));
   platforms.check_definitions(findings);
-  check_each(findings, "platform", scene.platforms, [&](const Platform& p) { check_platform(findings, p); });
+  findings.about("world", 0);
+  check_world(findings, scene);
+  check_each(findings, "platform", scene.platforms, [&](const Platform& p) {
+    check_platform(findings, p);
+    check_motion(findings, scene, static_cast<std::size_t>(&p - scene.platforms.data()));
+  });
   check_each(findings, "surface", scene.surfaces, [&](const Surface& s) { check_surface(findings, platforms, s); });
   check_surfaces_together(findings, scene.surfaces);
   check_targets(findings, platforms, scene.targets, control);

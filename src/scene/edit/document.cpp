@@ -77,14 +77,19 @@ void Document::load(std::string text) {
   findings_ = found_in(std::move(reading));
 }
 
-void Document::read_clouds_with(CloudReader reader) {
-  cloud_reader_ = std::move(reader);
-  read_clouds();
+void Document::read_files_with(FileReader reader) {
+  file_reader_ = std::move(reader);
+  read_files();
 }
 
-void Document::read_clouds() {
-  if (!cloud_reader_ || (scene_.clouds.empty() && of_clouds_.empty())) return;
-  of_clouds_ = cloud_reader_(scene_, path_.parent_path());
+void Document::read_files() {
+  const auto reads = [](const Platform& platform) {
+    return platform.path == Platform::Path::ephemeris || platform.path == Platform::Path::orbit ||
+           platform.rotation_kind == Platform::Rotation::quaternions || platform.read_path;
+  };
+  const bool none = scene_.clouds.empty() && std::ranges::none_of(scene_.platforms, reads);
+  if (!file_reader_ || (none && of_files_.empty())) return;
+  of_files_ = file_reader_(scene_, path_.parent_path());
   findings_.reset();
 }
 
@@ -111,7 +116,7 @@ Document::Findings Document::found_in(ScriptReading reading) const {
       return std::ranges::find(reading.of_names, problem.subject, &core::Problem::subject) != reading.of_names.end();
     });
     std::ranges::move(reading.of_names, std::back_inserter(of_scene));
-    std::ranges::copy(of_clouds_, std::back_inserter(of_scene));
+    std::ranges::copy(of_files_, std::back_inserter(of_scene));
     locate(of_scene, reading.places);
     std::ranges::move(of_scene, std::back_inserter(reading.problems));
   }
@@ -325,7 +330,7 @@ void Document::perform(Edit edit) {
   replaced_ = std::move(at_stake);
   data_ = std::move(data);
   findings_.reset();
-  read_clouds();
+  read_files();
 }
 
 void Document::type_text(std::string text) {
@@ -347,7 +352,7 @@ void Document::type_text(std::string text) {
   text_ = std::move(text);
   text_broken_ = broken;
   findings_ = found_in(std::move(reading));
-  read_clouds();
+  read_files();
 }
 
 void Document::undo() { follow_history(history_.undo(scene_), false); }
@@ -369,7 +374,7 @@ void Document::follow_history(const Edit& edit, bool forwards) {
   change_included(edit.script, forwards, data_);
   note_edit(edit, forwards);
   findings_.reset();
-  read_clouds();
+  read_files();
 }
 
 void Document::save(const fs::path& path) {
@@ -378,7 +383,7 @@ void Document::save(const fs::path& path) {
   text_on_disk_ = text_;
   history_.mark_saved();
   findings_.reset();  // they name the file, and data files are looked for beside it
-  read_clouds();
+  read_files();
 }
 
 bool Document::changed_on_disk() const { return !path_.empty() && read_text_file(path_) != text_on_disk_; }

@@ -44,9 +44,9 @@ class Document {
 
   /// Reads the files of clouds into a scene; says what is wrong with them.
   /// @param folder  of the script
-  using CloudReader = std::function<core::Problems(Scene& scene, const std::filesystem::path& folder)>;
+  using FileReader = std::function<core::Problems(Scene& scene, const std::filesystem::path& folder)>;
   /// From here on the points of clouds are read, at once and after each change.
-  void read_clouds_with(CloudReader reader);
+  void read_files_with(FileReader reader);
 
   [[nodiscard]] const Scene& scene() const { return scene_; }
   [[nodiscard]] const std::string& text() const { return text_; }
@@ -128,7 +128,7 @@ class Document {
   };
 
   void load(std::string text);
-  void read_clouds();
+  void read_files();
   void follow_history(const Edit& edit, bool forwards);
   void note_edit(Edit edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
@@ -158,8 +158,8 @@ class Document {
   std::string text_on_disk_;
   mutable PendingData data_;
   mutable std::optional<Findings> findings_;
-  CloudReader cloud_reader_;
-  core::Problems of_clouds_;
+  FileReader file_reader_;
+  core::Problems of_files_;
   History history_;
   std::optional<LastEdit> last_edit_;
   std::vector<ReplacedExpression> replaced_;

@@ -62,8 +62,12 @@ void make(const Edit& edit, bool forwards, Scene& scene) {
   const auto& options_out = forwards ? edit.options_before : edit.options_after;
   const auto& options_in = forwards ? edit.options_after : edit.options_before;
   if (options_out && !same(*options_out, scene.options)) throw_foreign_edit();
+  const auto& world_out = forwards ? edit.world_before : edit.world_after;
+  const auto& world_in = forwards ? edit.world_after : edit.world_before;
+  if (world_out && !(*world_out == scene.world)) throw_foreign_edit();
   change_scene_or_nothing(edit, forwards, scene);
   if (options_in) scene.options = *options_in;
+  if (world_in) scene.world = *world_in;
 }
 
 }  // namespace
@@ -122,9 +126,9 @@ void revert(const Edit& edit, Scene& scene) { make(edit, false, scene); }
 
 bool changes_nothing(const Edit& edit) {
   return edit.script.changes.empty() && edit.script.broken_before == edit.script.broken_after &&
-         edit.options_before == edit.options_after && std::ranges::all_of(edit.changes, [](const ObjectChange& change) {
-           return change.before && change.before == change.after;
-         });
+         edit.options_before == edit.options_after && edit.world_before == edit.world_after &&
+         std::ranges::all_of(edit.changes,
+                             [](const ObjectChange& change) { return change.before && change.before == change.after; });
 }
 
 Edit composed(Edit first, const Edit& second) {
@@ -151,6 +155,10 @@ Edit composed(Edit first, const Edit& second) {
   if (second.options_after) {
     if (!first.options_before) first.options_before = second.options_before;
     first.options_after = second.options_after;
+  }
+  if (second.world_after) {
+    if (!first.world_before) first.world_before = second.world_before;
+    first.world_after = second.world_after;
   }
   first.script.changes = composed(first.script.changes, second.script.changes);
   for (const auto& [name, changes] : second.script.included)

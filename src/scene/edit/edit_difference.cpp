@@ -155,6 +155,10 @@ Edit difference(const Scene& from, const Scene& to, std::string label) {
     edit.options_before = from.options;
     edit.options_after = to.options;
   }
+  if (!(from.world == to.world)) {
+    edit.world_before = from.world;
+    edit.world_after = to.world;
+  }
   return edit;
 }
 

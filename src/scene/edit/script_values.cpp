@@ -35,7 +35,7 @@ bool say_vector(core::Vec3& vector, const Range& range) {
 bool say_value(const FieldSpec& spec, FieldValue& value) {
   switch (spec.type) {
     case FieldType::choice:
-      if (has_words(spec)) return chosen_word(spec, value) != nullptr;
+      if (has_words(spec)) return spec.since_2 || chosen_word(spec, value) != nullptr;
       return say_number(std::get<double>(value), spec.range);
     case FieldType::number:
     case FieldType::flags: return say_number(std::get<double>(value), spec.range);
@@ -44,7 +44,8 @@ bool say_value(const FieldSpec& spec, FieldValue& value) {
     case FieldType::name: return !std::get<std::string>(value).empty();
     case FieldType::seed:
     case FieldType::check:
-    case FieldType::function: return true;
+    case FieldType::function:
+    case FieldType::list: return true;
   }
   return true;
 }
@@ -76,14 +77,29 @@ bool say_function(const FunctionRef& function, const FunctionBlock& block, const
                              [&](core::SampledFunction& part) { return say_points(part.knots, block); });
 }
 
+// What only format 2 can say stays as it is in a new object.
+template <class Object>
+void forget_newer(Object& object) {
+  const FieldTable<Object>& table = table_of<Object>();
+  for (const FieldOf<Object>& field : table.fields()) {
+    const bool is_choice = field.spec.type == FieldType::choice && has_words(field.spec);
+    const bool newer = field.spec.since_2 || (is_choice && chosen_word(field.spec, field.get(object)) == nullptr &&
+                                              std::ranges::any_of(field.spec.choices, &Choice::since_2));
+    if (newer) field.reset(object);
+  }
+}
+
 // Makes of an object what a script says of it; false, with the object half changed, where a script cannot say it.
 template <class Object>
-bool say(Object& object, const DataFileLoader& loader) {
+bool say(Object& object, const DataFileLoader& loader, Language language) {
   const FieldTable<Object>& table = table_of<Object>();
+  if (language == Language::script) forget_newer(object);
   // A choice stands before what depends on it, so that one pass is enough.
   for (const FieldOf<Object>& field : table.fields()) {
     if (!table.applies(object, field)) {
       field.reset(object);
+    } else if (field.list != nullptr || field.spec.since_2) {
+      continue;  // no value that a script could say otherwise
     } else if (field.function != nullptr) {
       if (!say_function(field.function(object), *field.spec.block, loader)) return false;
     } else {
@@ -102,6 +118,7 @@ void make_names_sayable_in(Object& object, Language language) {
       make_sayable(*field.function(object).file, language);
     } else if (field.spec.type == FieldType::text || field.spec.type == FieldType::name) {
       FieldValue value = field.get(object);
+      if ((field.spec.optional || field.spec.since_2) && std::get<std::string>(value).empty()) continue;
       make_sayable(std::get<std::string>(value), language);
       field.put(object, value);
     }
@@ -118,12 +135,12 @@ AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader, 
   AnyObject named = object;
   make_names_sayable(named, language);
   AnyObject said = named;
-  return std::visit([&](auto& any) { return say(any, loader); }, said) ? said : named;
+  return std::visit([&](auto& any) { return say(any, loader, language); }, said) ? said : named;
 }
 
 RunOptions as_script_says(const RunOptions& options) {
   RunOptions said = options;
-  return say(said, {}) ? said : options;
+  return say(said, {}, Language::script) ? said : options;
 }
 
 }  // namespace sarsim::scene

@@ -13,7 +13,8 @@ void make_names_sayable(AnyObject& object, Language language = Language::script)
 
 /// What a script makes of an object: the object itself, as a rule, without what cannot be said in a script: members
 /// that its choices make meaningless, control characters in names, the sign of a zero. Functions with a data file have
-/// the points of that file. An object that cannot be written without errors keeps all but the control characters.
+/// the points of that file. What only format 2 can say is left out where the text is a script. An object that cannot be
+/// written without errors keeps all but the control characters.
 [[nodiscard]] AnyObject as_script_says(const AnyObject& object, const DataFileLoader& loader,
                                        Language language = Language::script);
 [[nodiscard]] RunOptions as_script_says(const RunOptions& options);

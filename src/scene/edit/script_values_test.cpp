@@ -72,6 +72,11 @@ class Bits {
       for (const core::Knot& knot : part.knots) add(knot.x), add(knot.y);
     }
   }
+  void add(const ConstListRef& list) {
+    visit_elements(list.kind, list.list, [&](const auto& elements) {
+      for (const auto& element : elements) text_ += of(element);
+    });
+  }
   template <class Object>
   static std::string of(const Object& object) {
     Bits bits;
@@ -148,11 +153,14 @@ class Vandal {
     return one_of(names);
   }
 
+  // What only format 2 can say is none of the script's business.
   void damage(const FieldSpec& spec, FieldValue& value) {
+    if (spec.since_2) return;
+    std::vector<Choice> choices = spec.choices;
+    std::erase_if(choices, [](const Choice& choice) { return choice.since_2(); });
     const bool whole = spec.quantity == Quantity::count || spec.type != FieldType::number;
     if (!spec.choices.empty() && (spec.type != FieldType::choice || has_words(spec)))
-      choose(value, spec.type == FieldType::check ? static_cast<int>(below(2))
-                                                  : spec.choices[below(spec.choices.size())].value);
+      choose(value, spec.type == FieldType::check ? static_cast<int>(below(2)) : choices[below(choices.size())].value);
     else if (auto* const number_held = std::get_if<double>(&value))
       *number_held = whole ? integer() : number();
     else if (auto* const vector = std::get_if<core::Vec3>(&value))

@@ -8,13 +8,19 @@ namespace sarsim::scene::format_2 {
 
 namespace {
 
-// What must be read to read some tables: the beginning of the text, its names and the tables.
+// Expressions need the names, and places on the Earth the world.
+bool is_read_with_all(std::string_view table) {
+  return table == "let" || table == "world" || table.starts_with("world.");
+}
+
+// What must be read to read some tables: the beginning of the text, its names and its world, and the tables.
 std::vector<TextStretch> stretches_to_read(std::string_view text, const ObjectTables& tables,
                                            const std::vector<ChangedTable>& changed) {
   const std::vector<core::toml::Table>& all = tables.document.tables;
   std::vector<TextStretch> stretches{{0, all.size() > 1 ? all[1].header.begin : text.size()}};
   for (std::size_t i = 1; i < all.size(); ++i)
-    if (core::toml::piece(text, all[i].name) == "let") stretches.push_back(stretch_of(text, tables, {i, i + 1}));
+    if (is_read_with_all(core::toml::piece(text, all[i].name)))
+      stretches.push_back(stretch_of(text, tables, {i, i + 1}));
   for (const ChangedTable& table : changed) stretches.push_back(stretch_of(text, tables, *table.table));
   std::ranges::sort(stretches, {}, &TextStretch::begin);
   return stretches;

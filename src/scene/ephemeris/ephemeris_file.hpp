@@ -80,6 +80,8 @@ struct EphemerisOptions {
   /// Which satellite of the file: its name, whatever the case, its catalogue number, or its mark in SP3 ("L51"). Empty
   /// for the only one.
   std::string satellite;
+  /// The positions of a table are those of a world of its own, without an Earth: they may be anything.
+  bool without_earth = false;
 };
 
 }  // namespace sarsim::scene

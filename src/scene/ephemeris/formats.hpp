@@ -16,6 +16,7 @@ struct ReaderInput {
   std::string_view text;
   SatelliteChoice& choice;
   FileProblems& problems;
+  bool without_earth = false;  ///< `EphemerisOptions::without_earth`.
 };
 
 /// Reads positions of one format; incomplete where it has reported an error.

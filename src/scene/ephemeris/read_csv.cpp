@@ -58,7 +58,8 @@ bool is_column(std::size_t column, std::string_view name) {
 // Reads our own table: t, x, y, z and, where there are any, vx, vy, vz.
 class CsvReader {
  public:
-  explicit CsvReader(const ReaderInput& input) : problems_(input.problems), text_(input.text) {}
+  explicit CsvReader(const ReaderInput& input)
+      : problems_(input.problems), text_(input.text), collector_(file_, problems_, "m", input.without_earth) {}
 
   EphemerisFile read() {
     TextLines lines(text_);
@@ -133,7 +134,7 @@ class CsvReader {
   FileProblems& problems_;
   std::string_view text_;
   EphemerisFile file_;
-  StateCollector collector_{file_, problems_, "m"};
+  StateCollector collector_;
   CsvCells cells_{};
   char separator_ = ' ';
   std::size_t columns_ = 0;

@@ -98,7 +98,7 @@ core::Problems read_as(std::string_view text, const std::string& name, const Eph
     return problems.take();
   }
   SatelliteChoice choice(options.satellite);
-  file = reader->read({text, choice, problems});
+  file = reader->read({text, choice, problems, options.without_earth});
   return problems.take();
 }
 

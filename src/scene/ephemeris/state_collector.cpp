@@ -70,6 +70,7 @@ void StateCollector::add(const EphemerisState& state, std::string_view time_at, 
 
 void StateCollector::check_position(const core::Vec3& position_m, std::string_view at) {
   const double distance_m = core::norm(position_m);
+  if (without_earth_) return;
   const bool low = is_below_surface(position_m);
   if (!low && distance_m <= farthest_m) return;
   FileProblems::Mark& mark = low ? low_ : far_;

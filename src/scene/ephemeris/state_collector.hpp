@@ -15,9 +15,10 @@ namespace sarsim::scene::ephemeris {
 /// Earth or beyond 1e9 m, too many states. Says each once, with a count.
 class StateCollector {
  public:
-  /// @param unit  of positions in the file, for messages: "km"
-  StateCollector(EphemerisFile& file, FileProblems& problems, std::string_view unit)
-      : file_(file), problems_(problems), unit_(unit) {}
+  /// @param unit           of positions in the file, for messages: "km"
+  /// @param without_earth  positions may be anything
+  StateCollector(EphemerisFile& file, FileProblems& problems, std::string_view unit, bool without_earth = false)
+      : file_(file), problems_(problems), unit_(unit), without_earth_(without_earth) {}
 
   /// Begins a segment, in which times ascend anew.
   /// @param at  the line at which it begins
@@ -43,6 +44,7 @@ class StateCollector {
   EphemerisFile& file_;
   FileProblems& problems_;
   std::string unit_;
+  bool without_earth_;
   std::vector<std::string_view> begins_;  // of the segments
   std::size_t states_ = 0;
   FileProblems::Mark unordered_ = 0;

@@ -122,7 +122,7 @@ TEST(Completion, OffersNamesOfTheScene) {
 }
 
 TEST(Completion, OffersTheUnitsOfAField) {
-  EXPECT_THAT(words_at_bar("[[radar]]\npulse.width = \"800 |\""), ElementsAre("s", "ns", "us", "ms", "min"));
+  EXPECT_THAT(words_at_bar("[[radar]]\npulse.width = \"800 |\""), ElementsAre("s", "ns", "us", "ms", "min", "h"));
   EXPECT_EQ(taken("[[radar]]\npulse.width = \"800n|\"", "ns"), "[[radar]]\npulse.width = \"800ns\"");
   EXPECT_EQ(taken("[[radar]]\ncarrier = \"5.3 g|\"", "GHz"), "[[radar]]\ncarrier = \"5.3 GHz\"");
   EXPECT_THAT(words_at_bar("[[recording]]\nrange = [\"1 km\", \"2 k|\"]"), ElementsAre("km"));

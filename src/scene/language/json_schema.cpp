@@ -23,7 +23,7 @@ void write_own_keys(core::JsonWriter& json) {
   json.member("description", "A key of your own, which means nothing to Sarsim.").end_object().end_object();
 }
 
-bool is_below(const std::string& path, const std::string& prefix) { return path.starts_with(prefix + "."); }
+bool stands_below(const std::string& path, const std::string& prefix) { return path.starts_with(prefix + "."); }
 
 std::string sentence(std::string_view head, const std::string& text) {
   return text.empty() ? std::string() : fmt::format(" {}: {}.", head, text);
@@ -54,7 +54,7 @@ class SchemaWriter {
     const std::vector<PathFacts> all = paths_of(table_);
     for (const PathFacts& facts : all) {
       const bool within = std::ranges::any_of(all, [&](const PathFacts& choice) {
-        return choice.role == PathRole::choice && is_below(facts.path, choice.path);
+        return choice.role == PathRole::choice && stands_below(facts.path, choice.path);
       });
       if (!within) outer.push_back(facts);
     }
@@ -70,7 +70,7 @@ class SchemaWriter {
   void write_properties(const std::vector<PathFacts>& paths, const std::string& prefix) {
     std::vector<std::string> done;
     for (const PathFacts& facts : paths) {
-      if (!prefix.empty() && !is_below(facts.path, prefix)) continue;
+      if (!prefix.empty() && !stands_below(facts.path, prefix)) continue;
       const std::size_t begin = prefix.empty() ? 0 : prefix.size() + 1;
       std::string path = facts.path.substr(0, facts.path.find('.', begin));
       if (std::ranges::find(done, path) != done.end()) continue;
@@ -83,7 +83,7 @@ class SchemaWriter {
   void write_path(const std::vector<PathFacts>& paths, const std::string& path) {
     const auto own = std::ranges::find(paths, path, &PathFacts::path);
     const bool is_table =
-        std::ranges::any_of(paths, [&](const PathFacts& other) { return is_below(other.path, path); });
+        std::ranges::any_of(paths, [&](const PathFacts& other) { return stands_below(other.path, path); });
     if (own == paths.end()) return write_inner_table(paths, path);
     json_.begin_object();
     write_head(*own);
@@ -112,7 +112,7 @@ class SchemaWriter {
     json_.begin_object().member("type", "object");
     auto first = std::ranges::find(paths, path + ".points", &PathFacts::path);
     if (first == paths.end())
-      first = std::ranges::find_if(paths, [&](const PathFacts& facts) { return is_below(facts.path, path); });
+      first = std::ranges::find_if(paths, [&](const PathFacts& facts) { return stands_below(facts.path, path); });
     if (first != paths.end()) json_.member("description", meaning_text(*first));
     write_own_keys(json_);
     json_.key("properties").begin_object();
@@ -213,6 +213,7 @@ class SchemaWriter {
       case FieldType::text:
       case FieldType::name: return write_type("string");
       case FieldType::seed: return write_number("integer", zero_or_more);
+      case FieldType::list: return write_list(spec.list);
       default: break;
     }
     if (facts.fields.size() == 1)
@@ -240,11 +241,35 @@ class SchemaWriter {
     json_.end_object();
   }
 
+  // [x, y, z], or a place on the Earth.
+  void write_vector(const FieldSpec& spec) {
+    const auto three = [&] { write_array(3, [&] { write_number("number", spec.range); }); };
+    if (!spec.on_earth) return three();
+    json_.key("anyOf").begin_array().begin_object();
+    json_.member("description", "World coordinates.");
+    three();
+    json_.end_object().begin_object().member("type", "object");
+    json_.member("description", "A place on the Earth: WGS 84, height above the ellipsoid or altitude above the sea.");
+    json_.key("required").begin_array().value("latitude").value("longitude").end_array();
+    json_.key("properties").begin_object();
+    for (const char* const key : {"latitude", "longitude", "height", "altitude"}) {
+      json_.key(key).begin_object();
+      write_number("number", key == std::string_view("latitude") ? Range{-90.0, 90.0} : any_value);
+      json_.end_object();
+    }
+    json_.end_object().end_object().end_array();
+  }
+
   void write_vectors(const PathFacts& facts) {
-    const auto vector = [&] { write_array(3, [&] { write_number("number", facts.spec().range); }); };
+    const auto vector = [&] { write_vector(facts.spec()); };
     if (facts.path == "positions") return write_array(0, vector);
     if (facts.fields.size() > 1) return write_array(facts.fields.size(), vector);
     vector();
+  }
+
+  void write_list(ListKind kind) {
+    json_.member("type", "array").key("items");
+    SchemaWriter(json_, element_table(kind)).write_table();
   }
 
   void write_points(const PathFacts& facts) {

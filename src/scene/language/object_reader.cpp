@@ -68,7 +68,7 @@ void ObjectReader::add(core::Severity severity, toml::Span at, std::string_view 
   core::Problem problem = core::problem_of(severity, std::move(complaint.message), std::move(complaint.found),
                                            std::move(complaint.expected), std::move(complaint.hint));
   problem.place = {source_.file, position.line, position.column};
-  problem.subject = {std::string(kind_), index_, std::string(field)};
+  problem.subject = {std::string(kind_), index_, std::string(list_field_.empty() ? field : list_field_)};
   reading_.log.add(std::move(problem));
 }
 
@@ -81,6 +81,7 @@ void ObjectReader::warning(toml::Span at, std::string_view field, script::Compla
 }
 
 void ObjectReader::note_place(std::string_view field, toml::Span at) {
+  if (!list_field_.empty()) return;
   const toml::Position position = lines_.at(at.begin);
   reading_.places.add_field(field, position.line, position.column);
 }
@@ -170,6 +171,7 @@ bool ObjectReader::read_number(const FieldSpec& spec, const Leaf& leaf, double& 
 }
 
 bool ObjectReader::read_vector(const FieldSpec& spec, const toml::Value& value, core::Vec3& vector) {
+  if (value.kind == toml::Kind::table && spec.on_earth) return read_place(spec, value, vector);
   std::array<double, 3> numbers{vector.x, vector.y, vector.z};
   std::size_t count = 0;
   bool sound = value.kind == toml::Kind::array;

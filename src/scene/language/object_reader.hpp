@@ -7,6 +7,7 @@
 
 #include "core/toml/lines.hpp"
 #include "core/toml/values.hpp"
+#include "scene/language/earth_places.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/object_text.hpp"
 #include "scene/schema/expression.hpp"
@@ -32,7 +33,8 @@ struct Reading {
   FieldPlaces places;
   const DataFileLoader& loader;
   LetNames names;
-  bool names_lost = false;  ///< A platform or radar could not be read: who refers to it is not to blame.
+  bool names_lost = false;                ///< A platform or radar could not be read: who refers to it is not to blame.
+  std::optional<EarthPlaces> earth = {};  ///< Turns geodetic places into world positions; nothing over a flat world.
 };
 
 /// Reads the values of one object and reports what is wrong with them, each at its place.
@@ -52,6 +54,9 @@ class ObjectReader {
       const std::string_view key = key_of(table, field, object);
       if (field.function != nullptr) {
         read_function(field.spec, key, field.function(object));
+      } else if (field.list != nullptr) {
+        if (Leaf* const leaf = find(key))
+          visit_elements(field.spec.list, field.list(object), [&](auto& list) { read_list(field.spec, *leaf, list); });
       } else if (field.number != nullptr && field.spec.quantity != Quantity::count && !key.ends_with(']')) {
         if (Leaf* const leaf = find(key)) read_number(field.spec, *leaf, field.number(object));
       } else if (says_anything_of(key)) {
@@ -85,6 +90,8 @@ class ObjectReader {
   [[nodiscard]] std::string string_of(const core::toml::Value& value) const {
     return core::toml::decoded_string(source_.text, value);
   }
+  /// The first place on the Earth that was read, which is a world position; empty: none.
+  [[nodiscard]] core::toml::Span geodetic_at() const { return geodetic_at_; }
   /// Notes where a field stands.
   void note_place(std::string_view field, core::toml::Span at);
 
@@ -101,7 +108,10 @@ class ObjectReader {
   bool number_in(const FieldSpec& spec, const core::toml::Value& value, double& number);
   bool expression_in(const FieldSpec& spec, const core::toml::Value& value, double& number);
   bool check_number(const FieldSpec& spec, core::toml::Span at, double number, bool bare);
+  bool read_place(const FieldSpec& spec, const core::toml::Value& value, core::Vec3& vector);
   void read_function(const FieldSpec& spec, std::string_view key, const FunctionRef& function);
+  template <class Element>
+  void read_list(const FieldSpec& spec, const Leaf& leaf, std::vector<Element>& list);
   void read_part(const FieldSpec& spec, const std::string& key, std::size_t part, core::SampledFunction& function);
   void read_points(const FieldSpec& spec, const Leaf& leaf, std::size_t part, core::SampledFunction& function);
   void read_function_file(const FieldSpec& spec, const Leaf& leaf, const FunctionRef& function);
@@ -109,12 +119,24 @@ class ObjectReader {
   void report_unknown(const Leaf& leaf, const std::string& belongs, const std::vector<std::string>& known);
   void add(core::Severity severity, core::toml::Span at, std::string_view field, script::Complaint complaint);
 
+  // Of an element of a list of that object.
+  ObjectReader(const ObjectReader& outer, ObjectText& text, std::string_view field)
+      : reading_(outer.reading_),
+        source_(outer.source_),
+        lines_(outer.lines_),
+        text_(text),
+        kind_(outer.kind_),
+        index_(outer.index_),
+        list_field_(field) {}
+
   Reading& reading_;
   const Source& source_;
   core::toml::Lines& lines_;
   ObjectText& text_;
   std::string_view kind_;
   std::size_t index_;
+  core::toml::Span geodetic_at_{};
+  std::string_view list_field_;  // of the list that this is an element of: where problems are shown
 };
 
 /// What a value is, for messages: "a string", "an array".

@@ -55,6 +55,14 @@ void ObjectTexts::take_entries(const toml::Table& table, std::string_view prefix
   }
 }
 
+ObjectText ObjectTexts::inner(const toml::Value& table) {
+  ObjectText object;
+  toml::Elements elements(text_, table);
+  while (const auto element = elements.next())
+    take_value(joined({}, element->key), element->key, element->value, object);
+  return object;
+}
+
 bool ObjectTexts::next(ObjectText& object) {
   object.leaves.clear();
   paths_.clear();

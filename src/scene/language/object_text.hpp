@@ -51,6 +51,9 @@ class ObjectTexts {
   /// The next object; false behind the last one. What was handed out before is gone then.
   [[nodiscard]] bool next(ObjectText& object);
 
+  /// The values of an inline table, by their paths in it; valid as long as this.
+  [[nodiscard]] ObjectText inner(const core::toml::Value& table);
+
  private:
   void take_entries(const core::toml::Table& table, std::string_view prefix, ObjectText& object);
   void take_value(std::string_view path, core::toml::Span key, const core::toml::Value& value, ObjectText& object);

@@ -63,6 +63,7 @@ std::string example_value(const PathFacts& facts) {
   if (facts.role == PathRole::points) return points_example(*block, facts.part);
   if (facts.role == PathRole::interpolation) return in_quotes("cubic");
   if (facts.role == PathRole::file) return in_quotes("points.txt");
+  if (!spec.example.empty()) return std::string(spec.example);
   if (facts.path == "positions") return "[[0, 0, 0], [0, 10, 0]]";
   if (spec.type == FieldType::text) return facts.field().initial ? default_text(facts) : in_quotes("points.npy");
   if (spec.refers == "radar") return in_quotes("Radar1");
@@ -70,7 +71,7 @@ std::string example_value(const PathFacts& facts) {
   if (spec.type == FieldType::vector && facts.fields.size() == 1) return "[0, 0, 10]";
   const auto* const initial = spec.type == FieldType::number ? std::get_if<double>(&*facts.field().initial) : nullptr;
   if (initial == nullptr || *initial != 0.0) return default_text(facts);
-  const double sample = sample_value(spec.quantity);
+  const double sample = std::min(sample_value(spec.quantity), spec.range.high);
   if (facts.fields.size() == 1) return quantity_value(sample, spec.quantity);
   const auto* const last = std::get_if<double>(&*facts.fields.back()->initial);
   const double end = last != nullptr && *last != 0.0 ? *last : 1000.0 * sample;

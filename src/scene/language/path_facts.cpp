@@ -43,6 +43,15 @@ void add_value(const PlainField& field, std::vector<PathFacts>& paths) {
   if (!spec.other_key.key.empty()) paths.push_back({std::string(spec.other_key.key), PathRole::value, {&field}});
 }
 
+std::string elements_taken(ListKind kind) {
+  std::vector<std::string> keys;
+  for (const PlainField& field : element_table(kind).fields) {
+    const std::string key(field.spec.key);
+    if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+  }
+  return joined(keys, ", ");
+}
+
 // The alternatives of its choice with which a path means something.
 std::vector<int> among(const PathFacts& facts) {
   const FieldSpec& spec = facts.spec();
@@ -245,7 +254,8 @@ std::string points_taken(const PathFacts& facts) {
 std::string vector_taken(const PathFacts& facts) {
   const std::string three = fmt::format("three {}: [x, y, z]", plural(facts.spec().quantity));
   if (facts.path == "positions") return "an array of rows [x, y, z], or { file = \"FILE\" }";
-  return facts.fields.size() == 1 ? three : "an array of three rows [x, y, z]";
+  if (facts.fields.size() > 1) return "an array of three rows [x, y, z]";
+  return facts.spec().on_earth ? three + ", or over an Earth { latitude, longitude, height }" : three;
 }
 
 // ", MONO, CHIRP or BARKER"
@@ -281,6 +291,7 @@ std::string takes_text(const PathFacts& facts) {
     case FieldType::seed: return "a whole number";
     case FieldType::text: return "a text";
     case FieldType::name: return fmt::format("the name of a {}", spec.refers);
+    case FieldType::list: return fmt::format("an array of tables: [{{ {} }}]", elements_taken(spec.list));
     default: break;
   }
   if (facts.fields.size() > 1) return fmt::format("two {}: [start, end]", plural(spec.quantity));
@@ -291,6 +302,7 @@ std::string script_text(const PathFacts& facts) {
   const PlainField& field = facts.field();
   const FieldSpec& spec = field.spec;
   if (!field.in_script.empty()) return std::string(field.in_script);
+  if (spec.since_2 || field.command.empty()) return "cannot say it";
   const std::string keywords = facts.role == PathRole::choice ? keywords_listed(spec) : std::string();
   if (field.command == "OPTIONS") return fmt::format("$OPTIONS {}{}", script::option_key(spec), keywords);
   std::string words = fmt::format("{}{}", spec.words, keywords);

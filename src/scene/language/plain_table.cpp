@@ -38,7 +38,7 @@ PlainField plain(const FieldTable<Object>& table, const FieldOf<Object>& field, 
   static const Object initial{};
   PlainField made{field.spec};
   made.command = names.command;
-  if (field.spec.type != FieldType::function) made.initial = field.get(initial);
+  if (field.spec.type != FieldType::function && field.spec.type != FieldType::list) made.initial = field.get(initial);
   if (field.spec.type == FieldType::choice && has_words(field.spec))
     if (const FieldSpec* const standing = shorthand(table, field)) made.shorthand = standing->key;
   for (const Field& part : form) {
@@ -78,6 +78,7 @@ std::vector<PlainField> plain_fields(const std::vector<Field>& form, const Names
 void add_positions(PlainTable& targets) {
   FieldSpec positions{.key = "positions",
                       .quantity = Quantity::length,
+                      .on_earth = true,
                       .tip =
                           "Many targets that are alike but for their position: a row [x, y, z] for each, or "
                           "{ file = \"FILE\" } with a table of them."};
@@ -127,8 +128,13 @@ std::vector<PlainTable> make_tables() {
     if (kind.kind == ObjectKind::target) add_positions(table);
     if (kind.kind == ObjectKind::platform) add_line(table);
   });
-  tables.push_back({"options", "What holds for everything that is made of the scene; the command line overrides it.",
-                    "OPTIONS", false, plain_fields<RunOptions>(option_fields(), {"OPTIONS", ""})});
+  for_each_single([&]<class Table>(const Single<Table>& single) {
+    const bool is_world = std::is_same_v<Table, World>;
+    tables.push_back({single.header, single.meaning, single.command, false,
+                      plain_fields<Table>(is_world ? world_fields() : option_fields(), {single.command, ""})});
+    if (is_world)  // Places are turned into positions as a text is read.
+      for (PlainField& field : tables.back().fields) field.set_names.clear();
+  });
   return tables;
 }
 
@@ -141,6 +147,23 @@ std::string PlainTable::header_line() const {
 const std::vector<PlainTable>& plain_tables() {
   static const std::vector<PlainTable> made = make_tables();
   return made;
+}
+
+const PlainTable& element_table(ListKind kind) {
+  const auto made = []<class Element>(std::string_view header, std::string_view meaning, std::type_identity<Element>) {
+    PlainTable table{header, meaning, "", false, plain_fields<Element>({}, {})};
+    for (PlainField& field : table.fields) field.spec.since_2 = true;
+    return table;
+  };
+  static const PlainTable legs = made("leg", "A piece of a path.", std::type_identity<Leg>{});
+  static const PlainTable waypoints = made("waypoint", "A point of a route.", std::type_identity<Waypoint>{});
+  static const PlainTable sines =
+      made("oscillation", "A sinusoid of a coordinate or an angle.", std::type_identity<Oscillation>{});
+  switch (kind) {
+    case ListKind::legs: return legs;
+    case ListKind::waypoints: return waypoints;
+    default: return sines;
+  }
 }
 
 const PlainTable* plain_table(std::string_view header) {

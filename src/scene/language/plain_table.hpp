@@ -41,6 +41,9 @@ inline constexpr int first_added_value = 100;
 /// All tables, in the order in which people see the kinds; targets hold what a cloud of points has.
 [[nodiscard]] const std::vector<PlainTable>& plain_tables();
 
+/// The fields of the elements of a list.
+[[nodiscard]] const PlainTable& element_table(ListKind kind);
+
 /// The table of a header; null where there is none.
 [[nodiscard]] const PlainTable* plain_table(std::string_view header);
 

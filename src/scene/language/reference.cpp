@@ -48,12 +48,33 @@ class TablePage {
   explicit TablePage(const PlainTable& table) : table_(table), all_(language::paths_of(table)) {}
 
   [[nodiscard]] std::string text() {
-    text_ = fmt::format("### {}\n\n{} In the 1998 language: `${}`.\n", table_.header_line(), table_.meaning,
-                        table_.command);
+    text_ = fmt::format("### {}\n\n{} ", table_.header_line(), table_.meaning);
+    text_ += table_.command.empty() ? "The 1998 language has nothing like it.\n"
+                                    : fmt::format("In the 1998 language: `${}`.\n", table_.command);
     add_example();
     add_fields();
     for (const PathFacts& facts : all_)
       if (facts.role == PathRole::choice && has_fields(facts)) add_choice(facts);
+    for (const PathFacts& facts : all_)
+      if (facts.spec().type == FieldType::list)
+        text_ +=
+            TablePage(element_table(facts.spec().list)).elements_of(fmt::format("{}.{}", table_.header, facts.path));
+    return text_;
+  }
+
+  // What stands in each table of a list.
+  [[nodiscard]] std::string elements_of(const std::string& list) {
+    text_ = fmt::format("\n#### Entries of {}\n\n{}\n\n| Field | Takes | Unit | Range | Default | Meaning |\n", list,
+                        table_.meaning);
+    text_ += "|---|---|---|---|---|---|\n";
+    for (const PathFacts& facts : all_) {
+      const std::vector<Dependence> on = dependences(table_, facts);
+      const std::string said =
+          on.empty() ? meaning(facts)
+                     : fmt::format("{} Only for {} {}.", meaning(facts), on.front().choice, joined(on.front().words));
+      text_ += fmt::format("| {} | {} | {} | {} | {} | {} |\n", code(facts.path), in_cell(takes_text(facts)),
+                           unit_text(facts), range_cell(facts), in_cell(code(default_text(facts))), in_cell(said));
+    }
     return text_;
   }
 

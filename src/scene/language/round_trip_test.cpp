@@ -16,6 +16,7 @@ void make_ascii(Object& object) {
   for (const FieldOf<Object>& field : table_of<Object>().fields()) {
     if (field.spec.type != FieldType::text && field.spec.type != FieldType::name) continue;
     FieldValue value = field.get(object);
+    if ((field.spec.optional || field.spec.since_2) && std::get<std::string>(value).empty()) continue;
     for (char& c : std::get<std::string>(value)) c = static_cast<char>(c & 0x7F);
     std::erase_if(std::get<std::string>(value), [](char c) { return c < 0x20; });
     std::get<std::string>(value) += '~';
@@ -28,6 +29,7 @@ void define_names(Scene& scene) {
   for_each_kind([&](const auto& kind) {
     for (auto& object : scene.*kind.list) make_ascii(object);
   });
+  make_ascii(scene.world);
   std::vector<std::string> platforms{"Earth"};
   std::vector<std::string> radars;
   for (const Platform& platform : scene.platforms) platforms.push_back(platform.name);
@@ -35,6 +37,10 @@ void define_names(Scene& scene) {
   const auto meant = [](const std::vector<std::string>& names, const std::string& name) {
     return names.empty() ? std::string() : names[std::hash<std::string>()(name) % names.size()];
   };
+  for (Platform& platform : scene.platforms) {
+    if (!platform.parent.empty()) platform.parent = meant(platforms, platform.parent);
+    if (!platform.leader.empty()) platform.leader = meant(platforms, platform.leader);
+  }
   for (Target& target : scene.targets) target.platform = meant(platforms, target.platform);
   for (Cloud& cloud : scene.clouds) cloud.platform = meant(platforms, cloud.platform);
   for (Surface& surface : scene.surfaces) surface.platform = meant(platforms, surface.platform);
@@ -55,6 +61,14 @@ std::string errors_of(const core::Problems& problems) {
   return text;
 }
 
+template <class Object>
+std::string fields_that_differ(const Object& a, const Object& b) {
+  std::string text;
+  for (const FieldOf<Object>& field : table_of<Object>().fields())
+    if (!(field.get(a) == field.get(b))) text += " " + std::string(field.spec.id);
+  return text;
+}
+
 std::string first_difference(const Scene& a, const Scene& b) {
   std::string text;
   for_each_kind([&](const auto& kind) {
@@ -62,16 +76,18 @@ std::string first_difference(const Scene& a, const Scene& b) {
     const auto& second = b.*kind.list;
     if (first.size() != second.size()) text += std::string(kind.name) + ": another number of them; ";
     for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
-      if (!(first[i] == second[i])) text += std::string(kind.name) + " " + std::to_string(i) + "; ";
+      if (!(first[i] == second[i]))
+        text += std::string(kind.name) + " " + std::to_string(i) + ":" + fields_that_differ(first[i], second[i]) + "; ";
   });
   if (!(a.options == b.options)) text += "options";
+  if (!(a.world == b.world)) text += "world";
   return text;
 }
 
 }  // namespace
 
 TEST(Format2RoundTrip, RandomScenesComeBackBitForBit) {
-  test::RandomScenes random(2026);
+  test::RandomScenes random(2026, Language::format_2);
   for (int i = 0; i < 1000; ++i) {
     Scene scene = random.scene();
     define_names(scene);

@@ -11,6 +11,7 @@
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/toml/values.hpp"
+#include "radar/earth/read_geoid.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"
 #include "scene/language/keys.hpp"
@@ -28,10 +29,11 @@ namespace toml = core::toml;
 // More problems than this help nobody.
 constexpr std::size_t problem_limit = 1000;
 
-const std::vector<std::string>& option_paths() {
+template <class Table>
+const std::vector<std::string>& paths_of_single() {
   static const std::vector<std::string> paths = [] {
     std::vector<std::string> made;
-    for (const FieldOf<RunOptions>& field : table_of<RunOptions>().fields()) made.emplace_back(field.spec.key);
+    for (const FieldOf<Table>& field : table_of<Table>().fields()) made.emplace_back(field.spec.key);
     return made;
   }();
   return paths;
@@ -42,12 +44,15 @@ std::string headers_listed() {
   for_each_kind([&](const auto& kind) {
     if (kind.kind != ObjectKind::cloud) text += fmt::format("[[{}]], ", header_of(kind.kind));
   });
-  return text + "[options] or [let]";
+  for_each_single([&](const auto& single) { text += fmt::format("[{}], ", single.header); });
+  text.replace(text.rfind(", "), 2, " or ");
+  return text + "[let]";
 }
 
 const std::vector<std::string>& header_words() {
   static const std::vector<std::string> words = [] {
-    std::vector<std::string> made{"options", "let"};
+    std::vector<std::string> made{"let"};
+    for_each_single([&](const auto& single) { made.emplace_back(single.header); });
     for (const ObjectKind kind : all_object_kinds) made.emplace_back(header_of(kind));
     return made;
   }();
@@ -58,6 +63,43 @@ const std::vector<std::string>& header_words() {
 class SceneReader {
  public:
   SceneReader(Reading& reading, Scene& scene) : reading_(reading), scene_(scene) {}
+
+  /// The worlds of all texts, before anything that lies in them.
+  void read_worlds(const Source& source) {
+    toml::Lines lines(source.typed);
+    ObjectTexts texts(source.text, source.document);
+    ObjectText text;
+    while (!reading_.log.full() && texts.next(text))
+      if (text.kind == "world") read_singles(source, lines, text);
+  }
+
+  /// What the places of the texts are turned into positions by.
+  void set_earth() {
+    const World& world = scene_.world;
+    if (world.frame != World::Frame::earth) return;
+    if (world.geoid.empty()) {
+      reading_.earth.emplace(world, std::nullopt);
+      return;
+    }
+    const DataFileText data =
+        reading_.loader ? reading_.loader(world.geoid) : DataFileText{{}, {}, "data files cannot be read here"};
+    core::Problem problem;
+    if (!data.failure.empty() || data.path.empty()) {
+      problem =
+          core::problem_of(core::Severity::error, "cannot read the grid of the geoid", world.geoid, "", data.failure);
+    } else {
+      auto grid = radar::read_geoid(data.text, world.geoid);
+      if (auto* const read = std::get_if<radar::GeoidGrid>(&grid)) {
+        reading_.earth.emplace(world, std::move(*read));
+        return;
+      }
+      problem = std::get<core::Problem>(std::move(grid));
+    }
+    problem.subject = {"world", 0, "geoid"};
+    problem.place = reading_.places.find(problem.subject);
+    reading_.log.add(std::move(problem));
+    reading_.earth.emplace(world, std::nullopt);
+  }
 
   void read(const Source& source) {
     toml::Lines lines(source.typed);
@@ -81,7 +123,7 @@ class SceneReader {
       if (std::ranges::find(header_words(), word) == header_words().end() || leaf.used) continue;
       reader.error(leaf.key, "",
                    {fmt::format("'{}' is not a table of its own", word), "",
-                    word == "options" || word == "let" ? fmt::format("[{}]", word) : fmt::format("[[{}]]", word),
+                    is_single(word) || word == "let" ? fmt::format("[{}]", word) : fmt::format("[[{}]]", word),
                     "write it as a header with its fields below"});
       text.use_all_below(word);
     }
@@ -90,7 +132,8 @@ class SceneReader {
 
   void read_table(const Source& source, toml::Lines& lines, ObjectText& text) {
     if (text.kind == "let" || text.kind.starts_with("x-")) return;
-    if (text.kind == "options") return read_options(source, lines, text);
+    if (text.kind == "world") return;  // read before
+    if (is_single(text.kind)) return read_singles(source, lines, text);
     const bool names_others = text.kind != "platform" && text.kind != "radar";
     const auto kind = kind_of(text);
     ObjectReader anonymous(reading_, source, lines, text, "", 0);
@@ -130,14 +173,37 @@ class SceneReader {
                                : fmt::format("did you mean '{}'?", near)});
   }
 
-  void read_options(const Source& source, toml::Lines& lines, ObjectText& text) {
-    ObjectReader reader(reading_, source, lines, text, "options", 0);
+  void read_singles(const Source& source, toml::Lines& lines, ObjectText& text) {
+    for_each_single([&](const auto& single) {
+      if (single.header == text.kind) read_single(single, source, lines, text);
+    });
+  }
+
+  template <class Table>
+  void read_single(const Single<Table>& single, const Source& source, toml::Lines& lines, ObjectText& text) {
+    ObjectReader reader(reading_, source, lines, text, single.header, 0);
     if (text.is_element)
       reader.error(text.header, "",
-                   {"there is one table of options", "[[options]]", "[options]", "write single brackets"});
+                   {fmt::format("there is one table {}", single.header), fmt::format("[[{}]]", single.header),
+                    fmt::format("[{}]", single.header), "write single brackets"});
     reader.note_place("", text.header);
-    reader.read(scene_.options);
-    reader.finish(option_paths());
+    reader.read(scene_.*single.member);
+    reader.finish(paths_of_single<Table>());
+  }
+
+  // A place on the Earth is a position in the world, and not in the frame of something that moves.
+  template <class Object>
+  static void expect_world(ObjectReader& reader, const Object& object) {
+    if (reader.geodetic_at() == toml::Span{}) return;
+    const std::string* carrier = nullptr;
+    if constexpr (requires { object.parent; }) carrier = object.parent.empty() ? nullptr : &object.parent;
+    if constexpr (
+        requires { object.platform; } && !requires { object.beam; })
+      carrier = object.platform == "Earth" ? nullptr : &object.platform;
+    if (carrier != nullptr)
+      reader.error(reader.geodetic_at(), "",
+                   {"a place on the Earth is a world position, but this one is in the frame of a platform",
+                    script::shown(*carrier), "", "give [x, y, z] in that frame, or leave the platform out"});
   }
 
   template <class Object>
@@ -151,6 +217,7 @@ class SceneReader {
     if constexpr (std::is_same_v<Object, Cloud>) use_positions(reader, text);
     Leaf* const positions = kind.kind == ObjectKind::target ? reader.find("positions") : nullptr;
     reader.finish(kind.kind);
+    expect_world(reader, object);
     if constexpr (std::is_same_v<Object, Target>)
       if (positions != nullptr) return read_alike(object, *positions, source, lines, text);
     list.push_back(std::move(object));
@@ -205,6 +272,10 @@ class References {
     take_names("platform", scene.platforms, platforms_);
     take_names("radar", scene.radars, radars_);
     for_each_kind([&](const auto& kind) { check(kind, scene.*kind.list); });
+    for (std::size_t i = 0; i < scene.platforms.size() && !reading.names_lost && !full(); ++i)
+      for (const auto& [field, name] : {std::pair<const char*, const std::string&>("parent", scene.platforms[i].parent),
+                                        {"leader", scene.platforms[i].leader}})
+        if (!name.empty() && !platforms_.contains(name)) report("platform", i, "platform", field, name, platforms_);
   }
 
   [[nodiscard]] core::Problems take() { return std::move(problems_); }
@@ -252,11 +323,12 @@ class References {
       const bool of_radar = Kind<Object>::belongs_to_radar;
       const auto& known = of_radar ? radars_ : platforms_;
       if (known.contains(*name) || (of_radar && name->empty())) continue;
-      report(kind.name, i, of_radar ? "radar" : "platform", *name, known);
+      const char* const refers = of_radar ? "radar" : "platform";
+      report(kind.name, i, refers, refers, *name, known);
     }
   }
 
-  void report(std::string_view kind, std::size_t index, const char* refers, const std::string& name,
+  void report(std::string_view kind, std::size_t index, const char* refers, const char* field, const std::string& name,
               const std::set<std::string, std::less<>>& known) {
     core::Problem problem = core::problem_of(
         core::Severity::error, fmt::format("the scene has no {} of this name", refers), script::shown(name), "", "");
@@ -265,7 +337,7 @@ class References {
     const std::string near = alike != known.end() ? *alike : core::nearest_word(name, known);
     if (!near.empty())
       problem.hint = fmt::format("did you mean \"{}\"?{}", near, alike != known.end() ? " Capital letters count" : "");
-    report_at(std::move(problem), kind, index, refers);
+    report_at(std::move(problem), kind, index, field);
   }
 
   const Reading& reading_;
@@ -292,6 +364,8 @@ ScriptReading read_format_2(std::string_view text, const std::string& file_name,
   read_names(sources, control.let, reading);
   Scene scene;
   SceneReader reader(reading, scene);
+  for (const Source& source : sources.sources) reader.read_worlds(source);
+  reader.set_earth();
   for (const Source& source : sources.sources) reader.read(source);
   core::Problems of_names = References(scene, reading).take();
   ScriptReading result{std::move(scene),   reading.log.take(), std::move(reading.places),

@@ -72,6 +72,8 @@ Said& node_at(std::vector<Said>& nodes, std::string_view path) {
   return found != list.end() ? *found : list.emplace_back(Said{std::string(last), "", {}});
 }
 
+std::string list_text(const ConstListRef& list);
+
 // What a table of fields says of an object.
 template <class Object>
 class ObjectNodes {
@@ -93,6 +95,11 @@ class ObjectNodes {
     const FieldValue value = field.get(object_);
     if (spec.type == FieldType::function)
       return add_function(spec, std::get<ConstFunctionRef>(value), nodes_of(nodes_, key));
+    if (spec.type == FieldType::list) {
+      const std::string text = list_text(std::get<ConstListRef>(value));
+      if (!text.empty() || saying_ == Saying::everything) set(key, text.empty() ? "[]" : text, text.empty());
+      return;
+    }
     static const Object initial{};
     const bool is_wanted =
         is_always_said(table, field) || std::ranges::find(also_, &spec, &SaidField::field) != also_.end();
@@ -100,6 +107,7 @@ class ObjectNodes {
     if (const std::size_t bracket = key.find('['); bracket != std::string_view::npos)
       return add_listed(spec, key.substr(0, bracket), value, is_default);
     if (is_default && saying_ == Saying::differences) return;
+    if (spec.optional && std::get<std::string>(value).empty()) return;
     if (spec.type == FieldType::check && spec.choices.size() == 1) {  // "same", beside a choice of the same key
       if (chosen(value) == spec.choices.front().value) set(key, in_quotes(type_word(spec.choices.front())), is_default);
       return;
@@ -110,7 +118,7 @@ class ObjectNodes {
 
   // Names, and a choice that is there at all only because another one of the same key is not "same".
   static bool is_always_said(const FieldTable<Object>& table, const FieldOf<Object>& field) {
-    if (field.spec.type == FieldType::text) return true;
+    if (field.spec.type == FieldType::text) return !field.spec.optional;
     const Condition& when = field.spec.when;
     return !when.among.empty() && table.fields()[when.field].spec.key == field.spec.key &&
            field.spec.type == FieldType::choice;
@@ -212,6 +220,17 @@ std::vector<Said> nodes_of_object(const Object& object, Saying saying, std::span
   return nodes;
 }
 
+// The elements of a list, each as a table on a line of its own; empty for none.
+std::string list_text(const ConstListRef& list) {
+  return visit_elements(list.kind, list.list, [](const auto& elements) {
+    std::string text;
+    for (const auto& element : elements)
+      text += fmt::format("{}\n  {}", text.empty() ? "" : ",",
+                          inline_text({"", "", nodes_of_object(element, Saying::differences)}));
+    return text.empty() ? text : "[" + text + "\n]";
+  });
+}
+
 template <class Object>
 std::string table_text(const Object& object, std::string_view header, Saying saying) {
   std::string text = fmt::format("[[{}]]\n", header);
@@ -263,10 +282,12 @@ void append_objects(std::string& text, const Scene& scene, ObjectKind kind, Sayi
   });
 }
 
-void append_options(std::string& text, const RunOptions& options, Saying saying) {
-  if (options == RunOptions{} && saying == Saying::differences) return;
-  text += "\n[options]\n";
-  append_nodes(text, nodes_of_object(options, saying), "options", saying);
+template <class Table>
+void append_single(std::string& text, const Single<Table>& single, const Scene& scene, Saying saying) {
+  const Table& table = scene.*single.member;
+  if (table == Table{} && saying == Saying::differences) return;
+  text += fmt::format("\n[{}]\n", single.header);
+  append_nodes(text, nodes_of_object(table, saying), std::string(single.header), saying);
 }
 
 }  // namespace
@@ -322,8 +343,15 @@ std::string write_format_2(const Scene& scene, Saying saying) {
   std::string text = fmt::format("# Radar scene, written by Sarsim {}\n", core::program_version);
   text += "# Angles: azimuth from +y towards +x, elevation from the x-y plane upwards\n";
   text += fmt::format("format = \"{}\"\n", format_2_mark);
+  // The world stands before the objects; the options stand behind them, as they do in a script.
+  const auto is_last = [](const auto& single) { return !single.command.empty(); };
+  for_each_single([&](const auto& single) {
+    if (!is_last(single)) append_single(text, single, scene, saying);
+  });
   for (const ObjectKind kind : written_object_kinds) append_objects(text, scene, kind, saying);
-  append_options(text, scene.options, saying);
+  for_each_single([&](const auto& single) {
+    if (is_last(single)) append_single(text, single, scene, saying);
+  });
   return text;
 }
 

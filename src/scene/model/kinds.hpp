@@ -51,6 +51,35 @@ inline constexpr std::tuple kinds{
     Kind<GeometryTable>{ObjectKind::geometry, "geometry", "Geometry table", "GEOMETRY",
                         "A table of delays, amplitudes and speeds to be made.", &Scene::geometries}};
 
+/// A table of which a scene has one: `[world]`.
+template <class Table>
+struct Single {
+  std::string_view header;   ///< In format 2, and `Subject::kind`.
+  std::string_view command;  ///< Of the script language, without `$`; empty: it cannot say it.
+  std::string_view meaning;
+  Table Scene::*member;
+};
+
+/// All of them, in the order in which they are read: positions depend on the world.
+inline constexpr std::tuple singles{
+    Single<World>{"world", "", "Where and when the scene is: on a plane, or on the turning Earth.", &Scene::world},
+    Single<RunOptions>{"options", "OPTIONS",
+                       "What holds for everything that is made of the scene; the command line overrides it.",
+                       &Scene::options}};
+
+/// Calls `visit` with each Single.
+template <class Visit>
+constexpr void for_each_single(Visit&& visit) {
+  std::apply([&](const auto&... single) { (visit(single), ...); }, singles);
+}
+
+/// Whether a header is that of a single table.
+[[nodiscard]] constexpr bool is_single(std::string_view header) {
+  bool found = false;
+  for_each_single([&](const auto& single) { found = found || single.header == header; });
+  return found;
+}
+
 inline constexpr std::size_t kind_count = std::tuple_size_v<decltype(kinds)>;
 
 inline constexpr std::array<ObjectKind, kind_count> all_object_kinds =

@@ -210,10 +210,10 @@ void expect_faults(const std::vector<Wrong>& table) {
 TEST(Expression, OtherDimensionsAreRefusedInTheWordsOfTheField) {
   expect_faults({
       {" 1 km", Quantity::area, "1 km", "'1 km' is a length; the field takes an area, in m2, cm2 or dBsm"},
-      {"100 MHz", Quantity::time, "100 MHz", "is a frequency; the field takes a time, in s, ns, us, ms or min"},
+      {"100 MHz", Quantity::time, "100 MHz", "is a frequency; the field takes a time, in s, ns, us, ms, min or h"},
       {"3 m", Quantity::number, "3 m", "'3 m' is a length; the field takes a number without a unit"},
       {"3 m", Quantity::count, "3 m", "the field takes a whole number without a unit"},
-      {"5 m/s^2", Quantity::speed, "5 m/s^2", "is a quantity in m/s^2; the field takes a speed"},
+      {"5 m/s^2", Quantity::speed, "5 m/s^2", "is an acceleration; the field takes a speed"},
       {"20 dB", Quantity::area, "20 dB", "is a ratio in decibels; the field takes an area"},
       {"15 km / 240 m/s", Quantity::time, "15 km / 240 m/s", "write / (240 m/s) to divide by all of it"},
       {"5 deg/s * 3 m", Quantity::speed, "5 deg/s * 3 m", "an angle is a unit of its own; divide by 1 rad"},

@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/schema/expression.hpp"
+#include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene::field_forms {
 
@@ -159,6 +160,12 @@ std::string function_summary(const ConstFunctionRef& function) {
   return fmt::format("{} {}, {}", listed(sizes, " and "), single ? "point" : "points", listed(kinds, " and "));
 }
 
+// "4 entries".
+std::string list_summary(const ConstListRef& list) {
+  const std::size_t count = visit_elements(list.kind, list.list, [](const auto& elements) { return elements.size(); });
+  return fmt::format("{} {}", count, count == 1 ? "entry" : "entries");
+}
+
 std::string set_number(const FieldSpec& spec, double& value, std::string_view text, const LetNames* names) {
   NumberReading reading = read_number(spec, text, names);
   if (reading.failure.empty()) value = reading.value;
@@ -198,7 +205,8 @@ std::string set_check(bool& value, std::string_view text) {
 }
 
 std::string set_text(const FieldSpec& spec, std::string& value, std::string_view text) {
-  std::string failure = name_failure(spec.words, text);
+  if (text == value) return {};
+  std::string failure = spec.optional && text.empty() ? std::string() : name_failure(spec.words, text);
   if (failure.empty()) value = text;
   return failure;
 }
@@ -222,6 +230,7 @@ FieldKind form_kind(const FieldSpec& spec) {
     case FieldType::text: return FieldKind::text;
     case FieldType::name: return spec.refers == "radar" ? FieldKind::radar : FieldKind::platform;
     case FieldType::function: return FieldKind::function;
+    case FieldType::list: return FieldKind::list;
   }
   return FieldKind::text;
 }
@@ -290,6 +299,7 @@ std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_
     case FieldType::text:
     case FieldType::name: return std::get<std::string>(value);
     case FieldType::function: return function_summary(std::get<ConstFunctionRef>(value));
+    case FieldType::list: return list_summary(std::get<ConstListRef>(value));
   }
   return {};
 }
@@ -305,6 +315,9 @@ std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part
     case FieldType::flags: return set_flag(spec.flags[part], std::get<double>(value), text);
     case FieldType::text:
     case FieldType::name: return set_text(spec, std::get<std::string>(value), text);
+    case FieldType::list:
+      if (text == list_summary(std::get<ConstListRef>(value))) return {};
+      return "a list is edited in the text of the scene";
     case FieldType::function: break;
   }
   if (text == function_summary(std::get<ConstFunctionRef>(value))) return {};

@@ -27,13 +27,19 @@ bool is_among(const FieldValue& value, const std::vector<int>& among) {
 }
 
 bool has_words(const FieldSpec& spec) {
-  return std::ranges::any_of(spec.choices, [](const Choice& choice) { return !choice.word.empty(); });
+  return std::ranges::any_of(spec.choices, [](const Choice& c) { return !c.word.empty() || !c.type.empty(); });
 }
 
 const Choice* chosen_word(const FieldSpec& spec, const FieldValue& value) {
   for (const Choice& choice : spec.choices)
     if (choice.value == chosen(value) && !choice.word.empty()) return &choice;
   return nullptr;
+}
+
+bool operator==(const ConstListRef& a, const ConstListRef& b) {
+  return a.kind == b.kind && visit_elements(a.kind, a.list, [&]<class List>(const List& list) {
+           return list == *static_cast<const List*>(b.list);
+         });
 }
 
 std::string type_word(const Choice& choice) {
@@ -60,6 +66,7 @@ Range likely_range(Quantity quantity) {
     case Quantity::temperature: return {-1e6, 1e6};
     case Quantity::voltage: return {-1e6, 1e6};
     case Quantity::speed: return {-1e5, 1e5};
+    case Quantity::acceleration: return {-1e5, 1e5};
     case Quantity::number:
     case Quantity::count: break;
   }

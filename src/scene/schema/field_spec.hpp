@@ -42,7 +42,10 @@ struct Choice {
                    std::string_view in_format_2 = {})
       : word(in_script), value(static_cast<int>(of)), shown(in_forms), meaning(what), type(in_format_2) {}
 
-  std::string_view word;  ///< Keyword of the script language; empty: a script says it in another way.
+  /// Whether the script language has no word for it, and no other way to say it.
+  [[nodiscard]] constexpr bool since_2() const { return word.empty() && !type.empty(); }
+
+  std::string_view word;  ///< Keyword of the script language; empty: a script says it in another way, or not at all.
   int value;
   std::string_view shown;    ///< In forms. Of several with one value, the first is shown.
   std::string_view meaning;  ///< For the comment beside the written word; may be empty.
@@ -73,7 +76,11 @@ enum class FieldType {
   text,      ///< std::string, where `FieldSpec::refers` is empty
   name,      ///< std::string, name of another object
   function,  ///< UserFunction
+  list,      ///< std::vector of structures that have a table of fields themselves.
 };
+
+/// What a list holds; `visit_elements` (field_table.hpp) has the structures.
+enum class ListKind { none, legs, waypoints, sines };
 
 /// What a field is called where its choice is one alternative.
 struct OtherKey {
@@ -103,6 +110,10 @@ struct FieldSpec {
   const FunctionBlock* block = nullptr;  ///< FieldType::function.
   std::vector<Choice> choices = {};      ///< FieldType::choice and check, in the order of the script language.
   std::vector<Flag> flags = {};          ///< FieldType::flags.
+  std::string_view example = {};         ///< In format 2, where the default is no telling one.
+  bool optional = false;                 ///< A text or name may be missing.
+  bool on_earth = false;                 ///< A world position: over an Earth also by latitude, longitude and height.
+  bool since_2 = false;                  ///< The script language has no such field.
   std::string_view tip = {};             ///< Meaning and formula in a sentence or two.
   std::string_view detail = {};          ///< More about it for the comment beside a written value.
   bool rare = false;                     ///< Shown a level down.
@@ -110,6 +121,7 @@ struct FieldSpec {
   // What the table adds.
   std::string_view group = {};
   FieldType type = FieldType::number;
+  ListKind list = ListKind::none;  ///< FieldType::list.
   Condition when = {};
 
   [[nodiscard]] std::string_view problem_place() const { return place.empty() ? id : place; }
@@ -131,9 +143,19 @@ struct ConstFunctionRef {
   }
 };
 
+/// A list inside a constant object.
+struct ConstListRef {
+  const void* list = nullptr;
+  ListKind kind = ListKind::none;
+
+  /// True where both hold the same, wherever they are kept.
+  friend bool operator==(const ConstListRef& a, const ConstListRef& b);
+};
+
 /// The value of a field: numbers, flags and choices among numbers as double, in the unit in which they are held, angles
 /// in degrees and ratios in decibels; enumerations as int.
-using FieldValue = std::variant<double, std::uint64_t, core::Vec3, int, bool, std::string, ConstFunctionRef>;
+using FieldValue =
+    std::variant<double, std::uint64_t, core::Vec3, int, bool, std::string, ConstFunctionRef, ConstListRef>;
 
 /// The number that stands for what is chosen, of a choice or a yes or no.
 [[nodiscard]] int chosen(const FieldValue& value);

@@ -32,6 +32,7 @@ struct FieldOf {
   double& (*number)(Object&) = nullptr;  ///< FieldType::number only.
   core::Vec3& (*vector)(Object&) = nullptr;
   int (*alternative)(const Object&) = nullptr;  ///< Of an enumeration or a bool.
+  void* (*list)(Object&) = nullptr;             ///< FieldType::list only: its vector.
 };
 
 /// The fields of a kind of object, in the order of its form. Members are named by the path to them: a pointer to a
@@ -77,6 +78,10 @@ class FieldTable {
         auto& f = field_values::member<Path...>(o);
         return FunctionRef{f.part, &f.file};
       };
+    if constexpr (field_values::list_kind<Member> != ListKind::none) {
+      field.spec.list = field_values::list_kind<Member>;
+      field.list = [](Object& o) -> void* { return &field_values::member<Path...>(o); };
+    }
     if constexpr (std::is_same_v<Member, double>)
       if (spec.type == FieldType::number)
         field.number = [](Object& o) -> double& { return field_values::member<Path...>(o); };
@@ -162,6 +167,32 @@ template <>
 const FieldTable<GeometryTable>& table_of<GeometryTable>();
 template <>
 const FieldTable<RunOptions>& table_of<RunOptions>();
+template <>
+const FieldTable<World>& table_of<World>();
+template <>
+const FieldTable<Leg>& table_of<Leg>();
+template <>
+const FieldTable<Waypoint>& table_of<Waypoint>();
+template <>
+const FieldTable<Oscillation>& table_of<Oscillation>();
+
+/// Calls `visit` with the vector that a list is and returns what it returns.
+/// @param list  a `void*` or `const void*`, of `FieldOf::list` or `ConstListRef`
+template <class Pointer, class Visit>
+decltype(auto) visit_elements(ListKind kind, Pointer list, Visit&& visit) {
+  const auto as = [&]<class Element>(std::type_identity<Element>) -> decltype(auto) {
+    using List = std::conditional_t<std::is_const_v<std::remove_pointer_t<Pointer>>, const std::vector<Element>,
+                                    std::vector<Element>>;
+    return visit(*static_cast<List*>(list));
+  };
+  switch (kind) {
+    case ListKind::legs: return as(std::type_identity<Leg>{});
+    case ListKind::waypoints: return as(std::type_identity<Waypoint>{});
+    case ListKind::sines: return as(std::type_identity<Oscillation>{});
+    case ListKind::none: break;
+  }
+  throw std::logic_error("a field is no list");
+}
 
 /// The same, for loops over the kinds.
 template <class Object>

@@ -47,10 +47,20 @@ inline constexpr bool is_function = false;
 template <std::size_t N>
 inline constexpr bool is_function<UserFunction<N>> = true;
 
+template <class Member>
+inline constexpr ListKind list_kind = ListKind::none;
+template <>
+inline constexpr ListKind list_kind<std::vector<Leg>> = ListKind::legs;
+template <>
+inline constexpr ListKind list_kind<std::vector<Waypoint>> = ListKind::waypoints;
+template <>
+inline constexpr ListKind list_kind<std::vector<Oscillation>> = ListKind::sines;
+
 /// The type of a field whose member is a `Member`.
 template <class Member>
 FieldType type_of(const FieldSpec& spec) {
   if constexpr (is_function<Member>) return FieldType::function;
+  if constexpr (list_kind<Member> != ListKind::none) return FieldType::list;
   if constexpr (std::same_as<Member, std::string>) return spec.refers.empty() ? FieldType::text : FieldType::name;
   if constexpr (std::same_as<Member, bool>) return FieldType::check;
   if constexpr (std::is_enum_v<Member>) return FieldType::choice;
@@ -80,6 +90,11 @@ FieldValue held(const UserFunction<N>& value) {
   return ConstFunctionRef{value.part, &value.file};
 }
 /// See above.
+template <class Element>
+FieldValue held(const std::vector<Element>& value) {
+  return ConstListRef{&value, list_kind<std::vector<Element>>};
+}
+/// See above.
 template <class Enum>
 FieldValue held(Enum value) requires std::is_enum_v<Enum> {
   return static_cast<int>(value);
@@ -87,7 +102,7 @@ FieldValue held(Enum value) requires std::is_enum_v<Enum> {
 
 /// @}
 
-/// @name Gives a member a value; nothing to functions, which are edited in place.
+/// @name Gives a member a value; nothing to functions and lists, which are edited in place.
 /// @{
 inline void hold(double& member, const FieldValue& value) { member = std::get<double>(value); }
 inline void hold(int& member, const FieldValue& value) { member = static_cast<int>(std::get<double>(value)); }
@@ -108,6 +123,9 @@ inline void hold(std::string& member, const FieldValue& value) { member = std::g
 /// See above.
 template <std::size_t N>
 void hold(UserFunction<N>&, const FieldValue&) {}
+/// See above.
+template <class Element>
+void hold(std::vector<Element>&, const FieldValue&) {}
 /// See above.
 template <class Enum>
 void hold(Enum& member, const FieldValue& value) requires std::is_enum_v<Enum> {

@@ -21,6 +21,7 @@ enum class FieldKind {
   check,     ///< "yes" or "no".
   platform,  ///< The name of a platform of the scene.
   radar,     ///< The name of a radar of the scene.
+  list,      ///< Legs, waypoints and the like; edited in the text.
   function,  ///< A user-defined function; edited by the function editor (scene/edit/function_model.hpp).
 };
 
@@ -40,6 +41,8 @@ struct Field {
 
 /// The fields of a kind of object, in the order of the thesis's dialogs (4.2 to 4.5, 4.10).
 [[nodiscard]] const std::vector<Field>& fields_of(ObjectKind kind);
+/// The fields of `[world]`, which are edited in the text.
+[[nodiscard]] const std::vector<Field>& world_fields();
 /// The fields of `$OPTIONS`.
 [[nodiscard]] const std::vector<Field>& option_fields();
 

@@ -1,4 +1,5 @@
 #include "scene/schema/field_table.hpp"
+#include "scene/schema/fields_motion.hpp"
 
 namespace sarsim::scene {
 
@@ -15,7 +16,12 @@ void add_position(FieldTable<Platform>& table) {
        .label = "Position",
        .words = "kind of path",
        .choices = {{"STATIONARY", Platform::Path::stationary, "Stationary", "the platform stays where it is"},
-                   {"TRAJECTORY", Platform::Path::trajectory, "Trajectory", "the platform follows a path", "points"}},
+                   {"TRAJECTORY", Platform::Path::trajectory, "Trajectory", "the platform follows a path", "points"},
+                   {"", Platform::Path::ephemeris, "Orbit file", "states from a file", "ephemeris"},
+                   {"", Platform::Path::orbit, "Orbit", "an ellipse round the Earth, turned by J2", "orbit"},
+                   {"", Platform::Path::legs, "Legs", "straight pieces, turns and climbs", "legs"},
+                   {"", Platform::Path::waypoints, "Waypoints", "a route through points", "waypoints"},
+                   {"", Platform::Path::relative, "Relative", "beside another platform", "relative"}},
        .tip = "Whether the platform stays where it is or follows a path."});
   table.when<&Platform::path>(Platform::Path::stationary);
   table.add<&Platform::position_m>({.id = "position_m",
@@ -23,6 +29,7 @@ void add_position(FieldTable<Platform>& table) {
                                     .label = "coordinate",
                                     .words = "position",
                                     .quantity = Quantity::length,
+                                    .on_earth = true,
                                     .tip = "Place of the platform's origin in world coordinates."});
   table.when<&Platform::path>(Platform::Path::trajectory);
   table.add<&Platform::trajectory_m>({.id = "trajectory_m",
@@ -31,6 +38,7 @@ void add_position(FieldTable<Platform>& table) {
                                       .words = "trajectory",
                                       .block = &function_blocks::trajectory,
                                       .tip = "World x, y and z against time. Speeds are its derivative."});
+  add_paths(table);
 }
 
 void add_rotation(FieldTable<Platform>& table) {
@@ -41,10 +49,18 @@ void add_rotation(FieldTable<Platform>& table) {
        .label = "Rotation",
        .words = "kind of rotation",
        .choices = {{"CONST", Platform::Rotation::constant, "Fixed", "rotation given by angles and rates", "fixed"},
-                   {"OTHER", Platform::Rotation::user, "User-defined", "rotation given by functions of time",
-                    "points"}},
+                   {"OTHER", Platform::Rotation::user, "User-defined", "rotation given by functions of time", "points"},
+                   {"", Platform::Rotation::coordinated, "Coordinated", "along the path, banked in turns",
+                    "coordinated"},
+                   {"", Platform::Rotation::zero_doppler, "Zero Doppler",
+                    "x axis along the velocity over the turning Earth, z up as far as that allows", "zero-doppler"},
+                   {"", Platform::Rotation::nadir, "Nadir", "z axis away from the Earth's centre", "nadir"},
+                   {"", Platform::Rotation::look_at, "Look at", "z axis away from a point", "look-at"},
+                   {"", Platform::Rotation::quaternions, "Quaternions", "attitude from a file", "quaternions"}},
        .tip = "Whether the rotation is given by angles or by functions of time. A rate is added to either."});
-  table.when<&Platform::rotation_kind>(Platform::Rotation::constant);
+  using Law = Platform::Rotation;
+  table.when<&Platform::rotation_kind>(Law::constant, Law::coordinated, Law::zero_doppler, Law::nadir, Law::look_at,
+                                       Law::quaternions);
   table.add<&Platform::rotation>(
       {.id = "rotation",
        .key = "rotation.angles",
@@ -52,7 +68,8 @@ void add_rotation(FieldTable<Platform>& table) {
        .words = "rotation about",
        .noun = "rotation",
        .quantity = Quantity::angle,
-       .tip = "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z."});
+       .tip = "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z. Behind the other "
+              "kinds it turns the platform further."});
   table.when<&Platform::rotation_kind>(Platform::Rotation::user);
   table.add<&Platform::rotation_deg>({.id = "rotation_deg",
                                       .key = "rotation",
@@ -60,7 +77,9 @@ void add_rotation(FieldTable<Platform>& table) {
                                       .words = "rotation",
                                       .block = &function_blocks::rotation,
                                       .tip = "Rotation about x, y and z in degrees against time."});
-  table.when<&Platform::path>(Platform::Path::trajectory);
+  add_attitude_laws(table);
+  using Way = Platform::Path;
+  table.when<&Platform::path>(Way::trajectory, Way::ephemeris, Way::orbit, Way::legs, Way::waypoints, Way::relative);
   table.add<&Platform::aligned>(
       {.id = "aligned",
        .key = "path.aligned",
@@ -90,7 +109,8 @@ void add_position_errors(FieldTable<Platform>& table) {
        .choices = {{"STDDEV", MotionError::gaussian, "Standard deviation", "position errors drawn anew for each pulse",
                     "gaussian"},
                    {"OTHER", MotionError::envelope, "User-defined", "position errors of a given correlation",
-                    "envelope"}},
+                    "envelope"},
+                   {"", MotionError::gusts, "Gusts", "an aircraft in turbulence", "gusts"}},
        .tip = "Gaussian errors drawn anew for each pulse, or noise smoothed by an envelope.",
        .rare = true});
   table.when<&Platform::position_error>(MotionError::gaussian);
@@ -113,6 +133,20 @@ void add_position_errors(FieldTable<Platform>& table) {
        .block = &function_blocks::position_envelope,
        .tip = "White noise is integrated with this weight against the time before now. No points: no error.",
        .rare = true});
+}
+
+void add_parent(FieldTable<Platform>& table) {
+  table.add<&Platform::parent>({.id = "parent",
+                                .key = "parent",
+                                .label = "Parent",
+                                .words = "parent",
+                                .refers = "platform",
+                                .example = "\"Earth\"",
+                                .optional = true,
+                                .since_2 = true,
+                                .tip = "The platform on which this one is mounted: path, rotation and errors are then "
+                                       "in its frame, as of a rotor on a fuselage.",
+                                .rare = true});
 }
 
 void add_rotation_errors(FieldTable<Platform>& table) {
@@ -160,6 +194,8 @@ void begin_platform(const Platform& before, Platform& after) {
     begin_constant(after.trajectory_m.part[0], before.position_m.x);
     begin_constant(after.trajectory_m.part[1], before.position_m.y);
     begin_constant(after.trajectory_m.part[2], before.position_m.z);
+  } else if (after.path == Platform::Path::legs) {
+    after.start_m = before.position_m;
   } else if (before.path == Platform::Path::trajectory) {
     const auto& path = before.trajectory_m.part;
     after.position_m = {first_value(path[0]), first_value(path[1]), first_value(path[2])};
@@ -184,10 +220,13 @@ const FieldTable<Platform>& table_of<Platform>() {
                                 .label = "Platform name",
                                 .words = "name of the platform",
                                 .tip = "Targets, surfaces and radars refer to the platform by this name."});
+    add_parent(table);
     add_position(table);
     add_rotation(table);
     add_position_errors(table);
+    add_gusts(table);
     add_rotation_errors(table);
+    add_perturbations(table);
     return table.on_switch(begin_platform);
   }();
   return made;

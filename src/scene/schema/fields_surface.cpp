@@ -11,6 +11,7 @@ FieldSpec corner(std::string_view id, std::string_view key, std::string_view lab
           .words = "corner",
           .place = "corner_m",
           .quantity = Quantity::length,
+          .on_earth = true,
           .tip =
               "Corner of the triangle. Its front, which reflects, is where (point 2 - point 1) x (point 3 - point 1) "
               "points."};

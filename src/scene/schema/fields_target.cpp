@@ -31,6 +31,7 @@ void add_place(FieldTable<Target>& table) {
                                   .label = "coordinate",
                                   .words = "position",
                                   .quantity = Quantity::length,
+                                  .on_earth = true,
                                   .tip = "Place of the target in the platform's frame."});
   add_deviation(table);
 }

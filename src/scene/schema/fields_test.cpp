@@ -80,8 +80,8 @@ std::set<std::string> members_with_fields(std::string_view within = "") {
 TEST(Fields, EveryMemberOfEveryObjectHasAField) {
   for_each_kind([]<class Object>(const Kind<Object>& kind) {
     const std::set<std::string> members = members_with_fields<Object>();
-    // What the file of a cloud holds is no field.
-    constexpr std::size_t read = std::is_same_v<Object, Cloud> ? 1 : 0;
+    // What files hold is no field.
+    constexpr std::size_t read = std::is_same_v<Object, Cloud> ? 1 : std::is_same_v<Object, Platform> ? 2 : 0;
     EXPECT_EQ(members.size() + read, member_count<Object>()) << kind.name;
     for (const std::string& member : members) {
       const std::string_view id = field_of_problem(kind.kind, member);
@@ -181,13 +181,19 @@ TEST(Fields, EveryFieldKeepsItsTextThroughAScript) {
 // A text that the field takes and that is not the one it has; empty where there is none.
 std::string other_text(const Field& field, const std::string& present) {
   switch (field.kind) {
-    case FieldKind::quantity: return present.starts_with("7") ? "3" : field.id == "hanning_pedestal" ? "0.25" : "7";
+    case FieldKind::quantity: {
+      const Range& range = field.spec->range;
+      if (std::isfinite(range.high) && range.holds(0.5 * (range.low + range.high)) && !range.holds(7.0))
+        return quantity_text(0.5 * (range.low + range.high), field.quantity);
+      return present.starts_with("7") ? "3" : field.id == "hanning_pedestal" ? "0.25" : "7";
+    }
     case FieldKind::choice: return field.choices[present == field.choices[0] ? 1 : 0];
     case FieldKind::check: return present == "yes" ? "no" : "yes";
     case FieldKind::text:
     case FieldKind::platform:
     case FieldKind::radar: return present + " other";
-    case FieldKind::function: return "";
+    case FieldKind::function:
+    case FieldKind::list: return "";
   }
   return "";
 }
@@ -237,7 +243,15 @@ TEST(Fields, AFieldThatMeansNothingCannotBeChanged) {
   EXPECT_TRUE(std::get<Target>(object) == Target{});
 }
 
-// Every object that choosing can lead to is one that a script can say: the writer's requirement.
+// One of the choices that the script language has.
+std::string shown_in_script(const FieldSpec& spec, std::uint64_t draw) {
+  std::vector<Choice> choices = spec.choices;
+  std::erase_if(choices, [](const Choice& choice) { return choice.since_2(); });
+  return std::string(choices[draw % choices.size()].shown);
+}
+
+// Every object that choosing can lead to within the script language is one that a script can say: the writer's
+// requirement.
 TEST(Fields, AfterAnyChoiceTheObjectIsOneThatAScriptKeeps) {
   std::mt19937_64 engine(13);
   for (const ObjectKind kind : all_kinds) {
@@ -249,9 +263,9 @@ TEST(Fields, AfterAnyChoiceTheObjectIsOneThatAScriptKeeps) {
     if (auto* table = std::get_if<GeometryTable>(&object)) table->radar = "Radar1";
     for (int step = 0; step < 600; ++step) {
       const Field& field = fields_of(kind)[engine() % fields_of(kind).size()];
-      if (field.kind == FieldKind::function || !field_applies(object, field.id)) continue;
+      if (field.kind == FieldKind::function || !field_applies(object, field.id) || field.spec->since_2) continue;
       const std::string text =
-          field.kind == FieldKind::choice ? field.choices[engine() % field.choices.size()]
+          field.kind == FieldKind::choice ? shown_in_script(*field.spec, engine())
           : field.kind == FieldKind::text || field.kind == FieldKind::platform || field.kind == FieldKind::radar
               ? "Name" + std::to_string(engine() % 9)
               : other_text(field, field_text(object, field.id));

@@ -9,19 +9,20 @@ namespace sarsim::scene {
 
 /// What a number measures: which units may be typed, and which one is shown.
 enum class Quantity {
-  number,       ///< No unit.
-  length,       ///< m: nm, um, mm, cm, m, km, ft, nmi
-  time,         ///< s: ns, us, ms, s, min
-  frequency,    ///< Hz, kHz, MHz, GHz
-  angle,        ///< Held in degrees: deg, rad, mrad, '
-  angle_rate,   ///< Held in deg/s: deg/s, rad/s, rpm
-  area,         ///< m2: m2, cm2, dBsm
-  power,        ///< W: mW, W, kW, MW, dBW, dBm
-  ratio_db,     ///< Held in dB: dB, or a bare factor as "x100"
-  temperature,  ///< K
-  voltage,      ///< V: nV, uV, mV, V
-  speed,        ///< m/s: m/s, km/s
-  count,        ///< A whole number.
+  number,        ///< No unit.
+  length,        ///< m: nm, um, mm, cm, m, km, ft, nmi
+  time,          ///< s: ns, us, ms, s, min, h
+  frequency,     ///< Hz, kHz, MHz, GHz
+  angle,         ///< Held in degrees: deg, rad, mrad, '
+  angle_rate,    ///< Held in deg/s: deg/s, rad/s, rpm
+  area,          ///< m2: m2, cm2, dBsm
+  power,         ///< W: mW, W, kW, MW, dBW, dBm
+  ratio_db,      ///< Held in dB: dB, or a bare factor as "x100"
+  temperature,   ///< K
+  voltage,       ///< V: nV, uV, mV, V
+  speed,         ///< m/s: m/s, km/s
+  acceleration,  ///< m/s2: m/s2, g, mg, ug
+  count,         ///< A whole number.
 };
 
 /// A value read from what was typed, in the unit in which the quantity is held, or why it could not be read, in words.

@@ -43,6 +43,7 @@ Dimension dimension_of(Quantity quantity) {
     case Quantity::temperature: return {{0, 0, 0, 1}};
     case Quantity::voltage: return {{0, 0, 0, 0, 0, 1}};
     case Quantity::speed: return {{1, -1}};
+    case Quantity::acceleration: return {{1, -2}};
   }
   return {};
 }

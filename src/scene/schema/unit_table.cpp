@@ -27,8 +27,8 @@ constexpr Unit decibel(std::string_view name, double offset) {
 constexpr Unit length_units[] = {
     decimal("m", 0, false),         decimal("nm", -9), decimal("um", -6),    decimal("mm", -3),
     decimal("cm", -2, true, false), decimal("km", 3),  scaled("ft", 0.3048), scaled("nmi", 1852.0)};
-constexpr Unit time_units[] = {decimal("s", 0, false), decimal("ns", -9), decimal("us", -6), decimal("ms", -3),
-                               scaled("min", 60.0)};
+constexpr Unit time_units[] = {decimal("s", 0, false), decimal("ns", -9),   decimal("us", -6),
+                               decimal("ms", -3),      scaled("min", 60.0), scaled("h", 3600.0)};
 constexpr Unit frequency_units[] = {decimal("Hz", 0, false), decimal("kHz", 3), decimal("MHz", 6), decimal("GHz", 9)};
 constexpr Unit angle_units[] = {decimal("deg", 0, false), scaled("rad", core::deg_per_rad),
                                 scaled("mrad", core::deg_per_rad * 1e-3, true), scaled("'", 1.0 / 60.0)};
@@ -41,6 +41,11 @@ constexpr Unit decibel_units[] = {decimal("dB", 0, false)};
 constexpr Unit temperature_units[] = {decimal("K", 0, false)};
 constexpr Unit voltage_units[] = {decimal("V", 0, false), decimal("nV", -9), decimal("uV", -6), decimal("mV", -3)};
 constexpr Unit speed_units[] = {decimal("m/s", 0, false), decimal("km/s", 3, true, false)};
+
+constexpr double gravity_mps2 = 9.80665;
+constexpr Unit acceleration_units[] = {decimal("m/s2", 0, false), scaled("g", gravity_mps2),
+                                       scaled("mg", 1e-3 * gravity_mps2, true),
+                                       scaled("ug", 1e-6 * gravity_mps2, true)};
 
 // What people and their spreadsheets type for the characters that units and numbers are made of.
 struct Spelling {
@@ -95,6 +100,7 @@ std::span<const Unit> unit_table(Quantity quantity) {
     case Quantity::temperature: return temperature_units;
     case Quantity::voltage: return voltage_units;
     case Quantity::speed: return speed_units;
+    case Quantity::acceleration: return acceleration_units;
   }
   return {};
 }
@@ -114,6 +120,7 @@ std::string_view noun_of(Quantity quantity) {
     case Quantity::temperature: return "temperature";
     case Quantity::voltage: return "voltage";
     case Quantity::speed: return "speed";
+    case Quantity::acceleration: return "acceleration";
   }
   return "number";
 }

@@ -27,9 +27,9 @@ struct Unit {
 };
 
 inline constexpr Quantity every_quantity[] = {
-    Quantity::number,     Quantity::length, Quantity::time,  Quantity::frequency, Quantity::angle,
-    Quantity::angle_rate, Quantity::area,   Quantity::power, Quantity::ratio_db,  Quantity::temperature,
-    Quantity::voltage,    Quantity::speed,  Quantity::count};
+    Quantity::number,     Quantity::length, Quantity::time,         Quantity::frequency, Quantity::angle,
+    Quantity::angle_rate, Quantity::area,   Quantity::power,        Quantity::ratio_db,  Quantity::temperature,
+    Quantity::voltage,    Quantity::speed,  Quantity::acceleration, Quantity::count};
 
 /// The units of a quantity, the base unit first; empty for pure numbers.
 [[nodiscard]] std::span<const Unit> unit_table(Quantity quantity);

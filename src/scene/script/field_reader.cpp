@@ -168,10 +168,15 @@ void FieldReader::choice(const FieldSpec& spec, const Field& field, FieldValue& 
   constexpr std::size_t most_words = 16;
   if (spec.choices.size() > most_words) throw std::logic_error("a field has more choices than the reader looks at");
   std::array<std::string_view, most_words> words;
-  const std::size_t count = spec.choices.size();
-  for (std::size_t i = 0; i < count; ++i) words[i] = spec.choices[i].word;
+  std::array<int, most_words> values{};
+  std::size_t count = 0;
+  for (const Choice& one : spec.choices) {
+    if (one.since_2()) continue;
+    words[count] = one.word;
+    values[count++] = one.value;
+  }
   const std::size_t at = keyword(field, std::span(words).first(count));
-  if (at < count) choose(value, spec.choices[at].value);
+  if (at < count) choose(value, values[at]);
 }
 
 void FieldReader::read_value(const FieldSpec& spec, const Field& field, FieldValue& value) {
@@ -188,7 +193,8 @@ void FieldReader::read_value(const FieldSpec& spec, const Field& field, FieldVal
     case FieldType::flags: return integer(field, std::get<double>(value));
     case FieldType::text:
     case FieldType::name: return text(field, std::get<std::string>(value));
-    case FieldType::function: return;
+    case FieldType::function:
+    case FieldType::list: return;
   }
 }
 

@@ -9,15 +9,18 @@
 #include <vector>
 
 #include "scene/schema/field_table.hpp"
+#include "scene/script/reader.hpp"
 
 namespace sarsim::scene::test {
 
 /// Scenes of random content for tests: every alternative of every field, numbers of all sizes and precisions, names
-/// that need quotes. Only what a script can say: fields that mean nothing keep their initial values. What fields there
-/// are, and what they may hold, is in their tables.
+/// that need quotes. Fields that mean nothing keep their initial values. What fields there are, and what they may hold,
+/// is in their tables.
 class RandomScenes {
  public:
-  explicit RandomScenes(std::uint64_t seed) : engine_(seed) {}
+  /// @param language  what it can say; the script language has fewer fields
+  explicit RandomScenes(std::uint64_t seed, Language language = Language::script)
+      : engine_(seed), format_2_(language == Language::format_2) {}
 
   Scene scene() {
     Scene scene;
@@ -28,6 +31,10 @@ class RandomScenes {
     });
     for (const FieldOf<RunOptions>& field : table_of<RunOptions>().fields())
       if (coin()) draw(field, scene.options);
+    if (format_2_ && coin()) {
+      scene.world = object<World>();
+      scene.world.geoid.clear();  // names a file that is read
+    }
     return scene;
   }
 
@@ -86,7 +93,7 @@ class RandomScenes {
 
   void draw(const FieldSpec& spec, FieldValue& value) {
     switch (spec.type) {
-      case FieldType::choice: return choose(value, spec.choices[below(spec.choices.size())].value);
+      case FieldType::choice: return draw_choice(spec, value);
       case FieldType::check: value = coin(); return;
       case FieldType::flags: value = whole_number_in(spec.range); return;
       case FieldType::number:
@@ -98,8 +105,15 @@ class RandomScenes {
         return;
       case FieldType::text:
       case FieldType::name: value = name(); return;
-      case FieldType::function: return;
+      case FieldType::function:
+      case FieldType::list: return;
     }
+  }
+
+  void draw_choice(const FieldSpec& spec, FieldValue& value) {
+    std::vector<Choice> choices = spec.choices;
+    if (!format_2_) std::erase_if(choices, [](const Choice& choice) { return choice.since_2(); });
+    choose(value, choices[below(choices.size())].value);
   }
 
   template <class Object>
@@ -108,6 +122,10 @@ class RandomScenes {
       for (core::SampledFunction& part : field.function(object).parts) part = sampled(*field.spec.block);
       return;
     }
+    if (field.list != nullptr)
+      return visit_elements(field.spec.list, field.list(object), [&]<class Element>(std::vector<Element>& list) {
+        for (std::uint64_t i = below(4); i > 0; --i) list.push_back(this->object<Element>());
+      });
     FieldValue value = field.get(object);
     draw(field.spec, value);
     field.put(object, value);
@@ -118,11 +136,12 @@ class RandomScenes {
   Object object() {
     Object object;
     for (const FieldOf<Object>& field : table_of<Object>().fields())
-      if (table_of<Object>().applies(object, field)) draw(field, object);
+      if (table_of<Object>().applies(object, field) && (format_2_ || !field.spec.since_2)) draw(field, object);
     return object;
   }
 
   std::mt19937_64 engine_;
+  bool format_2_;
 };
 
 }  // namespace sarsim::scene::test

@@ -78,6 +78,7 @@ void ScriptLines::write_field(const FieldSpec& spec, const Field& field, const F
     case FieldType::text:
     case FieldType::name: return value(quoted_where_needed(std::get<std::string>(held)), comment_of(field));
     case FieldType::function: return write_block(*spec.block, std::get<ConstFunctionRef>(held));
+    case FieldType::list: return;
   }
 }
 

@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
 #include "core/report/expect.hpp"
+#include "radar/earth/resting_axes.hpp"
 #include "radar/path/light_time.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
@@ -103,9 +104,11 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) {
   const core::Vec3 middle_m = frame.origin_m + frame.world_from_platform * carrier.middle_m;
   const double out_s = core::norm(middle_m) / frame.light_speed_mps;
   frame.velocity_mps = {};
-  frame.moves = !carrier.track.fixed();
+  const bool turns = scene_->turns();  // The Earth carries what rests on it.
+  frame.moves = !carrier.track.fixed() || turns;
   if (frame.moves) {
-    const radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_, error_steps_[platform]);
+    radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_, error_steps_[platform]);
+    if (turns) met = at_rest(met, out_s);
     frame.world_from_platform = met.world_from_platform;
     frame.world_from_platform_rate = met.world_from_platform_rate;
     frame.origin_m = met.position_world_m - radar_pose().position_world_m;
@@ -113,11 +116,28 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) {
     frame.anchor_s = out_s;
   }
   frame.back_s = 2.0 * out_s;
-  if (own.track.fixed()) return;
-  const radar::Travel back = own.track.travel_at(time_s_ + frame.back_s, pulse_, error_steps_[radar_->platform]);
-  frame.radar_slope_mps = 0.5 * (radar_pose().velocity_world_mps + back.velocity_world_mps);
+  if (own.track.fixed() && !turns) return;
+  radar::Travel back = own.track.travel_at(time_s_ + frame.back_s, pulse_, error_steps_[radar_->platform]);
+  core::Vec3 sent_mps = radar_pose().velocity_world_mps;
+  if (turns) {
+    sent_mps = radar::RestingAxes(scene_->turning, 0.0).velocity_mps(radar_pose().position_world_m, sent_mps);
+    const radar::RestingAxes axes(scene_->turning, frame.back_s);
+    back = {axes.position_m(back.position_world_m), axes.velocity_mps(back.position_world_m, back.velocity_world_mps)};
+  }
+  frame.radar_slope_mps = 0.5 * (sent_mps + back.velocity_world_mps);
   frame.radar_mps = out_s > 0.0 ? (1.0 / frame.back_s) * (back.position_world_m - radar_pose().position_world_m)
                                 : frame.radar_slope_mps;
+}
+
+// A pose a while after the pulse left, as seen from axes that rest and agree with the world's as it leaves.
+radar::Pose PulseGeometry::at_rest(const radar::Pose& pose, double elapsed_s) const {
+  const radar::RestingAxes axes(scene_->turning, elapsed_s);
+  radar::Pose rest = pose;
+  rest.position_world_m = axes.position_m(pose.position_world_m);
+  rest.velocity_world_mps = axes.velocity_mps(pose.position_world_m, pose.velocity_world_mps);
+  rest.world_from_platform = axes.axes(pose.world_from_platform);
+  rest.world_from_platform_rate = axes.axes_rate(pose.world_from_platform, pose.world_from_platform_rate);
+  return rest;
 }
 
 // Accelerations are computed where their bounds say that they may count.
@@ -126,7 +146,7 @@ void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) con
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
   const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
   const bool turns = carrier.track.turns() && reach_m > 0.0;
-  if (!turns &&
+  if (!turns && !scene_->turns() &&
       !bend_counts(platform, frame, carrier.track.acceleration_bound_mps2(), own.track.acceleration_bound_mps2()))
     return;
   if (!carrier.track.fixed()) {
@@ -134,11 +154,26 @@ void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) con
     frame.acceleration_mps2 = of_carrier.acceleration_world_mps2;
     frame.world_from_platform_acceleration = of_carrier.world_from_platform_acceleration;
   }
-  if (!own.track.fixed()) frame.radar_mps2 = own.track.acceleration_at(time_s_, radar_pose()).acceleration_world_mps2;
+  if (!own.track.fixed())
+    frame.radar_mps2 = own.track.acceleration_at(time_s_, pulse_, radar_pose()).acceleration_world_mps2;
+  if (scene_->turns()) set_bend_at_rest(platform, frame);
   frame.bends =
       bend_counts(platform, frame,
                   core::norm(frame.acceleration_mps2) + turning_of(frame.world_from_platform_acceleration) * reach_m,
                   core::norm(frame.radar_mps2));
+}
+
+// The accelerations in axes that rest: of what the turning world carries too.
+void PulseGeometry::set_bend_at_rest(std::size_t platform, radar::SightFrame& frame) const {
+  const radar::Pose met = scene_->platforms[platform].track.at(time_s_ + frame.anchor_s, pulse_);
+  const radar::RestingAxes then(scene_->turning, frame.anchor_s);
+  frame.acceleration_mps2 =
+      then.acceleration_mps2(met.position_world_m, met.velocity_world_mps, frame.acceleration_mps2);
+  frame.world_from_platform_acceleration = then.axes_acceleration(met.world_from_platform, met.world_from_platform_rate,
+                                                                  frame.world_from_platform_acceleration);
+  const radar::RestingAxes now(scene_->turning, 0.0);
+  frame.radar_mps2 =
+      now.acceleration_mps2(radar_pose().position_world_m, radar_pose().velocity_world_mps, frame.radar_mps2);
 }
 
 // Whether accelerations up to those given turn the ends of the pulse, or the echoes of points beside the platform's
@@ -146,7 +181,7 @@ void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) con
 bool PulseGeometry::bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
                                 double radar_mps2) const {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
-  if (carrier.track.fixed() && scene_->platforms[radar_->platform].track.fixed()) return false;
+  if (carrier.track.fixed() && scene_->platforms[radar_->platform].track.fixed() && !scene_->turns()) return false;
   const double light_mps = frame.light_speed_mps;
   const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
   const double speed_mps =

@@ -68,6 +68,8 @@ class PulseGeometry {
   void set_frame(std::size_t platform);
   void set_flight(std::size_t platform, radar::SightFrame& frame);
   void set_bend(std::size_t platform, radar::SightFrame& frame) const;
+  void set_bend_at_rest(std::size_t platform, radar::SightFrame& frame) const;
+  [[nodiscard]] radar::Pose at_rest(const radar::Pose& pose, double elapsed_s) const;
   [[nodiscard]] bool bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
                                  double radar_mps2) const;
   [[nodiscard]] Sight sight_of(std::size_t platform, const core::Vec3& point_m, const core::Vec3& undisturbed_m) const;

@@ -15,6 +15,7 @@
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/radar_pulse.hpp"
 #include "scene/model/scene_index.hpp"
+#include "simulate/resolve/platform_motion.hpp"
 
 namespace sarsim::simulate {
 
@@ -24,39 +25,6 @@ std::array<core::Interpolator, 3> three(const scene::UserFunction<3>& function, 
                                         double scale = 1.0) {
   return {core::Interpolator(function.part[0], rule, scale), core::Interpolator(function.part[1], rule, scale),
           core::Interpolator(function.part[2], rule, scale)};
-}
-
-core::Interpolator constant(double value) {
-  return core::Interpolator(core::SampledFunction{core::Interpolation::linear, {{0.0, value}}});
-}
-
-std::array<double, 3> radians(const std::array<core::Angle, 3>& angles) {
-  return {angles[0].rad(), angles[1].rad(), angles[2].rad()};
-}
-
-radar::Motion motion_of(const scene::Platform& platform, core::InterpolationRules rule) {
-  radar::Motion motion;
-  if (platform.path == scene::Platform::Path::trajectory)
-    motion.position_m = three(platform.trajectory_m, rule);
-  else
-    motion.position_m = {constant(platform.position_m.x), constant(platform.position_m.y),
-                         constant(platform.position_m.z)};
-  motion.aligned = platform.path == scene::Platform::Path::trajectory && platform.aligned;
-  if (platform.rotation_kind == scene::Platform::Rotation::user)
-    motion.rotation_rad = three(platform.rotation_deg, rule, core::rad_per_deg);
-  else
-    for (std::size_t i = 0; i < 3; ++i) motion.rotation_rad[i] = constant(platform.rotation[i].rad());
-  motion.rotation_rate_rad_per_s = radians(platform.rotation_rate);
-  if (platform.position_error == scene::Platform::MotionError::envelope)
-    motion.position_envelope = three(platform.position_envelope, rule);
-  else
-    motion.position_stddev_m = {platform.position_stddev_m.x, platform.position_stddev_m.y,
-                                platform.position_stddev_m.z};
-  if (platform.rotation_error == scene::Platform::MotionError::envelope)
-    motion.rotation_envelope = three(platform.rotation_envelope, rule, core::rad_per_deg);
-  else
-    motion.rotation_stddev_rad = radians(platform.rotation_stddev);
-  return motion;
 }
 
 // What a target and a cloud have alike: all but position and cross-section.
@@ -233,12 +201,12 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   resolved.conventions = conventions_of(scene.options.profile);
   resolved.options = scene.options;
   const core::InterpolationRules rule = interpolation_rules(scene.options);
-  for (const scene::Platform& platform : scene.platforms)
-    resolved.platforms.push_back(
-        {platform.name, radar::Track(motion_of(platform, rule), scene.options.seed, platform.name), {}, 0.0});
+  resolved.turning = turning_of(scene.world);
+  std::vector<radar::Track> tracks = tracks_of(scene, rule);
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+    resolved.platforms.push_back({scene.platforms[i].name, std::move(tracks[i]), {}, 0.0});
   // The world itself, last, for scripts that use "Earth" without defining it.
-  resolved.platforms.push_back(
-      {"Earth", radar::Track(motion_of(scene::Platform{}, rule), scene.options.seed, "Earth"), {}, 0.0});
+  resolved.platforms.push_back({"Earth", radar::Track({}, scene.options.seed, "Earth"), {}, 0.0});
 
   scene::SceneIndex names(scene);
   add_targets(scene, names, resolved, control);
@@ -264,6 +232,7 @@ std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene
   auto some = std::make_shared<ResolvedScene>();
   some->conventions = scene->conventions;
   some->options = scene->options;
+  some->turning = scene->turning;
   some->platforms = scene->platforms;
   some->scatterers = scene->scatterers.thinned(most_points);
   some->sheets = scene->sheets;

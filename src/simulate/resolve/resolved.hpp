@@ -9,6 +9,7 @@
 #include "core/task/parallel.hpp"
 #include "radar/antenna/beam.hpp"
 #include "radar/antenna/pattern.hpp"
+#include "radar/earth/sagnac.hpp"
 #include "radar/motion/track.hpp"
 #include "radar/waveform/pulse.hpp"
 #include "radar/waveform/schedule.hpp"
@@ -55,8 +56,12 @@ struct ResolvedRadar {
 
 /// A scene without its radars.
 struct ResolvedScene {
+  /// Whether the world turns while light is under way.
+  [[nodiscard]] bool turns() const { return turning.rotation_rad_per_s != core::Vec3{}; }
+
   Conventions conventions;
   scene::RunOptions options;
+  radar::TurningAxes turning;  ///< How the world turns with the Earth; at rest over a flat one.
   std::vector<ResolvedPlatform> platforms;
   ScattererList scatterers;            ///< One per target, in order, then the points of the clouds.
   std::vector<ScattererSheet> sheets;  ///< One per surface, in order.

@@ -165,7 +165,7 @@ class MotionLook {
       if (!used_[p]) continue;
       const radar::Track& track = plan_.scene->platforms[p].track;
       moved[p].pose = track.at(time_s, pulse);
-      moved[p].acceleration = track.acceleration_at(time_s, moved[p].pose);
+      moved[p].acceleration = track.acceleration_at(time_s, pulse, moved[p].pose);
     }
     return moved;
   }

@@ -97,21 +97,40 @@ core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
   return problems;
 }
 
+// Over a turning Earth the way out and home differs from that over an Earth at rest by 2 d (w x P).V/c^2: as much as a
+// small velocity away from the scene makes.
+core::Vec3 for_turning(const core::Vec3& velocity_mps, const core::Vec3& antenna_m, const core::Vec3& scene_m,
+                       const simulate::ResolvedScene& scene) {
+  const core::Vec3 look_m = scene_m - antenna_m;
+  const double carried =
+      core::dot(radar::carried_mps(scene.turning, scene_m), velocity_mps) / scene.conventions.light_speed_mps;
+  return velocity_mps - (carried / core::norm(look_m)) * look_m;
+}
+
 // The antenna's mean velocity while an echo is under way: that with which its light time is that of an even flight.
-core::Vec3 velocity_until_back(const simulate::PulseGeometry& geometry, const simulate::Plan& plan) {
-  if (plan.scene->scatterers.empty() || plan.scene->conventions.light_time == radar::LightTime::thesis)
-    return geometry.radar_pose().velocity_world_mps;
-  return geometry.frame(plan.scene->scatterers.front().platform).radar_mps;
+core::Vec3 velocity_until_back(const simulate::PulseGeometry& geometry, const simulate::Plan& plan,
+                               const core::Vec3& scene_m) {
+  if (plan.scene->conventions.light_time == radar::LightTime::thesis) return geometry.radar_pose().velocity_world_mps;
+  if (!plan.scene->turns())
+    return plan.scene->scatterers.empty() ? geometry.radar_pose().velocity_world_mps
+                                          : geometry.frame(plan.scene->scatterers.front().platform).radar_mps;
+  const radar::Pose& pose = geometry.radar_pose();
+  const double back_s =
+      radar::delay_of(core::norm(scene_m - pose.position_world_m), plan.scene->conventions.light_speed_mps);
+  const radar::Track& track = plan.scene->platforms[plan.radar.platform].track;
+  const core::Vec3 back_m = track.at(geometry.send_time_s() + back_s, geometry.pulse()).position_world_m;
+  return for_turning((1.0 / back_s) * (back_m - pose.position_world_m), pose.position_world_m, scene_m, *plan.scene);
 }
 
 std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan) {
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   std::vector<signal::TrackPoint> track;
   track.reserve(static_cast<std::size_t>(plan.pulses.count()));
+  const core::Vec3 scene_m = plan.scene->turns() ? scene_middle_m(plan) : core::Vec3{};
   for (std::int64_t pulse = plan.pulses.first; pulse <= plan.pulses.last; ++pulse) {
     geometry.set_pulse(pulse);
     const radar::Pose& pose = geometry.radar_pose();
-    track.push_back({geometry.send_time_s(), pose.position_world_m, velocity_until_back(geometry, plan)});
+    track.push_back({geometry.send_time_s(), pose.position_world_m, velocity_until_back(geometry, plan, scene_m)});
   }
   return track;
 }

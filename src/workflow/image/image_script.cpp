@@ -10,7 +10,7 @@
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "scene/language/scene_reader.hpp"
-#include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_input.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/input/script_sum.hpp"
 
@@ -43,7 +43,7 @@ std::optional<std::string> checksum_of(const std::string& source, const std::str
     reading = scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path()));
   }
   if (core::has_errors(reading.problems)) return std::nullopt;
-  if (core::has_errors(read_clouds(reading.scene, fs::path(file).parent_path(), {core::thread_count(0)})))
+  if (core::has_errors(read_files_of(reading.scene, fs::path(file).parent_path(), {core::thread_count(0)})))
     return std::nullopt;
   return workflow::script_sum(reading.scene);
 }

@@ -21,7 +21,7 @@
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
-#include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_input.hpp"
 #include "workflow/input/output_names.hpp"
 
 namespace sarsim::workflow {
@@ -86,7 +86,7 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
   scene::ScriptReading reading =
       scene::read_scene_text(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
   expect_sound(std::move(reading.problems));
-  core::Problems of_clouds = read_clouds(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)});
+  core::Problems of_clouds = read_files_of(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)});
   expect_sound(of_clouds);
   take(recording.problems, std::move(of_clouds));
   expect_sound(scene::check(reading.scene));

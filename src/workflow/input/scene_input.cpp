@@ -17,6 +17,7 @@
 #include "simulate/survey/survey.hpp"
 #include "workflow/input/bare_number.hpp"
 #include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_input.hpp"
 #include "workflow/input/target_tables.hpp"
 
 namespace sarsim::workflow {
@@ -200,7 +201,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
         !mistakes.empty())
       throw core::Refused(std::move(mistakes));
   if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems))
-    append(reading.problems, read_clouds(input.scene, folder, control));
+    append(reading.problems, read_files_of(input.scene, folder, control));
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
@@ -263,7 +264,13 @@ std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
     for (const scene::FunctionUse& use : scene::functions_of(object))
       if (!use.file->empty()) names.insert(*use.file);
   };
-  for (const scene::Platform& platform : scene.platforms) take(platform);
+  for (const scene::Platform& platform : scene.platforms) {
+    take(platform);
+    if (platform.path == scene::Platform::Path::ephemeris) names.insert(platform.ephemeris_file);
+    if (platform.rotation_kind == scene::Platform::Rotation::quaternions) names.insert(platform.attitude_file);
+  }
+  names.insert(scene.world.geoid);
+  names.erase("");
   for (const scene::Radar& radar : scene.radars) take(radar);
   for (const scene::Target& target : scene.targets)
     if (!target.gain_db.file.empty()) names.insert(target.gain_db.file);

@@ -5,8 +5,9 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "scene/language/recorded_text.hpp"
 #include "scene/model/cloud_points.hpp"
-#include "scene/script/writer.hpp"
+#include "scene/model/read_path.hpp"
 
 namespace sarsim::workflow {
 
@@ -25,6 +26,7 @@ class DataFiles {
 
   void add(const scene::Scene& scene) {
     for (const scene::Platform& p : scene.platforms) {
+      if (p.read_path) add_states(*p.read_path);
       add(p.trajectory_m);
       add(p.rotation_deg);
       add(p.position_envelope);
@@ -49,6 +51,15 @@ class DataFiles {
   }
 
  private:
+  // The motion itself, at times all over the file.
+  void add_states(const scene::ReadPath& path) {
+    constexpr double steps = 64.0;
+    const double span_s = path.usable.last_s - path.usable.first_s;
+    for (double step = 0.0; step <= steps; step += 1.0)
+      if (const auto motion = path.states->at(path.usable.first_s + step / steps * span_s))
+        sum_.add(std::as_bytes(std::span(&*motion, 1)));
+  }
+
   core::Checksum& sum_;
 };
 
@@ -56,7 +67,7 @@ class DataFiles {
 
 std::string script_sum(const scene::Scene& scene, const core::WorkControl& control) {
   core::Checksum sum;
-  scene::write_script(scene, control, [&](std::string_view piece) { sum.add(piece); });
+  scene::recorded_text(scene, control, [&](std::string_view piece) { sum.add(piece); });
   DataFiles(sum).add(scene);
   return fmt::format("{:016x}", sum.value());
 }

@@ -6,7 +6,7 @@
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/table/formats.hpp"
-#include "scene/script/writer.hpp"
+#include "scene/language/recorded_text.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "workflow/input/scene_input.hpp"
 #include "workflow/record/known_machine.hpp"
@@ -47,7 +47,7 @@ PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simul
       .problems = std::move(input.problems)};
   const scene::FileFormat format = prepared.plan.simulation.format;
   prepared.options.format = format;
-  if (raster::format_of(format).carries_script) prepared.script = scene::write_script(scene);
+  if (raster::format_of(format).carries_script) prepared.script = scene::recorded_text(scene);
   const simulate::Product product = simulate::product_of(prepared.plan, prepared.script);
   prepared.estimate =
       estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options), prepared.options.counts);

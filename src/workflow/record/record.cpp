@@ -16,9 +16,9 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
+#include "scene/language/recorded_text.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/model/object.hpp"
-#include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/input/output_names.hpp"
@@ -281,7 +281,7 @@ class Recorder {
 
   // The text of the scene as understood, made when it is first needed.
   const std::string& script() {
-    if (script_.empty()) script_ = scene::write_script(input_.scene, work());
+    if (script_.empty()) script_ = scene::recorded_text(input_.scene, work());
     return script_;
   }
 

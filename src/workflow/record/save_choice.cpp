@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "raster/table/formats.hpp"
-#include "scene/script/writer.hpp"
+#include "scene/language/recorded_text.hpp"
 #include "workflow/record/plan_recording.hpp"
 
 namespace sarsim::workflow {
@@ -64,7 +64,7 @@ SaveForecast forecast(const scene::Scene& scene, const SaveChoice& choice, doubl
   if (!planned.plan) return forecast;
   const bool with_script = raster::format_of(simulation.format).carries_script;
   const simulate::Product product = simulate::product_of(
-      *planned.plan, with_script ? scene::write_script(with_simulation(scene, simulation)) : std::string());
+      *planned.plan, with_script ? scene::recorded_text(with_simulation(scene, simulation)) : std::string());
   const double bytes = raster::expected_bytes(product, sink_options_of(choice, false));
   const bool counts = chosen_samples(choice) == SampleChoice::counts;
   SaveEstimate estimate = save_estimate(*planned.plan, bytes, largest_v, threads, counts);

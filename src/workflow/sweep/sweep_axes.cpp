@@ -17,7 +17,7 @@
 #include "scene/schema/value_list.hpp"
 #include "scene/script/reader.hpp"
 #include "workflow/input/bare_number.hpp"
-#include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_input.hpp"
 #include "workflow/sweep/random_values.hpp"
 #include "workflow/sweep/value_table.hpp"
 
@@ -405,7 +405,7 @@ scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core:
     const std::string failure = scene::set_named_field(scene, axes_[i].field, axes_[i].values[value], load);
     if (!failure.empty()) problems.push_back(mistake_of(axes_[i], value, failure));
   }
-  if (problems.empty()) std::ranges::move(read_clouds(scene, folder_, {1}), std::back_inserter(problems));
+  if (problems.empty()) std::ranges::move(read_files_of(scene, folder_, {1}), std::back_inserter(problems));
   return scene;
 }
 

@@ -28,6 +28,7 @@ std::string takes(const scene::Field& field) {
     case scene::FieldKind::choice: return fmt::format("{}", fmt::join(field.choices, " | "));
     case scene::FieldKind::check: return "yes | no";
     case scene::FieldKind::function: return "name of a data file";
+    case scene::FieldKind::list: return "nothing: it is edited in the text";
     default: return {};
   }
 }

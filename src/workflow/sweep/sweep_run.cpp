@@ -18,8 +18,8 @@
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "scene/edit/data_functions.hpp"
+#include "scene/language/recorded_text.hpp"
 #include "scene/model/cloud_points.hpp"
-#include "scene/script/writer.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/record/recording.hpp"
@@ -75,7 +75,7 @@ class VariationRunner {
     alone.stop = stop_;
     const RecordingReport report = workflow::make_recording(
         {plan, rules_.folder / row.file, raster::SinkOptions{format, rules_.replace, rules_.counts, rules_.header},
-         raster::format_of(format).carries_script ? scene::write_script(scene_) : std::string(), rules_.discard},
+         raster::format_of(format).carries_script ? scene::recorded_text(scene_) : std::string(), rules_.discard},
         rules_.threads, alone);
     row.run = report.run;
     row.engine = report.engine;
@@ -143,7 +143,7 @@ std::uint64_t hash_of_functions(const scene::KeptObject& object, std::uint64_t h
 }
 
 std::uint64_t hash_of_scene(const scene::Scene& scene) {
-  std::uint64_t hash = core::fnv1a(scene::write_script(scene));
+  std::uint64_t hash = core::fnv1a(scene::recorded_text(scene));
   for (const scene::Platform& platform : scene.platforms) hash = hash_of_functions(platform, hash);
   for (const scene::Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
   for (const scene::Target& target : scene.targets)

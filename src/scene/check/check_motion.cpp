@@ -1,0 +1,181 @@
+#include "scene/check/check_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "radar/earth/earth_frame.hpp"
+#include "scene/check/check_values.hpp"
+#include "scene/model/read_path.hpp"
+#include "scene/model/route.hpp"
+#include "scene/model/world_frame.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+// Nothing flies lower; the lowest land is 430 m below the sea.
+constexpr double lowest_height_m = -500.0;
+
+void check_epoch(Findings& findings, const Scene& scene) {
+  const radar::InstantReading epoch = epoch_of(scene.world);
+  if (!epoch.failure.empty())
+    return findings.error("epoch", {.message = "the epoch is not a time",
+                                    .found = scene.world.epoch,
+                                    .expected = "UTC as 2024-04-01T22:59:42Z",
+                                    .hint = epoch.failure});
+  if (!epoch.instant) return;
+  const radar::TimeSpan needed = needed_times(scene);
+  const radar::Instant first = radar::later(*epoch.instant, std::min(needed.first_s, 0.0));
+  const radar::Instant last = radar::later(*epoch.instant, std::max(needed.last_s, 0.0));
+  if (radar::leap_second_between(first, last))
+    findings.error("epoch", {.message = "a leap second lies within the times of the scene",
+                             .found = fmt::format("{} to {}", radar::format_instant(first, radar::TimeScale::utc, 3),
+                                                  radar::format_instant(last, radar::TimeScale::utc, 3)),
+                             .expected = "recordings before or behind it",
+                             .hint = "UTC counts no even seconds there."});
+}
+
+void check_anchor(Findings& findings, const World& world) {
+  constexpr double pole_deg = 89.999;
+  if (world.frame == World::Frame::earth && std::abs(world.latitude.deg()) > pole_deg)
+    findings.warning(Consequence::surprise, "latitude",
+                     {.message = "the anchor is at a pole, where east and north follow from its longitude",
+                      .found = value_text(world.latitude.deg(), "deg"),
+                      .expected = "a latitude within +-89.999 deg",
+                      .hint = "Move the anchor into the scene."});
+}
+
+Finding needs_earth(std::string_view what) {
+  return {.message = fmt::format("{} needs the Earth, but the world is flat", what),
+          .found = {},
+          .expected = "[world] with frame = \"earth\" and an anchor",
+          .hint = {}};
+}
+
+void check_laws(Findings& findings, const World& world, const Platform& platform) {
+  const bool flat = world.frame == World::Frame::flat;
+  if (flat && platform.path == Platform::Path::orbit) findings.error("path", needs_earth("an orbit"));
+  if (flat && platform.rotation_kind == Platform::Rotation::zero_doppler)
+    findings.error("rotation_kind", needs_earth("zero-Doppler steering"));
+  if (flat && platform.rotation_kind == Platform::Rotation::nadir)
+    findings.error("rotation_kind", needs_earth("pointing to the nadir"));
+  const bool follows = platform.rotation_kind == Platform::Rotation::coordinated ||
+                       platform.rotation_kind == Platform::Rotation::zero_doppler;
+  if (follows && platform.path == Platform::Path::stationary)
+    findings.error("rotation_kind", {.message = "the attitude follows a path, but the platform stays where it is",
+                                     .found = {},
+                                     .expected = "a platform that moves, or a fixed rotation",
+                                     .hint = {}});
+  const bool in_parent = !platform.parent.empty() && platform.parent != "Earth";
+  if (in_parent && (platform.path == Platform::Path::ephemeris || platform.path == Platform::Path::orbit))
+    findings.error("parent", {.message = "an orbit is a path in the world, not in the frame of a parent",
+                              .found = platform.parent,
+                              .expected = "no parent",
+                              .hint = {}});
+}
+
+void check_files(Findings& findings, const Platform& platform) {
+  const auto missing = [&](std::string_view field, std::string_view what, std::string_view example) {
+    findings.error(field, {.message = fmt::format("the {} has no file", what),
+                           .found = {},
+                           .expected = fmt::format("file = \"{}\"", example),
+                           .hint = {}});
+  };
+  if (platform.path == Platform::Path::ephemeris && platform.ephemeris_file.empty())
+    missing("ephemeris_file", "path", "S1A.EOF");
+  if (platform.rotation_kind == Platform::Rotation::quaternions && platform.attitude_file.empty())
+    missing("attitude_file", "attitude", "S1A.aem");
+}
+
+void check_route(Findings& findings, const Platform& platform) {
+  const bool legs = platform.path == Platform::Path::legs;
+  if (!legs && platform.path != Platform::Path::waypoints) return;
+  const radar::PathMade made = route_of(platform);
+  if (!made.fault.empty())
+    return findings.error(legs ? "legs" : "waypoints",
+                          {.message = made.fault, .found = {}, .expected = {}, .hint = {}});
+  constexpr double noticed_step_mps = 1e-6;
+  if (made.path.largest_step_mps() > noticed_step_mps)
+    findings.warning(Consequence::false_signal, legs ? "legs" : "waypoints",
+                     {.message = "the velocity of the path steps",
+                      .found = fmt::format("by up to {}", value_text(made.path.largest_step_mps(), "m/s")),
+                      .expected = "a path that is rounded off",
+                      .hint = legs ? "Give climbs a rounding." : "Give an acceleration, or points of one height."});
+}
+
+// Follows leaders or parents until they end.
+void check_chain(Findings& findings, const Scene& scene, std::size_t index, std::string Platform::*next,
+                 std::string_view field) {
+  std::set<std::size_t> seen{index};
+  for (std::size_t at = index;;) {
+    const std::string& name = scene.platforms[at].*next;
+    if (name.empty()) return;
+    at = find_platform(scene, name);
+    if (at == not_found) return;
+    if (seen.insert(at).second) continue;
+    if (at == index)
+      findings.error(field, {.message = fmt::format("the {}s of the platform come back to itself", field),
+                             .found = name,
+                             .expected = "another platform",
+                             .hint = {}});
+    return;
+  }
+}
+
+void check_leader(Findings& findings, const Scene& scene, std::size_t index) {
+  const Platform& platform = scene.platforms[index];
+  if (platform.path != Platform::Path::relative) return;
+  if (platform.leader.empty())
+    return findings.error("leader", {.message = "a relative path has no leader",
+                                     .found = {},
+                                     .expected = "leader = the name of a platform",
+                                     .hint = {}});
+  check_chain(findings, scene, index, &Platform::leader, "leader");
+}
+
+void check_height(Findings& findings, const Scene& scene, const Platform& platform) {
+  if (!platform.read_path || scene.world.frame != World::Frame::earth) return;
+  const radar::EarthFrame earth(anchor_of(scene.world));
+  const radar::TimeSpan times = needed_times(scene);
+  constexpr double looks = 200.0;
+  for (double look = 0.0; look <= looks; look += 1.0) {
+    const double time_s = times.first_s + look / looks * (times.last_s - times.first_s);
+    const auto motion = platform.read_path->states->at(time_s);
+    if (!motion) continue;
+    const double height_m = earth.geodetic_of(motion->position_m).height_m;
+    if (height_m >= lowest_height_m) continue;
+    return findings.error("path", {.message = "the path goes through the Earth",
+                                   .found = fmt::format("{} at {}", value_text(height_m, "m"), value_text(time_s, "s")),
+                                   .expected = "a height above the ellipsoid",
+                                   .hint = "Positions of files are in km or m as their formats say."});
+  }
+}
+
+}  // namespace
+
+void check_world(Findings& findings, const Scene& scene) {
+  check_values(findings, scene.world);
+  check_epoch(findings, scene);
+  check_anchor(findings, scene.world);
+  if (scene.world.frame == World::Frame::earth && scene.options.profile == Profile::classic)
+    findings.error("frame", {.message = "the classic profile knows no Earth",
+                             .found = "frame earth",
+                             .expected = "the physical profile, or a flat world",
+                             .hint = {}});
+}
+
+void check_motion(Findings& findings, const Scene& scene, std::size_t index) {
+  const Platform& platform = scene.platforms[index];
+  check_laws(findings, scene.world, platform);
+  check_files(findings, platform);
+  check_route(findings, platform);
+  check_leader(findings, scene, index);
+  check_chain(findings, scene, index, &Platform::parent, "parent");
+  check_height(findings, scene, platform);
+}
+
+}  // namespace sarsim::scene

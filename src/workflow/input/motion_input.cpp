@@ -1,0 +1,418 @@
+#include "workflow/input/motion_input.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "radar/earth/instant.hpp"
+#include "radar/orbit/kepler.hpp"
+#include "radar/orbit/sgp4.hpp"
+#include "scene/ephemeris/read_ephemeris.hpp"
+#include "scene/model/read_path.hpp"
+#include "scene/model/world_frame.hpp"
+#include "scene/script/reader.hpp"
+#include "workflow/input/cloud_input.hpp"
+#include "workflow/input/world_axes.hpp"
+
+namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using scene::Platform;
+
+// States that are computed are this far apart, and go on so long before and behind the recordings.
+constexpr double state_spacing_s = 10.0;
+constexpr double state_margin_s = 60.0;
+constexpr std::size_t most_states = 2'000'000;
+
+core::Problem path_problem(std::string message, std::string found = {}, std::string expected = {},
+                           std::string hint = {}) {
+  return core::problem_of(core::Severity::error, std::move(message), std::move(found), std::move(expected),
+                          std::move(hint));
+}
+
+// The file of a platform, or why there is none.
+struct FileText {
+  std::string text;
+  std::string path;
+};
+
+std::optional<FileText> text_of_file(const std::string& name, const fs::path& folder, core::Problems& problems) {
+  const scene::DataFileText data = scene::disk_loader(folder)(name);
+  if (!data.failure.empty() || data.path.empty()) {
+    problems.push_back(path_problem("the file of the motion cannot be read", name, {},
+                                    data.failure.empty() ? "look at the name and the folder" : data.failure));
+    return std::nullopt;
+  }
+  return FileText{data.text, data.path};
+}
+
+radar::StateInterpolation interpolation_of(const Platform& platform, bool has_velocities) {
+  switch (platform.interpolation) {
+    case Platform::Interpolation::automatic: break;
+    case Platform::Interpolation::hermite: return radar::hermite_degree_7;
+    case Platform::Interpolation::lagrange: return radar::lagrange_8_points;
+    case Platform::Interpolation::cubic: return radar::hermite_cubic;
+  }
+  return has_velocities ? radar::hermite_degree_7 : radar::lagrange_8_points;
+}
+
+// Makes the path of one platform.
+class PathMaker {
+ public:
+  PathMaker(const scene::Scene& scene, const Platform& platform, core::Problems& problems)
+      : platform_(platform), problems_(problems), needed_(scene::needed_times(scene)), axes_(scene.world) {}
+
+  std::shared_ptr<const scene::ReadPath> of_file(const FileText& file) {
+    const scene::OrbitFormat format = scene::orbit_format_of(file.text);
+    switch (format) {
+      case scene::OrbitFormat::tle:
+      case scene::OrbitFormat::omm_kvn:
+      case scene::OrbitFormat::omm_xml:
+      case scene::OrbitFormat::omm_csv:
+      case scene::OrbitFormat::omm_json: return of_elements(file, format);
+      case scene::OrbitFormat::aem:
+      case scene::OrbitFormat::other_ndm:
+      case scene::OrbitFormat::unknown:
+        return refuse(path_problem(fmt::format("{} is no file of an orbit", platform_.ephemeris_file),
+                                   format == scene::OrbitFormat::aem ? "a CCSDS AEM, which holds attitudes" : "",
+                                   "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, TLE or OMM"));
+      default: return of_states(file, format);
+    }
+  }
+
+  // An ellipse whose node is given over the Earth as it lies at time 0.
+  std::shared_ptr<const scene::ReadPath> of_orbit() {
+    if (!axes_.earth()) return refuse(no_earth("an orbit"));
+    const radar::KeplerElements elements{platform_.semi_major_axis_m, platform_.eccentricity,
+                                         platform_.inclination.rad(), platform_.node_longitude.rad(),
+                                         platform_.perigee.rad(),     platform_.anomaly.rad()};
+    const double perigee_m = platform_.semi_major_axis_m * (1.0 - platform_.eccentricity);
+    if (!(perigee_m > radar::wgs84_semi_major_m))
+      return refuse(path_problem("the perigee of the orbit is inside the Earth",
+                                 fmt::format("{:.1f} km from the centre", 1e-3 * perigee_m), "more than 6378.137 km",
+                                 "change semi_major_axis or eccentricity"));
+    const radar::SecularOrbit orbit(elements);
+    radar::StateSamples samples;
+    for (const double time_s : computed_times()) {
+      const radar::OrbitMotion motion = orbit.at(time_s);
+      const radar::TurningFrame turning = radar::turning_about_z(
+          std::remainder(radar::earth_rate_rad_per_s * time_s, 2.0 * core::pi), radar::earth_rate_rad_per_s);
+      add(samples, time_s, axes_.from_ecef(turning.to({motion.position_m, motion.velocity_mps})), true);
+    }
+    return made(samples, radar::hermite_degree_7, needed_with_margin(), "mean elements, turned by J2");
+  }
+
+ private:
+  std::shared_ptr<const scene::ReadPath> refuse(core::Problem problem) {
+    problems_.push_back(std::move(problem));
+    return nullptr;
+  }
+
+  static core::Problem no_earth(std::string_view what) {
+    return path_problem(fmt::format("{} needs the Earth, but the world is flat", what), {},
+                        "[world] with frame = \"earth\" and an anchor");
+  }
+
+  static void add(radar::StateSamples& samples, double time_s, const radar::StateVector& state, bool with_velocity) {
+    samples.time_s.push_back(time_s);
+    samples.position_m.push_back(state.position_m);
+    if (with_velocity) samples.velocity_mps.push_back(state.velocity_mps);
+  }
+
+  [[nodiscard]] radar::TimeSpan needed_with_margin() const {
+    return {needed_.first_s - state_margin_s, needed_.last_s + state_margin_s};
+  }
+
+  // Times for which states are computed: some more than are needed, for the polynomials at the ends.
+  [[nodiscard]] std::vector<double> computed_times() const {
+    const radar::TimeSpan span = needed_with_margin();
+    const double spacing_s =
+        std::max(state_spacing_s, (span.last_s - span.first_s) / static_cast<double>(most_states / 2));
+    const auto steps = static_cast<std::size_t>(std::ceil((span.last_s - span.first_s) / spacing_s)) + 8;
+    std::vector<double> times;
+    for (std::size_t i = 0; i < steps; ++i) times.push_back(span.first_s + (static_cast<double>(i) - 4.0) * spacing_s);
+    return times;
+  }
+
+  std::shared_ptr<const scene::ReadPath> made(const radar::StateSamples& samples,
+                                              const radar::StateInterpolation& interpolation,
+                                              const radar::TimeSpan& usable, std::string description) {
+    auto table = radar::StateTable::from(samples, interpolation);
+    if (auto* const problem = std::get_if<core::Problem>(&table)) {
+      problem->message = fmt::format("{}: {}", platform_.ephemeris_file, problem->message);
+      return refuse(std::move(*problem));
+    }
+    auto path = std::make_shared<scene::ReadPath>();
+    path->states = std::make_shared<const radar::StateTable>(std::get<radar::StateTable>(std::move(table)));
+    const radar::TimeSpan covered{path->states->spans().front().first_s, path->states->spans().back().last_s};
+    path->usable = {std::max(usable.first_s, covered.first_s), std::min(usable.last_s, covered.last_s)};
+    path->description = std::move(description);
+    if (needed_.last_s > needed_.first_s &&
+        (path->usable.first_s > needed_.first_s || path->usable.last_s < needed_.last_s))
+      return refuse(path_problem(fmt::format("{} does not cover the recordings", platform_.ephemeris_file),
+                                 said(path->usable), said(needed_),
+                                 "change the epoch or the times of the recordings, or take another file"));
+    return path;
+  }
+
+  // Times of the scene, as seconds and, where there is an epoch, as dates.
+  [[nodiscard]] std::string said(const radar::TimeSpan& span) const {
+    if (!axes_.epoch()) return fmt::format("{:.3f} s to {:.3f} s", span.first_s, span.last_s);
+    const auto date = [&](double time_s) {
+      return radar::format_instant(radar::later(*axes_.epoch(), time_s), radar::TimeScale::utc, 3);
+    };
+    return fmt::format("{} to {} ({:.3f} s to {:.3f} s)", date(span.first_s), date(span.last_s), span.first_s,
+                       span.last_s);
+  }
+
+  bool expect_epoch(std::string_view first) {
+    if (axes_.epoch()) return true;
+    problems_.push_back(path_problem(fmt::format("{} has dates, but the scene has no epoch", platform_.ephemeris_file),
+                                     {}, "[world] with epoch = the UTC of time 0",
+                                     first.empty() ? std::string() : fmt::format("the file begins at {}", first)));
+    return false;
+  }
+
+  std::shared_ptr<const scene::ReadPath> of_states(const FileText& file, scene::OrbitFormat format) {
+    scene::EphemerisReading reading =
+        scene::read_ephemeris(file.text, file.path, {platform_.satellite, !axes_.earth()});
+    const bool broken = core::has_errors(reading.problems);
+    std::ranges::move(reading.problems, std::back_inserter(problems_));
+    if (broken) return nullptr;
+    const scene::EphemerisFile& states = reading.file;
+    const bool is_table = format == scene::OrbitFormat::csv;
+    if (!axes_.earth() && !is_table) return refuse(no_earth(fmt::format("the orbit in {}", platform_.ephemeris_file)));
+    const bool dated = states.form == scene::TimeForm::civil;
+    if (dated && !expect_epoch(radar::format_civil(states.segments.front().states.front().time))) return nullptr;
+    std::vector<radar::TimeSpan> spans;
+    std::shared_ptr<const scene::ReadPath> last;
+    core::Problems of_segments;
+    for (const scene::EphemerisSegment& segment : states.segments) {
+      const auto span = usable_of(segment, states);
+      if (!span) return nullptr;
+      const bool fits = span->first_s <= needed_.first_s && span->last_s >= needed_.last_s;
+      spans.push_back(*span);
+      if (!fits && states.segments.size() > 1) continue;
+      return of_segment(segment, *span, states, format);
+    }
+    const radar::TimeSpan all{spans.front().first_s, spans.back().last_s};
+    return refuse(path_problem(
+        fmt::format("no segment of {} covers the recordings", platform_.ephemeris_file),
+        fmt::format("{} segments, {}", spans.size(), said(all)), said(needed_),
+        "nothing may be interpolated from one segment to the next; change the epoch or the times of the recordings"));
+  }
+
+  std::optional<double> time_of(const radar::CivilTime& time, radar::TimeScale scale) {
+    radar::InstantReading read = radar::instant_of(time, scale, axes_.orientation().dut1_s);
+    if (read.instant) return radar::seconds_between(*axes_.epoch(), *read.instant);
+    problems_.push_back(path_problem(fmt::format("{}: {}", platform_.ephemeris_file, read.failure)));
+    return std::nullopt;
+  }
+
+  std::optional<radar::TimeSpan> usable_of(const scene::EphemerisSegment& segment, const scene::EphemerisFile& file) {
+    if (file.form != scene::TimeForm::civil)
+      return radar::TimeSpan{segment.states.front().since_epoch_s, segment.states.back().since_epoch_s};
+    const auto first = time_of(segment.usable.start.value_or(segment.states.front().time), file.scale);
+    const auto last = first ? time_of(segment.usable.stop.value_or(segment.states.back().time), file.scale) : first;
+    if (!last) return std::nullopt;
+    return radar::TimeSpan{*first, *last};
+  }
+
+  std::shared_ptr<const scene::ReadPath> of_segment(const scene::EphemerisSegment& segment,
+                                                    const radar::TimeSpan& usable, const scene::EphemerisFile& file,
+                                                    scene::OrbitFormat format) {
+    const bool with_velocities = std::ranges::all_of(
+        segment.states, [](const scene::EphemerisState& state) { return state.velocity_mps.has_value(); });
+    const radar::StateInterpolation interpolation = interpolation_of(platform_, with_velocities);
+    if (interpolation.use_velocities && !with_velocities)
+      return refuse(path_problem(fmt::format("{} has no velocities", platform_.ephemeris_file), {}, {},
+                                 "write interpolation = \"lagrange\""));
+    radar::StateSamples samples;
+    for (const scene::EphemerisState& state : segment.states) {
+      std::optional<double> time_s = state.since_epoch_s;
+      if (file.form == scene::TimeForm::civil) time_s = time_of(state.time, file.scale);
+      if (!time_s) return nullptr;
+      const radar::StateVector given{state.position_m, state.velocity_mps.value_or(core::Vec3{})};
+      add(samples, *time_s, axes_.from(file.frame, given, *time_s), interpolation.use_velocities);
+    }
+    return made(samples, interpolation, usable,
+                fmt::format("{}, {} states, {}", scene::name_of(format), segment.states.size(),
+                            axes_.earth() ? std::string(scene::name_of(file.frame)) : std::string("world axes")));
+  }
+
+  // The set of elements nearest to time 0.
+  static const scene::ElementSet& nearest(const std::vector<scene::ElementSet>& sets, const radar::Instant& epoch) {
+    const auto off_s = [&](const scene::ElementSet& set) {
+      const auto read = radar::instant_of(set.epoch, radar::TimeScale::utc);
+      return read.instant ? std::abs(radar::seconds_between(epoch, *read.instant)) : 1e300;
+    };
+    return *std::ranges::min_element(sets, {}, off_s);
+  }
+
+  std::shared_ptr<const scene::ReadPath> of_elements(const FileText& file, scene::OrbitFormat format) {
+    if (!axes_.earth()) return refuse(no_earth(fmt::format("the orbit in {}", platform_.ephemeris_file)));
+    scene::MeanElementsReading reading = scene::read_mean_elements(file.text, file.path, {platform_.satellite});
+    const bool broken = core::has_errors(reading.problems);
+    std::ranges::move(reading.problems, std::back_inserter(problems_));
+    if (broken) return nullptr;
+    if (!expect_epoch(radar::format_civil(reading.file.sets.front().epoch))) return nullptr;
+    const scene::ElementSet& set = nearest(reading.file.sets, *axes_.epoch());
+    auto theory = radar::Sgp4::from(set.elements, set.epoch);
+    if (auto* const problem = std::get_if<core::Problem>(&theory)) return refuse(std::move(*problem));
+    const auto at_s = time_of(set.epoch, radar::TimeScale::utc);
+    if (!at_s) return nullptr;
+    constexpr double day_s = 86400.0;
+    constexpr double usual_days = 7.0;
+    const double age_days = std::max(std::abs(needed_.first_s - *at_s), std::abs(needed_.last_s - *at_s)) / day_s;
+    if (age_days > usual_days)
+      problems_.push_back(core::problem_of(
+          core::Severity::warning, fmt::format("{}: the mean elements are old", platform_.ephemeris_file),
+          fmt::format("{:.1f} days from their epoch {}", age_days, radar::format_civil(set.epoch)),
+          fmt::format("at most {:g} days", usual_days), "SGP4 is off by some km each day"));
+    radar::StateSamples samples;
+    for (const double time_s : computed_times()) {
+      const auto state = std::get<radar::Sgp4>(theory).state_at(time_s - *at_s);
+      if (const auto* const problem = std::get_if<core::Problem>(&state)) return refuse(*problem);
+      const auto& [position_m, velocity_mps] = std::get<radar::OrbitState>(state);
+      add(samples, time_s, axes_.from(scene::Frame::teme, {position_m, velocity_mps}, time_s), false);
+    }
+    return made(samples, radar::lagrange_8_points, needed_with_margin(),
+                fmt::format("{}, SGP4 from {}", scene::name_of(format), radar::format_civil(set.epoch)));
+  }
+
+  const Platform& platform_;
+  core::Problems& problems_;
+  radar::TimeSpan needed_;
+  WorldAxes axes_;
+};
+
+// Makes the attitude of one platform.
+std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene, const Platform& platform,
+                                                       const FileText& file, core::Problems& problems) {
+  const auto refuse = [&](core::Problem problem) {
+    problems.push_back(std::move(problem));
+    return nullptr;
+  };
+  const WorldAxes axes(scene.world);
+  if (scene::orbit_format_of(file.text) != scene::OrbitFormat::aem)
+    return refuse(
+        path_problem(fmt::format("{} is no file of attitudes", platform.attitude_file), {}, "a CCSDS AEM (KVN)"));
+  if (!axes.earth() || !axes.epoch())
+    return refuse(path_problem(fmt::format("the attitudes in {} need the Earth and an epoch", platform.attitude_file),
+                               {}, "[world] with frame = \"earth\", an anchor and an epoch"));
+  scene::AttitudeReading reading = scene::read_attitude(file.text, file.path, {platform.satellite});
+  const bool broken = core::has_errors(reading.problems);
+  std::ranges::move(reading.problems, std::back_inserter(problems));
+  if (broken) return nullptr;
+  const radar::TimeSpan needed = scene::needed_times(scene);
+  for (const scene::AttitudeSegment& segment : reading.file.segments) {
+    radar::AttitudeSamples samples;
+    std::vector<double>& times_s = samples.time_s;
+    for (const scene::AttitudeState& state : segment.states) {
+      const auto read = radar::instant_of(state.time, reading.file.scale, axes.orientation().dut1_s);
+      if (!read.instant) return refuse(path_problem(fmt::format("{}: {}", platform.attitude_file, read.failure)));
+      times_s.push_back(radar::seconds_between(*axes.epoch(), *read.instant));
+      samples.world_from_platform.push_back(
+          radar::quaternion_of(axes.world_from(reading.file.reference, times_s.back()) *
+                               core::transposed(scene::turned_from_first(state.body_from_reference))));
+    }
+    if (times_s.front() > needed.first_s || times_s.back() < needed.last_s) continue;
+    auto read = std::make_shared<scene::ReadAttitude>();
+    read->usable = {times_s.front(), times_s.back()};
+    auto table = radar::AttitudeTable::from(samples);
+    if (auto* const problem = std::get_if<core::Problem>(&table)) return refuse(std::move(*problem));
+    read->attitudes = std::make_shared<const radar::AttitudeTable>(std::get<radar::AttitudeTable>(std::move(table)));
+    return read;
+  }
+  return refuse(path_problem(fmt::format("no segment of {} covers the recordings", platform.attitude_file), {},
+                             fmt::format("{:.3f} s to {:.3f} s", needed.first_s, needed.last_s)));
+}
+
+std::string world_key(const scene::Scene& scene) {
+  const scene::World& world = scene.world;
+  const radar::TimeSpan needed = scene::needed_times(scene);
+  return fmt::format("{}|{}|{}|{}|{}|{}|{}|{}|{}", static_cast<int>(world.frame), world.epoch, world.latitude.deg(),
+                     world.longitude.deg(), world.height_m, world.heading.deg(), world.dut1_s, needed.first_s,
+                     needed.last_s);
+}
+
+std::string key_of_path(const Platform& p, const std::string& world) {
+  if (p.path == Platform::Path::orbit)
+    return fmt::format("{}|{}|{}|{}|{}|{}|{}", world, p.semi_major_axis_m, p.eccentricity, p.inclination.deg(),
+                       p.node_longitude.deg(), p.perigee.deg(), p.anomaly.deg());
+  return fmt::format("{}|{}|{}|{}", world, p.ephemeris_file, p.satellite, static_cast<int>(p.interpolation));
+}
+
+void read_path(scene::Scene& scene, Platform& platform, const fs::path& folder, core::Problems& problems) {
+  const bool from_file = platform.path == Platform::Path::ephemeris;
+  if (!from_file && platform.path != Platform::Path::orbit) {
+    platform.read_path = {};
+    return;
+  }
+  const std::string key = key_of_path(platform, world_key(scene));
+  if (platform.read_path && platform.read_path->made_of == key) return;
+  platform.read_path = {};
+  std::optional<FileText> file;
+  if (from_file && !(file = text_of_file(platform.ephemeris_file, folder, problems))) return;
+  PathMaker maker(scene, platform, problems);
+  const auto made = from_file ? maker.of_file(*file) : maker.of_orbit();
+  if (!made) return;
+  auto kept = std::make_shared<scene::ReadPath>(*made);
+  kept->made_of = key;
+  platform.read_path = std::shared_ptr<const scene::ReadPath>(std::move(kept));
+}
+
+void read_attitude(scene::Scene& scene, Platform& platform, const fs::path& folder, core::Problems& problems) {
+  if (platform.rotation_kind != Platform::Rotation::quaternions) {
+    platform.read_attitude = {};
+    return;
+  }
+  const std::string key = fmt::format("{}|{}|{}", world_key(scene), platform.attitude_file, platform.satellite);
+  if (platform.read_attitude && platform.read_attitude->made_of == key) return;
+  platform.read_attitude = {};
+  const auto file = text_of_file(platform.attitude_file, folder, problems);
+  if (!file) return;
+  const auto made = attitude_of(scene, platform, *file, problems);
+  if (!made) return;
+  auto kept = std::make_shared<scene::ReadAttitude>(*made);
+  kept->made_of = key;
+  platform.read_attitude = std::shared_ptr<const scene::ReadAttitude>(std::move(kept));
+}
+
+}  // namespace
+
+core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
+  core::Problems all;
+  if (!scene::epoch_of(scene.world).failure.empty()) return all;  // `check` says it.
+  for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
+    const auto add = [&](core::Problems problems, const char* field) {
+      for (core::Problem& problem : problems) {
+        problem.subject = {"platform", i, field};
+        all.push_back(std::move(problem));
+      }
+    };
+    Platform& platform = scene.platforms[i];
+    core::Problems of_path, of_attitude;
+    read_path(scene, platform, folder, of_path);
+    add(std::move(of_path), platform.path == Platform::Path::orbit ? "path" : "ephemeris_file");
+    read_attitude(scene, platform, folder, of_attitude);
+    add(std::move(of_attitude), "attitude_file");
+  }
+  return all;
+}
+
+core::Problems read_files_of(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
+  core::Problems problems = read_clouds(scene, folder, control);
+  std::ranges::move(read_motions(scene, folder), std::back_inserter(problems));
+  return problems;
+}
+
+}  // namespace sarsim::workflow
