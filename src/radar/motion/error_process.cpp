@@ -36,7 +36,7 @@ bool vanishes_at_ends(const core::Interpolator& h) {
 
 }  // namespace
 
-ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis)
+ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::RandomStream& stream, int axis, bool smooth)
     : stream_(stream), axis_(axis) {
   CORE_EXPECT(axis >= 0 && axis <= 2);
   if (envelope.knots().size() < 2) return;
@@ -48,6 +48,14 @@ ErrorProcess::ErrorProcess(const core::Interpolator& envelope, const core::Rando
   weights_.resize(steps_over_support);
   for (int k = 0; k < steps_over_support; ++k)
     weights_[static_cast<std::size_t>(k)] = mean_over(envelope, first + k * step_s_, step_s_) * std::sqrt(step_s_);
+  if (!smooth) return;
+  slope_weights_.resize(steps_over_support);
+  // What the mean over a step gains as time goes on. h is 0 outside.
+  const auto edge = [&](int k) {
+    return k == 0 || k == steps_over_support ? 0.0 : envelope.value(first + k * step_s_);
+  };
+  for (int k = 0; k < steps_over_support; ++k)
+    slope_weights_[static_cast<std::size_t>(k)] = (edge(k + 1) - edge(k)) / std::sqrt(step_s_);
 }
 
 core::Jet ErrorProcess::at(double time_s) const {
@@ -60,8 +68,21 @@ core::Jet ErrorProcess::at(double time_s, Step& step) const {
   const double position = time_s / step_s_;
   const double below = std::floor(position + 1e-9);
   if (step.below != below) step = step_from(below);
+  if (!slope_weights_.empty()) return on_cubic(step, position - below);
   const double rise = step.right - step.left;
   return {step.left + rise * (position - below), differentiable_ ? rise / step_s_ : 0.0, 0.0};
+}
+
+// Hermite's cubic between two grid times.
+core::Jet ErrorProcess::on_cubic(const Step& step, double share) const {
+  const double rise = step.right - step.left;
+  const double a = step.left_slope * step_s_;
+  const double b = step.right_slope * step_s_;
+  const double square = 3.0 * rise - 2.0 * a - b;
+  const double cube = a + b - 2.0 * rise;
+  return {step.left + share * (a + share * (square + share * cube)),
+          (a + share * (2.0 * square + 3.0 * share * cube)) / step_s_,
+          (2.0 * square + 6.0 * share * cube) / (step_s_ * step_s_)};
 }
 
 ErrorProcess::Step ErrorProcess::step_from(double below) const {
@@ -81,7 +102,12 @@ ErrorProcess::Step ErrorProcess::step_from(double below) const {
     right += weights_[k] * noise[k];
     left += weights_[k] * noise[k + 1];
   }
-  return {below, left, right};
+  Step step{below, left, right};
+  for (std::size_t k = 0; k < slope_weights_.size(); ++k) {
+    step.right_slope += slope_weights_[k] * noise[k];
+    step.left_slope += slope_weights_[k] * noise[k + 1];
+  }
+  return step;
 }
 
 }  // namespace sarsim::radar

@@ -152,6 +152,28 @@ TEST(ErrorProcess, ComesLaterWithALaterEnvelope) {
   for (const double t : {-1.0, 0.0, 0.5, 3.0}) EXPECT_NEAR(delayed.at(t + later_s).value, d.at(t).value, 1e4 * epsilon);
 }
 
+TEST(ErrorProcess, ASmoothOneHasTheDerivativeOfItsPositionsAndTheVelocityOfItsEnvelope) {
+  // h = u exp(-u): the variance is 1/4, that of the velocity the integral of h'^2, 1/4 too.
+  core::SampledFunction h{core::Interpolation::cubic, {}};
+  for (int i = 0; i <= 240; ++i) h.knots.push_back({0.05 * i, 0.05 * i * std::exp(-0.05 * i)});
+  const core::RandomStream stream(7, core::RandomKind::position_envelope, 3);
+  const ErrorProcess d(core::Interpolator(h, {core::LowPassRule::first_knot, core::CubicEnds::not_a_knot}), stream, 1,
+                       true);
+  double position2 = 0.0, velocity2 = 0.0, worst = 0.0;
+  constexpr int points = 40000;
+  for (int i = 0; i < points; ++i) {
+    const double t = 0.31 * i;
+    const core::Jet at = d.at(t);
+    const double quotient = (d.at(t + 1e-5).value - d.at(t - 1e-5).value) / 2e-5;
+    worst = std::max(worst, std::abs(quotient - at.slope));
+    position2 += at.value * at.value / points;
+    velocity2 += at.slope * at.slope / points;
+  }
+  EXPECT_LT(worst, 1e-4);
+  EXPECT_NEAR(position2, 0.25, 0.012);
+  EXPECT_NEAR(velocity2, 0.25, 0.012);
+}
+
 TEST(ErrorProcess, AxesAndObjectsAreIndependent) {
   const core::Interpolator h = shapes()[0].h;
   const double variance = autocorrelation(h, 0.0);

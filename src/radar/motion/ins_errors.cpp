@@ -51,6 +51,19 @@ core::Interpolator gauss_markov_function(double sigma, double correlation_time_s
   return core::Interpolator(function, {core::LowPassRule::first_knot, core::CubicEnds::not_a_knot});
 }
 
+core::Interpolator smooth_wander_function(double sigma, double correlation_time_s) {
+  CORE_EXPECT(correlation_time_s > 0.0);
+  constexpr int steps = 256;
+  constexpr double last = 12.0;
+  const double scale_s = 0.5 * correlation_time_s;
+  core::SampledFunction function{core::Interpolation::cubic, {}};
+  for (int i = 0; i <= steps; ++i) {
+    const double x = last * i / steps;
+    function.knots.push_back({x * scale_s, 2.0 * sigma / std::sqrt(scale_s) * x * std::exp(-x)});
+  }
+  return core::Interpolator(function, {core::LowPassRule::first_knot, core::CubicEnds::not_a_knot});
+}
+
 core::Interpolator random_walk_function(double density, double duration_s) {
   CORE_EXPECT(duration_s > 0.0);
   const double height = density / std::sqrt(2.0);

@@ -17,6 +17,11 @@ inline constexpr double schuler_radius_m = 6'371'000.0;
 /// @param correlation_time_s  T, positive
 [[nodiscard]] core::Interpolator gauss_markov_function(double sigma, double correlation_time_s);
 
+/// The same of second order, c u exp(-u/s) with s = T/2 and c = 2 sigma s^(-3/2): mean 0, standard deviation sigma,
+/// correlation coefficient (1 + lag/s) exp(-lag/s), whose integral is T. Its deviation has a velocity, of standard
+/// deviation sigma/s. For positions and attitudes that are followed closely. Cubic knots up to 12 s.
+[[nodiscard]] core::Interpolator smooth_wander_function(double sigma, double correlation_time_s);
+
 /// The integration envelope of a random walk: a box. The difference of two deviations has the variance
 /// density^2 lag while the lag is below the duration, as a random walk has; beyond it no longer grows.
 /// @param density     deviation per square root of time: angular random walk in rad/s^0.5

@@ -30,6 +30,7 @@ struct Motion {
   std::array<core::Interpolator, 3>
       position_envelope;  ///< Integration envelopes (decision 16); these move the speed too, where they do not jump.
   std::array<core::Interpolator, 3> rotation_envelope;
+  bool smooth_errors = false;  ///< Errors of envelopes have a continuous velocity; envelopes must vanish at their ends.
   /// The errors of the position envelopes x, y, z are along, left and up of the nominal path's level axes at the time
   /// (`relative_path::level_axes`), not along the axes of the frame; as the axes turn they carry the errors with them.
   bool errors_follow_path = false;

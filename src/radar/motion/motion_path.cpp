@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <vector>
 
 #include "core/report/expect.hpp"
 
@@ -66,8 +68,20 @@ bool rests(const PathSegment& s) {
   return s.speed_mps == 0.0 && s.acceleration_mps2 == 0.0 && s.climb_mps == 0.0 && s.climb_acceleration_mps2 == 0.0;
 }
 
-bool is_straight(const PathSegment& s) {
-  return s.acceleration_mps2 == 0.0 && s.turn_rate_rad_per_s == 0.0 && s.climb_acceleration_mps2 == 0.0;
+// One direction within the piece. What slows down to rest or starts from it has none there.
+bool keeps_direction(const PathSegment& s) {
+  if (s.turn_rate_rad_per_s != 0.0 || s.climb_acceleration_mps2 != 0.0) return false;
+  return s.acceleration_mps2 == 0.0 || (s.climb_mps == 0.0 && s.speed_mps > 0.0 && after(s).speed_mps > 0.0);
+}
+
+bool goes_on(const PathSegment& a, const PathSegment& b) {
+  return a.speed_mps > 0.0 && b.speed_mps > 0.0 && a.heading_rad == b.heading_rad &&
+         a.climb_mps * b.speed_mps == b.climb_mps * a.speed_mps;
+}
+
+bool is_straight(const std::vector<PathSegment>& pieces) {
+  const auto bend = std::ranges::adjacent_find(pieces, std::not_fn(goes_on));
+  return bend == pieces.end() && std::ranges::all_of(pieces, keeps_direction);
 }
 
 // Of a level turn at constant rate, a straight flight or the place beside one: each derivative of the level velocity is
@@ -171,10 +185,7 @@ bool MotionPath::may_turn() const {
   const auto bends = [](const core::Interpolator& f) { return f.knots().size() > 2; };
   return std::visit(Overloaded{[&](const FunctionPath& path) { return std::ranges::any_of(path.position_m, bends); },
                                [](const StatePath&) { return true; },
-                               [](const SegmentPath& path) {
-                                 const auto& pieces = path.segments();
-                                 return pieces.size() > 1 || !std::ranges::all_of(pieces, is_straight);
-                               },
+                               [](const SegmentPath& path) { return !is_straight(path.segments()); },
                                [](const RelativePath& path) { return path.leader->may_turn(); }},
                     way);
 }

@@ -81,6 +81,13 @@ TurningMatrix turning_matrix(const std::array<double, 3>& rotation_rad, const st
   return {attitude.world_from_platform, rate_of(attitude, rate_rad_per_s)};
 }
 
+void set_turning_matrix(const std::array<double, 3>& rotation_rad, const std::array<double, 3>& rate_rad_per_s,
+                        core::Mat3& matrix, core::Mat3& rate) {
+  const Attitude attitude = attitude_of(rotation_rad);
+  matrix = attitude.world_from_platform;
+  rate = rate_of(attitude, rate_rad_per_s);
+}
+
 TurningMatrix operator*(const TurningMatrix& outer, const TurningMatrix& inner) {
   return {outer.matrix * inner.matrix, outer.rate * inner.matrix + outer.matrix * inner.rate};
 }

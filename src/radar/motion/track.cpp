@@ -69,8 +69,9 @@ Track::Track(Motion motion, std::uint64_t seed, const std::string& name)
   const core::RandomStream rotation(seed, core::RandomKind::rotation_envelope, core::name_key(name));
   auto& moving = motion_.errors_follow_path ? along_process_ : position_process_;
   for (std::size_t i = 0; i < 3; ++i) {
-    moving[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i));
-    rotation_process_[i] = ErrorProcess(motion_.rotation_envelope[i], rotation, static_cast<int>(i));
+    moving[i] = ErrorProcess(motion_.position_envelope[i], position, static_cast<int>(i), motion_.smooth_errors);
+    rotation_process_[i] =
+        ErrorProcess(motion_.rotation_envelope[i], rotation, static_cast<int>(i), motion_.smooth_errors);
   }
   for (const Sine& sine : motion_.sines)
     (static_cast<int>(sine.axis) < 3 ? position_sines_ : rotation_sines_).push_back(sine);
@@ -173,9 +174,8 @@ Travel Track::travel_along(const PathJets& path, double time_s, std::int64_t pul
 
 void Track::add_rotation(Pose& pose, const PathJets& path, double time_s, std::int64_t pulse, ErrorSteps& steps) const {
   add_angles(pose, path, time_s, pulse, steps);
-  const TurningMatrix own = turning_matrix(pose.rotation_rad, pose.rotation_rate_rad_per_s);
-  pose.world_from_platform = own.matrix;
-  pose.world_from_platform_rate = own.rate;
+  set_turning_matrix(pose.rotation_rad, pose.rotation_rate_rad_per_s, pose.world_from_platform,
+                     pose.world_from_platform_rate);
   if (has_axes_) turn_within_axes(pose, path, time_s);
 }
 

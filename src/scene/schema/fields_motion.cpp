@@ -428,7 +428,7 @@ void add_navigation(FieldTable<Platform>& table) {
                                     .words = "correlation time of the position error",
                                     .quantity = Quantity::time,
                                     .range = {1e-3, 1e6},
-                                    .tip = "Gauss-Markov: the correlation falls as exp(-t/T)."});
+                                    .tip = "Integral of the correlation (1 + 2 t/T) exp(-2 t/T)."});
   add.operator()<&Platform::attitude_error>({.id = "attitude_error",
                                              .key = "navigation.attitude",
                                              .label = "Attitude error",
@@ -442,7 +442,7 @@ void add_navigation(FieldTable<Platform>& table) {
                                          .words = "correlation time of the attitude error",
                                          .quantity = Quantity::time,
                                          .range = {1e-3, 1e6},
-                                         .tip = "Gauss-Markov: the correlation falls as exp(-t/T)."});
+                                         .tip = "Integral of the correlation (1 + 2 t/T) exp(-2 t/T)."});
   add.operator()<&Platform::aligned_s>({.id = "aligned_s",
                                         .key = "navigation.aligned",
                                         .label = "Aligned at",

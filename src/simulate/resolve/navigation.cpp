@@ -8,12 +8,13 @@ namespace {
 
 radar::Motion wandering(const scene::Platform& platform) {
   radar::Motion motion;
+  motion.smooth_errors = true;
   if (platform.fix_m > 0.0)
     for (core::Interpolator& one : motion.position_envelope)
-      one = radar::gauss_markov_function(platform.fix_m, platform.fix_s);
+      one = radar::smooth_wander_function(platform.fix_m, platform.fix_s);
   if (platform.attitude_error.rad() > 0.0)
     for (core::Interpolator& one : motion.rotation_envelope)
-      one = radar::gauss_markov_function(platform.attitude_error.rad(), platform.attitude_s);
+      one = radar::smooth_wander_function(platform.attitude_error.rad(), platform.attitude_s);
   return motion;
 }
 

@@ -21,7 +21,7 @@ class NavigationErrors {
   [[nodiscard]] radar::Pose believed(const radar::Pose& truth, double time_s) const;
 
  private:
-  radar::Track wander_;                     // Gauss-Markov errors around the origin
+  radar::Track wander_;                     // wandering errors around the origin
   std::array<radar::InsBias, 3> biases_{};  // along world x, y, z
   double yaw_rate_rad_per_s_ = 0.0;
   double aligned_s_ = 0.0;

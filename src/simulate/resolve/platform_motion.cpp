@@ -82,6 +82,7 @@ void add_gusts(const Platform& platform, radar::Motion& motion) {
     return std::move(made.displacement);
   };
   motion.errors_follow_path = true;
+  motion.smooth_errors = true;
   motion.position_envelope = {envelope(radar::GustForm::along, air.sigma_u_mps, air.length_u_m),
                               envelope(radar::GustForm::across, air.sigma_v_mps, air.length_v_m),
                               envelope(radar::GustForm::across, air.sigma_w_mps, air.length_w_m)};

@@ -266,7 +266,7 @@ FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   expect_sense(asked);
   FocusRequest request = asked;
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  FocusWork work = work_on(open_focus_input(request.input, control), request, control);
+  FocusWork work = work_on(open_focus_input(request.input, control, request.navigation), request, control);
   const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
   std::vector<SarTarget> targets;
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };

@@ -3,25 +3,50 @@
 #include <algorithm>
 
 #include "core/report/refused.hpp"
+#include "radar/motion/motion_path.hpp"
+#include "scene/model/read_path.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/input/motion_input.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
 
-FocusInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {
+// The echoes seem to come from where the navigation says that the antenna was.
+void believe(const std::string& file, const scene::Scene& scene, FocusInput& focus) {
+  if (file.empty()) return;
+  scene::Scene believed;
+  believed.world = scene.world;
+  scene::Platform& platform = believed.platforms.emplace_back();
+  platform.path = scene::Platform::Path::ephemeris;
+  platform.ephemeris_file = file;
+  scene::GeometryTable& times = believed.geometries.emplace_back();
+  times.time_start_s = focus.echoes.track.front().time_s;
+  times.time_end_s = focus.echoes.track.back().time_s;
+  core::Problems problems = read_motions(believed, {});
+  for (core::Problem& problem : problems) problem.subject = {};
+  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  std::ranges::move(problems, std::back_inserter(focus.problems));
+  const radar::MotionPath path = radar::StatePath{platform.read_path->states};
+  focus.echoes.track = track_along(*focus.plan, [&](double time_s) { return path.state(time_s).position_world_m; });
+}
+
+FocusInput of_script(const RecordingArguments& arguments, const core::WorkControl& control,
+                     const std::string& navigation) {
   auto [input, simulation] = open_script(arguments, records_pulses, control);
   FocusInput focus = focus_input_of(input.scene, simulation, input.resolved);
   std::ranges::move(input.problems, std::back_inserter(focus.problems));
   if (core::has_errors(focus.problems)) throw core::Refused(core::ranked(std::move(focus.problems)));
+  believe(navigation, input.scene, focus);
   return focus;
 }
 
-FocusInput of_file(const RecordingArguments& arguments) {
+FocusInput of_file(const RecordingArguments& arguments, const std::string& navigation) {
   StoredRecording stored =
       open_recording(arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); });
   FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems)};
   focus.echoes = sar_rows_of_recording(focus.plan, stored.rows);
+  believe(navigation, stored.scene, focus);
   return focus;
 }
 
@@ -42,8 +67,10 @@ FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
   return focus;
 }
 
-FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control) {
-  FocusInput focus = names_script(arguments) ? of_script(arguments, control) : of_file(arguments);
+FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control,
+                            const std::string& navigation) {
+  FocusInput focus =
+      names_script(arguments) ? of_script(arguments, control, navigation) : of_file(arguments, navigation);
   focus.problems = core::ranked(std::move(focus.problems));
   return focus;
 }

@@ -22,6 +22,8 @@ struct FocusInput {
                                         const std::shared_ptr<const simulate::ResolvedScene>& resolved);
 
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
-[[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control);
+/// @param navigation  file of the motion that is believed, in place of the true one; empty: the true one
+[[nodiscard]] FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control,
+                                          const std::string& navigation = "");
 
 }  // namespace sarsim::workflow

@@ -112,6 +112,9 @@ void add_phases(OptionTable<FocusRequest>& table) {
       "corrects the echoes for departures from a straight flight; by default to the second order where the track "
       "needs it",
       &FocusRequest::motion);
+  table.text("--navigation", "FILE",
+             "motion to focus with in place of the true one: .csv or .oem, as sarsim motion writes",
+             &FocusRequest::navigation);
   table.flag("--autofocus", "remove phase errors that are left, found in the image itself", &FocusRequest::autofocus);
   table.number("--autofocus-piece", "M",
                "length of the pieces it looks at one by one (default: a tenth of the synthetic aperture)",

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "signal/sar/image_area.hpp"
 #include "signal/sar/sar_window.hpp"
@@ -40,6 +41,7 @@ enum class CentroidSource {
 struct FocusRequest {
   RecordingArguments input;
   std::filesystem::path output;  ///< Image to write, in the format of its extension; empty: the image stays in memory.
+  std::string navigation;        ///< File of the motion to focus with, in place of the true one; empty: the true one.
   FocusAlgorithm algorithm = FocusAlgorithm::automatic;
   signal::SarWindow range_window{};
   signal::SarWindow azimuth_window{};

@@ -122,6 +122,22 @@ core::Vec3 velocity_until_back(const simulate::PulseGeometry& geometry, const si
   return for_turning((1.0 / back_s) * (back_m - pose.position_world_m), pose.position_world_m, scene_m, *plan.scene);
 }
 
+std::vector<signal::TrackPoint> track_along(const simulate::Plan& plan,
+                                            const std::function<core::Vec3(double)>& position_at) {
+  const double light_mps = plan.scene->conventions.light_speed_mps;
+  const core::Vec3 scene_m = scene_middle_m(plan);
+  std::vector<signal::TrackPoint> track;
+  for (std::int64_t pulse = plan.pulses.first; pulse <= plan.pulses.last; ++pulse) {
+    const double time_s = plan.radar.repetition.send_time_s(pulse);
+    const core::Vec3 at_m = position_at(time_s);
+    const double back_s = radar::delay_of(core::norm(scene_m - at_m), light_mps);
+    core::Vec3 velocity_mps = (1.0 / back_s) * (position_at(time_s + back_s) - at_m);
+    if (plan.scene->turns()) velocity_mps = for_turning(velocity_mps, at_m, scene_m, *plan.scene);
+    track.push_back({time_s, at_m, velocity_mps});
+  }
+  return track;
+}
+
 std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan) {
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   std::vector<signal::TrackPoint> track;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -19,6 +20,10 @@ namespace sarsim::workflow {
 
 /// Where the radar's antenna was when each pulse of a plan left it.
 [[nodiscard]] std::vector<signal::TrackPoint> track_of(const simulate::Plan& plan);
+/// The track of an antenna that moves otherwise.
+/// @param position_at  world position [m] at a time [s]
+[[nodiscard]] std::vector<signal::TrackPoint> track_along(const simulate::Plan& plan,
+                                                          const std::function<core::Vec3(double)>& position_at);
 
 /// The simulation as focusing wants it recorded: raw, longer by a pulse, so that echoes at the window's end can be
 /// compressed too, and for CENTRE half a pulse earlier, so that compressed samples begin where the script's window does
