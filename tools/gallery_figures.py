@@ -15,6 +15,7 @@ from gallery_measures import (
     first_side_lobe_db,
     found_targets,
     half_power,
+    highest_doppler_hz,
     highest_between,
     length,
     mean_step_rad,
@@ -74,6 +75,26 @@ OWN = "examples/user_functions.toml"
 OWN_PULSE = f"{OWN} --kind pulse --at-time 0"
 OWN_PHASE = f"{OWN} --kind phase --at-range 20000"
 SURFACE = "examples/surface.toml"
+ORBIT = "examples/satellite.toml"
+FOCUS_ORBIT = f"sarsim focus {ORBIT} --algorithm back-projection --azimuth=-200:200 --out satellite.img --quiet"
+GUSTS = "examples/gusts.toml"
+RUN_GUSTS = f"sarsim run {GUSTS} --quiet"
+BELIEF = f"sarsim motion {GUSTS} --navigation --out nav.csv"
+FOCUS_GUSTS = "sarsim focus gusts.h5 --navigation nav.csv --out believed.img --quiet"
+FOCUS_GUSTS_NONE = "sarsim focus gusts.h5 --motion-compensation none --out straight.img --quiet"
+def after_gusts(measure):
+    """What is measured once the flight is recorded and its navigation is written."""
+    return after(RUN_GUSTS, after(BELIEF, measure))
+
+
+GUSTS_VIEW = "--show db --span 40 --peak --azimuth -40 90 --range 2990 3060 --colours ember --size 480 440"
+WAVES_IMAGE = "sarsim isar examples/ship_in_waves.toml --out waves.img --quiet"
+ROTOR = "examples/helicopter.toml"
+FLASHES = f"{ROTOR} --kind range --at-range 3000 --show magnitude"
+LIGHT_SPEED = 299792458.0
+# Number, name, and speed along the line of sight 16.7011 s into the turn: tests/examples/numbers_of_motion.py derives it.
+FORMATION = [(1, "the leader", 70.706), (2, "the left one", 68.967), (3, "the right one", 75.788), (4, "the last one", 86.526)]
+TURN = "sarsim doppler examples/formation.toml --simulation 2 --interval 512 --window hamming --cfar os --out turn.img --quiet"
 PLATE = f"{SURFACE} --kind range --at-range 5060"
 MOVING = f"{A3} --simulation 2 --time 0 0.0315 --padding 8"
 
@@ -572,7 +593,107 @@ FIGURES = [
                    0.5, ".1f", ends(f"{SURFACE} --simulation 3 --kind pulse --at-time -0.6", 7060.0, 7090.0)),
         ],
     ),
+    Figure(
+        "satellite",
+        "Beyond the thesis: three reflectors from an orbit",
+        [
+            FOCUS_ORBIT,
+            "sarsim plot satellite.img --show db --span 40 --peak --azimuth -140 90 --range 826580 827000 --colours ember"
+            " --size 640 560 -o satellite.png",
+        ],
+        "Sentinel-1 looks at three corner reflectors, given by latitude, longitude and height, from 827 km. The orbit comes from"
+        " a file, the Earth turns under it, and light takes 5.5 ms.",
+        [
+            Number("points found", "1", 3, "script", 0, "d", lambda lab: found_targets(lab, FOCUS_ORBIT)),
+            Number("farthest from its place", "m", 0.0, "theory", 0.05, ".3f", lambda lab: worst_place(lab, FOCUS_ORBIT)),
+            Number("widths along the orbit differ from theory by", "1", 0.0, "theory", 0.01, ".4f",
+                   worst_width("azimuth", FOCUS_ORBIT)),
+            Number("width in range", "m", 0.886 * LIGHT_SPEED / 2.0 / 80e6, "0.886 c/2B", 0.02, ".3f",
+                   of_target(1, FOCUS_ORBIT, "range", "width_m")),
+            Number("range of the first", "m", 826846.86, "integrated orbit, WGS 84", 0.05, ".2f",
+                   of_target(1, FOCUS_ORBIT, "range_m")),
+        ],
+    ),
+    Figure(
+        "gusts",
+        "Beyond the thesis: turbulence, and what the navigation believes",
+        [
+            RUN_GUSTS,
+            BELIEF,
+            FOCUS_GUSTS,
+            f"sarsim plot believed.img {GUSTS_VIEW} --title 'With the navigation' -o gusts.png",
+            FOCUS_GUSTS_NONE,
+            f"sarsim plot straight.img {GUSTS_VIEW} --title 'As if it flew straight' -o gusts_none.png",
+        ],
+        "A light aircraft in moderate turbulence. The track that its inertial navigation believes is a metre off, but smooth: it"
+        " makes sharp points, a little beside their places.",
+        [
+            Number("points found with the navigation", "1", 3, "script", 0, "d",
+                   after_gusts(lambda lab: found_targets(lab, FOCUS_GUSTS))),
+            Number("their widths along the track differ from theory by", "1", 0.0, "theory", 0.02, ".4f",
+                   after_gusts(worst_width("azimuth", FOCUS_GUSTS))),
+            Number("a point's height over that of straight flight", "dB", 21.0, "12 to 30 dB", 9.0, ".1f",
+                   after_gusts(lambda lab: 20.0 * math.log10(
+                       of_target(1, FOCUS_GUSTS, "amplitude_v")(lab)
+                       / of_target(1, FOCUS_GUSTS_NONE, "amplitude_v")(lab)))),
+        ],
+    ),
+    Figure(
+        "ship in waves",
+        "Beyond the thesis: a ship in waves",
+        [
+            WAVES_IMAGE,
+            "sarsim plot waves.img --show db --span 40 --size 640 560 -o ship_in_waves.png",
+        ],
+        "The ship rolls in sea state 5. Its own motion makes the image: cross-range is height here, and the mast stands 30 m above"
+        " the water.",
+        [
+            Number("turned by", "deg", 1.0461, "roll of the ship", 0.1, ".3f",
+                   of_report(WAVES_IMAGE, lambda report: math.degrees(report["images"][0]["turn_rad"]))),
+            Number("place of the mast's top", "m", 30.0, "its height", 1.5, ".2f",
+                   of_report(WAVES_IMAGE, lambda report: report["images"][0]["targets"][10]["cross_range_m"]
+                             + report["images"][0]["targets"][10]["found"]["cross_range_error_m"])),
+        ],
+    ),
+    Figure(
+        "helicopter",
+        "Beyond the thesis: the rotor of a helicopter",
+        [
+            f"sarsim plot {FLASHES} --size 800 320 -o helicopter.png",
+            f"sarsim plot {ROTOR} --kind doppler --at-range 3000 --size 640 560 -o helicopter_doppler.png",
+        ],
+        "Three blades flash when they are across the line of sight, six times a turn. Their Doppler frequencies reach those of the"
+        " tips; the line at 0 is the fuselage.",
+        [
+            Number("the second flash is at", "s", 1.0 / 30.0, "1/(2 N f)", 2e-4, ".4f",
+                   lambda lab: strongest_between_s(f"{FLASHES} --recorded", 0.01, 0.05)(lab)[0]),
+            Number("the third", "s", 2.0 / 30.0, "2/(2 N f)", 2e-4, ".4f",
+                   lambda lab: strongest_between_s(f"{FLASHES} --recorded", 0.05, 0.08)(lab)[0]),
+            Number("Doppler frequencies up to", "Hz", 2.0 * 10.0 * math.pi * 6.0 * 3e9 / LIGHT_SPEED, "2 Ω L/λ", 60.0, ".0f",
+                   highest_doppler_hz(f"{ROTOR} --kind doppler --at-range 3000")),
+        ],
+    ),
+    Figure(
+        "formation",
+        "Beyond the thesis: a formation in a turn",
+        [
+            TURN,
+            "sarsim plot turn.img --show db --span 60 --range 10000 11100 --size 640 560 -o formation.png",
+        ],
+        "Four aircraft in a turn to the left: the one on the inner circle is slower, the one on the outer circle faster, and the last"
+        " one is not as far around.",
+        [
+            *(
+                Number(f"speed of {name}", "m/s", speed, "v (R + d)/R along the line of sight", 0.1, ".2f",
+                       of_report(TURN, lambda report, n=number: report["targets"][n - 1]["strongest"]["speed_mps"]))
+                for number, name, speed in FORMATION
+            ),
+        ],
+    ),
 ]
 
 # Examples without a figure, by their names, and what each shows.
-OTHERS = {}
+OTHERS = {
+    "helicopter_blades.csv": "the points of the blades of helicopter.toml",
+    "satellite.EOF": "the orbit of satellite.toml",
+}

@@ -259,6 +259,18 @@ def steady_doppler_hz(arguments):
     return measure
 
 
+def highest_doppler_hz(arguments):
+    """Of the spectrum of one range cell, where it falls for good 10 dB below its median within 3 kHz, but for lines."""
+
+    def measure(lab):
+        cut = lab.panels(arguments)[-1]
+        rows = list(zip(cut["Doppler frequency"], cut["Level above 1 V"]))
+        level = statistics.median(y for f, y in rows if 1000.0 < f < 3000.0)
+        return max(f for f, y in rows if y > level - 10.0)
+
+    return measure
+
+
 def band_hz(arguments, level_db):
     """Width of a sent pulse's spectrum at a level below its largest."""
 

@@ -16,6 +16,7 @@ import sys
 import tempfile
 
 PAGE = pathlib.Path(__file__).parents[2] / "docs" / "guide" / "gallery.md"
+EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 LONGEST_S = 200  # of a command: far more than any needs
 READ_ONLY = ("check", "info", "measure")  # commands that write no file, and so know no --force
 
@@ -72,9 +73,17 @@ def quoted(text):
 
 
 def product_count(text):
-    """Recordings and geometry tables that a script asks for."""
+    """Recordings and geometry tables that a scene of either language asks for."""
+    if re.search(r"^format\s*=", text, re.MULTILINE):
+        return len(re.findall(r"^\[\[(?:recording|geometry)\]\]", text, re.MULTILINE))
     bare = re.sub(r"!.*", "", text)
     return len(re.findall(r"\$\s*(?:SIMUL|GEOME)", bare, re.IGNORECASE))
+
+
+def data_files(text):
+    """Files beside the examples that a scene of format 2 reads."""
+    named = re.findall(r'\bfile = "([^"]+)"', text)
+    return [path for path in (EXAMPLES / name for name in named) if path.is_file()]
 
 
 # ---- What it has to do ----------------------------------------------------------------------------------------------
@@ -124,13 +133,14 @@ def values(sarsim, path):
 
 def complaints_about_format(sarsim, name, products):
     """The formatted script has to give the same fields, and the same samples bit for bit."""
-    done = sarsim("format", name, "-o", "formatted.scr")
+    formatted = "formatted" + pathlib.Path(name).suffix
+    done = sarsim("format", name, "-o", formatted)
     if done.returncode != 0:
         return failed(f"sarsim format {name}", done)
-    fields = [sarsim("sweep", script, "--fields").stdout for script in (name, "formatted.scr")]
+    fields = [sarsim("sweep", script, "--fields").stdout for script in (name, formatted)]
     if fields[0] != fields[1] or not fields[0]:
         return [f"sarsim format {name} changes fields\n{fields[0]}\nbecomes\n{fields[1]}"]
-    again, complaints = run(sarsim, "formatted.scr", "again")
+    again, complaints = run(sarsim, formatted, "again")
     if complaints:
         return complaints
     for first, second in zip(products, again):
@@ -177,7 +187,8 @@ def complaints_about(program, script):
     quotes = quotations(text)
     with tempfile.TemporaryDirectory() as folder:
         sarsim = Sarsim(program, folder)
-        shutil.copy(script, folder)
+        for path in (script, *data_files(text)):
+            shutil.copy(path, folder)
         complaints = complaints_about_check(sarsim, script.name)
         if complaints:
             return complaints

@@ -17,6 +17,8 @@ from run_example import Sarsim, failed, quotations, run
 
 EXAMPLES = pathlib.Path(__file__).parents[2] / "examples"
 OLD_LANGUAGE_ONLY = {"sar_r_1998"}  # teaches what a script of 1998 does
+# What the language of 1998 cannot say: the Earth, orbits, legs, gusts, waves, parents.
+NEW_LANGUAGE_ONLY = {"formation", "gusts", "helicopter", "satellite", "ship_in_waves"}
 LONGEST_LINE = 120
 RESTING_EARTH = '[[platform]]\nname = "Earth"\n\n'  # at the origin
 
@@ -93,6 +95,10 @@ def complaints_about(program, script):
     return complaints + complaints_about_comments(pair) + complaints_about_lines(scene)
 
 
+def own_complaints(scene):
+    return [f"{scene.name}: {complaint}" for complaint in complaints_about_lines(scene)]
+
+
 def complaints_about_folder(program, folder):
     """All of a folder's, each with the name of its file."""
     scripts = {path.stem: path for path in sorted(folder.glob("*.scr"))}
@@ -100,7 +106,10 @@ def complaints_about_folder(program, folder):
     for name, script in scripts.items():
         if name not in OLD_LANGUAGE_ONLY:
             said += [f"{name}.toml: {complaint}" for complaint in complaints_about(program, script)]
-    lonely = sorted(path.name for path in folder.glob("*.toml") if path.stem not in scripts)
+    scenes = {path.stem for path in folder.glob("*.toml")}
+    lonely = sorted(f"{name}.toml" for name in scenes - scripts.keys() - NEW_LANGUAGE_ONLY)
+    said += [f"{name}.toml: there is a script of that name" for name in sorted(NEW_LANGUAGE_ONLY & scripts.keys())]
+    said += [line for name in sorted(NEW_LANGUAGE_ONLY & scenes) for line in own_complaints(folder / f"{name}.toml")]
     return said + [f"{name}: there is no script that it belongs to" for name in lonely]
 
 

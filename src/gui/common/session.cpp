@@ -49,7 +49,7 @@ void Session::take(scene::Document document) {
 }
 
 void Session::perform(scene::Edit edit) {
-  if (edit.changes.empty() && !edit.options_after && !edit.world_after) return;
+  if (edit.changes.empty() && !edit.options_after && !edit.world_after && !edit.air_after) return;
   const bool in_run = !edit.merge_key.empty();
   const std::uint64_t revision = document_.revision();
   scene::SceneChange change = scene::change_of(edit);

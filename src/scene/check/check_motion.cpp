@@ -41,6 +41,12 @@ void check_epoch(Findings& findings, const Scene& scene) {
 
 void check_anchor(Findings& findings, const World& world) {
   constexpr double pole_deg = 89.999;
+  if (world.frame == World::Frame::earth && world.latitude.deg() == 0.0 && world.longitude.deg() == 0.0)
+    findings.warning(Consequence::surprise, "latitude",
+                     {.message = "the anchor is at latitude 0 and longitude 0, in the Gulf of Guinea",
+                      .found = {},
+                      .expected = "anchor = { latitude = \"47.2 deg\", longitude = \"11.4 deg\" }",
+                      .hint = "Is it missing?"});
   if (world.frame == World::Frame::earth && std::abs(world.latitude.deg()) > pole_deg)
     findings.warning(Consequence::surprise, "latitude",
                      {.message = "the anchor is at a pole, where east and north follow from its longitude",
@@ -91,9 +97,49 @@ void check_files(Findings& findings, const Platform& platform) {
     missing("attitude_file", "attitude", "S1A.aem");
 }
 
+// What a leg lacks; empty where nothing.
+std::string_view lack_of(const Leg& leg) {
+  switch (leg.kind) {
+    case Leg::Kind::turn: return leg.angle.deg() == 0.0 ? "an angle" : "";
+    case Leg::Kind::climb:
+      return leg.duration_s == 0.0 ? "a duration" : leg.rate_mps == 0.0 ? "a rate" : std::string_view();
+    case Leg::Kind::climb_to: return leg.rate_mps == 0.0 ? "a rate" : "";
+    case Leg::Kind::hold:
+    case Leg::Kind::circle: return leg.duration_s == 0.0 ? "a duration" : "";
+    case Leg::Kind::straight: return leg.duration_s == 0.0 && leg.length_m == 0.0 ? "a length or a duration" : "";
+    case Leg::Kind::turn_to: break;
+  }
+  const bool tight = leg.bank.deg() != 0.0 || leg.radius_m != 0.0;
+  return tight ? "" : "a bank or a radius";
+}
+
+// Whether all legs say what they need to be flown.
+bool check_legs(Findings& findings, const Platform& platform) {
+  bool sound = true;
+  if (platform.legs.empty())
+    findings.error("legs", {.message = "the path has no legs",
+                            .found = {},
+                            .expected = "legs = [{ leg = \"straight\", length = \"10 km\" }, ...]",
+                            .hint = {}});
+  for (std::size_t i = 0; i < platform.legs.size(); ++i) {
+    const std::string_view lack = lack_of(platform.legs[i]);
+    if (lack.empty()) continue;
+    findings.error("legs", {.message = fmt::format("leg {} lacks {}", i + 1, lack),
+                            .found = {},
+                            .expected = fmt::format("{} that is not 0", lack),
+                            .hint = {}});
+    sound = false;
+  }
+  return sound && !platform.legs.empty();
+}
+
 void check_route(Findings& findings, const Platform& platform) {
   const bool legs = platform.path == Platform::Path::legs;
   if (!legs && platform.path != Platform::Path::waypoints) return;
+  if (platform.speed_mps == 0.0)
+    return findings.error(
+        "speed_mps", {.message = "the path has no speed", .found = {}, .expected = "speed = \"100 m/s\"", .hint = {}});
+  if (legs && !check_legs(findings, platform)) return;
   const radar::PathMade made = route_of(platform);
   if (!made.fault.empty())
     return findings.error(legs ? "legs" : "waypoints",

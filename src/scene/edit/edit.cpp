@@ -65,9 +65,13 @@ void make(const Edit& edit, bool forwards, Scene& scene) {
   const auto& world_out = forwards ? edit.world_before : edit.world_after;
   const auto& world_in = forwards ? edit.world_after : edit.world_before;
   if (world_out && !(*world_out == scene.world)) throw_foreign_edit();
+  const auto& air_out = forwards ? edit.air_before : edit.air_after;
+  const auto& air_in = forwards ? edit.air_after : edit.air_before;
+  if (air_out && !(*air_out == scene.atmosphere)) throw_foreign_edit();
   change_scene_or_nothing(edit, forwards, scene);
   if (options_in) scene.options = *options_in;
   if (world_in) scene.world = *world_in;
+  if (air_in) scene.atmosphere = *air_in;
 }
 
 }  // namespace
@@ -127,8 +131,9 @@ void revert(const Edit& edit, Scene& scene) { make(edit, false, scene); }
 bool changes_nothing(const Edit& edit) {
   return edit.script.changes.empty() && edit.script.broken_before == edit.script.broken_after &&
          edit.options_before == edit.options_after && edit.world_before == edit.world_after &&
-         std::ranges::all_of(edit.changes,
-                             [](const ObjectChange& change) { return change.before && change.before == change.after; });
+         edit.air_before == edit.air_after && std::ranges::all_of(edit.changes, [](const ObjectChange& change) {
+           return change.before && change.before == change.after;
+         });
 }
 
 Edit composed(Edit first, const Edit& second) {
@@ -159,6 +164,10 @@ Edit composed(Edit first, const Edit& second) {
   if (second.world_after) {
     if (!first.world_before) first.world_before = second.world_before;
     first.world_after = second.world_after;
+  }
+  if (second.air_after) {
+    if (!first.air_before) first.air_before = second.air_before;
+    first.air_after = second.air_after;
   }
   first.script.changes = composed(first.script.changes, second.script.changes);
   for (const auto& [name, changes] : second.script.included)

@@ -44,6 +44,8 @@ struct Edit {
   std::optional<RunOptions> options_after;
   std::optional<World> world_before;  ///< Both or neither.
   std::optional<World> world_after;
+  std::optional<Atmosphere> air_before;  ///< Both or neither.
+  std::optional<Atmosphere> air_after;
   std::vector<TypedText> typed;  ///< Of objects that it replaces, and of the options.
   ScriptChange script;           ///< Filled in by Document.
   /// Edits in a row with the same key, not empty, are one step: the runs of a spin box, the moves of a drag. A key ends

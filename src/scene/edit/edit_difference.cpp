@@ -159,6 +159,10 @@ Edit difference(const Scene& from, const Scene& to, std::string label) {
     edit.world_before = from.world;
     edit.world_after = to.world;
   }
+  if (!(from.atmosphere == to.atmosphere)) {
+    edit.air_before = from.atmosphere;
+    edit.air_after = to.atmosphere;
+  }
   return edit;
 }
 

@@ -150,7 +150,7 @@ SceneChange change_of(const Edit& edit, bool forwards) {
   }
   SceneChange story;
   story.options = edit.options_after.has_value();
-  story.everything = story.everything || edit.world_after.has_value();
+  story.everything = story.everything || edit.world_after.has_value() || edit.air_after.has_value();
   for (const ObjectKind kind : all_object_kinds) stories[static_cast<std::size_t>(kind)].tell(kind, story);
   return story;
 }

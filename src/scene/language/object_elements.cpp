@@ -54,6 +54,7 @@ std::optional<ObjectText> taken_from(ObjectText& object, const toml::Value& tabl
 template <class Element>
 void ObjectReader::read_list(const FieldSpec& spec, const Leaf& leaf, std::vector<Element>& list) {
   note_place(spec.problem_place(), leaf.value.span);
+  if (leaf.value.kind != toml::Kind::array) text_.use_all_below(leaf.path);
   if (leaf.value.kind != toml::Kind::array)
     return error(
         leaf.value.span, spec.problem_place(),
@@ -87,6 +88,7 @@ bool ObjectReader::read_place(const FieldSpec& spec, const toml::Value& value, c
   const FieldSpec longitude = place_spec(spec.problem_place(), "longitude", Quantity::angle, {-360.0, 360.0});
   const FieldSpec height = place_spec(spec.problem_place(), "height", Quantity::length, {-1e4, 1e9});
   if (!reading_.earth) {
+    static_cast<void>(taken_from(text_, value));  // one complaint is enough
     error(value.span, spec.problem_place(),
           {fmt::format("{}: the world is flat and has no latitudes", spec.words), "", "[x, y, z]",
            "write [world] with frame = \"earth\" and an anchor"});

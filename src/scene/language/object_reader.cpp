@@ -407,7 +407,8 @@ void ObjectReader::finish(const std::vector<std::string>& known) {
     const bool is_known_table = leaf.value.kind == toml::Kind::table &&
                                 std::ranges::any_of(known, [&](const auto& path) { return is_below(path, leaf.path); });
     if (is_known_table) continue;
-    report_unknown(leaf, {}, known);
+    const PlainTable* const table = is_single(text_.kind) ? plain_table(text_.kind) : nullptr;
+    report_unknown(leaf, table != nullptr ? owner_of(*table, leaf.path) : std::string(), known);
     if (leaf.value.kind == toml::Kind::table) text_.use_all_below(leaf.path);
   }
 }

@@ -174,6 +174,7 @@ std::string example_text(const PlainTable& table, const PathFacts& choice, const
   for (const PathFacts& facts : paths_of_alternative(table, choice, alternative)) {
     if (facts.role == PathRole::interpolation || facts.role == PathRole::file) continue;
     if (facts.spec().type == FieldType::check) continue;
+    if (facts.spec().type == FieldType::text && facts.spec().optional) continue;
     if (facts.spec().rare && facts.spec().type != FieldType::function && !choice.spec().rare) continue;
     set(root, facts.path, facts.role == PathRole::choice ? default_text(facts) : example_value(facts));
   }

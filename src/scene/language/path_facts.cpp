@@ -126,8 +126,9 @@ const std::vector<std::string>& paths_of(ObjectKind kind) {
   return all[static_cast<std::size_t>(kind)];
 }
 
-std::string owner_of(ObjectKind kind, std::string_view path) {
-  const PlainTable& table = *plain_table(header_of(kind));
+std::string owner_of(ObjectKind kind, std::string_view path) { return owner_of(*plain_table(header_of(kind)), path); }
+
+std::string owner_of(const PlainTable& table, std::string_view path) {
   const std::vector<PathFacts> all = paths_of(table);
   const auto found = std::ranges::find(all, path, &PathFacts::path);
   return found == all.end() ? std::string() : dependence_text(table, *found);

@@ -49,6 +49,7 @@ struct Dependence {
 [[nodiscard]] const std::vector<std::string>& paths_of(ObjectKind kind);
 /// `dependence_text` of a path of a kind; empty also for a path that the kind does not have.
 [[nodiscard]] std::string owner_of(ObjectKind kind, std::string_view path);
+[[nodiscard]] std::string owner_of(const PlainTable& table, std::string_view path);
 
 /// The alternatives of a choice, each word once.
 [[nodiscard]] std::vector<Choice> alternatives(const FieldSpec& spec);

@@ -11,6 +11,7 @@ void read_line_path(ObjectReader& reader, ObjectText& text, Platform& platform) 
   start.id = "trajectory_m";
   start.words = "start of the path";
   start.quantity = Quantity::length;
+  start.on_earth = true;
   start.likely = likely_range(Quantity::length);
   FieldSpec velocity = start;
   velocity.words = "velocity of the path";

@@ -103,7 +103,8 @@ void add_line(PlainTable& platforms) {
   path->spec.choices.emplace_back("", first_added_value, "", "straight, at a constant velocity", "line");
   for (PlainField& field : fields)
     if (field.spec.key == "path.aligned") field.spec.when.among.push_back(first_added_value);
-  FieldSpec start{.key = "path.start", .quantity = Quantity::length, .tip = "World position at time 0."};
+  FieldSpec start{
+      .key = "path.start", .quantity = Quantity::length, .on_earth = true, .tip = "World position at time 0."};
   start.type = FieldType::vector;
   start.group = path->spec.group;
   start.when = {at, {first_added_value}};
@@ -129,11 +130,15 @@ std::vector<PlainTable> make_tables() {
     if (kind.kind == ObjectKind::platform) add_line(table);
   });
   for_each_single([&]<class Table>(const Single<Table>& single) {
-    const bool is_world = std::is_same_v<Table, World>;
-    tables.push_back({single.header, single.meaning, single.command, false,
-                      plain_fields<Table>(is_world ? world_fields() : option_fields(), {single.command, ""})});
-    if (is_world)  // Places are turned into positions as a text is read.
-      for (PlainField& field : tables.back().fields) field.set_names.clear();
+    const bool is_options = std::is_same_v<Table, RunOptions>;
+    const std::vector<Field>& form = is_options                     ? option_fields()
+                                     : std::is_same_v<Table, World> ? world_fields()
+                                                                    : atmosphere_fields();
+    tables.push_back(
+        {single.header, single.meaning, single.command, false, plain_fields<Table>(form, {single.command, ""})});
+    if (is_options) return;
+    // They are set in the text: places are turned into positions as it is read.
+    for (PlainField& field : tables.back().fields) field.set_names.clear();
   });
   return tables;
 }

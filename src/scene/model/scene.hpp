@@ -127,7 +127,7 @@ struct Platform {
 
   std::string parent;  ///< Platform in whose frame all of this is; empty: the world.
 
-  std::string ephemeris_file;  ///< Path::ephemeris; docs/formats/ephemeris.md.
+  std::string ephemeris_file;  ///< Path::ephemeris; docs/formats/motion-files.md.
   std::string satellite;       ///< Of several in the file; empty: the only one.
   Interpolation interpolation = Interpolation::automatic;
   double semi_major_axis_m = 7071e3;  ///< Path::orbit: mean elements at time 0.
@@ -416,6 +416,27 @@ struct World {
   friend bool operator==(const World&, const World&) = default;
 };
 
+/// What lies between radars and what they see (format 2 `[atmosphere]`); nothing as it is made.
+struct Atmosphere {
+  /// How the refractivity depends on height.
+  enum class Refraction { none, exponential, linear };
+
+  Refraction refraction = Refraction::none;
+  double refractivity = 315.0;     ///< N at height 0.
+  double scale_height_m = 7350.0;  ///< Refraction::exponential.
+  double k_factor = 4.0 / 3.0;     ///< Refraction::linear.
+  bool gases = false;
+  double vapour_g_per_m3 = 7.5;  ///< At height 0.
+  double rain_mm_per_h = 0.0;
+  double rain_top_m = 5000.0;
+  core::Angle polarisation;  ///< From the horizontal, for rain.
+  double tec_units = 0.0;    ///< Vertical electron content, 1e16/m^2.
+  double shell_height_m = 450e3;
+  double field_ut = 0.0;  ///< Magnetic field along the path, uT.
+
+  friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
+};
+
 /// Everything that a script says, in the script's order within each list.
 struct Scene {
   std::vector<Platform> platforms;
@@ -427,6 +448,7 @@ struct Scene {
   std::vector<GeometryTable> geometries;
   RunOptions options;
   World world;
+  Atmosphere atmosphere;
 
   friend bool operator==(const Scene&, const Scene&) = default;
 };

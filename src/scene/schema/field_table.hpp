@@ -170,6 +170,8 @@ const FieldTable<RunOptions>& table_of<RunOptions>();
 template <>
 const FieldTable<World>& table_of<World>();
 template <>
+const FieldTable<Atmosphere>& table_of<Atmosphere>();
+template <>
 const FieldTable<Leg>& table_of<Leg>();
 template <>
 const FieldTable<Waypoint>& table_of<Waypoint>();

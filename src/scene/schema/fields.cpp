@@ -123,6 +123,8 @@ const std::vector<Field>& fields_of(ObjectKind kind) {
 
 const std::vector<Field>& world_fields() { return form_of(World{}).fields(); }
 
+const std::vector<Field>& atmosphere_fields() { return form_of(Atmosphere{}).fields(); }
+
 const std::vector<Field>& option_fields() { return form_of(RunOptions{}).fields(); }
 
 std::string_view field_of_problem(ObjectKind kind, std::string_view problem_field) {

@@ -43,6 +43,8 @@ struct Field {
 [[nodiscard]] const std::vector<Field>& fields_of(ObjectKind kind);
 /// The fields of `[world]`, which are edited in the text.
 [[nodiscard]] const std::vector<Field>& world_fields();
+/// The same of `[atmosphere]`.
+[[nodiscard]] const std::vector<Field>& atmosphere_fields();
 /// The fields of `$OPTIONS`.
 [[nodiscard]] const std::vector<Field>& option_fields();
 

@@ -164,6 +164,7 @@ void add_direction(FieldTable<Radar>& table) {
                                    .label = "coordinate of the spot",
                                    .words = "spot",
                                    .quantity = Quantity::length,
+                                   .on_earth = true,
                                    .tip = "World point at which the beam is held."});
   table.when<&Radar::beam>(Beam::user);
   table.add<&Radar::beam_target_world_m>(

@@ -5,7 +5,7 @@ namespace sarsim::scene {
 namespace {
 
 void add_anchor(FieldTable<World>& table) {
-  table.group("Anchor");
+  table.group("Anchor").when<&World::frame>(World::Frame::earth);
   table.add<&World::latitude>({.id = "latitude",
                                .key = "anchor.latitude",
                                .label = "Latitude",
@@ -38,7 +38,7 @@ void add_anchor(FieldTable<World>& table) {
 }
 
 void add_earth(FieldTable<World>& table) {
-  table.group("Earth");
+  table.group("Earth").when<&World::frame>(World::Frame::earth);
   table.add<&World::undulation_m>({.id = "undulation_m",
                                    .key = "geoid.undulation",
                                    .label = "Geoid undulation",
@@ -88,7 +88,6 @@ const FieldTable<World>& table_of<World>() {
                               .example = "\"2024-04-01T22:59:42Z\"",
                               .optional = true,
                               .tip = "UTC of time 0, as 2024-04-01T22:59:42Z. Orbits from files need it."});
-    table.when<&World::frame>(World::Frame::earth);
     add_anchor(table);
     add_earth(table);
     return table;

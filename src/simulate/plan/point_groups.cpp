@@ -198,6 +198,23 @@ PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
   return groups;
 }
 
+namespace {
+
+// What the atmosphere adds to echoes that are otherwise complete.
+void add_air(const AirPaths& air, const radar::PointArrays& points, const radar::PointSpan& run,
+             const radar::SightFrame& frame, const core::Vec3& radar_m, radar::EchoBatch& echoes, std::size_t first) {
+  const core::Vec3 origin_m = radar_m + frame.origin_m;
+  for (std::size_t i = run.begin; i < run.end; ++i, ++first) {
+    const core::Vec3 point_m =
+        origin_m + frame.world_from_platform * core::Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
+    const AirEffect effect = air.between(radar_m, point_m);
+    echoes.delay_s[first] += effect.delay_s;
+    echoes.amplitude_sqrt_w[first] *= effect.factor;
+  }
+}
+
+}  // namespace
+
 bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, const radar::PointSpan& run,
                     radar::EchoBatch& echoes) {
   CORE_EXPECT(run.begin <= run.end && run.end <= groups.count);
@@ -222,6 +239,9 @@ bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, co
     possible = radar::write_echoes(*group->points, part, frame, groups.antenna, groups.reflectivity, echoes,
                                    begin + part.begin - run.begin) &&
                possible;
+    if (geometry.air() != nullptr)
+      add_air(*geometry.air(), *group->points, part, frame, geometry.radar_pose().position_world_m, echoes,
+              begin + part.begin - run.begin);
   }
   return possible;
 }

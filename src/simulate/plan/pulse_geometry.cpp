@@ -263,6 +263,12 @@ ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar
   const double gain = two_way_gain(*radar_, scene_->conventions.pattern, pointing, flight.look_m);
   const double spreading = spreading_ ? flight.path.out_m * flight.path.back_m : 1.0;
   view.amplitude_sqrt_w = amplitude_scale_ * gain * std::sqrt(rcs_m2) / spreading;
+  if (radar_->air) {
+    const core::Vec3& from_m = radar_pose().position_world_m;
+    const AirEffect effect = radar_->air->between(from_m, from_m + flight.look_m);
+    view.delay_s += effect.delay_s;
+    view.amplitude_sqrt_w *= effect.factor;
+  }
   return view;
 }
 

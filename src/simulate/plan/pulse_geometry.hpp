@@ -32,6 +32,8 @@ class PulseGeometry {
   [[nodiscard]] std::int64_t pulse() const { return pulse_; }
   [[nodiscard]] double send_time_s() const { return time_s_; }
   [[nodiscard]] double carrier_hz() const { return carrier_hz_; }
+  /// The atmosphere between radar and scatterers; null without one.
+  [[nodiscard]] const AirPaths* air() const { return radar_->air.get(); }
   [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[radar_->platform]; }
   /// Where a platform stands as the pulse leaves.
   [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[platform]; }

@@ -55,13 +55,16 @@ void add_oscillations(const Platform& platform, std::vector<radar::Sine>& sines)
   }
 }
 
-// A ship at its nominal heading and speed of time 0; one that rests lies along its own x axis.
+// A ship at its heading and speed of time 0. The bow is the platform's x axis: along the velocity where it follows
+// that.
 void add_waves(const Platform& platform, const radar::MotionPath& path, std::uint64_t seed,
                std::vector<radar::Sine>& sines) {
   const core::Vec3 velocity = path.state(0.0).velocity_world_mps;
   const double speed_mps = std::hypot(velocity.x, velocity.y);
-  const double bow_rad =
-      speed_mps > 0.0 ? core::azimuth_rad({velocity.x, velocity.y, 0.0}) : core::pi / 2.0 + platform.rotation[2].rad();
+  const bool follows = platform.aligned || platform.rotation_kind == Platform::Rotation::coordinated;
+  const double ahead_rad =
+      follows && speed_mps > 0.0 ? core::azimuth_rad({velocity.x, velocity.y, 0.0}) : core::pi / 2.0;
+  const double bow_rad = ahead_rad + platform.rotation[2].rad();
   const radar::Hull hull{platform.ship_length_m, platform.ship_beam_m, platform.ship_draught_m,
                          platform.metacentric_height_m, platform.roll_damping};
   // Azimuths count clockwise, the course of waves counterclockwise from the bow.

@@ -14,6 +14,7 @@
 #include "radar/target/surface.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/radar_pulse.hpp"
+#include "scene/model/read_path.hpp"
 #include "scene/model/scene_index.hpp"
 #include "simulate/resolve/platform_motion.hpp"
 
@@ -194,6 +195,44 @@ void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedSc
   }
 }
 
+void include(radar::HeightSpan& span, double height_m) {
+  span.low_m = std::min(span.low_m, height_m);
+  span.high_m = std::max(span.high_m, height_m);
+}
+
+// The air between a radar and what it sees, with tables for the heights at which they are during the recordings.
+std::shared_ptr<const AirPaths> air_of(const scene::Scene& scene, const ResolvedScene& resolved,
+                                       const ResolvedRadar& radar) {
+  if (!is_on(scene.atmosphere)) return nullptr;
+  constexpr double looks = 16.0;
+  constexpr double margin_m = 50.0;
+  const double carrier_hz = 0.5 * (radar.carrier.lowest_hz() + radar.carrier.highest_hz());
+  const auto made = [&](radar::HeightSpan scatterers, radar::HeightSpan radars) {
+    return std::make_shared<const AirPaths>(scene.atmosphere, carrier_hz, resolved.conventions.light_speed_mps,
+                                            resolved.turning, scatterers, radars);
+  };
+  const AirPaths heights(scene::Atmosphere{}, carrier_hz, resolved.conventions.light_speed_mps, resolved.turning, {},
+                         {});
+  constexpr double far = std::numeric_limits<double>::infinity();
+  radar::HeightSpan scatterers{far, -far}, radars{far, -far};
+  const radar::TimeSpan times = scene::needed_times(scene);
+  for (double look = 0.0; look <= looks; look += 1.0) {
+    const double time_s = times.first_s + look / looks * (times.last_s - times.first_s);
+    include(radars, heights.height_m(resolved.platforms[radar.platform].track.at(time_s, 0).position_world_m));
+    for (const ResolvedPlatform& platform : resolved.platforms) {
+      const double middle_m =
+          heights.height_m(radar::world_position_m(platform.track.at(time_s, 0), platform.middle_m));
+      include(scatterers, middle_m - platform.radius_m);
+      include(scatterers, middle_m + platform.radius_m);
+    }
+  }
+  const auto wider = [&](const radar::HeightSpan& span) {
+    constexpr double widest_m = 20e3;  // Tables of more take seconds; outside of them paths are computed one by one.
+    return radar::HeightSpan{span.low_m - margin_m, std::min(span.high_m, span.low_m + widest_m) + margin_m};
+  };
+  return made(wider(scatterers), wider(radars));
+}
+
 }  // namespace
 
 ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& control) {
@@ -261,6 +300,7 @@ ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& reso
   r.window = window_of(radar, rule);
   r.stc = radar.stc;
   r.stc_gain = core::Interpolator(radar.stc_gain.part[0], rule);
+  r.air = air_of(scene, resolved, r);
   return r;
 }
 

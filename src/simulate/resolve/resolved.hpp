@@ -15,6 +15,7 @@
 #include "radar/waveform/schedule.hpp"
 #include "scene/model/scene.hpp"
 #include "signal/compress/range_compression.hpp"
+#include "simulate/resolve/air_paths.hpp"
 #include "simulate/resolve/conventions.hpp"
 #include "simulate/resolve/scatterers.hpp"
 
@@ -52,6 +53,7 @@ struct ResolvedRadar {
   signal::WindowFunction window;
   scene::Radar::Stc stc = scene::Radar::Stc::none;
   core::Interpolator stc_gain;
+  std::shared_ptr<const AirPaths> air;  ///< Null without an atmosphere.
 };
 
 /// A scene without its radars.

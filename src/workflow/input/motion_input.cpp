@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -145,7 +146,7 @@ class PathMaker {
   std::shared_ptr<const scene::ReadPath> made(const radar::StateSamples& samples,
                                               const radar::StateInterpolation& interpolation,
                                               const radar::TimeSpan& usable, std::string description) {
-    auto table = radar::StateTable::from(samples, interpolation);
+    auto table = radar::StateTable::from(samples, interpolation, largest_gap_s(samples.time_s));
     if (auto* const problem = std::get_if<core::Problem>(&table)) {
       problem->message = fmt::format("{}: {}", platform_.ephemeris_file, problem->message);
       return refuse(std::move(*problem));
@@ -155,12 +156,36 @@ class PathMaker {
     const radar::TimeSpan covered{path->states->spans().front().first_s, path->states->spans().back().last_s};
     path->usable = {std::max(usable.first_s, covered.first_s), std::min(usable.last_s, covered.last_s)};
     path->description = std::move(description);
+    if (const auto gap = gap_in(path->states->spans()))
+      return refuse(path_problem(fmt::format("the states of {} have a gap", platform_.ephemeris_file), said(*gap),
+                                 "states evenly spaced over the recordings",
+                                 "nothing is interpolated over a gap of more than 4 times the usual spacing"));
     if (needed_.last_s > needed_.first_s &&
         (path->usable.first_s > needed_.first_s || path->usable.last_s < needed_.last_s))
       return refuse(path_problem(fmt::format("{} does not cover the recordings", platform_.ephemeris_file),
                                  said(path->usable), said(needed_),
                                  "change the epoch or the times of the recordings, or take another file"));
     return path;
+  }
+
+  // Neighbours farther apart leave a gap between them.
+  static double largest_gap_s(const std::vector<double>& times_s) {
+    constexpr double usual_spacings = 4.0;
+    if (times_s.size() < 3) return std::numeric_limits<double>::infinity();
+    std::vector<double> spacings_s;
+    for (std::size_t i = 1; i < times_s.size(); ++i) spacings_s.push_back(times_s[i] - times_s[i - 1]);
+    const auto middle = spacings_s.begin() + static_cast<std::ptrdiff_t>(spacings_s.size() / 2);
+    std::ranges::nth_element(spacings_s, middle);
+    return usual_spacings * *middle;
+  }
+
+  // The first gap between spans that touches the times that are needed.
+  [[nodiscard]] std::optional<radar::TimeSpan> gap_in(const std::vector<radar::TimeSpan>& spans) const {
+    for (std::size_t i = 1; i < spans.size(); ++i) {
+      const radar::TimeSpan gap{spans[i - 1].last_s, spans[i].first_s};
+      if (gap.first_s <= needed_.last_s && gap.last_s >= needed_.first_s) return gap;
+    }
+    return std::nullopt;
   }
 
   // Times of the scene, as seconds and, where there is an epoch, as dates.
@@ -324,9 +349,16 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
           radar::quaternion_of(axes.world_from(reading.file.reference, times_s.back()) *
                                core::transposed(scene::turned_from_first(state.body_from_reference))));
     }
-    if (times_s.front() > needed.first_s || times_s.back() < needed.last_s) continue;
+    const auto usable_s = [&](const std::optional<radar::CivilTime>& time, double otherwise_s) {
+      if (!time) return otherwise_s;
+      const auto at = radar::instant_of(*time, reading.file.scale, axes.orientation().dut1_s);
+      return at.instant ? radar::seconds_between(*axes.epoch(), *at.instant) : otherwise_s;
+    };
+    const radar::TimeSpan usable{usable_s(segment.usable.start, times_s.front()),
+                                 usable_s(segment.usable.stop, times_s.back())};
+    if (usable.first_s > needed.first_s || usable.last_s < needed.last_s) continue;
     auto read = std::make_shared<scene::ReadAttitude>();
-    read->usable = {times_s.front(), times_s.back()};
+    read->usable = usable;
     auto table = radar::AttitudeTable::from(samples);
     if (auto* const problem = std::get_if<core::Problem>(&table)) return refuse(std::move(*problem));
     read->attitudes = std::make_shared<const radar::AttitudeTable>(std::get<radar::AttitudeTable>(std::move(table)));
@@ -360,6 +392,7 @@ void read_path(scene::Scene& scene, Platform& platform, const fs::path& folder, 
   const std::string key = key_of_path(platform, world_key(scene));
   if (platform.read_path && platform.read_path->made_of == key) return;
   platform.read_path = {};
+  if (from_file && platform.ephemeris_file.empty()) return;  // `check` says it.
   std::optional<FileText> file;
   if (from_file && !(file = text_of_file(platform.ephemeris_file, folder, problems))) return;
   PathMaker maker(scene, platform, problems);
@@ -378,6 +411,7 @@ void read_attitude(scene::Scene& scene, Platform& platform, const fs::path& fold
   const std::string key = fmt::format("{}|{}|{}", world_key(scene), platform.attitude_file, platform.satellite);
   if (platform.read_attitude && platform.read_attitude->made_of == key) return;
   platform.read_attitude = {};
+  if (platform.attitude_file.empty()) return;
   const auto file = text_of_file(platform.attitude_file, folder, problems);
   if (!file) return;
   const auto made = attitude_of(scene, platform, *file, problems);

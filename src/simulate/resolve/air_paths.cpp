@@ -1,0 +1,79 @@
+#include "simulate/resolve/air_paths.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "radar/earth/ellipsoid.hpp"
+
+namespace sarsim::simulate {
+
+namespace {
+
+constexpr double mean_radius_m = 6371000.0;
+constexpr double per_tec_unit = 1e16;
+constexpr double kg_per_g = 1e-3;
+constexpr double tesla_per_microtesla = 1e-6;
+
+radar::Atmosphere radar_atmosphere(const scene::Atmosphere& atmosphere) {
+  radar::Atmosphere made;
+  made.refraction = static_cast<radar::Refraction>(atmosphere.refraction);
+  made.surface_refractivity = atmosphere.refractivity;
+  made.scale_height_m = atmosphere.scale_height_m;
+  made.k_factor = atmosphere.k_factor;
+  made.gases = atmosphere.gases;
+  made.surface_vapour_kg_per_m3 = atmosphere.vapour_g_per_m3 * kg_per_g;
+  made.rain_rate_mm_per_h = atmosphere.rain_mm_per_h;
+  made.rain_top_m = atmosphere.rain_top_m;
+  made.polarisation_tilt_rad = atmosphere.polarisation.rad();
+  made.vertical_tec_per_m2 = atmosphere.tec_units * per_tec_unit;
+  made.shell_height_m = atmosphere.shell_height_m;
+  made.field_along_path_t = atmosphere.field_ut * tesla_per_microtesla;
+  return made;
+}
+
+core::Vec3 axis_of(const radar::TurningAxes& turning) {
+  const double rate = core::norm(turning.rotation_rad_per_s);
+  return rate > 0.0 ? (1.0 / rate) * turning.rotation_rad_per_s : core::Vec3{};
+}
+
+}  // namespace
+
+bool is_on(const scene::Atmosphere& atmosphere) {
+  return atmosphere.refraction != scene::Atmosphere::Refraction::none || atmosphere.gases ||
+         atmosphere.rain_mm_per_h > 0.0 || atmosphere.tec_units > 0.0;
+}
+
+AirPaths::AirPaths(const scene::Atmosphere& atmosphere, double carrier_hz, double light_speed_mps,
+                   const radar::TurningAxes& turning, radar::HeightSpan scatterers, radar::HeightSpan radars)
+    : table_(radar_atmosphere(atmosphere), carrier_hz,
+             turning.rotation_rad_per_s == core::Vec3{} ? std::numeric_limits<double>::infinity() : mean_radius_m,
+             scatterers, radars),
+      carrier_hz_(carrier_hz),
+      light_speed_mps_(light_speed_mps),
+      centre_m_(turning.centre_m),
+      axis_(axis_of(turning)) {}
+
+double AirPaths::height_m(const core::Vec3& point_m) const {
+  if (axis_ == core::Vec3{}) return point_m.z;
+  const core::Vec3 r = point_m - centre_m_;
+  const double distance_m = core::norm(r);
+  const double sine = core::dot(r, axis_) / distance_m;
+  constexpr double semi_minor_m = radar::wgs84_semi_major_m * (1.0 - radar::wgs84_flattening);
+  const double along = semi_minor_m * std::sqrt(1.0 - sine * sine);
+  return distance_m - radar::wgs84_semi_major_m * semi_minor_m / std::hypot(along, radar::wgs84_semi_major_m * sine);
+}
+
+radar::PathEffect AirPaths::one_way(const core::Vec3& radar_m, const core::Vec3& point_m) const {
+  return table_.at(height_m(point_m), height_m(radar_m), core::norm(point_m - radar_m));
+}
+
+AirEffect AirPaths::between(const core::Vec3& radar_m, const core::Vec3& point_m) const {
+  const radar::PathEffect one = one_way(radar_m, point_m);
+  const double group_s = 2.0 * one.delay_m / light_speed_mps_;
+  const double turns = carrier_hz_ * 2.0 * (one.phase_m - one.delay_m) / light_speed_mps_;
+  constexpr double db_per_amplitude = 20.0;
+  return {group_s + (turns - std::round(turns)) / carrier_hz_,
+          std::pow(10.0, -2.0 * one.loss_db / db_per_amplitude) * std::cos(2.0 * one.faraday_rad)};
+}
+
+}  // namespace sarsim::simulate

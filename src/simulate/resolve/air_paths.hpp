@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/maths/vector.hpp"
+#include "radar/atmosphere/atmosphere_table.hpp"
+#include "radar/earth/sagnac.hpp"
+#include "scene/model/scene.hpp"
+
+namespace sarsim::simulate {
+
+/// What the atmosphere does to an echo on its way out and home.
+struct AirEffect {
+  /// Added to the delay, s. The phase is exact; where the ionosphere delays the group but advances the phase, the delay
+  /// of the group is met within half a period of the carrier.
+  double delay_s = 0.0;
+  double factor = 1.0;  ///< Of the amplitude: losses, and Faraday rotation of a linear polarisation, cos(2 x rotation).
+};
+
+/// The atmosphere of a scene between one radar and its scatterers. Const members are safe to call from many threads.
+class AirPaths {
+ public:
+  /// @param turning  of the world: the axis and centre of its Earth; at rest over a flat world, where height is z
+  /// @param heights  of scatterers and radar, for which tables are made; others take longer
+  AirPaths(const scene::Atmosphere& atmosphere, double carrier_hz, double light_speed_mps,
+           const radar::TurningAxes& turning, radar::HeightSpan scatterers, radar::HeightSpan radars);
+
+  /// Of the straight line between two points, world.
+  [[nodiscard]] AirEffect between(const core::Vec3& radar_m, const core::Vec3& point_m) const;
+
+  /// One way, as the tables have it.
+  [[nodiscard]] radar::PathEffect one_way(const core::Vec3& radar_m, const core::Vec3& point_m) const;
+
+  /// Height above the ellipsoid, or above the plane: within 1e-5 of itself.
+  [[nodiscard]] double height_m(const core::Vec3& point_m) const;
+
+ private:
+  radar::AtmosphereTable table_;
+  double carrier_hz_;
+  double light_speed_mps_;
+  core::Vec3 centre_m_;
+  core::Vec3 axis_;  // of the Earth, length 1; 0 over a flat world
+};
+
+/// Whether anything of it is on.
+[[nodiscard]] bool is_on(const scene::Atmosphere& atmosphere);
+
+}  // namespace sarsim::simulate

@@ -1,0 +1,112 @@
+#include "workflow/input/motion_input.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "radar/earth/ellipsoid.hpp"
+#include "radar/orbit/kepler.hpp"
+#include "scene/model/read_path.hpp"
+#include "support/test_folder.hpp"
+
+namespace sarsim::workflow {
+namespace motion_input_test {
+
+using testing::HasSubstr;
+
+scene::Scene earth_scene(double first_s, double last_s) {
+  scene::Scene scene;
+  scene.world.frame = scene::World::Frame::earth;
+  scene.world.epoch = "2000-06-27T18:50:19.733571Z";
+  scene.platforms.resize(1);
+  scene.geometries.resize(1);
+  scene.geometries[0].time_start_s = first_s;
+  scene.geometries[0].time_end_s = last_s;
+  return scene;
+}
+
+std::string messages(const core::Problems& problems) {
+  std::string text;
+  for (const core::Problem& problem : problems) text += core::to_string(problem) + "\n";
+  return text;
+}
+
+TEST(MotionInput, AnOrbitIsTheEllipseThatJ2TurnsOverTheTurningEarth) {
+  scene::Scene scene = earth_scene(0.0, 100.0);
+  scene::Platform& platform = scene.platforms[0];
+  platform.path = scene::Platform::Path::orbit;
+  platform.semi_major_axis_m = 7071e3;
+  platform.inclination = core::Angle::from_deg(98.0);
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  const auto at = platform.read_path->states->at(50.0);
+  // The anchor is at latitude and longitude 0: world x, y, z are ECEF y, z, x less the radius.
+  const radar::OrbitMotion motion =
+      radar::SecularOrbit({7071e3, 0.0, platform.inclination.rad(), 0.0, 0.0, 0.0}).at(50.0);
+  const double turn = radar::earth_rate_rad_per_s * 50.0;
+  const core::Vec3& p = motion.position_m;
+  EXPECT_NEAR(at->position_m.x, -std::sin(turn) * p.x + std::cos(turn) * p.y, 1e-6);
+  EXPECT_NEAR(at->position_m.y, p.z, 1e-6);
+  EXPECT_NEAR(at->position_m.z, std::cos(turn) * p.x + std::sin(turn) * p.y - radar::wgs84_semi_major_m, 1e-6);
+}
+
+constexpr const char* vanguard =
+    "1 00005U 58002B   00179.78495062  .00000023  00000-0  28098-4 0  4753\n"
+    "2 00005  34.2682 348.7242 1859667 331.7664  19.3264 10.82419157413667\n";
+
+TEST(MotionInput, ElementsOfATleAreEvaluatedBySgp4) {
+  const test::TestFolder own;
+  const std::filesystem::path& folder = own.path();
+  std::ofstream(folder / "vanguard.tle") << vanguard;
+  // 4320 min behind the epoch of the elements; earth-fixed place of the Spacetrack verification set, km.
+  scene::Scene scene = earth_scene(0.0, 1.0);
+  scene.world.epoch = "2000-06-30T18:50:19.733568Z";
+  scene::Platform& platform = scene.platforms[0];
+  platform.path = scene::Platform::Path::ephemeris;
+  platform.ephemeris_file = "vanguard.tle";
+  ASSERT_EQ(messages(read_motions(scene, folder)), "");
+  const auto at = platform.read_path->states->at(0.0);
+  const core::Vec3 ecef_km{6692.370040, -7681.662711, 813.686732};
+  const double off_m = core::norm(at->position_m - 1e3 * core::Vec3{ecef_km.y, ecef_km.z, ecef_km.x} +
+                                  core::Vec3{0.0, 0.0, radar::wgs84_semi_major_m});
+  EXPECT_LT(off_m, 1.0);  // the reference turns the Earth by a slightly different UT1
+  EXPECT_NEAR(core::norm(at->position_m + core::Vec3{0.0, 0.0, radar::wgs84_semi_major_m}), 1e3 * core::norm(ecef_km),
+              1e-2);
+}
+
+TEST(MotionInput, IsMadeAnewOnlyWhereItDependsOnWhatChanged) {
+  scene::Scene scene = earth_scene(0.0, 1.0);
+  scene.platforms[0].path = scene::Platform::Path::orbit;
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  const auto first = scene.platforms[0].read_path;
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  EXPECT_EQ(scene.platforms[0].read_path, first);
+  scene.geometries[0].time_end_s = 2000.0;
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  EXPECT_NE(scene.platforms[0].read_path.get(), first.get());
+  EXPECT_TRUE(scene.platforms[0].read_path->states->covers(0.0, 2000.0));
+}
+
+TEST(MotionInput, SaysWhatIsMissing) {
+  const test::TestFolder own;
+  const std::filesystem::path& folder = own.path();
+  std::ofstream(folder / "t.csv") << "t,x,y,z\n0,7000000,0,0\n10,7000000,70000,0\n20,7000000,140000,0\n";
+  scene::Scene scene = earth_scene(0.0, 100.0);
+  scene::Platform& platform = scene.platforms[0];
+  platform.path = scene::Platform::Path::ephemeris;
+  platform.ephemeris_file = "none.csv";
+  EXPECT_THAT(messages(read_motions(scene, folder)), HasSubstr("cannot be read"));
+  platform.ephemeris_file = "t.csv";
+  EXPECT_THAT(messages(read_motions(scene, folder)), HasSubstr("t.csv"));
+  platform.path = scene::Platform::Path::orbit;
+  scene.world.frame = scene::World::Frame::flat;
+  EXPECT_THAT(messages(read_motions(scene, folder)), HasSubstr("the world is flat"));
+}
+
+}  // namespace motion_input_test
+}  // namespace sarsim::workflow
