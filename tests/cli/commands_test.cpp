@@ -183,6 +183,36 @@ TEST_F(Commands, InfoTellsTheFiguresOfAScript) {
   EXPECT_THAT(json.out, HasSubstr("\"range_resolution_m\": 2.99792458"));
 }
 
+TEST_F(Commands, InfoTellsWhereAndWhenASceneIs) {
+  const std::string world = "format = \"sarsim 2\"\n[world]\nepoch = \"2020-07-28T22:59:42Z\"\n";
+  const std::string rest =
+      "[[platform]]\nname = \"Aircraft\"\nposition = [0, 0, \"2 km\"]\n"
+      "[[target]]\nposition = [0, 0, 0]\n"
+      "[[radar]]\nname = \"Radar1\"\nplatform = \"Aircraft\"\n"
+      "[[recording]]\nradar = \"Radar1\"\nrange = [\"1 km\", \"3 km\"]\ntime = [\"-1 s\", \"-0.9 s\"]\nsample_rate = "
+      "\"20 MHz\"\n";
+  const std::string place = "anchor = { latitude = \"-16.2 deg\", longitude = \"-76.2 deg\", height = \"100 m\" }\n";
+  write_text(folder_ / "earth.toml", world + "frame = \"earth\"\n" + place + rest);
+  const Finished info = sarsim({"info", "earth.toml"});
+  EXPECT_EQ(info.status, 0) << info.err;
+  for (const char* text :
+       {"anchor                   -16.2000000 deg, -76.2000000 deg, 100.000 m, heading 0 deg",
+        "epoch                    2020-07-28T22:59:42Z", "places at                -1 s (2020-07-28T22:59:41Z)",
+        "  platform Aircraft      -16.2000000 deg, -76.2000000 deg, 2100.000 m",
+        "  target 1               -16.2000000 deg, -76.2000000 deg, 100.000 m",
+        "time                     -1 s (2020-07-28T22:59:41Z) to -0.9 s (2020-07-28T22:59:41.1Z)"})
+    EXPECT_THAT(info.out, HasSubstr(text)) << info.out;
+  const Finished json = sarsim({"info", "earth.toml", "--json"});
+  EXPECT_TRUE(is_json(json.out, folder_)) << json.out;
+  EXPECT_THAT(json.out, HasSubstr("\"first_utc\": \"2020-07-28T22:59:41Z\""));
+
+  write_text(folder_ / "flat.toml", world + rest);
+  const Finished flat = sarsim({"info", "flat.toml"});
+  EXPECT_THAT(flat.out, HasSubstr("2020-07-28T22:59:42Z"));
+  EXPECT_THAT(flat.out, Not(HasSubstr("anchor")));
+  EXPECT_TRUE(is_json(sarsim({"info", "flat.toml", "--json"}).out, folder_));
+}
+
 TEST_F(Commands, InfoTellsTheShapeOfAFile) {
   write_scene({});
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5"}).status, 0);

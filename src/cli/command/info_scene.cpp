@@ -7,11 +7,13 @@
 
 #include <fmt/format.h>
 
+#include "cli/command/info_places.hpp"
 #include "cli/shell/figures.hpp"
 #include "cli/shell/report.hpp"
 #include "core/build/version.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/model/world_frame.hpp"
 #include "simulate/survey/derived.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/focus/image_forecast.hpp"
@@ -155,6 +157,10 @@ class SceneInfo {
     json_.end_object();
   }
 
+  void add_world(const simulate::ResolvedScene& resolved) {
+    text_ += world_text(scene_, resolved, arguments_.all, json_);
+  }
+
   void add_radars(const simulate::ResolvedScene& resolved) {
     json_.key("radars").begin_array();
     for (std::size_t i = 0; i < scene_.radars.size(); ++i) {
@@ -219,10 +225,14 @@ class SceneInfo {
         .member("processing", workflow::processing_word(simulation.processing));
     json_.member("bits", simulation.bits).member("lsb_v", simulation.lsb_v);
     json_.member("pulses_surveyed", survey.pulses_sampled).member("all_pulses_surveyed", survey.all_pulses);
+    write_utc(json_, scene_.world, simulation.time_start_s, simulation.time_end_s);
     cli::write_json(json_, figures);
     text_ += fmt::format("\nsimulation {}: {}, {}, {}, {} bits, radar {}\n", index + 1, simulation.file,
                          workflow::format_word(simulation.format), workflow::processing_word(simulation.processing),
                          simulation.bits, plan.radar.name);
+    if (scene::epoch_of(scene_.world).instant)
+      text_ += fmt::format("  {:<24} {} to {}\n", "time", time_text(scene_.world, simulation.time_start_s),
+                           time_text(scene_.world, simulation.time_end_s));
     text_ += shown(figures);
     const auto summary = std::ranges::find(*echoes_, index, &simulate::EchoSummary::simulation);
     if (summary != echoes_->end()) {
@@ -296,6 +306,7 @@ ExitStatus print_scene_info(const SceneInfoArguments& arguments, Streams& stream
   workflow::resolve_once(input, control);
   SceneInfo info(arguments, input.scene, control);
   info.add_objects();
+  info.add_world(*input.resolved);
   info.add_radars(*input.resolved);
   info.add_simulations(input.resolved, input.echoes);
   write_out(streams, arguments.json ? info.json() : info.text());
