@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
@@ -12,6 +14,7 @@
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
+#include "scene/model/world_frame.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
@@ -175,6 +178,15 @@ void put_targets(PieceWriter& out, const TablePulses& pulses, const scene::Geome
 
 // --- CSV ------------------------------------------------------------------------------------------------------------
 
+// What a world adds to the columns.
+struct WorldColumns {
+  explicit WorldColumns(const scene::World& world)
+      : earth(scene::earth_of(world)), epoch(scene::epoch_of(world).instant) {}
+
+  std::optional<radar::EarthFrame> earth;
+  std::optional<radar::Instant> epoch;
+};
+
 // A name as part of a CSV field: quoted where it would break the line.
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -183,11 +195,17 @@ std::string csv_field(const std::string& text) {
   return quoted + "\"";
 }
 
-void put_csv_header(PieceWriter& out, const TablePulses& pulses) {
-  out.put("pulse,time_s,carrier_hz");
-  for (std::size_t i = 0; i < pulses.platforms(); ++i)
-    for (const char* quantity : {"x_m", "y_m", "z_m", "vx_mps", "vy_mps", "vz_mps", "rx_deg", "ry_deg", "rz_deg"})
-      out.put(",{}", csv_field(fmt::format("{} {}", pulses.platform_name(i), quantity)));
+void put_csv_header(PieceWriter& out, const TablePulses& pulses, const WorldColumns& world) {
+  out.put("pulse,time_s{},carrier_hz", world.epoch ? ",utc" : "");
+  for (std::size_t i = 0; i < pulses.platforms(); ++i) {
+    const auto put = [&](std::initializer_list<const char*> quantities) {
+      for (const char* quantity : quantities)
+        out.put(",{}", csv_field(fmt::format("{} {}", pulses.platform_name(i), quantity)));
+    };
+    put({"x_m", "y_m", "z_m"});
+    if (world.earth) put({"latitude_deg", "longitude_deg", "height_m"});
+    put({"vx_mps", "vy_mps", "vz_mps", "rx_deg", "ry_deg", "rz_deg"});
+  }
   for (std::size_t i = 0; i < pulses.targets(); ++i)
     for (const char* quantity : {"distance_m", "delay_s", "radial_speed_mps", "amplitude_v"})
       out.put(",target {} {}", i + 1, quantity);
@@ -205,14 +223,23 @@ void put_exact(PieceWriter& out, const core::Vec3& v) {
   for (const double value : {v.x, v.y, v.z}) put_exact(out, value);
 }
 
-void put_csv_line(PieceWriter& out, const TablePulses& pulses) {
+void put_place(PieceWriter& out, const radar::Geodetic& place) {
+  put_exact(out, core::deg_per_rad * place.latitude_rad);
+  put_exact(out, core::deg_per_rad * place.longitude_rad);
+  put_exact(out, place.height_m);
+}
+
+void put_csv_line(PieceWriter& out, const TablePulses& pulses, const WorldColumns& world) {
   const PulseGeometry& geometry = pulses.geometry();
   out.put("{}", geometry.pulse());
   put_exact(out, geometry.send_time_s());
+  if (world.epoch)
+    out.put(",{}", radar::format_instant(radar::later(*world.epoch, geometry.send_time_s()), radar::TimeScale::utc));
   put_exact(out, geometry.carrier_hz());
   for (std::size_t i = 0; i < pulses.platforms(); ++i) {
     const radar::Pose pose = pulses.pose(i);
     put_exact(out, pose.position_world_m);
+    if (world.earth) put_place(out, world.earth->geodetic_of(pose.position_world_m));
     put_exact(out, pose.velocity_world_mps);
     put_exact(out, rotation_deg(pose));
   }
@@ -251,8 +278,9 @@ void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& t
   CORE_EXPECT(write);
   TablePulses pulses(scene, table);
   PieceWriter out(write);
-  put_csv_header(out, pulses);
-  pulses.each(stop, [&] { put_csv_line(out, pulses); });
+  const WorldColumns world(scene.world);
+  put_csv_header(out, pulses, world);
+  pulses.each(stop, [&] { put_csv_line(out, pulses, world); });
   out.flush();
 }
 

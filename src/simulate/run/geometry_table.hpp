@@ -34,6 +34,8 @@ void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& 
 /// The same pulses as comma-separated values with one header line with units: pulse, time_s, carrier_hz; for each
 /// platform x_m, y_m, z_m, vx_mps ..., rx_deg ...; for each target distance_m, delay_s, radial_speed_mps, amplitude_v
 /// (thesis 4.10). All targets, whatever the window; all columns, whatever the mask. Numbers are exact (shortest form).
+/// Where the world has an epoch, `utc` of the send time stands behind time_s, to 1e-12 s. Over the Earth latitude_deg,
+/// longitude_deg and height_m of each platform stand behind its z_m: over the ellipsoid of WGS 84.
 void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& table,
                         const std::function<void(std::string_view)>& write, const core::StopFlag* stop = nullptr);
 

@@ -263,5 +263,47 @@ TEST(GeometryTable, UnknownRadarIsRefused) {
   EXPECT_THROW(write_geometry_text(moving_scene(), table, [](std::string_view) {}), std::invalid_argument);
 }
 
+// The moving scene at 60 deg north and 10 deg east, 100 m up, at midnight.
+scene::Scene scene_on_earth() {
+  scene::Scene scene = moving_scene();
+  scene.world.frame = scene::World::Frame::earth;
+  scene.world.epoch = "2020-07-28T23:59:59.9985Z";
+  scene.world.latitude = core::Angle::from_deg(60.0);
+  scene.world.longitude = core::Angle::from_deg(10.0);
+  scene.world.height_m = 100.0;
+  return scene;
+}
+
+TEST(GeometryTable, CsvHasPlacesOnTheEarthBehindPositions) {
+  const auto rows = csv_rows(scene_on_earth(), table_of(227));
+  const std::size_t x = column(rows[0], "Moving x_m");
+  const std::size_t latitude = column(rows[0], "Moving latitude_deg");
+  ASSERT_EQ(latitude, x + 3);
+  ASSERT_EQ(column(rows[0], "Moving longitude_deg"), latitude + 1);
+  ASSERT_EQ(column(rows[0], "Moving height_m"), latitude + 2);
+  EXPECT_EQ(column(rows[0], "Moving vx_mps"), latitude + 3);
+  const auto number = [&](std::size_t row, std::size_t at) { return core::parse_number(rows[row].at(at)).value(); };
+  // 300 m east along the tangent: d/((N + h) cos lat) of longitude, and d^2/2N of height, with N = 6394209.2 m.
+  const double radius_m = 6'378'137.0 / std::sqrt(1.0 - 0.00669437999014 * 0.75) + 100.0;
+  EXPECT_NEAR(number(1, latitude + 1), 10.0 + core::deg_per_rad * std::atan(300.0 / (radius_m * 0.5)), 1e-9);
+  EXPECT_NEAR(number(1, latitude + 2), 100.0 + 300.0 * 300.0 / (2.0 * radius_m), 1e-4);
+  EXPECT_NEAR(number(1, latitude), 60.0, 1e-6);
+  EXPECT_NEAR(number(1, column(rows[0], "Earth latitude_deg")), 60.0, 1e-13);
+  for (const auto& row : rows) EXPECT_EQ(row.size(), rows[0].size());
+}
+
+TEST(GeometryTable, CsvHasDatesWhereThereIsAnEpoch) {
+  const auto rows = csv_rows(scene_on_earth(), table_of(227));
+  ASSERT_EQ(column(rows[0], "utc"), 2U);
+  EXPECT_EQ(rows[1][2], "2020-07-28T23:59:59.9985Z");
+  EXPECT_EQ(rows[3][2], "2020-07-29T00:00:00.0005Z");
+  scene::Scene flat = moving_scene();
+  const auto plain = csv_rows(flat, table_of(227));
+  flat.world.epoch = "2020-07-28T23:59:59.9985Z";
+  const auto dated = csv_rows(flat, table_of(227));
+  EXPECT_EQ(dated[0].size(), plain[0].size() + 1);
+  for (const std::string& name : plain[0]) EXPECT_EQ(name.find("latitude"), std::string::npos);
+}
+
 }  // namespace geometry_table_test
 }  // namespace sarsim::simulate
