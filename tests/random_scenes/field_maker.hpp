@@ -25,7 +25,11 @@ inline void draw_value(Chance& chance, const scene::FieldSpec& spec, scene::Fiel
   const bool bounded = std::isfinite(range.low) && std::isfinite(range.high);
   const auto number = [&] { return range.low >= 0.0 ? chance.size(1e-3, 1e3) : chance.signed_size(1e-3, 1e3); };
   switch (spec.type) {
-    case scene::FieldType::choice: return choose(value, spec.choices[chance.below(spec.choices.size())].value);
+    case scene::FieldType::choice: {
+      std::vector<scene::Choice> choices = spec.choices;
+      std::erase_if(choices, [](const scene::Choice& choice) { return choice.since_2(); });
+      return choose(value, choices[chance.below(choices.size())].value);
+    }
     case scene::FieldType::check: value = chance.coin(); return;
     case scene::FieldType::seed: value = chance.bits(); return;
     case scene::FieldType::flags:
@@ -42,6 +46,7 @@ inline void draw_value(Chance& chance, const scene::FieldSpec& spec, scene::Fiel
       return;
     case scene::FieldType::text:
     case scene::FieldType::name:
+    case scene::FieldType::list:
     case scene::FieldType::function: return;
   }
 }
@@ -52,7 +57,7 @@ template <class Object>
 [[nodiscard]] Object drawn(Chance& chance, Object object, const FieldDraws<Object>& draws) {
   const scene::FieldTable<Object>& table = scene::table_of<Object>();
   for (const scene::FieldOf<Object>& field : table.fields()) {
-    if (!table.applies(object, field)) continue;
+    if (!table.applies(object, field) || field.spec.since_2) continue;
     if (const auto own = draws.find(&field); own != draws.end()) {
       if (own->second) own->second(object);
       continue;

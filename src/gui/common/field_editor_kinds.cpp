@@ -338,6 +338,7 @@ class FunctionField : public FieldEditor {
 FieldEditor* make_field_editor(const scene::Field& field, QWidget* parent) {
   switch (field.kind) {
     case scene::FieldKind::quantity:
+    case scene::FieldKind::list:  // a summary; edited in the text
     case scene::FieldKind::text: return new LineField(field, parent);
     case scene::FieldKind::choice:
     case scene::FieldKind::platform:

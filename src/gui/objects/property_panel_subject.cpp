@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gui/common/object_names.hpp"
+#include "scene/language/recorded_text.hpp"
 
 namespace sarsim::gui {
 
@@ -130,6 +131,20 @@ void PanelSubject::say(scene::Edit& edit, const scene::Field& field, const std::
   for (const scene::ObjectId id : ids_) edit.typed.push_back({id, known, text});
 }
 
+namespace {
+
+// Without names the text is a script, which cannot say what only format 2 has.
+template <class Object>
+std::string set_in(Object& object, const std::string& field, const std::string& text, const scene::LetNames* names) {
+  std::string failure = scene::set_field(object, field, text, names);
+  if constexpr (std::is_same_v<Object, scene::AnyObject>)
+    if (failure.empty() && names == nullptr && !scene::fits_script(object))
+      failure = "the language of 1998 cannot say this; save the scene as .toml, in format 2";
+  return failure;
+}
+
+}  // namespace
+
 FieldChange PanelSubject::change(const scene::Document& document, const scene::Field& field, const std::string& text,
                                  const std::string& merge_key) const {
   const scene::Scene& scene = document.scene();
@@ -143,7 +158,7 @@ FieldChange PanelSubject::change(const scene::Document& document, const scene::F
   const scene::LetNames* const names = document.let_names();
   const bool is_typed = names != nullptr && merge_key.empty() && field.kind == scene::FieldKind::quantity;
   FieldChange change = change_all(document, "Change " + within_sentence(field.label), is_typed,
-                                  [&](auto& object) { return scene::set_field(object, field.id, text, names); });
+                                  [&](auto& object) { return set_in(object, field.id, text, names); });
   change.edit.merge_key = merge_key;
   if (is_typed && change.failure.empty()) say(change.edit, field, scene::text_as_typed(field, text, *names));
   return change;

@@ -134,7 +134,9 @@ SoundRadar sound_radar(const scene::Scene& scene, std::size_t index) {
   return sound;
 }
 
-std::optional<scene::Platform> nominal_platform(scene::Platform platform) {
+std::optional<scene::Platform> nominal_platform(scene::Platform platform, const scene::World& world) {
+  // What depends on others cannot be looked at alone.
+  if (!platform.parent.empty() || platform.path == scene::Platform::Path::relative) return std::nullopt;
   if (platform.name.empty()) platform.name = "Platform";
   platform.position_error = platform.rotation_error = scene::Platform::MotionError::gaussian;
   platform.position_stddev_m = {};
@@ -142,16 +144,18 @@ std::optional<scene::Platform> nominal_platform(scene::Platform platform) {
   platform.position_envelope = {};
   platform.rotation_envelope = {};
   scene::Scene alone;
+  alone.world = world;
   alone.platforms.push_back(std::move(platform));
   if (!faulty_fields(alone, "platform").empty()) return std::nullopt;
   return std::move(alone.platforms.front());
 }
 
 void platform_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s) {
-  auto nominal = nominal_platform(scene.platforms.at(index));
+  auto nominal = nominal_platform(scene.platforms.at(index), scene.world);
   if (!nominal) return;
   scene::Scene alone;
   alone.options.profile = scene.options.profile;
+  alone.world = scene.world;
   alone.platforms.push_back(std::move(*nominal));
   const radar::Pose pose = simulate::resolve(alone).platforms.front().track.at(time_s, 0);
   const core::Vec3& at = pose.position_world_m;

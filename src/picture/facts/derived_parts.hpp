@@ -50,7 +50,7 @@ struct SoundRadar {
 [[nodiscard]] SoundRadar sound_radar(const scene::Scene& scene, std::size_t index);
 
 /// A platform without its random errors; nothing where it has an error of another kind.
-[[nodiscard]] std::optional<scene::Platform> nominal_platform(scene::Platform platform);
+[[nodiscard]] std::optional<scene::Platform> nominal_platform(scene::Platform platform, const scene::World& world);
 
 /// The figures of one object each, those of what moves at a time; faulty parts are left out.
 void platform_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s);

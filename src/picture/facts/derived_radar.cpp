@@ -65,7 +65,7 @@ struct Sighting {
 bool carry(const scene::Scene& scene, scene::Scene& into, std::string& name) {
   const std::size_t index = scene::find_platform(scene, name);
   if (index == scene::not_found) return core::equal_ignoring_case(name, "Earth");
-  auto nominal = nominal_platform(scene.platforms[index]);
+  auto nominal = nominal_platform(scene.platforms[index], scene.world);
   if (!nominal) return false;
   name = nominal->name;
   const bool known = std::ranges::any_of(into.platforms, [&](const scene::Platform& p) { return p.name == name; });
@@ -76,6 +76,7 @@ bool carry(const scene::Scene& scene, scene::Scene& into, std::string& name) {
 std::optional<Sighting> sighting_of(const scene::Scene& scene, const scene::Target& target, std::size_t radar) {
   Sighting s{.scene = {}, .radar = sound_radar(scene, radar)};
   s.scene.options.profile = scene.options.profile;
+  s.scene.world = scene.world;
   scene::Target seen = target;
   seen.position_stddev_m = {};
   seen.rcs_stddev_m2 = 0.0;

@@ -4,9 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 
 #include "picture/scene/snapshot_beam.hpp"
 #include "scene/model/cloud_points.hpp"
+#include "scene/model/route.hpp"
 #include "scene/model/scene_index.hpp"
 #include "simulate/resolve/resolved.hpp"
 
@@ -70,20 +72,14 @@ std::array<core::Angle, 3> cleaned(const std::array<core::Angle, 3>& angles) {
 }
 
 scene::Platform cleaned(const scene::Platform& platform) {
-  scene::Platform clean;
-  clean.name = platform.name;
-  clean.path = platform.path;
+  scene::Platform clean = platform;
   clean.position_m = finite_or_zero(platform.position_m);
   clean.trajectory_m = cleaned(platform.trajectory_m);
-  clean.aligned = platform.aligned;
-  clean.rotation_kind = platform.rotation_kind;
   clean.rotation = cleaned(platform.rotation);
   clean.rotation_deg = cleaned(platform.rotation_deg);
   clean.rotation_rate = cleaned(platform.rotation_rate);
-  clean.position_error = platform.position_error;
   clean.position_stddev_m = finite_or_zero(platform.position_stddev_m);
   clean.position_envelope = cleaned_envelope(platform.position_envelope);
-  clean.rotation_error = platform.rotation_error;
   clean.rotation_stddev = cleaned(platform.rotation_stddev);
   clean.rotation_envelope = cleaned_envelope(platform.rotation_envelope);
   return clean;
@@ -109,7 +105,21 @@ scene::Scene frames_of(const scene::Scene& scene) {
   scene::Scene frames;
   for (const scene::Platform& platform : scene.platforms) frames.platforms.push_back(cleaned(platform));
   frames.options = scene.options;
+  frames.world = scene.world;
   return frames;
+}
+
+// A path that is half typed, or whose file is not read, cannot be drawn: such platforms stay where they are.
+void put_to_rest(scene::Scene& frames) {
+  for (scene::Platform& platform : frames.platforms) {
+    platform.parent.clear();
+    if (platform.path != scene::Platform::Path::trajectory) platform.path = scene::Platform::Path::stationary;
+    if (platform.rotation_kind != scene::Platform::Rotation::user)
+      platform.rotation_kind = scene::Platform::Rotation::constant;
+    if (platform.position_error == scene::Platform::MotionError::gusts)
+      platform.position_error = scene::Platform::MotionError::gaussian;
+    platform.waves = scene::Platform::Waves::none;
+  }
 }
 
 // When the pulses of a radar leave; nothing where its description makes no sense yet.
@@ -146,6 +156,11 @@ std::array<double, 2> span_of(const scene::Scene& scene) {
   Span span;
   for (const scene::Platform& platform : scene.platforms) {
     if (platform.path == scene::Platform::Path::trajectory) span.add(platform.trajectory_m);
+    if (platform.path == scene::Platform::Path::legs || platform.path == scene::Platform::Path::waypoints) {
+      const radar::PathMade route = scene::route_of(platform);
+      span.add(route.path.start_s());
+      span.add(route.path.start_s() + route.path.duration_s());
+    }
     if (platform.rotation_kind == scene::Platform::Rotation::user) span.add(platform.rotation_deg);
   }
   for (const scene::Radar& radar : scene.radars)
@@ -168,16 +183,24 @@ struct Path {
   std::array<core::Interpolator, 3> position_m;
   std::vector<double> knots_s;  // of all three, ascending: where a path of straight lines bends
   bool moves = false;
+  const radar::Track* track = nullptr;  // of a path that is no function of points
 
   [[nodiscard]] core::Vec3 at(double time_s) const {
+    if (track != nullptr) return track->at(time_s, 0).position_world_m;
     return {position_m[0].value(time_s), position_m[1].value(time_s), position_m[2].value(time_s)};
   }
 };
 
 // @param platform  cleaned
-Path path_of(const scene::Platform& platform, core::InterpolationRules rule) {
+Path path_of(const scene::Platform& platform, const radar::Track& track, core::InterpolationRules rule) {
   Path path;
-  if (platform.path != scene::Platform::Path::trajectory) return path;
+  const bool of_points = platform.path == scene::Platform::Path::trajectory;
+  if (!platform.parent.empty() || (!of_points && platform.path != scene::Platform::Path::stationary)) {
+    path.track = &track;
+    path.moves = !track.fixed();
+    return path;
+  }
+  if (!of_points) return path;
   for (std::size_t i = 0; i < 3; ++i) {
     const core::SampledFunction& part = platform.trajectory_m.part[i];
     path.position_m[i] = core::Interpolator(part, rule);
@@ -268,7 +291,7 @@ struct SnapshotMaker::Prepared {
   };
 
   explicit Prepared(const scene::Scene& scene);
-  void add_platforms(const scene::Scene& frames);
+  void add_platforms(scene::Scene frames);
   void add_targets(const scene::Scene& scene, PlatformFinder& platform_of);
   void add_clouds(const scene::Scene& scene, PlatformFinder& platform_of);
   void add_surfaces(const scene::Scene& scene, PlatformFinder& platform_of);
@@ -304,11 +327,17 @@ SnapshotMaker::Prepared::Prepared(const scene::Scene& scene) : span_s(span_of(sc
   add_radars(scene, platform_of);
 }
 
-void SnapshotMaker::Prepared::add_platforms(const scene::Scene& frames) {
-  resolved = simulate::resolve(frames);
+void SnapshotMaker::Prepared::add_platforms(scene::Scene frames) {
+  try {
+    resolved = simulate::resolve(frames);
+  } catch (const std::invalid_argument&) {
+    put_to_rest(frames);
+    resolved = simulate::resolve(frames);
+  }
   paths.clear();
-  for (const scene::Platform& platform : frames.platforms)
-    paths.push_back(path_of(platform, simulate::interpolation_rules(resolved.options)));
+  for (std::size_t i = 0; i < frames.platforms.size(); ++i)
+    paths.push_back(
+        path_of(frames.platforms[i], resolved.platforms[i].track, simulate::interpolation_rules(resolved.options)));
 }
 
 void SnapshotMaker::Prepared::add_targets(const scene::Scene& scene, PlatformFinder& platform_of) {

@@ -36,6 +36,7 @@ std::optional<Shape> shape_of(const scene::Scene& scene, const scene::Simulation
   if (radar == scene::not_found) return std::nullopt;
   scene::Scene alone;
   alone.options = scene.options;
+  alone.world = scene.world;
   alone.platforms = scene.platforms;
   alone.radars = {scene.radars[radar]};
   alone.simulations = {simulation};

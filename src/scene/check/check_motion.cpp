@@ -95,6 +95,16 @@ void check_files(Findings& findings, const Platform& platform) {
     missing("ephemeris_file", "path", "S1A.EOF");
   if (platform.rotation_kind == Platform::Rotation::quaternions && platform.attitude_file.empty())
     missing("attitude_file", "attitude", "S1A.aem");
+  const auto not_read = [&](std::string_view field, const std::string& file) {
+    findings.error(field,
+                   {.message = "the motion of the platform is not read", .found = file, .expected = {}, .hint = {}});
+  };
+  const bool from_file = platform.path == Platform::Path::ephemeris && !platform.ephemeris_file.empty();
+  if ((from_file || platform.path == Platform::Path::orbit) && !platform.read_path)
+    not_read(from_file ? "ephemeris_file" : "path", platform.ephemeris_file);
+  if (platform.rotation_kind == Platform::Rotation::quaternions && !platform.attitude_file.empty() &&
+      !platform.read_attitude)
+    not_read("attitude_file", platform.attitude_file);
 }
 
 // What a leg lacks; empty where nothing.
@@ -217,7 +227,8 @@ void check_world(Findings& findings, const Scene& scene) {
 void check_motion(Findings& findings, const Scene& scene, std::size_t index) {
   const Platform& platform = scene.platforms[index];
   check_laws(findings, scene.world, platform);
-  check_files(findings, platform);
+  // Without a sound epoch, which is said, nothing is read.
+  if (epoch_of(scene.world).failure.empty()) check_files(findings, platform);
   check_route(findings, platform);
   check_leader(findings, scene, index);
   check_chain(findings, scene, index, &Platform::parent, "parent");

@@ -1,6 +1,7 @@
 #include "scene/language/recorded_text.hpp"
 
 #include <algorithm>
+#include <variant>
 
 #include "scene/language/scene_writer.hpp"
 #include "scene/schema/field_table.hpp"
@@ -37,6 +38,10 @@ bool all_fit(const std::vector<Object>& objects) {
 }
 
 }  // namespace
+
+bool fits_script(const AnyObject& object) {
+  return std::visit([](const auto& one) { return all_fit(std::vector{one}); }, object);
+}
 
 bool fits_script(const Scene& scene) {
   bool fits = true;
