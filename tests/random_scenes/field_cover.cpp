@@ -43,6 +43,7 @@ std::size_t objects_of(const scene::Scene& scene, const std::string& kind) {
 FieldCover::FieldCover() {
   const auto add = [this]<class Object>(const std::string& kind, const scene::FieldTable<Object>& table) {
     for (const scene::FieldOf<Object>& field : table.fields()) {
+      if (field.spec.since_2) continue;  // A script has no such field.
       values_[{kind, std::string(field.spec.problem_place())}];
       for (const scene::Choice& choice : field.spec.choices)
         if (!choice.word.empty()) keywords_[{kind, std::string(choice.word)}] = 0;
