@@ -154,7 +154,8 @@ void ImportDialog::read_file() {
 
 void ImportDialog::interpret() {
   import_ = text_.isEmpty() ? scene::TargetImport{}
-                            : scene::import_targets(text_.toStdString(), platform_->currentText().toStdString());
+                            : scene::import_targets(text_.toStdString(), platform_->currentText().toStdString(),
+                                                    session_.scene().world);
   preview_->setPlainText(first_lines(text_));
   bad_lines_->clear();
   for (const core::Problem& problem : import_.problems)

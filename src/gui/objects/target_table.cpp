@@ -258,7 +258,7 @@ void TargetTable::paste() {
   const QString text = QApplication::clipboard()->text();
   if (text.trimmed().isEmpty()) return say(core::Severity::note, {tr("The clipboard holds no text.")});
   if (paste_values(text)) return;
-  scene::TargetImport import = scene::import_targets(text.toStdString(), platform_for_new());
+  scene::TargetImport import = scene::import_targets(text.toStdString(), platform_for_new(), session_.scene().world);
   QStringList problems;
   for (const core::Problem& problem : import.problems)
     problems += tr("Line %1: %2").arg(problem.place.line).arg(problem_text(problem));

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/limits.hpp"
+#include "scene/model/world_frame.hpp"
 #include "scene/schema/table_text.hpp"
 
 namespace sarsim::scene {
@@ -24,13 +28,24 @@ struct ColumnKind {
   Quantity quantity;
   std::array<std::string_view, 7> names;
 };
-constexpr std::array<ColumnKind, quantities> table_kinds{
-    {{"x", Quantity::length, {"x", "x_m", "x coordinate"}},
-     {"y", Quantity::length, {"y", "y_m", "y coordinate"}},
-     {"z", Quantity::length, {"z", "z_m", "z coordinate"}},
-     {"cross-section",
-      Quantity::area,
-      {"rcs", "rcs_m2", decibel_name, "sigma", "radar cross section", "cross-section", "cross section"}}}};
+using ColumnKinds = std::array<ColumnKind, quantities>;
+constexpr ColumnKind cross_section{
+    "cross-section",
+    Quantity::area,
+    {"rcs", "rcs_m2", decibel_name, "sigma", "radar cross section", "cross-section", "cross section"}};
+constexpr ColumnKinds cartesian_kinds{{{"x", Quantity::length, {"x", "x_m", "x coordinate"}},
+                                       {"y", Quantity::length, {"y", "y_m", "y coordinate"}},
+                                       {"z", Quantity::length, {"z", "z_m", "z coordinate"}},
+                                       cross_section}};
+constexpr ColumnKinds geodetic_kinds{
+    {{"latitude", Quantity::angle, {"latitude", "latitude_deg", "lat", "lat_deg"}},
+     {"longitude", Quantity::angle, {"longitude", "longitude_deg", "lon", "lon_deg", "long"}},
+     {"height", Quantity::length, {"height", "height_m", "ellipsoidal height", "h", "h_m"}},
+     cross_section}};
+
+const ColumnKinds& kinds_of(const TargetColumns& columns) {
+  return columns.geodetic ? geodetic_kinds : cartesian_kinds;
+}
 
 core::Problem problem_of(core::Severity severity, const TableLine& line, std::string message, std::string found,
                          std::string expected) {
@@ -45,42 +60,55 @@ core::Problem problem_of(core::Severity severity, const TableLine& line, std::st
   return problem;
 }
 
-std::optional<std::size_t> kind_of(const ColumnHeading& heading) {
+std::optional<std::size_t> kind_of(const ColumnHeading& heading, const ColumnKinds& meant) {
   for (std::size_t kind = 0; kind < quantities; ++kind)
-    if (!heading.name.empty() &&
-        std::ranges::find(table_kinds[kind].names, heading.name) != table_kinds[kind].names.end())
+    if (!heading.name.empty() && std::ranges::find(meant[kind].names, heading.name) != meant[kind].names.end())
       return kind;
   return std::nullopt;
 }
 
-bool names_columns(const TableLine& line) {
-  if (!is_heading(line)) return false;
-  return std::ranges::any_of(headings_of(line),
-                             [](const ColumnHeading& heading) { return kind_of(heading).has_value(); });
+// How many of the first `count` quantities are named.
+std::size_t named(const std::vector<ColumnHeading>& headings, const ColumnKinds& meant, std::size_t count) {
+  std::array<bool, quantities> met{};
+  for (const ColumnHeading& heading : headings)
+    if (const auto kind = kind_of(heading, meant)) met[*kind] = true;
+  return static_cast<std::size_t>(std::count(met.begin(), met.begin() + static_cast<std::ptrdiff_t>(count), true));
+}
+
+// A height alone may be anything's.
+bool names_places(const std::vector<ColumnHeading>& headings) {
+  return named(headings, geodetic_kinds, 2) > 0 && named(headings, cartesian_kinds, 3) < 3;
 }
 
 std::optional<core::Problem> take_column(TargetColumns& columns, const TableLine& line, std::size_t kind,
                                          std::size_t at, const ColumnHeading& heading) {
+  const ColumnKind& meant = kinds_of(columns)[kind];
   if (columns.at[kind])
-    return problem_of(core::Severity::error, line, fmt::format("two columns are named {}", table_kinds[kind].words),
+    return problem_of(core::Severity::error, line, fmt::format("two columns are named {}", meant.words),
                       std::string(line.text), "each name once");
   const std::string unit = heading.unit.empty() && heading.name == decibel_name ? "dBsm" : heading.unit;
   columns.at[kind] = at;
   columns.unit[kind] = unit;
-  if (unit.empty() || read_quantity("1 " + unit, table_kinds[kind].quantity).value) return std::nullopt;
+  if (unit.empty() || read_quantity("1 " + unit, meant.quantity).value) return std::nullopt;
   std::string units;
-  for (const std::string_view name : units_of(table_kinds[kind].quantity))
+  for (const std::string_view name : units_of(meant.quantity))
     units += fmt::format("{}{}", units.empty() ? "" : ", ", name);
-  return problem_of(core::Severity::error, line,
-                    fmt::format("the unit of column {} is not known", table_kinds[kind].words), unit, units);
+  return problem_of(core::Severity::error, line, fmt::format("the unit of column {} is not known", meant.words), unit,
+                    units);
 }
 
 class Importer {
  public:
-  Importer(TargetImport& import, const std::string& platform) : import_(import), platform_(platform) {}
+  Importer(TargetImport& import, const std::string& platform, const World& world)
+      : import_(import), platform_(platform), world_(world) {}
 
   void read(const std::vector<TableLine>& lines) {
     if (!lines.empty()) columns_ = target_columns(lines.front(), import_.problems);
+    if (columns_.geodetic) {
+      if (auto problem = problem_of_places(columns_, lines.front(), world_, platform_))
+        import_.problems.push_back(std::move(*problem));
+      earth_ = earth_of(world_);
+    }
     if (core::has_errors(import_.problems)) return;
     import_.targets.reserve(lines.size());
     for (std::size_t i = columns_.heading ? 1 : 0; i < lines.size(); ++i) read_line(lines[i]);
@@ -91,13 +119,14 @@ class Importer {
   void read_line(const TableLine& line) {
     const TargetLine read = read_target_line(line, columns_);
     if (!read.message.empty())
-      return add(problem_of(core::Severity::error, line, read.message, read.found,
-                            "x, y, z and, where there is one, the cross-section"));
+      return add(problem_of(core::Severity::error, line, read.message, read.found, columns_.words()));
     const auto& values = read.values;
     if (line.cells.size() > columns_.count && more_cells_++ == 0) first_longer_ = line;
     Target target;
     target.platform = platform_;
     target.position_m = {values[0], values[1], values[2]};
+    if (earth_)
+      target.position_m = earth_->world_of({core::rad_per_deg * values[0], core::rad_per_deg * values[1], values[2]});
     target.rcs_m2 = values[3];
     import_.targets.push_back(std::move(target));
   }
@@ -115,16 +144,17 @@ class Importer {
       last.hint = fmt::format("{} more lines could not be read.", unsaid_);
     }
     if (more_cells_ == 0) return;
-    core::Problem problem =
-        problem_of(core::Severity::warning, first_longer_,
-                   fmt::format("columns behind the {} expected are ignored", columns_.count),
-                   std::string(first_longer_.text), "x, y, z and, where there is one, the cross-section");
+    core::Problem problem = problem_of(core::Severity::warning, first_longer_,
+                                       fmt::format("columns behind the {} expected are ignored", columns_.count),
+                                       std::string(first_longer_.text), columns_.words());
     problem.count = more_cells_;
     import_.problems.push_back(std::move(problem));
   }
 
   TargetImport& import_;
   const std::string& platform_;
+  const World& world_;
+  std::optional<radar::EarthFrame> earth_;  // of geodetic places
   TargetColumns columns_;
   std::size_t unsaid_ = 0;
   std::size_t more_cells_ = 0;
@@ -133,51 +163,78 @@ class Importer {
 
 }  // namespace
 
+std::string TargetColumns::words() const {
+  return geodetic ? "latitude, longitude, height and, where there is one, the cross-section"
+                  : "x, y, z and, where there is one, the cross-section";
+}
+
 TargetColumns target_columns(const TableLine& line, core::Problems& problems) {
   TargetColumns columns;
-  columns.heading = names_columns(line);
+  if (!is_heading(line)) return columns;
+  const std::vector<ColumnHeading> headings = headings_of(line);
+  columns.geodetic = names_places(headings);
+  const ColumnKinds& meant = kinds_of(columns);
+  columns.heading = named(headings, meant, quantities) > 0;
   if (!columns.heading) return columns;
   columns.at.fill(std::nullopt);
-  const std::vector<ColumnHeading> headings = headings_of(line);
   columns.count = headings.size();
   for (std::size_t i = 0; i < headings.size(); ++i) {
-    const auto kind = kind_of(headings[i]);
+    const auto kind = kind_of(headings[i], meant);
     if (!kind) continue;  // a column of something else
     if (auto problem = take_column(columns, line, *kind, i, headings[i])) problems.push_back(std::move(*problem));
   }
   for (std::size_t kind = 0; kind < 3; ++kind)
     if (!columns.at[kind])
-      problems.push_back(problem_of(core::Severity::error, line,
-                                    fmt::format("the names of the columns do not include {}", table_kinds[kind].words),
-                                    std::string(line.text), "x, y, z and, where there is one, rcs"));
+      problems.push_back(problem_of(
+          core::Severity::error, line, fmt::format("the names of the columns do not include {}", meant[kind].words),
+          std::string(line.text),
+          fmt::format("{}, {}, {} and, where there is one, rcs", meant[0].words, meant[1].words, meant[2].words)));
   return columns;
+}
+
+std::optional<core::Problem> problem_of_places(const TargetColumns& columns, const TableLine& line, const World& world,
+                                               const std::string& platform) {
+  if (!columns.geodetic) return std::nullopt;
+  std::optional<core::Problem> problem;
+  if (world.frame != World::Frame::earth) {
+    problem = problem_of(core::Severity::error, line, "the world is flat and has no latitudes", std::string(line.text),
+                         "columns x, y, z");
+    problem->hint = "Latitudes need [world] frame = \"earth\" with an anchor.";
+  } else if (!core::equal_ignoring_case(platform, "Earth")) {
+    problem = problem_of(core::Severity::error, line, "places on the Earth cannot be those of a platform", platform,
+                         "the platform Earth, or columns x, y, z in the platform's frame");
+  }
+  return problem;
 }
 
 TargetLine read_target_line(const TableLine& line, const TargetColumns& columns) {
   TargetLine read;
+  const ColumnKinds& meant = kinds_of(columns);
   for (std::size_t kind = 0; kind < quantities && read.message.empty(); ++kind) {
     const auto at = columns.at[kind];
     const bool empty = !at || *at >= line.cells.size() || line.cells[*at].empty();
     if (empty && kind == 3) continue;
     if (empty) {
-      read.message = fmt::format("{} is missing", table_kinds[kind].words);
+      read.message = fmt::format("{} is missing", meant[kind].words);
       read.found = line.text;
       break;
     }
-    const QuantityReading reading = read_cell(line.cells[*at], table_kinds[kind].quantity, columns.unit[kind]);
+    const QuantityReading reading = read_cell(line.cells[*at], meant[kind].quantity, columns.unit[kind]);
     if (!reading.value)
-      read.message = fmt::format("{}: {}", table_kinds[kind].words, reading.failure);
+      read.message = fmt::format("{}: {}", meant[kind].words, reading.failure);
     else if (!computable(*reading.value))
-      read.message = fmt::format("{} is too large to compute with", table_kinds[kind].words);
+      read.message = fmt::format("{} is too large to compute with", meant[kind].words);
+    else if (columns.geodetic && kind == 0 && !(std::abs(*reading.value) <= 90.0))
+      read.message = "latitude is beyond a pole";
     if (!read.message.empty()) read.found = line.cells[*at];
     read.values[kind] = reading.value.value_or(0.0);
   }
   return read;
 }
 
-TargetImport import_targets(std::string_view text, const std::string& platform) {
+TargetImport import_targets(std::string_view text, const std::string& platform, const World& world) {
   TargetImport import;
-  Importer(import, platform).read(table_lines(text));
+  Importer(import, platform, world).read(table_lines(text));
   return import;
 }
 

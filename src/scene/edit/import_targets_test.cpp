@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
+#include "scene/model/world_frame.hpp"
+
 namespace sarsim::scene {
 
 namespace import_targets_test {
@@ -115,6 +118,54 @@ TEST(ImportTargets, NothingGivesNothing) {
 TEST(ImportTargets, ATableThatIsWrittenIsReadBackExactly) {
   const std::vector<Target> targets{target(1.0 / 3.0, -1e-30, 1e17, 0.1), target(0, 0, 0, 0)};
   expect_targets(targets_text(targets), targets);
+}
+
+// The anchor of the tests of latitudes.
+World world_on_earth() {
+  World world;
+  world.frame = World::Frame::earth;
+  world.latitude = core::Angle::from_deg(-16.2);
+  world.longitude = core::Angle::from_deg(-76.2);
+  world.height_m = 50.0;
+  return world;
+}
+
+TEST(ImportTargets, LatitudesLieInTheWorldOfTheEarth) {
+  const World world = world_on_earth();
+  const auto earth = earth_of(world);
+  for (const char* text : {"latitude,longitude,height,rcs\n-16.2,-76.2,50,4\n-16.25,-76,0,9\n",
+                           "rcs;lon_deg;height_m;Lat_deg;name\n4;-76.2;50;-16.2;a\n9;-76;0;-16.25;b\n",
+                           "latitude [deg]\tlongitude [deg]\theight [km]\trcs\n-16.2\t-76.2\t0.05\t4\n"
+                           "-16.25 deg\t-76\t0\t9\n"}) {
+    const TargetImport import = import_targets(text, "Earth", world);
+    EXPECT_EQ(printed(import), "") << text;
+    ASSERT_EQ(import.targets.size(), 2U) << text;
+    EXPECT_EQ(import.targets[0].position_m, core::Vec3{}) << text;
+    EXPECT_EQ(import.targets[0].rcs_m2, 4.0);
+    EXPECT_EQ(import.targets[1].position_m,
+              earth->world_of({core::rad_per_deg * -16.25, core::rad_per_deg * -76.0, 0.0}));
+  }
+}
+
+TEST(ImportTargets, LatitudesNeedAnEarthAndItsPlatform) {
+  const std::string table = "latitude,longitude,height\n-16.2,-76.2,0\n";
+  EXPECT_NE(printed(import_targets(table, "Earth")).find("the world is flat and has no latitudes"), std::string::npos);
+  EXPECT_NE(printed(import_targets(table, "Ship", world_on_earth()))
+                .find("places on the Earth cannot be those of a platform; found 'Ship'"),
+            std::string::npos)
+      << printed(import_targets(table, "Ship", world_on_earth()));
+  EXPECT_NE(
+      printed(import_targets("latitude,longitude\n1,2\n", "Earth", world_on_earth())).find("do not include height"),
+      std::string::npos);
+  EXPECT_NE(printed(import_targets("latitude,longitude,height\n90.5,2,0\n", "Earth", world_on_earth()))
+                .find("latitude is beyond a pole"),
+            std::string::npos);
+}
+
+TEST(ImportTargets, TablesOfCoordinatesMayHaveOtherLatitudes) {
+  const TargetImport import = import_targets("latitude,x,y,z\n50,1,2,3\n", "Ship");
+  EXPECT_EQ(printed(import), "");
+  EXPECT_EQ(import.targets, std::vector<Target>{target(1, 2, 3)});
 }
 
 TEST(ImportTargets, ManyBadLinesGiveAFewProblemsThatSayHowManyThereAre) {

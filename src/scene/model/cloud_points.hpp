@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/maths/vector.hpp"
+#include "radar/earth/earth_frame.hpp"
 #include "radar/echo/sight.hpp"
 #include "scene/model/scene.hpp"
 
@@ -20,6 +22,8 @@ struct CloudPoints {
   core::Vec3 most_m;      ///< ... and the opposite one.
   std::string file;       ///< Name by which the cloud meant the table.
   std::uint64_t sum = 0;  ///< XXH64 of the file's bytes.
+  std::optional<radar::Anchor>
+      anchor;  ///< Of the world that latitudes of the table were laid in; nothing: no latitudes.
 };
 
 /// Number of the points of a cloud; 0 where they are not read.

@@ -6,14 +6,18 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/limits.hpp"
+#include "scene/model/world_frame.hpp"
 #include "scene/script/reader.hpp"
 #include "workflow/input/cloud_table.hpp"
 
@@ -114,6 +118,14 @@ std::optional<TableFault> read_table(const core::InputFile& file, PointTable& ta
   return read_text_points(file, table, control);
 }
 
+bool is_on_world(const scene::Cloud& cloud) { return core::equal_ignoring_case(cloud.platform, "Earth"); }
+
+// Whether what was read still holds: latitudes lie elsewhere in another world.
+bool lies_there(const scene::CloudPoints& points, const scene::Cloud& cloud, const scene::World& world) {
+  if (!points.anchor) return true;
+  return world.frame == scene::World::Frame::earth && is_on_world(cloud) && *points.anchor == scene::anchor_of(world);
+}
+
 // What has become of one file.
 struct CloudReading {
   std::shared_ptr<const scene::CloudPoints> points;
@@ -125,7 +137,10 @@ core::Problem problem_of_file(const std::string& name, TableFault fault) {
                           std::move(fault.expected), std::move(fault.hint));
 }
 
-CloudReading read_file(const std::string& name, const fs::path& path, double rcs_m2, const core::WorkControl& control) {
+CloudReading read_file(const scene::Cloud& cloud, const scene::World& world, const fs::path& path,
+                       const core::WorkControl& control) {
+  const std::string& name = cloud.file;
+  const double rcs_m2 = cloud.rcs_m2;
   CloudReading reading;
   auto opened = core::InputFile::open(path);
   if (auto* problem = std::get_if<core::Problem>(&opened)) {
@@ -134,6 +149,8 @@ CloudReading read_file(const std::string& name, const fs::path& path, double rcs
   }
   PointTable table;
   table.rcs_m2 = rcs_m2;
+  table.world = world;
+  table.platform = cloud.platform;
   std::optional<TableFault> fault = read_table(std::get<core::InputFile>(opened), table, control);
   if (!fault && table.arrays.size() == 0) fault = TableFault{"the table has no points", {}, "a point in each row", {}};
   if (fault) {
@@ -153,7 +170,8 @@ CloudReading read_file(const std::string& name, const fs::path& path, double rcs
         fmt::format("{} of {} points", found.negative, table.arrays.size()), "numbers above 0",
         "They are in m2, not in dBsm; a text may name its column rcs_dbsm."));
   reading.points = std::make_shared<const scene::CloudPoints>(
-      scene::CloudPoints{std::move(table.arrays), table.own_rcs, rcs_m2, found.least_m, found.most_m, name, found.sum});
+      scene::CloudPoints{std::move(table.arrays), table.own_rcs, rcs_m2, found.least_m, found.most_m, name, found.sum,
+                         table.geodetic ? std::optional(scene::anchor_of(world)) : std::nullopt});
   return reading;
 }
 
@@ -181,10 +199,10 @@ TableFault fault_of_phase(std::string_view row_word, std::uint64_t row, double v
 
 core::Problems read_clouds(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
   core::Problems problems;
-  std::map<std::pair<std::string, double>, CloudReading> known;
+  std::map<std::tuple<std::string, double, bool>, CloudReading> known;
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     scene::Cloud& cloud = scene.clouds[i];
-    if (cloud.points && cloud.points->file == cloud.file) continue;
+    if (cloud.points && cloud.points->file == cloud.file && lies_there(*cloud.points, cloud, scene.world)) continue;
     cloud.points = {};
     if (cloud.file.empty()) continue;
     const fs::path path = scene::data_file_on_disk(folder, cloud.file);
@@ -195,8 +213,8 @@ core::Problems read_clouds(scene::Scene& scene, const fs::path& folder, const co
           fmt::format("a file in '{}' or in the current folder", folder.empty() ? "." : folder.string()),
           "Look at the name and the folder; file names are case-sensitive."));
     } else {
-      const auto [place, is_new] = known.try_emplace({cloud.file, cloud.rcs_m2});
-      if (is_new) place->second = read_file(cloud.file, path, cloud.rcs_m2, control);
+      const auto [place, is_new] = known.try_emplace({cloud.file, cloud.rcs_m2, is_on_world(cloud)});
+      if (is_new) place->second = read_file(cloud, scene.world, path, control);
       reading = place->second;
     }
     cloud.points = reading.points;

@@ -10,8 +10,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/maths/constants.hpp"
 #include "raster/format/npy_header.hpp"
 #include "scene/model/cloud_points.hpp"
+#include "scene/model/world_frame.hpp"
 
 namespace sarsim::workflow {
 namespace cloud_input_test {
@@ -186,6 +188,42 @@ TEST_F(ReadClouds, TakeTheDatasetPointsOfHdf5Files) {
   expect_refused("words.h5", "does not hold numbers");
   write("broken.h5", "\x89HDF\r\n\x1a\n" + std::string(1000, 'x'));
   expect_refused("broken.h5", "HDF5");
+}
+
+TEST_F(ReadClouds, LaysLatitudesInTheWorldOfTheEarth) {
+  write("places.csv", "latitude,longitude,height,rcs\n-16.2,-76.2,50,4\n-16.25,-76 deg,0,9\n");
+  write("pole.csv", "latitude,longitude,height\n90.5,0,0\n");
+  expect_refused("places.csv", "the world is flat and has no latitudes");
+  scene::Scene scene;
+  scene.world.frame = scene::World::Frame::earth;
+  scene.world.latitude = core::Angle::from_deg(-16.2);
+  scene.world.longitude = core::Angle::from_deg(-76.2);
+  scene.world.height_m = 50.0;
+  scene.clouds.emplace_back().file = "places.csv";
+  EXPECT_TRUE(read_clouds(scene, folder_).empty());
+  ASSERT_TRUE(scene.clouds[0].points);
+  const auto before = scene.clouds[0].points;
+  EXPECT_EQ(before->arrays.x_m[0], 0.0);
+  EXPECT_EQ(before->arrays.z_m[0], 0.0);
+  const core::Vec3 second =
+      scene::earth_of(scene.world)->world_of({core::rad_per_deg * -16.25, core::rad_per_deg * -76.0, 0.0});
+  EXPECT_EQ(before->arrays.x_m[1], second.x);
+  EXPECT_EQ(before->arrays.y_m[1], second.y);
+  EXPECT_EQ(before->arrays.z_m[1], second.z);
+  EXPECT_EQ(before->arrays.root_rcs_m, (std::vector<double>{2.0, 3.0}));
+
+  EXPECT_TRUE(read_clouds(scene, folder_).empty());
+  EXPECT_EQ(scene.clouds[0].points.get(), before.get());
+  scene.world.height_m = 0.0;  // Another world: the points lie elsewhere in it.
+  EXPECT_TRUE(read_clouds(scene, folder_).empty());
+  EXPECT_NEAR(scene.clouds[0].points->arrays.z_m[0], 50.0, 1e-9);
+
+  scene.platforms.emplace_back().name = "Ship";
+  scene.clouds[0].platform = "Ship";
+  EXPECT_THAT(core::to_string(read_clouds(scene, folder_).at(0)), HasSubstr("cannot be those of a platform"));
+  scene.clouds[0].platform = "Earth";
+  scene.clouds[0].file = "pole.csv";
+  EXPECT_THAT(core::to_string(read_clouds(scene, folder_).at(0)), HasSubstr("beyond a pole"));
 }
 
 // Larger than a piece of text, so that lines lie across borders of pieces.

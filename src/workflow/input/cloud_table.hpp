@@ -9,6 +9,7 @@
 #include "core/os/input_file.hpp"
 #include "core/task/parallel.hpp"
 #include "radar/echo/sight.hpp"
+#include "scene/model/scene.hpp"
 
 /// The readers of tables of points, one for each format (docs/formats/point-tables.md).
 namespace sarsim::workflow {
@@ -24,7 +25,10 @@ struct TableFault {
 /// A table as it stands in a file: positions [m] and, in place of the roots, cross-sections [m2].
 struct PointTable {
   radar::PointArrays arrays;
-  double rcs_m2 = 1.0;           ///< Of points without one of their own.
+  double rcs_m2 = 1.0;  ///< Of points without one of their own.
+  scene::World world;   ///< Where latitudes and longitudes lie; of the cloud, as the next.
+  std::string platform = "Earth";
+  bool geodetic = false;         ///< The table has latitudes; the arrays have been laid in the world.
   bool own_rcs = false;          ///< Cross-sections are there; else `arrays.root_rcs_m` holds zeros.
   std::string row_word = "row";  ///< What people count its points in: a text has lines.
   std::size_t first_row = 1;     ///< Number of the first point's row.

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,9 +9,11 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/edit/import_targets.hpp"
 #include "scene/model/limits.hpp"
+#include "scene/model/world_frame.hpp"
 #include "workflow/input/cloud_table.hpp"
 
 namespace sarsim::workflow {
@@ -49,9 +52,13 @@ char separator_of(std::string_view line) {
 class LineReader {
  public:
   // @param rcs_m2  of points whose cell is empty
-  LineReader(const TargetColumns& columns, double rcs_m2) : columns_(columns), rcs_m2_(rcs_m2) {
-    for (std::size_t kind = 0; kind < TargetColumns::quantities; ++kind)
-      plain_ = plain_ && (columns.unit[kind].empty() || columns.unit[kind] == (kind == rcs_quantity ? "m2" : "m"));
+  // @param earth   of geodetic places
+  LineReader(const TargetColumns& columns, double rcs_m2, std::optional<radar::EarthFrame> earth)
+      : columns_(columns), rcs_m2_(rcs_m2), earth_(std::move(earth)) {
+    for (std::size_t kind = 0; kind < TargetColumns::quantities; ++kind) {
+      const char* base = kind == rcs_quantity ? "m2" : columns.geodetic && kind < 2 ? "deg" : "m";
+      plain_ = plain_ && (columns.unit[kind].empty() || columns.unit[kind] == base);
+    }
   }
 
   void read(std::string_view line, TextPiece& piece) const {
@@ -59,9 +66,11 @@ class LineReader {
     if (line.empty() || line.front() == '#' || line.front() == '!') return;
     std::array<double, TargetColumns::quantities> values{0.0, 0.0, 0.0, 1.0};
     if (!(plain_ && read_plain(line, values)) && !read_any(line, values, piece)) return;
-    piece.arrays.x_m.push_back(values[0]);
-    piece.arrays.y_m.push_back(values[1]);
-    piece.arrays.z_m.push_back(values[2]);
+    core::Vec3 point_m{values[0], values[1], values[2]};
+    if (earth_) point_m = earth_->world_of({core::rad_per_deg * values[0], core::rad_per_deg * values[1], values[2]});
+    piece.arrays.x_m.push_back(point_m.x);
+    piece.arrays.y_m.push_back(point_m.y);
+    piece.arrays.z_m.push_back(point_m.z);
     piece.arrays.root_rcs_m.push_back(values[3]);
   }
 
@@ -82,7 +91,8 @@ class LineReader {
       while (separator == ' ' && at < line.size() && line[at] == ' ') ++at;
     }
     const bool rcs_missing = columns_.at[rcs_quantity] && !met[rcs_quantity];
-    return met[0] && met[1] && met[2] && !rcs_missing && column <= columns_.count;
+    const bool beyond_pole = earth_ && !(std::abs(values[0]) <= 90.0);
+    return met[0] && met[1] && met[2] && !rcs_missing && !beyond_pole && column <= columns_.count;
   }
 
   static bool read_number(std::string_view cell, double& value) {
@@ -103,14 +113,14 @@ class LineReader {
     if (read.message.empty()) return true;
     if (!piece.fault) {
       piece.fault_line = piece.lines;
-      piece.fault = TableFault{
-          std::move(read.message), std::move(read.found), "x, y, z and, where there is one, the cross-section", {}};
+      piece.fault = TableFault{std::move(read.message), std::move(read.found), columns_.words(), {}};
     }
     return false;
   }
 
   TargetColumns columns_;
   double rcs_m2_;
+  std::optional<radar::EarthFrame> earth_;
   bool plain_ = true;
 };
 
@@ -158,7 +168,6 @@ void append(radar::PointArrays& all, const radar::PointArrays& more, double shar
 struct Heading {
   TargetColumns columns;
   std::size_t lines = 0;  // up to and with the line of names
-  std::size_t cells = 0;  // of the first line of numbers
   std::optional<TableFault> fault;
 };
 
@@ -169,7 +178,7 @@ bool names_phase(const scene::TableLine& line) {
   });
 }
 
-Heading heading_of(const core::InputFile& file) {
+Heading heading_of(const core::InputFile& file, const PointTable& table) {
   Heading heading;
   std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(heading_bytes, file.size())), '\0');
   file.read_all_at(0, std::as_writable_bytes(std::span(text)));
@@ -187,6 +196,10 @@ Heading heading_of(const core::InputFile& file) {
   heading.columns = scene::target_columns(lines.front(), problems);
   if (!problems.empty()) {
     heading.fault = TableFault{problems.front().message, problems.front().found, problems.front().expected, {}};
+    return heading;
+  }
+  if (auto problem = scene::problem_of_places(heading.columns, lines.front(), table.world, table.platform)) {
+    heading.fault = TableFault{problem->message, problem->found, problem->expected, problem->hint};
     return heading;
   }
   if (heading.columns.heading) {
@@ -212,12 +225,14 @@ Heading heading_of(const core::InputFile& file) {
 
 std::optional<TableFault> read_text_points(const core::InputFile& file, PointTable& table,
                                            const core::WorkControl& control) {
-  Heading heading = heading_of(file);
+  Heading heading = heading_of(file, table);
   if (heading.fault) return std::move(heading.fault);
   table.row_word = "line";
   table.first_row = heading.lines + 1;
   table.own_rcs = heading.columns.at[rcs_quantity].has_value();
-  const LineReader reader(heading.columns, table.rcs_m2);
+  table.geodetic = heading.columns.geodetic;
+  const LineReader reader(heading.columns, table.rcs_m2,
+                          table.geodetic ? scene::earth_of(table.world) : std::optional<radar::EarthFrame>());
   const auto pieces = static_cast<std::size_t>((file.size() + piece_bytes - 1) / piece_bytes);
   std::size_t lines = 0;
   std::optional<TableFault> fault;

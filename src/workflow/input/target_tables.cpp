@@ -77,7 +77,8 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
       failure->hint = fmt::format("before '=' stands a platform: {}", listed_platforms(scene));
     return {std::move(*failure)};
   }
-  scene::TargetImport import = scene::import_targets(std::get<std::string>(read), platform_for(table, scene));
+  scene::TargetImport import =
+      scene::import_targets(std::get<std::string>(read), platform_for(table, scene), scene.world);
   for (core::Problem& problem : import.problems) problem.place.file = table.file.string();
   if (import.targets.empty() && import.problems.empty()) {
     import.problems.push_back(core::problem_of(core::Severity::error, "the table holds no targets", {},
