@@ -11,6 +11,7 @@
 #include "core/os/free_memory.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
+#include "scene/model/world_frame.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/back_projection.hpp"
 #include "workflow/focus/focus_input.hpp"
@@ -229,10 +230,16 @@ signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& requ
 
 void write_outputs(const FocusReport& report, const FocusWork& work, const FocusRequest& request,
                    const core::StopFlag* stop) {
-  const ImageOrigin origin{
-      request.input.path,     request.input.script,        words_of_overrides(request.input.overrides),
-      work.input.simulation,  word_of(request.algorithm),  work.options,
-      to_string(work.motion), work.input.plan->radar.name, work.input.plan->scene->options};
+  const ImageOrigin origin{request.input.path,
+                           request.input.script,
+                           words_of_overrides(request.input.overrides),
+                           work.input.simulation,
+                           word_of(request.algorithm),
+                           work.options,
+                           to_string(work.motion),
+                           work.input.plan->radar.name,
+                           work.input.plan->scene->options,
+                           scene::earth_of(work.input.world)};
   for (const fs::path& path : report.files)
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
   if (!request.output.empty()) write_image(report.image, origin, request.output, request.force, false, stop);

@@ -44,7 +44,7 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
 FocusInput of_file(const RecordingArguments& arguments, const std::string& navigation) {
   StoredRecording stored =
       open_recording(arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); });
-  FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems)};
+  FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems), stored.scene.world};
   focus.echoes = sar_rows_of_recording(focus.plan, stored.rows);
   believe(navigation, stored.scene, focus);
   return focus;
@@ -56,6 +56,7 @@ FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
                           const std::shared_ptr<const simulate::ResolvedScene>& resolved) {
   FocusInput focus;
   focus.simulation = simulation;
+  focus.world = scene.world;
   const simulate::Plan window = simulate::make_plan(scene, simulation, resolved);
   focus.problems = problems_of_sar(window, false);
   if (core::has_errors(focus.problems)) return focus;

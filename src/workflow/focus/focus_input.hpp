@@ -14,6 +14,7 @@ struct FocusInput {
   signal::EchoRows echoes;
   std::size_t simulation = 0;  ///< Position in the script's list.
   core::Problems problems;     ///< Warnings about script and file.
+  scene::World world;          ///< Where and when the scene is.
 };
 
 /// Simulation number `simulation` of a sound scene, which becomes what focusing wants recorded (`recorded_for_sar`).

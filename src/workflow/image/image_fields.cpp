@@ -1,12 +1,15 @@
 #include "workflow/image/image_fields.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "workflow/image/map_fields.hpp"
 
 namespace sarsim::workflow {
 
@@ -120,6 +123,8 @@ raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigi
   fields.emplace_back("azimuth window", signal::to_string(origin.options.azimuth_window));
   fields.emplace_back("doppler centroid hz", fmt::format("{}", origin.options.doppler_centroid_hz));
   fields.emplace_back("doppler bandwidth hz", fmt::format("{}", origin.options.doppler_bandwidth_hz));
+  if (origin.earth && !turning && image.frame.plane == signal::ImagePlane::ground_grid)
+    std::ranges::move(map_fields(image, *origin.earth), std::back_inserter(fields));
   return header;
 }
 

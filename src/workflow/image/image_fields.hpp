@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "radar/earth/earth_frame.hpp"
 #include "raster/format/envi.hpp"
 #include "scene/model/scene.hpp"
 #include "signal/sar/focusing.hpp"
@@ -22,6 +24,7 @@ struct ImageOrigin {
   std::string motion = "none";  ///< Order to which the flight's departures from a straight line were compensated.
   std::string radar;            ///< This and what follows stand in HDF5 files alone.
   scene::RunOptions run;
+  std::optional<radar::EarthFrame> earth;  ///< Under the world; of ground grids it stands in headers (map_fields.hpp).
 };
 
 /// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.

@@ -165,7 +165,8 @@ class IsarRun {
                              focus,
                              "none",
                              plan.radar.name,
-                             plan.scene->options};
+                             plan.scene->options,
+                             std::nullopt};
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
     write_image(rows, origin, path, request_.replace, false, observer_.stop);
     if (request_.magnitude) write_image(rows, origin, magnitude_path(path), request_.replace, true, observer_.stop);
