@@ -13,6 +13,7 @@
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/build/version.hpp"
+#include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
 #include "picture/figure/picture_file.hpp"
 #include "workflow/focus/measure.hpp"
@@ -60,8 +61,14 @@ std::string missing_text(const workflow::MeasuredTarget& target) {
                      snr_text(target.snr_db()), core::power_db(target.threshold), snr_text(target.expected_snr_db()));
 }
 
-// Three lines for a target: where it is and how strong, and its two cuts. Theory in parentheses.
-std::string text_of(const workflow::MeasuredTarget& target) {
+std::string earth_text(const radar::Geodetic& place) {
+  return fmt::format("{:.7f} deg, {:.7f} deg, {:.3f} m", core::deg_per_rad * place.latitude_rad,
+                     core::deg_per_rad * place.longitude_rad, place.height_m);
+}
+
+// Three lines for a target: where it is and how strong, and its two cuts; on a ground grid over the Earth a fourth.
+// Theory in parentheses.
+std::string text_of(const workflow::MeasuredTarget& target, const workflow::MeasureReport& report) {
   const workflow::TargetTheory& theory = target.theory;
   std::string text = fmt::format("target {:<4} azimuth {:.3f} m, range {:.3f} m", theory.target + 1,
                                  theory.place.azimuth_m, theory.place.range_m);
@@ -76,6 +83,10 @@ std::string text_of(const workflow::MeasuredTarget& target) {
       target.amplitude_error_db(), found.phase_rad, target.phase_error_rad(), snr_text(target.snr_db()));
   text += fmt::format("  {:<8}{}\n", "azimuth", figures_row(theory.azimuth, found.azimuth));
   text += fmt::format("  {:<8}{}\n", "range", figures_row(theory.range, found.range));
+  const auto found_at = report.on_earth(found.place);
+  const auto theory_at = report.on_earth(theory.place);
+  if (found_at && theory_at)
+    text += fmt::format("  {:<8}  {} ({})\n", "place", earth_text(*found_at), earth_text(*theory_at));
   return text;
 }
 
@@ -105,10 +116,20 @@ void write_figures(core::JsonWriter& json, const char* name, const std::optional
   json.member("pslr_db", figures->pslr_db).member("islr_db", figures->islr_db).end_object();
 }
 
-void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& target) {
+// Members of the open object, on a ground grid over the Earth.
+void write_place(core::JsonWriter& json, const workflow::MeasureReport& report, const signal::ImagePlace& place) {
+  const auto at = report.on_earth(place);
+  if (!at) return;
+  json.member("latitude_deg", core::deg_per_rad * at->latitude_rad);
+  json.member("longitude_deg", core::deg_per_rad * at->longitude_rad).member("height_m", at->height_m);
+}
+
+void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& target,
+                       const workflow::MeasureReport& report) {
   const workflow::TargetTheory& theory = target.theory;
   json.begin_object().member("target", theory.target + 1).key("theory").begin_object();
   json.member("azimuth_m", theory.place.azimuth_m).member("range_m", theory.place.range_m);
+  if (target.expected()) write_place(json, report, theory.place);
   json.member("amplitude_v", theory.amplitude).member("phase_rad", theory.phase_rad);
   write_figures(json, "azimuth", theory.azimuth);
   write_figures(json, "range", theory.range);
@@ -126,6 +147,7 @@ void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& t
   }
   const signal::PointResponse& found = *target.found;
   json.begin_object().member("azimuth_m", found.place.azimuth_m).member("range_m", found.place.range_m);
+  write_place(json, report, found.place);
   json.member("amplitude_v", found.amplitude).member("phase_rad", found.phase_rad);
   write_figures(json, "azimuth", found.azimuth);
   write_figures(json, "range", found.range);
@@ -141,7 +163,7 @@ std::string text_of_measure(const std::string& image, const workflow::MeasureRep
       "{}: {} by {}; theory in parentheses, signed numbers are found minus theory\n  {:<8}{:>18}  {:>18}  {:>18}\n",
       image, counted(report.targets.size(), "target"), report.origin.algorithm, "", "-3 dB width (m)", "PSLR (dB)",
       "ISLR (dB)");
-  for (const workflow::MeasuredTarget& target : report.targets) text += text_of(target);
+  for (const workflow::MeasuredTarget& target : report.targets) text += text_of(target, report);
   return text + summary_text(report);
 }
 
@@ -150,7 +172,7 @@ std::string json_of_measure(const std::string& image, const workflow::MeasureRep
   json.begin_object().member("sarsim", core::program_version).member("image", image);
   json.member("source", report.origin.source).member("algorithm", report.origin.algorithm);
   json.key("targets").begin_array();
-  for (const workflow::MeasuredTarget& target : report.targets) write_target_json(json, target);
+  for (const workflow::MeasuredTarget& target : report.targets) write_target_json(json, target, report);
   const workflow::MeasureSummary sum = workflow::summary_of(report);
   json.end_array().member("false_alarm", report.false_alarm);
   json.member("expected_targets", sum.expected).member("found_targets", sum.found).end_object();

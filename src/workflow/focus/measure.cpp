@@ -13,6 +13,7 @@
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/envi.hpp"
+#include "scene/model/world_frame.hpp"
 #include "signal/measure/noise_floor.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
@@ -224,11 +225,12 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   if (!(request.false_alarm >= 1e-15 && request.false_alarm <= 0.1))
     throw core::Refused(fmt::format("--pfa is out of range; found {:g}, expected 1e-15 to 0.1", request.false_alarm));
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  const MeasuredImage opened = opened_image(request.image.string());
+  MeasuredImage opened = opened_image(request.image.string());
   expect_folder(request.pictures);
   WayBack way = way_back(opened.file.header(), opened.origin, request.image, request.input.script);
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
+  opened.origin.earth = scene::earth_of(input.world);
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   if (auto note = note_of_clouds(*input.plan->scene, theories.size())) {
     observer.remarks({*note});
@@ -239,7 +241,7 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   observer.remarks(movers);
   std::ranges::move(movers, std::back_inserter(way.problems));
   return {opened.origin, measured_targets(opened, theories, request, control), request.false_alarm,
-          std::move(way.problems)};
+          std::move(way.problems), opened.image.frame};
 }
 
 }  // namespace sarsim::workflow

@@ -71,13 +71,18 @@ struct MeasureReport {
   std::vector<MeasuredTarget> targets;  ///< In the order of the script.
   double false_alarm = 0.0;             ///< Probability that noise alone counts as a target.
   core::Problems problems;              ///< Of the way from the image to its script; they were handed to the observer.
+  signal::ImageFrame frame;             ///< Of the image.
+
+  /// Where a place of the image is on the Earth: of ground grids over an Earth, whose plane its height is that of.
+  [[nodiscard]] std::optional<radar::Geodetic> on_earth(const signal::ImagePlace& place) const;
 };
 
 /// The figures over all targets of a report; those of targets that were found are 0 where none was.
 [[nodiscard]] MeasureSummary summary_of(const MeasureReport& report);
 
 /// A line of names, then one of numbers for each target, with commas: places and errors by axis in metres, figures and
-/// theory beside each other. What does not exist is empty.
+/// theory beside each other. What does not exist is empty. Of ground grids over the Earth latitude and longitude of
+/// both places and the height of the grid's plane come last, in degrees and m over the ellipsoid.
 [[nodiscard]] std::string csv_of(const MeasureReport& report);
 
 /// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts as found where

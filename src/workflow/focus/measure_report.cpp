@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -7,6 +8,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
+#include "core/text/number_text.hpp"
 #include "workflow/focus/measure.hpp"
 
 namespace sarsim::workflow {
@@ -29,7 +31,20 @@ void add_figures(std::string& line, const std::optional<signal::ResponseFigures>
     add_cell(line, figures ? (*figures).*member : none);
 }
 
-std::string csv_line(const MeasuredTarget& target) {
+constexpr std::array place_names{"theory_latitude_deg", "theory_longitude_deg", "theory_height_m",
+                                 "latitude_deg",        "longitude_deg",        "height_m"};
+
+// Exact, as far as there are any.
+void add_place(std::string& line, const std::optional<radar::Geodetic>& place) {
+  if (place)
+    line += fmt::format(",{},{},{}", core::format_number(core::deg_per_rad * place->latitude_rad),
+                        core::format_number(core::deg_per_rad * place->longitude_rad),
+                        core::format_number(place->height_m));
+  else
+    line += ",,,";
+}
+
+std::string csv_line(const MeasuredTarget& target, const MeasureReport& report) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const TargetTheory& theory = target.theory;
   const bool found = target.found.has_value();
@@ -52,6 +67,10 @@ std::string csv_line(const MeasuredTarget& target) {
   add_figures(line, theory.azimuth);
   add_figures(line, found ? std::optional(target.found->range) : std::nullopt);
   add_figures(line, theory.range);
+  if (report.on_earth({})) {
+    add_place(line, target.expected() ? report.on_earth(theory.place) : std::nullopt);
+    add_place(line, found ? report.on_earth(target.found->place) : std::nullopt);
+  }
   return line + "\n";
 }
 
@@ -66,6 +85,11 @@ double MeasuredTarget::amplitude_error_db() const { return core::amplitude_db(fo
 double MeasuredTarget::snr_db() const { return ratio_db(peak_v, noise_v); }
 
 double MeasuredTarget::expected_snr_db() const { return ratio_db(theory.amplitude, noise_v); }
+
+std::optional<radar::Geodetic> MeasureReport::on_earth(const signal::ImagePlace& place) const {
+  if (!origin.earth || frame.plane != signal::ImagePlane::ground_grid) return std::nullopt;
+  return origin.earth->geodetic_of(frame.origin_m + place.azimuth_m * frame.along + place.range_m * frame.across);
+}
 
 MeasureSummary summary_of(const MeasureReport& report) {
   MeasureSummary summary;
@@ -92,8 +116,11 @@ std::string csv_of(const MeasureReport& report) {
       "target,found,theory_azimuth_m,theory_range_m,azimuth_error_m,range_error_m,theory_amplitude_v,amplitude_v,"
       "amplitude_error_db,theory_phase_rad,phase_rad,phase_error_rad,noise_v,snr_db,threshold_db,azimuth_width_m,"
       "azimuth_pslr_db,azimuth_islr_db,theory_azimuth_width_m,theory_azimuth_pslr_db,theory_azimuth_islr_db,"
-      "range_width_m,range_pslr_db,range_islr_db,theory_range_width_m,theory_range_pslr_db,theory_range_islr_db\n";
-  for (const MeasuredTarget& target : report.targets) text += csv_line(target);
+      "range_width_m,range_pslr_db,range_islr_db,theory_range_width_m,theory_range_pslr_db,theory_range_islr_db";
+  if (report.on_earth({}))
+    for (const char* name : place_names) text += fmt::format(",{}", name);
+  text += "\n";
+  for (const MeasuredTarget& target : report.targets) text += csv_line(target, report);
   return text;
 }
 
