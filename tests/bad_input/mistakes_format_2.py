@@ -362,20 +362,20 @@ def routes():
     corner = [(0, 0), (0, 20), (20, 20)]
     straight = 'start = [0, -8000, 3000]\nspeed = "speed"\n'
     return [
-        legs('{ leg = "straight" }', "How long is it?", "neither duration nor length"),
+        legs('{ leg = "straight" }', "How long is it?", "leg 1 lacks a length or a duration"),
         legs('{ leg = "straight", length = "2 km", duration = "3 s" }', "One of the two is enough.", "both duration and length"),
         legs('{ leg = "turn", angle = "90 deg" }', "Neither bank nor radius.", "neither bank nor radius"),
         legs('{ leg = "turn", angle = "90 deg", bank = "0 deg" }', "Without bank there is no turn.", "neither bank nor radius"),
         legs('{ leg = "turn", angle = "90 deg", bank = @"90 deg" }', "The radius would be 0.", "bank of the turn is out of range"),
         legs('{ leg = "turn", angle = "90 deg", bank = "20 deg", radius = "2 km" }', "The speed and one of them give the other.",
              "both bank and radius"),
-        legs('{ leg = "climb-to", height = "4 km" }', "How fast?", "rate to a height"),
+        legs('{ leg = "climb-to", height = "4 km" }', "How fast?", "leg 1 lacks a rate"),
         legs('{ leg = "straight", @lenght = "2 km" }', "A word is misspelt.", "did you mean 'length'"),
         legs('{ leg = @"loop", length = "2 km" }', "There is no such leg.", "unknown kind of leg"),
         legs('@"straight"', "A leg is a table.", "not a table"),
         legs('{ leg = "straight", length = "20 km", acceleration = "-1 m/s2" }', "It would stop before the end.", "comes to 0"),
         path(f'type = "legs"\n{straight}legs = @"legs.csv"\n', "Legs are an array.", "not an array"),
-        path('type = "legs"\nlegs = [{ leg = "turn", angle = "90 deg", bank = "20 deg" }]\n', "The speed is missing.", "speed is 0"),
+        path('type = "legs"\nlegs = [{ leg = "turn", angle = "90 deg", bank = "20 deg" }]\n', "The speed is missing.", "the path has no speed"),
         route(corner[:1], "One point is no route.", "at least two waypoints"),
         route([(0, 0), (0, 0)], "Both are the same.", "has no length"),
         route([(0, 0), (0, 20), (1, 20), (1, 0)], "The turns do not fit between them.", "must be 4.37.* km long and is 1 km"),

@@ -12,7 +12,7 @@ using testing::HasSubstr;
 
 const std::vector<std::string> commands{"run",      "sweep",   "check",   "info",   "geometry", "convert", "plot",
                                         "focus",    "measure", "doppler", "search", "format",   "verify",  "completion",
-                                        "profiles", "isar",    "merge",   "new",    "explain"};
+                                        "profiles", "isar",    "merge",   "new",    "explain",  "motion"};
 
 class Documentation : public CommandTest {
  protected:

@@ -199,7 +199,7 @@ class ScriptCompletionTest : public QObject {
     bench.press(Qt::Key_Delete);
     bench.press(Qt::Key_Delete);
     bench.type(" ");
-    QCOMPARE(bench.offered(), QStringList({"s", "ns", "us", "ms", "min"}));
+    QCOMPARE(bench.offered(), QStringList({"s", "ns", "us", "ms", "min", "h"}));
     bench.type("n");
     bench.press(Qt::Key_Return);
     QCOMPARE(bench.line(), QString("width = \"50 ns\""));

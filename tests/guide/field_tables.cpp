@@ -27,6 +27,7 @@ std::vector<std::string> words_for(const FieldSpec& choice, const std::vector<in
   std::vector<std::string> words;
   for (const int value : among) {
     const auto found = std::ranges::find(choice.choices, value, &Choice::value);
+    if (found != choice.choices.end() && found->since_2()) continue;
     words.push_back(found != choice.choices.end() ? std::string(found->word)
                                                   : fmt::format("not {}", choice.choices.front().word));
   }
@@ -40,7 +41,8 @@ std::string what(const FieldSpec& spec) {
                        spec.block->count == 1 ? "" : "s");
   if (has_words(spec)) {
     std::vector<std::string> words;
-    for (const Choice& choice : spec.choices) words.push_back(fmt::format("`{}`", choice.word));
+    for (const Choice& choice : spec.choices)
+      if (!choice.since_2()) words.push_back(fmt::format("`{}`", choice.word));
     return joined(words, " or ");
   }
   const std::size_t number = spec.id.find('[');
@@ -147,7 +149,8 @@ void print_all() {
   for (const auto& method : script::interpolations) fmt::print("word {}\n", method.word);
   for (const auto& source : script::data_sources) fmt::print("word {}\n", source.word);
   for_each_kind([](const auto& kind) {
-    for (const auto& field : scene::table_of(kind).fields()) print_language(field.spec);
+    for (const auto& field : scene::table_of(kind).fields())
+      if (!field.spec.since_2) print_language(field.spec);
   });
   for (const auto& field : table_of<RunOptions>().fields()) {
     fmt::print("word {}\n", script::option_key(field.spec));

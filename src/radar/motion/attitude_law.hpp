@@ -16,6 +16,7 @@ namespace sarsim::radar {
 /// What turns a platform besides its own angles. All of it is in the frame of its path, and follows the nominal path:
 /// without sines and errors.
 struct AttitudeLaw {
+  /// The laws.
   enum class Kind {
     angles,  ///< Nothing, or the velocity where the motion is `aligned`.
     /// Along the velocity as if aligned, banked as in a level, coordinated turn; see `coordinated_roll`.

@@ -96,8 +96,7 @@ void check_files(Findings& findings, const Platform& platform) {
   if (platform.rotation_kind == Platform::Rotation::quaternions && platform.attitude_file.empty())
     missing("attitude_file", "attitude", "S1A.aem");
   const auto not_read = [&](std::string_view field, const std::string& file) {
-    findings.error(field,
-                   {.message = "the motion of the platform is not read", .found = file, .expected = {}, .hint = {}});
+    findings.error(field, {.message = std::string(unread_motion), .found = file, .expected = {}, .hint = {}});
   };
   const bool from_file = platform.path == Platform::Path::ephemeris && !platform.ephemeris_file.empty();
   if ((from_file || platform.path == Platform::Path::orbit) && !platform.read_path)

@@ -60,6 +60,7 @@ struct Waypoint {
 
 /// An oscillation of a coordinate or of an angle: amplitude sin(2 pi frequency t + phase).
 struct Oscillation {
+  /// What oscillates: along x, y, z, or about them.
   enum class Axis { x, y, z, roll, pitch, yaw };
 
   Axis axis = Axis::z;
@@ -103,8 +104,11 @@ struct Platform {
   enum class MotionError { gaussian, envelope, gusts };
   /// How a file of states is interpolated: by what it has.
   enum class Interpolation { automatic, hermite, lagrange, cubic };
+  /// How strong the turbulence is.
   enum class Turbulence { light, moderate, severe };
+  /// What waves move.
   enum class Waves { none, ship };
+  /// How the motion is known.
   enum class Navigation { none, ins };
   /// Which velocity a satellite's x axis follows.
   enum class Flight { earth_fixed, inertial };

@@ -9,6 +9,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/check/check.hpp"
+#include "scene/check/check_motion.hpp"
 #include "scene/edit/data_functions.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/words.hpp"
@@ -206,6 +207,8 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
     core::Problems found = without_objects_of(scene::check(input.scene, control), reading.problems, input.scene);
+    if (core::has_errors(reading.problems))  // Files were not read then.
+      std::erase_if(found, [](const core::Problem& p) { return p.message == scene::unread_motion; });
     if (wanted) forget_others(found, *wanted);
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
