@@ -29,6 +29,18 @@ std::optional<PlacedAxis> placed_twin(const Canvas& canvas, const FigureAxis& de
                      axis.length, spacing);
 }
 
+PlacedAxis placed_axis(const Canvas& canvas, const FigureAxis& axis, double begin, double length, double spacing) {
+  PlacedAxis placed = placed_axis(canvas, axis.label, axis.unit, axis.first, axis.last, begin, length, spacing);
+  if (!axis.clock_s) return placed;
+  constexpr double longer = 1.4;  // than other labels
+  placed.ticks = clock_ticks(axis.first, axis.last, std::abs(length), longer * spacing, *axis.clock_s);
+  placed.title = axis.label;
+  placed.widest = 0.0;
+  for (const Tick& tick : placed.ticks.ticks)
+    placed.widest = std::max(placed.widest, Words(canvas, tick.label).width());
+  return placed;
+}
+
 // As much of an axis, about its middle.
 FigureAxis showing(FigureAxis axis, double whole) {
   const double middle = 0.5 * (axis.first + axis.last);
@@ -41,14 +53,16 @@ FigureAxis showing(FigureAxis axis, double whole) {
 // A circle on the ground is one in the picture: the axis that has room to spare shows more than the image.
 void keep_scale(const FigurePanel& panel, const Area& area, FigureAxis& x, FigureAxis& y) {
   constexpr double longest_strip = 3.0;
-  if (!panel.image || x.unit != "m" || y.unit != "m") return;
-  const double across_m = std::abs(x.last - x.first);
-  const double up_m = std::abs(y.last - y.first);
-  if (!(across_m > 0.0) || !(up_m > 0.0) || area.width < 2.0 || area.height < 2.0) return;
-  if (std::max(across_m, up_m) > longest_strip * std::min(across_m, up_m)) return;
-  const double metres_per_px = std::max(across_m / area.width, up_m / area.height);
-  x = showing(x, metres_per_px * area.width);
-  y = showing(y, metres_per_px * area.height);
+  const bool image_of_ground = panel.image && x.unit == "m" && y.unit == "m";
+  if (!image_of_ground && !(panel.y_per_x > 0.0)) return;
+  const double y_per_x = image_of_ground ? 1.0 : panel.y_per_x;
+  const double across = y_per_x * std::abs(x.last - x.first);  // in units of y, as the next
+  const double up = std::abs(y.last - y.first);
+  if (!(across > 0.0) || !(up > 0.0) || area.width < 2.0 || area.height < 2.0) return;
+  if (std::max(across, up) > longest_strip * std::min(across, up)) return;
+  const double per_px = std::max(across / area.width, up / area.height);
+  x = showing(x, per_px * area.width / y_per_x);
+  y = showing(y, per_px * area.height);
 }
 
 // The title of an axis beside its marks, and these.
@@ -68,8 +82,8 @@ PlacedPanel placed(const Canvas& canvas, const FigurePanel& panel, const Area& a
   FigureAxis x = panel.x;
   FigureAxis y = panel.y;
   keep_scale(panel, out.area, x, y);
-  out.x = placed_axis(canvas, x.label, x.unit, x.first, x.last, out.area.left, out.area.width, across_px);
-  out.y = placed_axis(canvas, y.label, y.unit, y.first, y.last, out.area.bottom(), -out.area.height, upwards_px);
+  out.x = placed_axis(canvas, x, out.area.left, out.area.width, across_px);
+  out.y = placed_axis(canvas, y, out.area.bottom(), -out.area.height, upwards_px);
   out.x_twin = placed_twin(canvas, x, out.x, across_px);
   out.y_twin = placed_twin(canvas, y, out.y, upwards_px);
   out.bar_left = out.area.right() + 2.0 * gap_px + (out.y_twin ? room_beside(*out.y_twin) : 0.0);

@@ -26,6 +26,8 @@ struct FigureAxis {
     friend bool operator==(const Twin&, const Twin&) = default;
   };
   std::optional<Twin> twin;
+  /// Values are seconds, and marks say the time of day: that at the value 0, s since midnight.
+  std::optional<double> clock_s = std::nullopt;
 
   friend bool operator==(const FigureAxis&, const FigureAxis&) = default;
 };
@@ -84,6 +86,9 @@ struct FigurePanel {
   std::optional<FigureColourBar> colour_bar;
   std::vector<FigureCurve> curves;
   std::vector<FigureMark> marks;
+  /// Of a map: how many units of y are as long as one of x, so that a circle on the ground is one in the picture; 0: no
+  /// map. One axis may show more than it says; panels more than three times as long as wide are no maps.
+  double y_per_x = 0.0;
 
   friend bool operator==(const FigurePanel&, const FigurePanel&) = default;
 };

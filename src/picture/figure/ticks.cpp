@@ -82,6 +82,48 @@ Ticks axis_ticks(double first, double last, double length_px, double spacing_px,
   return ticks;
 }
 
+namespace {
+
+// Steps that divide minutes, hours and days.
+double clock_step_s(double least_s) {
+  for (const double step_s : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0, 7200.0,
+                              10800.0, 21600.0, 43200.0, 86400.0})
+    if (step_s >= least_s) return step_s;
+  return 86400.0 * std::ceil(least_s / 86400.0);
+}
+
+// @param decimals  of the seconds
+std::string clock_label(double time_s, int decimals) {
+  constexpr double day_s = 86400.0;
+  const double unit = std::pow(10.0, decimals);
+  // Whole numbers of the last decimal, so that 59.9999 is no 60.
+  const double parts = std::round((time_s - day_s * std::floor(time_s / day_s)) * unit);
+  const double of_day = parts >= day_s * unit ? 0.0 : parts;
+  const auto minutes = static_cast<int>(of_day / (60.0 * unit));
+  const double seconds = (of_day - 60.0 * unit * minutes) / unit;
+  return fmt::format("{:02}:{:02}:{:0{}.{}f}", minutes / 60, minutes % 60, seconds, decimals > 0 ? decimals + 3 : 2,
+                     decimals);
+}
+
+}  // namespace
+
+Ticks clock_ticks(double first, double last, double length_px, double spacing_px, double clock_s) {
+  Ticks ticks;
+  const double span_s = std::abs(last - first);
+  if (!(span_s > 1e-9) || !std::isfinite(span_s) || !std::isfinite(clock_s) || !(length_px > 0.0)) return ticks;
+  const double room = std::clamp(length_px / std::max(spacing_px, 1.0), 1.0, static_cast<double>(most_ticks));
+  const double least_s = span_s / room;
+  const Step fine = step_above(least_s);
+  const double step_s = least_s > 0.5 ? clock_step_s(least_s) : fine.value;
+  const int decimals = step_s < 1.0 ? -fine.exponent : 0;
+  const double start = std::ceil((std::min(first, last) + clock_s) / step_s - 1e-6);  // a double of a day keeps 1e-11 s
+  const double end = std::floor((std::max(first, last) + clock_s) / step_s + 1e-6);
+  for (int i = 0; start + i <= end && i <= most_ticks; ++i)
+    ticks.ticks.push_back({(start + i) * step_s - clock_s, clock_label((start + i) * step_s, decimals)});
+  if (first > last) std::ranges::reverse(ticks.ticks);
+  return ticks;
+}
+
 double round_below(double value) {
   if (!(value > 0.0) || !std::isfinite(value)) return 0.0;
   const double power = std::pow(10.0, std::floor(std::log10(value)));

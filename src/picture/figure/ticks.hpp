@@ -21,6 +21,12 @@ struct Ticks {
 };
 [[nodiscard]] Ticks axis_ticks(double first, double last, double length_px, double spacing_px, const std::string& unit);
 
+/// Marks of an axis of seconds as times of day, "22:59:41" or, nearer together, "22:59:41.5": multiples of 1, 2, 5, 10,
+/// 15 or 30 s or min, of 1, 2, 3, 6 or 12 h, of days, or of 1, 2 or 5 times a power of ten below a second. Every day
+/// has 86400 s. Labels have no unit; no marks where `axis_ticks` has none.
+/// @param clock_s  time of day at the value 0, s since midnight
+[[nodiscard]] Ticks clock_ticks(double first, double last, double length_px, double spacing_px, double clock_s);
+
 /// The largest of 1, 2, 5, 10, 20, 50 ... that is at most `value`; for scale bars and the marks of the scene's axes. 0
 /// for anything but a positive number.
 [[nodiscard]] double round_below(double value);

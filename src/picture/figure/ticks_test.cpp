@@ -76,6 +76,30 @@ TEST(Ticks, KeepTheirDistanceAndStayInTheSpan) {
   }
 }
 
+std::string labels_of(const Ticks& ticks) {
+  std::string text;
+  for (const Tick& tick : ticks.ticks) text += (text.empty() ? "" : " ") + tick.label;
+  return text;
+}
+
+TEST(ClockTicks, StandAtRoundTimesOfDay) {
+  const double clock_s = 22 * 3600 + 59 * 60 + 42.25;
+  EXPECT_EQ(labels_of(clock_ticks(-10.0, 10.0, 400.0, 100.0, clock_s)), "22:59:35 22:59:40 22:59:45 22:59:50");
+  EXPECT_EQ(labels_of(clock_ticks(0.0, 7200.0, 400.0, 100.0, clock_s)), "23:00:00 23:30:00 00:00:00 00:30:00");
+  EXPECT_EQ(labels_of(clock_ticks(0.0, 1.0, 400.0, 100.0, clock_s)), "22:59:42.5 22:59:43.0");
+  EXPECT_EQ(labels_of(clock_ticks(1.0, 0.0, 400.0, 100.0, clock_s)), "22:59:43.0 22:59:42.5");
+  const Ticks ticks = clock_ticks(-10.0, 10.0, 400.0, 100.0, clock_s);
+  EXPECT_NEAR(ticks.ticks[0].value, 35.0 - 42.25, 1e-9);
+  EXPECT_EQ(ticks.unit, "");
+}
+
+TEST(ClockTicks, RollOverMidnightWithoutSixtySeconds) {
+  EXPECT_EQ(labels_of(clock_ticks(-0.002, 0.002, 400.0, 100.0, 86400.0)),
+            "23:59:59.998 23:59:59.999 00:00:00.000 00:00:00.001 00:00:00.002");
+  EXPECT_TRUE(clock_ticks(0.0, 0.0, 400.0, 100.0, 0.0).ticks.empty());
+  EXPECT_TRUE(clock_ticks(0.0, std::nan(""), 400.0, 100.0, 0.0).ticks.empty());
+}
+
 TEST(RoundBelow, IsTheLargestRoundNumberThatIsNotAbove) {
   EXPECT_DOUBLE_EQ(round_below(1.0), 1.0);
   EXPECT_DOUBLE_EQ(round_below(1.99), 1.0);
