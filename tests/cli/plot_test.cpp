@@ -1,3 +1,4 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,6 +54,19 @@ TEST_F(Plot, OfAPulseGivesItsValuesAsATable) {
   const std::string table = text_of(folder_ / "c.csv");
   EXPECT_EQ(table.substr(0, table.find('\n')), "slant range [m],I [V],Q [V],magnitude [V],phase [deg]");
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 10);
+}
+
+TEST_F(Plot, DrawsMapsOfPathsAndFootprints) {
+  write_scene({});
+  const Finished track =
+      sarsim({"plot", "scene.scr", "--kind", "track", "-o", "a.svg", "--csv", "a.csv", "--time", "0", "1"});
+  EXPECT_EQ(track.status, 0) << track.err;
+  EXPECT_NE(text_of(folder_ / "a.svg").find("<svg"), std::string::npos);
+  const Finished footprint = sarsim({"plot", "scene.scr", "--kind", "footprint", "-o", "b.png"});
+  EXPECT_NE(footprint.status, 0);  // The antenna is isotropic.
+  EXPECT_THAT(footprint.err, testing::HasSubstr("isotropic and has no footprint"));
+  const Finished other = sarsim({"plot", "scene.scr", "--kind", "track", "-o", "c.png", "--range", "0", "1"});
+  EXPECT_THAT(other.err, testing::HasSubstr("--range means nothing for --kind track"));
 }
 
 TEST_F(Plot, DrawsACurveForEachValueAndEachInput) {

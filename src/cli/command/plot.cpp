@@ -25,10 +25,10 @@ namespace {
 
 const std::vector<std::pair<std::string, PlotKind>>& kind_words() {
   static const std::vector<std::pair<std::string, PlotKind>> words{
-      {"picture", PlotKind::picture},  {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
-      {"profile", PlotKind::profile},  {"doppler", PlotKind::range_doppler}, {"spectrum", PlotKind::spectrum},
-      {"phase", PlotKind::phase},      {"antenna", PlotKind::antenna},       {"sent", PlotKind::sent},
-      {"function", PlotKind::function}};
+      {"picture", PlotKind::picture},   {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
+      {"profile", PlotKind::profile},   {"doppler", PlotKind::range_doppler}, {"spectrum", PlotKind::spectrum},
+      {"phase", PlotKind::phase},       {"antenna", PlotKind::antenna},       {"sent", PlotKind::sent},
+      {"function", PlotKind::function}, {"track", PlotKind::track},           {"footprint", PlotKind::footprint}};
   return words;
 }
 
@@ -106,19 +106,24 @@ void expect_used(const PlotArguments& a) {
   const std::vector<K> levels{K::picture,       K::pulse,    K::range,   K::profile,
                               K::range_doppler, K::spectrum, K::antenna, K::sent};
   const std::vector<K> colours{K::picture};
+  std::vector<K> timed = echoes;
+  timed.insert(timed.end(), {K::track, K::footprint});
+  std::vector<K> of_scenes = of_radars;
+  of_scenes.insert(of_scenes.end(), {K::track, K::footprint});
+  of_radars.push_back(K::footprint);
   const std::vector<K> of_curves{K::pulse, K::range, K::profile, K::spectrum, K::phase, K::antenna, K::sent};
   const std::vector<Use> uses{{"--simulation", a.simulation.has_value(), of_radars},
                               {"--radar", !a.radar.empty(), of_radars},
                               {"--data", a.processing.has_value(), echoes},
                               {"--range", !a.range_m.empty(), echoes},
-                              {"--time", !a.time_s.empty(), echoes},
+                              {"--time", !a.time_s.empty(), timed},
                               {"--azimuth", !a.azimuth_m.empty(), echoes},
                               {"--rate", a.rate_hz.has_value(), echoes},
                               {"--screen", a.screen, echoes},
                               {"--tolerance", a.overrides.tolerance.has_value(), echoes},
-                              {"--seed", a.overrides.seed.has_value(), echoes},
-                              {"--set", !a.overrides.settings.empty(), of_radars},
-                              {"--targets", !a.overrides.targets.empty(), of_radars},
+                              {"--seed", a.overrides.seed.has_value(), timed},
+                              {"--set", !a.overrides.settings.empty(), of_scenes},
+                              {"--targets", !a.overrides.targets.empty(), of_scenes},
                               {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
                               {"--at-time", a.at_s.has_value(), of_samples},
                               {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
@@ -240,7 +245,8 @@ void add_kind(CLI::App& app, PlotArguments& a) {
   add_choice<PlotKind>(
       app, "--kind", a.wanted_kind, kind_words(),
       "the rows (default), one pulse against range, one range against time; profile, range-Doppler map "
-      "or phase of several pulses; spectrum of one; antennas, the pulse sent, a user-defined function");
+      "or phase of several pulses; spectrum of one; antennas, the pulse sent, a user-defined function; the platforms' "
+      "paths, an antenna's footprint");
 }
 
 bool is_positive(double number) { return number > 0.0; }
@@ -390,6 +396,7 @@ Action add_plot(CLI::App& app) {
             {"sarsim plot sar_r.toml --kind pulse --data compressed --show db --vary Radar1.window=rectangular,hamming "
              "-o c.png",
              "two curves in one picture"},
+            {"sarsim plot sar_r.toml --kind track -o paths.svg", "a map of the platforms' paths, and their heights"},
             {"sarsim plot sar_r.toml --kind antenna --csv pattern.csv", "a table alone"}});
   return [a](Streams& streams) { return plot(*a, streams); };
 }

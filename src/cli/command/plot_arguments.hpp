@@ -25,6 +25,8 @@ enum class PlotKind {
   antenna,        ///< Patterns of a radar.
   sent,           ///< The pulse that a radar sends.
   function,       ///< A user-defined function.
+  track,          ///< Paths of the platforms on a map, and their heights.
+  footprint,      ///< What an antenna sees of the ground.
 };
 
 /// The command line of `sarsim plot`.

@@ -12,6 +12,7 @@
 #include "picture/figure/antenna_figure.hpp"
 #include "picture/figure/function_figure.hpp"
 #include "picture/figure/pulse_figure.hpp"
+#include "picture/scene/track_figure.hpp"
 #include "scene/model/object.hpp"
 #include "scene/schema/fields.hpp"
 
@@ -237,6 +238,26 @@ Plotted of_function(const PlotArguments& a, const workflow::SceneInput& input) {
   return plotted;
 }
 
+// ---- Maps -------------------------------------------------------------------------------------------------------
+
+Plotted of_ground(const PlotArguments& a, workflow::SceneInput& input, const core::StopFlag* stop) {
+  const bool footprint = a.kind == PlotKind::footprint;
+  const std::size_t number = footprint ? chosen_radar(a, input.scene) : 0;
+  radar::TimeSpan times = picture::shown_times(input.scene);
+  if (a.simulation) {
+    const scene::Simulation simulation = chosen_simulation(a, input.scene);
+    times = {simulation.time_start_s, simulation.time_end_s};
+  }
+  if (a.time_s.size() == 2) std::tie(times.first_s, times.last_s) = std::minmax(a.time_s[0], a.time_s[1]);
+  if (!(times.first_s < times.last_s)) throw core::Refused("--time: the two times are the same");
+  workflow::resolve_once(input, {core::thread_count(0), stop});
+  Plotted plotted;
+  plotted.figure = footprint ? picture::footprint_figure(input.scene, *input.resolved, number, times)
+                             : picture::track_figure(input.scene, *input.resolved, times);
+  if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
+  return plotted;
+}
+
 }  // namespace
 
 Plotted plot_scene(const PlotArguments& a, Streams& streams) {
@@ -250,6 +271,8 @@ Plotted plot_scene(const PlotArguments& a, Streams& streams) {
     case PlotKind::antenna:
     case PlotKind::sent: return of_radar(a, input, streams.stop);
     case PlotKind::function: return of_function(a, input);
+    case PlotKind::track:
+    case PlotKind::footprint: return of_ground(a, input, streams.stop);
     default: return of_samples(a, input, streams.stop);
   }
 }
