@@ -14,7 +14,10 @@ import pathlib
 import sys
 import tempfile
 
-import numpy as np
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import with_numpy  # noqa: E402, F401
+
+import numpy as np  # noqa: E402
 
 import satellite_orbit
 from run_example import Sarsim

@@ -13,7 +13,10 @@ import pathlib
 import re
 import sys
 
-import numpy as np
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import with_numpy  # noqa: E402, F401
+
+import numpy as np  # noqa: E402
 
 FILE = pathlib.Path(__file__).parents[2] / "examples" / "satellite.EOF"
 EPOCH = datetime.datetime(2020, 7, 28, 22, 59, 42)

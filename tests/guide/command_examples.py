@@ -36,6 +36,11 @@ format = "sarsim 2"
 speed = "240 m/s"
 height = "2 km"
 
+[[platform]]
+name = "Aircraft"
+path = { type = "line", start = [0, 0, "height"], velocity = ["speed", "0 m/s", "0 m/s"] }
+navigation = { type = "ins", position = "1 mm" }
+
 [[target]]
 position = [0, 3000, 0]
 

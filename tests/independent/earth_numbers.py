@@ -15,7 +15,10 @@ import subprocess
 import sys
 import tempfile
 
-import numpy as np
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "support"))
+import with_numpy  # noqa: E402, F401
+
+import numpy as np  # noqa: E402
 
 from running import program
 
@@ -85,7 +88,8 @@ class Scene:
 
     def geometry(self, start=0.0, end=0.0):
         said = self.run("geometry", "--radar", "R", "--start", repr(start), "--end", repr(end), "--csv")
-        return [{name: float(cell) for name, cell in row.items()} for row in csv.DictReader(io.StringIO(said))]
+        rows = csv.DictReader(io.StringIO(said))
+        return [{name: float(cell) for name, cell in row.items() if name != "utc"} for row in rows]
 
     def motion(self, end, spacing, platform="P"):
         """Rows t, x, y, z, vx, vy, vz; over the Earth Earth-fixed."""
