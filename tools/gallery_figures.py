@@ -660,10 +660,10 @@ FIGURES = [
         "Beyond the thesis: the rotor of a helicopter",
         [
             f"sarsim plot {FLASHES} --size 800 320 -o helicopter.png",
-            f"sarsim plot {ROTOR} --kind doppler --at-range 3000 --size 640 560 -o helicopter_doppler.png",
+            f"sarsim plot {ROTOR} --kind doppler-time --at-range 3000 --padding 4 --size 800 600 -o helicopter_doppler.png",
         ],
         "Three blades flash when they are across the line of sight, six times a turn. Their Doppler frequencies reach those of the"
-        " tips; the line at 0 is the fuselage.",
+        " tips, which go to and fro as a sine; the line at 0 is the fuselage.",
         [
             Number("the second flash is at", "s", 1.0 / 30.0, "1/(2 N f)", 2e-4, ".4f",
                    lambda lab: strongest_between_s(f"{FLASHES} --recorded", 0.01, 0.05)(lab)[0]),

@@ -56,6 +56,21 @@ TEST_F(Plot, OfAPulseGivesItsValuesAsATable) {
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 10);
 }
 
+TEST_F(Plot, OfDopplerAgainstTimeGivesMeanAndWidthOfEachSpectrum) {
+  write_scene({});
+  const Finished done =
+      sarsim({"plot", "scene.scr", "--kind", "doppler-time", "--interval", "2", "-o", "t.png", "--csv", "t.csv"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_EQ(signature(folder_ / "t.png", 4), "\x89PNG");
+  const std::string table = text_of(folder_ / "t.csv");
+  EXPECT_EQ(table.substr(0, table.find('\n')), "Azimuth time [s],mean [Hz],width (r.m.s.) [Hz]");
+  EXPECT_GE(std::count(table.begin(), table.end(), '\n'), 2);
+  const Finished wrong = sarsim({"plot", "scene.scr", "--kind", "doppler", "--interval", "2", "-o", "u.png"});
+  EXPECT_NE(wrong.status, 0);
+  EXPECT_THAT(wrong.err, testing::HasSubstr("--interval means nothing for --kind doppler"));
+  EXPECT_THAT(wrong.err, testing::HasSubstr("it is for doppler-time"));
+}
+
 TEST_F(Plot, DrawsMapsOfPathsAndFootprints) {
   write_scene({});
   const Finished track =

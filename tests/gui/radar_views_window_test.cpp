@@ -65,10 +65,10 @@ class RadarViewsWindowTest : public QObject {
     Bench bench;
     QVERIFY(bench.shown);
     QMenu* const menu = bench.window->findChild<QToolButton*>("echo_views")->menu();
-    QCOMPARE(menu->actions().size(), 4);
+    QCOMPARE(menu->actions().size(), 5);
     for (QAction* action : menu->actions()) action->trigger();
     const auto views = bench.window->findChildren<gui::RadarViewWindow*>();
-    QCOMPARE(views.size(), 4);
+    QCOMPARE(views.size(), 5);
     for (gui::RadarViewWindow* view : views) {
       QVERIFY(Bench::wait_for(*view));
       QVERIFY2(!view->plot().figure().panels.empty(), qPrintable(view->windowTitle()));
@@ -123,8 +123,19 @@ class RadarViewsWindowTest : public QObject {
     QVERIFY(view.findChild<QWidget*>("radar_view_mean")->isVisibleTo(&view));
     QVERIFY(!view.findChild<QWidget*>("radar_view_unwrapped")->isVisibleTo(&view));
     auto* const kind = view.findChild<QComboBox*>("radar_view_kind");
-    kind->setCurrentIndex(3);
-    emit kind->activated(3);
+    kind->setCurrentIndex(2);
+    emit kind->activated(2);
+    QCOMPARE(view.choice().view, picture::RadarView::doppler_time);
+    QCOMPARE(view.choice().pulses, std::size_t{1024});
+    QVERIFY(view.findChild<QWidget*>("radar_view_interval")->isVisibleTo(&view));
+    view.findChild<QSpinBox*>("radar_view_interval")->setValue(4);
+    QVERIFY(Bench::wait_for(view));
+    QVERIFY(view.plot().figure().panels.at(0).image);
+    QVERIFY2(view.plot().figure().note.find("spectra of 4 of ") != std::string::npos,
+             view.plot().figure().note.c_str());
+    kind->setCurrentIndex(4);
+    emit kind->activated(4);
+    QVERIFY(!view.findChild<QWidget*>("radar_view_interval")->isVisibleTo(&view));
     QCOMPARE(view.choice().view, picture::RadarView::phase_history);
     QVERIFY(!view.findChild<QWidget*>("radar_view_mean")->isVisibleTo(&view));
     QVERIFY(view.findChild<QWidget*>("radar_view_unwrapped")->isVisibleTo(&view));

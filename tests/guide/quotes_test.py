@@ -174,6 +174,7 @@ WINDOWS = {
     "saving": "Saving",
     "range_profile": "Range profile",
     "range_doppler": "range-Doppler map",
+    "doppler_time": "Doppler against time",
     "spectrum": "spectrum",
     "phase_history": "phase history",
     "products": "Make an Image",

@@ -25,10 +25,11 @@ namespace {
 
 const std::vector<std::pair<std::string, PlotKind>>& kind_words() {
   static const std::vector<std::pair<std::string, PlotKind>> words{
-      {"picture", PlotKind::picture},   {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
-      {"profile", PlotKind::profile},   {"doppler", PlotKind::range_doppler}, {"spectrum", PlotKind::spectrum},
-      {"phase", PlotKind::phase},       {"antenna", PlotKind::antenna},       {"sent", PlotKind::sent},
-      {"function", PlotKind::function}, {"track", PlotKind::track},           {"footprint", PlotKind::footprint}};
+      {"picture", PlotKind::picture},    {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
+      {"profile", PlotKind::profile},    {"doppler", PlotKind::range_doppler}, {"doppler-time", PlotKind::doppler_time},
+      {"spectrum", PlotKind::spectrum},  {"phase", PlotKind::phase},           {"antenna", PlotKind::antenna},
+      {"sent", PlotKind::sent},          {"function", PlotKind::function},     {"track", PlotKind::track},
+      {"footprint", PlotKind::footprint}};
   return words;
 }
 
@@ -96,15 +97,16 @@ struct Use {
 void expect_used(const PlotArguments& a) {
   using K = PlotKind;
   const std::vector<K> cuts{K::pulse, K::range};
-  const std::vector<K> of_samples{K::pulse, K::range, K::profile, K::range_doppler, K::spectrum, K::phase};
+  const std::vector<K> of_samples{K::pulse,        K::range,    K::profile, K::range_doppler,
+                                  K::doppler_time, K::spectrum, K::phase};
   std::vector<K> echoes = of_samples;
   echoes.insert(echoes.begin(), K::picture);
   std::vector<K> of_radars = echoes;
   of_radars.insert(of_radars.end(), {K::antenna, K::sent});
   std::vector<K> quantities = echoes;
   quantities.push_back(K::antenna);
-  const std::vector<K> levels{K::picture,       K::pulse,    K::range,   K::profile,
-                              K::range_doppler, K::spectrum, K::antenna, K::sent};
+  const std::vector<K> levels{K::picture,      K::pulse,    K::range,   K::profile, K::range_doppler,
+                              K::doppler_time, K::spectrum, K::antenna, K::sent};
   const std::vector<K> colours{K::picture};
   std::vector<K> timed = echoes;
   timed.insert(timed.end(), {K::track, K::footprint});
@@ -112,41 +114,43 @@ void expect_used(const PlotArguments& a) {
   of_scenes.insert(of_scenes.end(), {K::track, K::footprint});
   of_radars.push_back(K::footprint);
   const std::vector<K> of_curves{K::pulse, K::range, K::profile, K::spectrum, K::phase, K::antenna, K::sent};
-  const std::vector<Use> uses{{"--simulation", a.simulation.has_value(), of_radars},
-                              {"--radar", !a.radar.empty(), of_radars},
-                              {"--data", a.processing.has_value(), echoes},
-                              {"--range", !a.range_m.empty(), echoes},
-                              {"--time", !a.time_s.empty(), timed},
-                              {"--azimuth", !a.azimuth_m.empty(), echoes},
-                              {"--rate", a.rate_hz.has_value(), echoes},
-                              {"--screen", a.screen, echoes},
-                              {"--tolerance", a.overrides.tolerance.has_value(), echoes},
-                              {"--seed", a.overrides.seed.has_value(), timed},
-                              {"--set", !a.overrides.settings.empty(), of_scenes},
-                              {"--targets", !a.overrides.targets.empty(), of_scenes},
-                              {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::phase}},
-                              {"--at-time", a.at_s.has_value(), of_samples},
-                              {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
-                              {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::phase}},
-                              {"--recorded", a.recorded, of_samples},
-                              {"--show", a.quantity.has_value(), quantities},
-                              {"--span", a.span_db.has_value(), levels},
-                              {"--mean", a.mean.has_value(), {K::profile}},
-                              {"--window", a.window.has_value(), {K::range_doppler, K::spectrum}},
-                              {"--padding", a.padding.has_value(), {K::range_doppler}},
-                              {"--wrapped", a.wrapped, {K::phase}},
-                              {"--mark-peaks", a.peaks.has_value(), cuts},
-                              {"--function", !a.function.empty(), {K::function}},
-                              {"--compare", a.compare, {K::function}},
-                              {"--angles", !a.angles_deg.empty(), {K::antenna}},
-                              {"--with", !a.others.empty(), of_curves},
-                              {"--vary", !a.variations.empty(), of_curves},
-                              {"--draw", a.draw_as.has_value(), colours},
-                              {"--colours", a.map.has_value(), colours},
-                              {"--invert", a.inverted, colours},
-                              {"--limits", !a.limits.empty(), colours},
-                              {"--percentile", a.percentile.has_value(), colours},
-                              {"--peak", a.peak, colours}};
+  const std::vector<Use> uses{
+      {"--simulation", a.simulation.has_value(), of_radars},
+      {"--radar", !a.radar.empty(), of_radars},
+      {"--data", a.processing.has_value(), echoes},
+      {"--range", !a.range_m.empty(), echoes},
+      {"--time", !a.time_s.empty(), timed},
+      {"--azimuth", !a.azimuth_m.empty(), echoes},
+      {"--rate", a.rate_hz.has_value(), echoes},
+      {"--screen", a.screen, echoes},
+      {"--tolerance", a.overrides.tolerance.has_value(), echoes},
+      {"--seed", a.overrides.seed.has_value(), timed},
+      {"--set", !a.overrides.settings.empty(), of_scenes},
+      {"--targets", !a.overrides.targets.empty(), of_scenes},
+      {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::doppler_time, K::phase}},
+      {"--at-time", a.at_s.has_value(), of_samples},
+      {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
+      {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::doppler_time, K::phase}},
+      {"--interval", a.interval.has_value(), {K::doppler_time}},
+      {"--recorded", a.recorded, of_samples},
+      {"--show", a.quantity.has_value(), quantities},
+      {"--span", a.span_db.has_value(), levels},
+      {"--mean", a.mean.has_value(), {K::profile}},
+      {"--window", a.window.has_value(), {K::range_doppler, K::doppler_time, K::spectrum}},
+      {"--padding", a.padding.has_value(), {K::range_doppler, K::doppler_time}},
+      {"--wrapped", a.wrapped, {K::phase}},
+      {"--mark-peaks", a.peaks.has_value(), cuts},
+      {"--function", !a.function.empty(), {K::function}},
+      {"--compare", a.compare, {K::function}},
+      {"--angles", !a.angles_deg.empty(), {K::antenna}},
+      {"--with", !a.others.empty(), of_curves},
+      {"--vary", !a.variations.empty(), of_curves},
+      {"--draw", a.draw_as.has_value(), colours},
+      {"--colours", a.map.has_value(), colours},
+      {"--invert", a.inverted, colours},
+      {"--limits", !a.limits.empty(), colours},
+      {"--percentile", a.percentile.has_value(), colours},
+      {"--peak", a.peak, colours}};
   core::Problems problems;
   for (const Use& use : uses) {
     if (!use.given || std::ranges::find(use.kinds, a.kind) != use.kinds.end()) continue;
@@ -161,7 +165,7 @@ void expect_used(const PlotArguments& a) {
 // What --show says by itself.
 picture::DisplayQuantity shown_quantity(const PlotArguments& a) {
   const bool in_decibels = a.kind == PlotKind::profile || a.kind == PlotKind::range_doppler ||
-                           a.kind == PlotKind::spectrum || a.kind == PlotKind::sent;
+                           a.kind == PlotKind::doppler_time || a.kind == PlotKind::spectrum || a.kind == PlotKind::sent;
   return a.quantity.value_or(in_decibels ? picture::DisplayQuantity::decibels : picture::DisplayQuantity::magnitude);
 }
 
@@ -293,6 +297,7 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
                                        {"hanning", picture::SpectrumWindow::hann},
                                        {"hamming", picture::SpectrumWindow::hamming}},
                                       "weights of spectra and range-Doppler maps (default: hann)");
+  add_integer(app, "--interval", a.interval, 1, 1 << 20, "doppler-time: pulses of each spectrum (default: 64)");
   add_integer(app, "--padding", a.padding, 1, 64, "Doppler bins for each pulse (default: 1)");
   app.add_flag("--wrapped", a.wrapped, "phases within half a turn, not joined to a line");
   add_integer(app, "--mark-peaks", a.peaks, 0, 100, "mark so many of the highest maxima of a cut");

@@ -20,6 +20,7 @@ enum class PlotKind {
   range,          ///< One column against time.
   profile,        ///< Mean of a burst against range.
   range_doppler,  ///< Map of a coherent interval.
+  doppler_time,   ///< Spectra of one range cell against time.
   spectrum,       ///< Of one received pulse.
   phase,          ///< Of one range cell from pulse to pulse.
   antenna,        ///< Patterns of a radar.
@@ -58,6 +59,7 @@ struct PlotArguments {
   std::optional<picture::ProfileMean> mean;
   std::optional<picture::SpectrumWindow> window;
   std::optional<std::int64_t> padding;
+  std::optional<std::int64_t> interval;
   bool wrapped = false;
   std::optional<std::int64_t> peaks;
   std::string function;

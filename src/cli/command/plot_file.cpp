@@ -35,7 +35,8 @@ std::vector<double> numbers(std::size_t count) { return raster::ImagePlaces{}.li
 void name_places(const PlotArguments& a, const workflow::PlacedImage& input, picture::SampleSource& samples) {
   const std::size_t rows = input.source->rows();
   const std::size_t columns = input.source->columns();
-  const bool of_times = a.kind == PlotKind::range_doppler || a.kind == PlotKind::phase;
+  const bool of_times =
+      a.kind == PlotKind::range_doppler || a.kind == PlotKind::doppler_time || a.kind == PlotKind::phase;
   samples.timed = input.axes && (!of_times || input.has_times());
   if (input.focused) {
     samples.row_place = input.focused->azimuth.list(rows);

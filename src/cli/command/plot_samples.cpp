@@ -39,6 +39,7 @@ picture::RadarViewChoice choice_of(const PlotArguments& a) {
   choice.mean = a.mean.value_or(picture::ProfileMean::power);
   choice.window = a.window.value_or(picture::SpectrumWindow::hann);
   choice.padding = static_cast<std::size_t>(a.padding.value_or(1));
+  choice.interval = static_cast<std::size_t>(a.interval.value_or(picture::usual_doppler_interval));
   choice.decibels = a.quantity.value_or(picture::DisplayQuantity::decibels) == picture::DisplayQuantity::decibels;
   choice.unwrapped = !a.wrapped;
   choice.range_db = a.span_db.value_or(60.0);
@@ -51,12 +52,13 @@ void expect_quantity(const PlotArguments& a) {
   if (levels &&
       (*a.quantity == picture::DisplayQuantity::decibels || *a.quantity == picture::DisplayQuantity::magnitude))
     return;
-  if (a.kind == PlotKind::range_doppler && *a.quantity == picture::DisplayQuantity::decibels) return;
+  const bool map = a.kind == PlotKind::range_doppler || a.kind == PlotKind::doppler_time;
+  if (map && *a.quantity == picture::DisplayQuantity::decibels) return;
   if (a.kind == PlotKind::phase && *a.quantity == picture::DisplayQuantity::phase) return;
   throw core::Refused(fmt::format("--show: {} is not shown by this kind of plot", picture::title_of(*a.quantity)),
-                      levels                              ? "profiles and spectra are shown as magnitude or db"
-                      : a.kind == PlotKind::range_doppler ? "range-Doppler maps are shown in db"
-                                                          : "phase histories are shown as phase");
+                      levels ? "profiles and spectra are shown as magnitude or db"
+                      : map  ? "maps of Doppler frequencies are shown in db"
+                             : "phase histories are shown as phase");
 }
 
 picture::EchoBlock read_block(const picture::SampleSource& samples, simulate::IndexSpan rows,
@@ -93,7 +95,8 @@ void each_power(const picture::SampleSource& samples, simulate::IndexSpan rows, 
 
 // Of the kinds that show one range, or add the spectrum of one.
 bool needs_column(PlotKind kind) {
-  return kind == PlotKind::range || kind == PlotKind::range_doppler || kind == PlotKind::phase;
+  return kind == PlotKind::range || kind == PlotKind::range_doppler || kind == PlotKind::doppler_time ||
+         kind == PlotKind::phase;
 }
 
 picture::Figure radar_view(const PlotArguments& a, const picture::SampleSource& samples, std::size_t row,
@@ -105,6 +108,9 @@ picture::Figure radar_view(const PlotArguments& a, const picture::SampleSource& 
     case PlotKind::profile: return picture::range_profile_figure(read_block(samples, rows, all, 1), choice);
     case PlotKind::range_doppler:
       return picture::range_doppler_figure(read_block(samples, rows, all, choice.padding), column, choice);
+    case PlotKind::doppler_time:
+      return picture::doppler_time_figure(read_block(samples, rows, {column, column + 1}, 8 * choice.padding), 0,
+                                          choice);
     case PlotKind::spectrum: return picture::spectrum_figure(read_block(samples, {row, row + 1}, all, 1), 0, choice);
     default: return picture::phase_figure(read_block(samples, rows, {column, column + 1}, 1), 0, choice);
   }
@@ -135,6 +141,7 @@ bool is_of_samples(PlotKind kind) {
     case PlotKind::range:
     case PlotKind::profile:
     case PlotKind::range_doppler:
+    case PlotKind::doppler_time:
     case PlotKind::spectrum:
     case PlotKind::phase: return true;
     default: return false;

@@ -14,6 +14,7 @@
 #include <QSpinBox>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <array>
 
 #include "gui/common/figure_plot.hpp"
@@ -28,7 +29,9 @@ namespace sarsim::gui {
 namespace {
 
 constexpr std::array views{picture::RadarView::range_profile, picture::RadarView::range_doppler,
-                           picture::RadarView::spectrum, picture::RadarView::phase_history};
+                           picture::RadarView::doppler_time, picture::RadarView::spectrum,
+                           picture::RadarView::phase_history};
+constexpr std::size_t usual_spectra = 16;  // one after another, of Doppler against time
 constexpr int most_pulses = 1'000'000;
 constexpr int most_padding = 16;
 constexpr int settling_ms = 60;  // of a drag
@@ -36,6 +39,12 @@ constexpr int settling_ms = 60;  // of a drag
 QString title_text(picture::RadarView view) {
   const std::string_view title = picture::title_of(view);
   return QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
+}
+
+// A view of how frequencies change wants more than one spectrum.
+void take_enough_pulses(picture::RadarViewChoice& choice) {
+  if (choice.view == picture::RadarView::doppler_time)
+    choice.pulses = std::max(choice.pulses, usual_spectra * choice.interval);
 }
 
 }  // namespace
@@ -50,6 +59,7 @@ RadarViewWindow::RadarViewWindow(SimulationWindow& from, picture::RadarView view
   setWindowFlag(Qt::Window);
   setAttribute(Qt::WA_DeleteOnClose);
   choice_.view = view;
+  take_enough_pulses(choice_);
   auto* const column = new QVBoxLayout(this);
   auto* const controls = new QHBoxLayout;
   make_controls(controls);
@@ -81,6 +91,12 @@ void RadarViewWindow::make_controls(QHBoxLayout* row) {
   pulses_->setRange(1, most_pulses);
   pulses_->setKeyboardTracking(false);
   pulses_label_->setBuddy(pulses_);
+  interval_label_ = new QLabel(tr("Puls&es of a spectrum"), this);
+  interval_ = named(new QSpinBox(this), "radar_view_interval", tr("Pulses of a spectrum"),
+                    tr("More tell frequencies apart, fewer times"));
+  interval_->setRange(2, most_pulses);
+  interval_->setKeyboardTracking(false);
+  interval_label_->setBuddy(interval_);
   mean_ = named(new QComboBox(this), "radar_view_mean", tr("Mean"),
                 tr("Of the power, or coherent: what keeps its phase from pulse to pulse"));
   mean_->addItems({tr("Mean power"), tr("Coherent mean")});
@@ -95,13 +111,15 @@ void RadarViewWindow::make_controls(QHBoxLayout* row) {
   decibels_ = named(new QCheckBox(tr("&Decibels"), this), "radar_view_decibels", tr("Decibels"), {});
   unwrapped_ = named(new QCheckBox(tr("&Unwrapped"), this), "radar_view_unwrapped", tr("Unwrapped"),
                      tr("Adds full turns so that no phase step exceeds 180 deg"));
-  for (QWidget* widget : std::initializer_list<QWidget*>{view_, pulses_label_, pulses_, mean_, window_, padding_label_,
-                                                         padding_, decibels_, unwrapped_})
+  for (QWidget* widget :
+       std::initializer_list<QWidget*>{view_, pulses_label_, pulses_, interval_label_, interval_, mean_, window_,
+                                       padding_label_, padding_, decibels_, unwrapped_})
     row->addWidget(widget);
   row->addStretch(1);
   for (QComboBox* box : {view_, mean_, window_})
     connect(box, &QComboBox::activated, this, &RadarViewWindow::take_choice);
-  for (QSpinBox* box : {pulses_, padding_}) connect(box, &QSpinBox::valueChanged, this, &RadarViewWindow::take_choice);
+  for (QSpinBox* box : {pulses_, interval_, padding_})
+    connect(box, &QSpinBox::valueChanged, this, &RadarViewWindow::take_choice);
   for (QCheckBox* box : {decibels_, unwrapped_}) connect(box, &QCheckBox::toggled, this, &RadarViewWindow::take_choice);
 }
 
@@ -142,6 +160,7 @@ void RadarViewWindow::show_choice() {
   showing_ = true;
   view_->setCurrentIndex(static_cast<int>(choice_.view));
   pulses_->setValue(static_cast<int>(choice_.pulses));
+  interval_->setValue(static_cast<int>(choice_.interval));
   mean_->setCurrentIndex(choice_.mean == picture::ProfileMean::coherent ? 1 : 0);
   window_->setCurrentIndex(static_cast<int>(choice_.window));
   padding_->setValue(static_cast<int>(choice_.padding));
@@ -152,9 +171,11 @@ void RadarViewWindow::show_choice() {
   for (QWidget* widget : std::initializer_list<QWidget*>{pulses_label_, pulses_})
     widget->setVisible(view != picture::RadarView::spectrum);
   mean_->setVisible(view == picture::RadarView::range_profile);
-  window_->setVisible(view == picture::RadarView::range_doppler || view == picture::RadarView::spectrum);
-  for (QWidget* widget : std::initializer_list<QWidget*>{padding_label_, padding_})
-    widget->setVisible(view == picture::RadarView::range_doppler);
+  const bool map = view == picture::RadarView::range_doppler || view == picture::RadarView::doppler_time;
+  window_->setVisible(map || view == picture::RadarView::spectrum);
+  for (QWidget* widget : std::initializer_list<QWidget*>{padding_label_, padding_}) widget->setVisible(map);
+  for (QWidget* widget : std::initializer_list<QWidget*>{interval_label_, interval_})
+    widget->setVisible(view == picture::RadarView::doppler_time);
   decibels_->setVisible(view == picture::RadarView::range_profile || view == picture::RadarView::spectrum);
   unwrapped_->setVisible(view == picture::RadarView::phase_history);
   setWindowTitle(title_text(view) + QStringLiteral(" - ") + from_.windowTitle());
@@ -165,6 +186,8 @@ void RadarViewWindow::take_choice() {
   picture::RadarViewChoice choice = choice_;
   choice.view = views.at(static_cast<std::size_t>(view_->currentIndex()));
   choice.pulses = static_cast<std::size_t>(pulses_->value());
+  choice.interval = static_cast<std::size_t>(interval_->value());
+  if (choice_.view != choice.view) take_enough_pulses(choice);
   choice.mean = mean_->currentIndex() == 1 ? picture::ProfileMean::coherent : picture::ProfileMean::power;
   choice.window = static_cast<picture::SpectrumWindow>(window_->currentIndex());
   choice.padding = static_cast<std::size_t>(padding_->value());

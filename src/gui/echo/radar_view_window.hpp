@@ -65,6 +65,8 @@ class RadarViewWindow : public QWidget {
   picture::RadarViewChoice choice_;
   QComboBox* view_ = nullptr;
   QSpinBox* pulses_ = nullptr;
+  QLabel* interval_label_ = nullptr;
+  QSpinBox* interval_ = nullptr;
   QComboBox* mean_ = nullptr;
   QComboBox* window_ = nullptr;
   QSpinBox* padding_ = nullptr;

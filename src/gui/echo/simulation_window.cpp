@@ -162,12 +162,13 @@ QWidget* SimulationWindow::make_tool_row() {
 }
 
 void SimulationWindow::add_views_menu(QWidget* row) {
-  auto* const button =
-      add_tool(row, tr("Views"), "echo_views",
-               tr("Other views of the same samples: range profile, range-Doppler map, spectrum, phase"));
+  auto* const button = add_tool(
+      row, tr("Views"), "echo_views",
+      tr("Other views of the same samples: range profile, range-Doppler map, Doppler against time, spectrum, phase"));
   auto* const menu = new QMenu(button);
-  for (const picture::RadarView view : {picture::RadarView::range_profile, picture::RadarView::range_doppler,
-                                        picture::RadarView::spectrum, picture::RadarView::phase_history}) {
+  for (const picture::RadarView view :
+       {picture::RadarView::range_profile, picture::RadarView::range_doppler, picture::RadarView::doppler_time,
+        picture::RadarView::spectrum, picture::RadarView::phase_history}) {
     const std::string_view title = picture::title_of(view);
     menu->addAction(QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size())), this,
                     [this, view] { open_radar_view(view); });

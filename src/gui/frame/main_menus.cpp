@@ -433,10 +433,10 @@ QWidget* MainWindow::show_products() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",          "objects",       "properties", "script",        "simulations", "log",
-          "geometry",      "simulation",    "compressed", "targets",       "function",    "commands",
-          "help",          "import",        "viewer",     "output",        "save_data",   "saving",
-          "range_profile", "range_doppler", "spectrum",   "phase_history", "products"};
+  return {"main",          "objects",       "properties",   "script",   "simulations",   "log",
+          "geometry",      "simulation",    "compressed",   "targets",  "function",      "commands",
+          "help",          "import",        "viewer",       "output",   "save_data",     "saving",
+          "range_profile", "range_doppler", "doppler_time", "spectrum", "phase_history", "products"};
 }
 
 // A window of echoes: of the stored simulation that is selected, otherwise a new one.
@@ -450,6 +450,7 @@ SimulationWindow* MainWindow::open_simulation() {
 QWidget* MainWindow::simulation_part(const QString& name) {
   static const std::map<QString, picture::RadarView> views{{"range_profile", picture::RadarView::range_profile},
                                                            {"range_doppler", picture::RadarView::range_doppler},
+                                                           {"doppler_time", picture::RadarView::doppler_time},
                                                            {"spectrum", picture::RadarView::spectrum},
                                                            {"phase_history", picture::RadarView::phase_history}};
   if (name == "saving") return &saver_->queue();

@@ -38,20 +38,27 @@ double half_cell(const std::vector<double>& centres) {
   return centres.size() < 2 ? 0.5 : 0.5 * (centres.back() - centres.front()) / static_cast<double>(centres.size() - 1);
 }
 
-// Largest levels of as many neighbouring ranges as make a picture of a modest width.
-FigureImage map_image(const RangeDoppler& map, const std::vector<double>& level_db, const ColourLimits& limits,
+// What a map of cells is drawn from: [up][across].
+struct Cells {
+  const std::vector<double>& across;  // Centres of the cells.
+  const std::vector<double>& up;
+  const std::vector<std::complex<double>>& samples;
+};
+
+// Largest levels of as many neighbouring cells as make a picture of a modest width.
+FigureImage map_image(const Cells& map, const std::vector<double>& level_db, const ColourLimits& limits,
                       const std::vector<raster::Rgb>& colours) {
   constexpr std::size_t most_columns = 1600;
-  const std::size_t columns = map.range_m.size();
+  const std::size_t columns = map.across.size();
   const std::size_t step = (columns + most_columns - 1) / most_columns;
   FigureImage image;
   image.width = (columns + step - 1) / step;
-  image.height = map.doppler_hz.size();
-  const double half_range = half_cell(map.range_m);
-  image.x_first = map.range_m.front() - half_range;
-  image.x_last = image.x_first + 2.0 * half_range * static_cast<double>(image.width * step);
-  image.y_first = map.doppler_hz.front() - half_cell(map.doppler_hz);
-  image.y_last = map.doppler_hz.back() + half_cell(map.doppler_hz);
+  image.height = map.up.size();
+  const double half_across = half_cell(map.across);
+  image.x_first = map.across.front() - half_across;
+  image.x_last = image.x_first + 2.0 * half_across * static_cast<double>(image.width * step);
+  image.y_first = map.up.front() - half_cell(map.up);
+  image.y_last = map.up.back() + half_cell(map.up);
   image.cells.reserve(image.width * image.height);
   for (std::size_t d = 0; d < image.height; ++d)
     for (std::size_t c = 0; c < columns; c += step) {
@@ -62,12 +69,25 @@ FigureImage map_image(const RangeDoppler& map, const std::vector<double>& level_
   return image;
 }
 
-std::vector<double> levels_of(const RangeDoppler& map, double reference) {
+// Decibels below the largest, Doppler frequencies up.
+void add_doppler_map(Figure& figure, const EchoBlock& block, const Cells& map, FigureAxis across, double range_db) {
+  const Decibels decibels{Decibels::Reference::maximum, 1.0, range_db};
+  const SampleStatistics statistics = statistics_of(map.samples);
+  const ColourLimits limits = colour_limits(DisplayQuantity::decibels, {}, decibels, statistics);
+  const std::vector<raster::Rgb> colours = colour_table(ColourMap::ember);
   std::vector<double> level_db;
   level_db.reserve(map.samples.size());
   for (const std::complex<double>& sample : map.samples)
-    level_db.push_back(value_of(DisplayQuantity::decibels, sample, reference));
-  return level_db;
+    level_db.push_back(value_of(DisplayQuantity::decibels, sample, reference_v(decibels, statistics)));
+  FigurePanel& panel = figure.panels.emplace_back();
+  panel.image = map_image(map, level_db, limits, colours);
+  panel.x = std::move(across);
+  panel.x.first = panel.image->x_first;
+  panel.x.last = map.across.back() + half_cell(map.across);
+  panel.y = {"Doppler frequency", "Hz", panel.image->y_first, panel.image->y_last, {}};
+  panel.y.twin =
+      FigureAxis::Twin{"Range rate", "m/s", -radar::range_of_cycle(block.carrier_hz[0], block.light_speed_mps)};
+  panel.colour_bar = FigureColourBar{"Below the largest", "dB", limits.low, limits.high, colours};
 }
 
 std::size_t row_sent_nearest(const simulate::Plan& plan, double time_s) {
@@ -93,6 +113,7 @@ std::string_view title_of(RadarView view) {
   switch (view) {
     case RadarView::range_profile: return "Range profile";
     case RadarView::range_doppler: return "Range-Doppler map";
+    case RadarView::doppler_time: return "Doppler against time";
     case RadarView::spectrum: return "Spectrum of the pulse";
     case RadarView::phase_history: break;
   }
@@ -116,7 +137,7 @@ Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice, c
   const RadarViewPlace place = place_of(plan, choice);
   const simulate::IndexSpan all_columns{0, plan.columns};
   const bool one_pulse = choice.view == RadarView::spectrum;
-  const bool one_range = choice.view == RadarView::phase_history;
+  const bool one_range = choice.view == RadarView::phase_history || choice.view == RadarView::doppler_time;
   const simulate::IndexSpan rows = one_pulse ? simulate::IndexSpan{place.row, place.row + 1} : place.rows;
   const simulate::IndexSpan columns = one_range ? simulate::IndexSpan{place.column, place.column + 1} : all_columns;
   const std::size_t padding = choice.view == RadarView::range_doppler ? std::max<std::size_t>(choice.padding, 1) : 1;
@@ -130,6 +151,7 @@ Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice, c
   switch (choice.view) {
     case RadarView::range_profile: return range_profile_figure(block, choice);
     case RadarView::range_doppler: return range_doppler_figure(block, place.column, choice);
+    case RadarView::doppler_time: return doppler_time_figure(block, 0, choice);
     case RadarView::spectrum: return spectrum_figure(block, 0, choice);
     case RadarView::phase_history: break;
   }
@@ -159,25 +181,40 @@ Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const Ra
   figure.title = std::string(title_of(RadarView::range_doppler));
   figure.note = interval_text(block) + (map.remark.empty() ? "" : "; note: " + map.remark);
   if (block.rows == 0 || block.columns == 0) return figure;
-  const Decibels decibels{Decibels::Reference::maximum, 1.0, choice.range_db};
-  const SampleStatistics statistics = statistics_of(map.samples);
-  const std::vector<double> level_db = levels_of(map, reference_v(decibels, statistics));
-  const ColourLimits limits = colour_limits(DisplayQuantity::decibels, {}, decibels, statistics);
-  const std::vector<raster::Rgb> colours = colour_table(ColourMap::ember);
-
-  FigurePanel& panel = figure.panels.emplace_back();
-  panel.image = map_image(map, level_db, limits, colours);
-  panel.x = {"Slant range", "m", panel.image->x_first, map.range_m.back() + half_cell(map.range_m), {}};
-  panel.y = {"Doppler frequency", "Hz", panel.image->y_first, panel.image->y_last, {}};
-  panel.y.twin =
-      FigureAxis::Twin{"Range rate", "m/s", -radar::range_of_cycle(block.carrier_hz[0], block.light_speed_mps)};
-  panel.colour_bar = FigureColourBar{"Below the largest", "dB", limits.low, limits.high, colours};
+  add_doppler_map(figure, block, {map.range_m, map.doppler_hz, map.samples}, {"Slant range", "m", 0.0, 1.0, {}},
+                  choice.range_db);
 
   std::vector<double> cut;
   for (std::size_t d = 0; d < map.doppler_hz.size(); ++d) cut.push_back(std::abs(map.at(d, column)));
   figure.panels.push_back(curve_panel(
       "At " + core::with_prefix(map.range_m[column], "m"), axis_along("Doppler frequency", "Hz", map.doppler_hz),
       {"Level above 1 V", "dB", 0.0, 1.0, {}}, map.doppler_hz, decibels_of(std::move(cut), 20.0)));
+  return figure;
+}
+
+Figure doppler_time_figure(const EchoBlock& block, std::size_t column, const RadarViewChoice& choice) {
+  Figure figure;
+  figure.title = std::string(title_of(RadarView::doppler_time));
+  if (block.rows == 0 || column >= block.columns) return figure;
+  const DopplerTime history =
+      doppler_time(block, column, choice.window, choice.interval, std::max<std::size_t>(choice.padding, 1));
+  const std::size_t pulses = std::min(std::max<std::size_t>(choice.interval, 1), block.rows);
+  figure.note = fmt::format("Range {}, spectra of {} of {}", core::with_prefix(block.range_m[column], "m"), pulses,
+                            interval_text(block)) +
+                (history.remark.empty() ? "" : "; note: " + history.remark);
+  add_doppler_map(figure, block, {history.time_s, history.doppler_hz, history.samples},
+                  {"Azimuth time", "s", 0.0, 1.0, {}}, choice.range_db);
+  const std::vector<double>& mean_hz = history.mean_hz;
+  const std::vector<double>& width_hz = history.width_hz;
+  FigurePanel& below = figure.panels.emplace_back();
+  below.title = "Of the power in each spectrum";
+  below.x = figure.panels.front().x;
+  const double low = std::min(0.0, *std::ranges::min_element(mean_hz));
+  const double high = std::max(*std::ranges::max_element(mean_hz), *std::ranges::max_element(width_hz));
+  const double margin = std::max(0.05 * (high - low), 1e-3);
+  below.y = {"Frequency", "Hz", low - margin, high + margin, {}};
+  below.curves.push_back({"mean", Role::curve, false, history.time_s, mean_hz});
+  below.curves.push_back({"width (r.m.s.)", Role::curve_2, false, history.time_s, width_hz});
   return figure;
 }
 

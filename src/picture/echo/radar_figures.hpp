@@ -15,25 +15,29 @@ namespace sarsim::picture {
 enum class RadarView {
   range_profile,  ///< Mean over a burst of pulses against range.
   range_doppler,  ///< Map of a coherent interval, with the Doppler spectrum of one range cell below.
+  doppler_time,   ///< Map of the Doppler spectra of one range cell against time, with their middle and width below.
   spectrum,       ///< Of one pulse.
   phase_history,  ///< Of one range cell, with the change of range that it means below.
 };
 
-/// "Range profile", "Range-Doppler map", "Spectrum of the pulse", "Phase history".
+/// "Range profile", "Range-Doppler map", "Doppler against time", "Spectrum of the pulse", "Phase history".
 [[nodiscard]] std::string_view title_of(RadarView view);
+
+inline constexpr std::size_t usual_doppler_interval = 64;
 
 /// The choices of a view and the place that it belongs to.
 struct RadarViewChoice {
   RadarView view = RadarView::range_profile;
-  double range_m = 0.0;                          ///< Of the cursor.
-  double time_s = 0.0;                           ///< Of the cursor.
-  std::size_t pulses = 64;                       ///< About the cursor, at least 1: the burst or coherent interval.
-  ProfileMean mean = ProfileMean::power;         ///< Of the range profile.
-  SpectrumWindow window = SpectrumWindow::hann;  ///< Of both spectra.
-  std::size_t padding = 1;                       ///< Doppler bins for each pulse, at least 1.
-  bool decibels = true;                          ///< Of profile and spectrum.
-  bool unwrapped = true;                         ///< Of the phase.
-  double range_db = 60.0;                        ///< Of the map's colours, below its largest value.
+  double range_m = 0.0;                           ///< Of the cursor.
+  double time_s = 0.0;                            ///< Of the cursor.
+  std::size_t pulses = 64;                        ///< About the cursor, at least 1: the burst or coherent interval.
+  std::size_t interval = usual_doppler_interval;  ///< Pulses of each spectrum of Doppler against time.
+  ProfileMean mean = ProfileMean::power;          ///< Of the range profile.
+  SpectrumWindow window = SpectrumWindow::hann;   ///< Of both spectra.
+  std::size_t padding = 1;                        ///< Doppler bins for each pulse, at least 1.
+  bool decibels = true;                           ///< Of profile and spectrum.
+  bool unwrapped = true;                          ///< Of the phase.
+  double range_db = 60.0;                         ///< Of the map's colours, below its largest value.
 
   friend bool operator==(const RadarViewChoice&, const RadarViewChoice&) = default;
 };
@@ -55,6 +59,7 @@ struct RadarViewPlace {
 /// @{
 [[nodiscard]] Figure range_profile_figure(const EchoBlock& block, const RadarViewChoice& choice);
 [[nodiscard]] Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const RadarViewChoice& choice);
+[[nodiscard]] Figure doppler_time_figure(const EchoBlock& block, std::size_t column, const RadarViewChoice& choice);
 [[nodiscard]] Figure spectrum_figure(const EchoBlock& block, std::size_t row, const RadarViewChoice& choice);
 [[nodiscard]] Figure phase_figure(const EchoBlock& block, std::size_t column, const RadarViewChoice& choice);
 /// @}

@@ -45,6 +45,25 @@ std::string remark_on(const EchoBlock& block, double interval_s) {
   return {};
 }
 
+void add_moments(DopplerTime& history) {
+  const std::size_t times = history.time_s.size();
+  for (std::size_t t = 0; t < times; ++t) {
+    double power = 0.0;
+    double first = 0.0;
+    double second = 0.0;
+    for (std::size_t d = 0; d < history.doppler_hz.size(); ++d) {
+      const double p = std::norm(history.samples[d * times + t]);
+      const double f = history.doppler_hz[d];
+      power += p;
+      first += p * f;
+      second += p * f * f;
+    }
+    const double mean = power > 0.0 ? first / power : 0.0;
+    history.mean_hz.push_back(mean);
+    history.width_hz.push_back(power > 0.0 ? std::sqrt(std::max(0.0, second / power - mean * mean)) : 0.0);
+  }
+}
+
 }  // namespace
 
 EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows, const core::WorkControl& control) {
@@ -118,6 +137,34 @@ RangeDoppler range_doppler(const EchoBlock& block, SpectrumWindow window, std::s
     for (std::size_t i = 0; i < size; ++i) map.samples[i * block.columns + c] = line[bin_at(i, size)];
   }
   return map;
+}
+
+DopplerTime doppler_time(const EchoBlock& block, std::size_t column, SpectrumWindow window, std::size_t interval,
+                         std::size_t padding) {
+  constexpr std::size_t most_intervals = 2000;
+  DopplerTime history;
+  if (block.rows == 0) return history;
+  EchoBlock intervals = block;  // Each is a column of its own.
+  intervals.rows = std::clamp<std::size_t>(interval, 1, block.rows);
+  const std::size_t beginnings = block.rows - intervals.rows + 1;
+  const std::size_t step = std::max({std::size_t{1}, intervals.rows / 8, (beginnings - 1) / most_intervals + 1});
+  intervals.columns = (beginnings - 1) / step + 1;
+  intervals.samples.resize(intervals.rows * intervals.columns);
+  for (std::size_t i = 0; i < intervals.columns; ++i) {
+    for (std::size_t r = 0; r < intervals.rows; ++r)
+      intervals.samples[r * intervals.columns + i] = block.at(i * step + r, column);
+    history.time_s.push_back(0.5 * (block.time_s[i * step] + block.time_s[i * step + intervals.rows - 1]));
+  }
+  RangeDoppler map = range_doppler(intervals, window, intervals.rows * padding);
+  // The frequencies are those of the mean interval of all pulses, as the remark is.
+  const double interval_s = mean_interval_s(block);
+  const std::size_t size = map.doppler_hz.size();
+  for (std::size_t i = 0; i < size; ++i)
+    history.doppler_hz.push_back(interval_s > 0.0 ? cycles_at(i, size) / static_cast<double>(size) / interval_s : 0.0);
+  history.samples = std::move(map.samples);
+  add_moments(history);
+  history.remark = remark_on(block, interval_s);
+  return history;
 }
 
 PowerSpectrum power_spectrum(const EchoBlock& block, std::size_t row, SpectrumWindow window) {

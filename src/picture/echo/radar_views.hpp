@@ -68,6 +68,22 @@ struct RangeDoppler {
 /// amplitude. Times are taken as evenly spaced and carriers as equal; the remark says where they are not.
 [[nodiscard]] RangeDoppler range_doppler(const EchoBlock& block, SpectrumWindow window, std::size_t bins = 0);
 
+/// Doppler frequency against time of one range cell: what turns, swings or walks shows how its speeds come and go.
+struct DopplerTime {
+  std::vector<double> time_s;                 ///< Middles of the intervals.
+  std::vector<double> doppler_hz;             ///< Ascending from -PRF/2; positive approaching.
+  std::vector<std::complex<double>> samples;  ///< [doppler][time]
+  std::vector<double> mean_hz;                ///< Of the power of each spectrum; 0 where there is none.
+  std::vector<double> width_hz;               ///< Standard deviation of its frequencies about that mean.
+  std::string remark;                         ///< What is not as the map supposes; empty where all is.
+};
+/// The spectra of `range_doppler` of one column, of intervals that overlap by seven eighths, or less where that makes
+/// more than 2000 of them.
+/// @param interval  pulses of a spectrum, cut off at those that there are
+/// @param padding   bins for each of them, at least 1
+[[nodiscard]] DopplerTime doppler_time(const EchoBlock& block, std::size_t column, SpectrumWindow window,
+                                       std::size_t interval, std::size_t padding = 1);
+
 /// Power density of one row against frequency from the carrier.
 struct PowerSpectrum {
   std::vector<double> frequency_hz;      ///< Ascending from -fs/2.

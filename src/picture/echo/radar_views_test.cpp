@@ -115,6 +115,71 @@ TEST(RangeProfile, MeansPowerOrWhatKeepsItsPhase) {
   EXPECT_EQ(coherent.range_m, block.range_m);
 }
 
+TEST(DopplerTime, FollowsAFrequencyThatRises) {
+  // One cell of 1000 pulses at 1 kHz whose frequency goes from -200 to 200 Hz within a second.
+  EchoBlock block;
+  block.rows = 1000;
+  block.columns = 1;
+  block.range_m = {3000.0};
+  block.sample_rate_hz = 1e6;
+  block.light_speed_mps = core::exact_light_speed_mps;
+  for (std::size_t r = 0; r < block.rows; ++r) {
+    const double t = 1e-3 * static_cast<double>(r);
+    block.time_s.push_back(t);
+    block.carrier_hz.push_back(1e9);
+    block.samples.push_back(std::polar(2.0, 2.0 * core::pi * (-200.0 * t + 200.0 * t * t)));
+  }
+  const DopplerTime history = doppler_time(block, 0, SpectrumWindow::hann, 64, 4);
+  EXPECT_TRUE(history.remark.empty());
+  ASSERT_EQ(history.doppler_hz.size(), 256U);
+  EXPECT_NEAR(history.doppler_hz[128], 0.0, 1e-9);
+  EXPECT_NEAR(history.doppler_hz.front(), -500.0, 1e-9);
+  ASSERT_EQ(history.time_s.size(), (1000U - 64U) / 8U + 1U);
+  EXPECT_NEAR(history.time_s[1] - history.time_s[0], 8e-3, 1e-12);
+  for (std::size_t t = 0; t < history.time_s.size(); t += 10) {
+    const double expected_hz = -200.0 + 400.0 * history.time_s[t];
+    EXPECT_NEAR(history.mean_hz[t], expected_hz, 2.0) << t;
+    // A sweep of 25.6 Hz under a Hann window, and what 64 ms tell apart.
+    EXPECT_LT(history.width_hz[t], 20.0) << t;
+    std::size_t strongest_row = 0;
+    for (std::size_t d = 1; d < history.doppler_hz.size(); ++d)
+      if (std::abs(history.samples[d * history.time_s.size() + t]) >
+          std::abs(history.samples[strongest_row * history.time_s.size() + t]))
+        strongest_row = d;
+    EXPECT_NEAR(history.doppler_hz[strongest_row], expected_hz, 6.0) << t;
+  }
+}
+
+TEST(DopplerTime, KeepsTheAmplitudeOfASteadyTargetAndTheWidthOfTwo) {
+  EchoBlock block;
+  block.rows = 512;
+  block.columns = 2;
+  block.range_m = {3000.0, 3001.0};
+  block.light_speed_mps = core::exact_light_speed_mps;
+  for (std::size_t r = 0; r < block.rows; ++r) {
+    const double t = 1e-3 * static_cast<double>(r);
+    block.time_s.push_back(t);
+    block.carrier_hz.push_back(1e9);
+    block.samples.push_back(std::polar(3.0, 2.0 * core::pi * 125.0 * t));
+    block.samples.push_back(std::polar(1.0, 2.0 * core::pi * 125.0 * t) + std::polar(1.0, -2.0 * core::pi * 125.0 * t));
+  }
+  const DopplerTime one = doppler_time(block, 0, SpectrumWindow::rectangular, 64);
+  EXPECT_NEAR(std::abs(one.samples[(32 + 8) * one.time_s.size() + 5]), 3.0, 1e-9);
+  EXPECT_NEAR(one.mean_hz[5], 125.0, 1e-6);
+  EXPECT_NEAR(one.width_hz[5], 0.0, 1e-3);
+  const DopplerTime two = doppler_time(block, 1, SpectrumWindow::rectangular, 64);
+  EXPECT_NEAR(two.mean_hz[5], 0.0, 1e-6);
+  EXPECT_NEAR(two.width_hz[5], 125.0, 1e-6);
+}
+
+TEST(DopplerTime, OfFewPulsesIsOneSpectrum) {
+  const EchoBlock block = echo_block(receding_plan(), {0, 10});
+  const DopplerTime history = doppler_time(block, 0, SpectrumWindow::hann, 64);
+  ASSERT_EQ(history.time_s.size(), 1U);
+  EXPECT_NEAR(history.time_s[0], 0.5 * (block.time_s.front() + block.time_s.back()), 1e-12);
+  EXPECT_TRUE(doppler_time(EchoBlock{}, 0, SpectrumWindow::hann, 64).time_s.empty());
+}
+
 TEST(PowerSpectrum, HasTheMeanPowerOfTheRowAndTheBandOfTheChirp) {
   const EchoBlock block = echo_block(receding_plan(), {0, 1});
   const PowerSpectrum spectrum = power_spectrum(block, 0, SpectrumWindow::rectangular);
