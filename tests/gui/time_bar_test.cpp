@@ -1,6 +1,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
@@ -89,6 +90,25 @@ class TimeBarTest : public QObject {
     QCOMPARE(bench.bar.time_s(), -2.0);
     QCOMPARE(changed.size(), 2);
     QCOMPARE(changed[0][0].toDouble(), 0.005);
+  }
+
+  void time_can_be_typed_as_utc_where_there_is_an_epoch() {
+    Bench bench;
+    const auto epoch = radar::parse_instant("2026-05-01T12:00:00Z", radar::TimeScale::utc);
+    bench.bar.set_epoch(epoch.instant);
+    bench.type("time_field", "2026-05-01T12:00:12.5Z");
+    QCOMPARE(bench.bar.time_s(), 12.5);
+    QCOMPARE(bench.get<QLabel>("utc_label")->text(), QString("2026-05-01T12:00:12.5Z"));
+    bench.type("time_field", "2026-05-01 11:59:59");
+    QCOMPARE(bench.bar.time_s(), -1.0);
+    bench.type("time_field", "2026-13-01T12:00:00Z");
+    QCOMPARE(bench.bar.time_s(), -1.0);
+    QVERIFY(bench.get<QLineEdit>("time_field")->property("refused").toBool());
+    bench.type("time_field", "2 s");
+    QCOMPARE(bench.bar.time_s(), 2.0);
+    bench.bar.set_epoch(std::nullopt);
+    bench.type("time_field", "2026-05-01T12:00:12.5Z");
+    QCOMPARE(bench.bar.time_s(), 2.0);
   }
 
   void text_that_is_no_time_is_refused_and_kept() {

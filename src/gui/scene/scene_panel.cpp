@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/rounding.hpp"
@@ -13,6 +14,9 @@
 #include "gui/scene/time_bar.hpp"
 #include "picture/figure/ticks.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/edit/path_points.hpp"
+#include "scene/model/world_frame.hpp"
+#include "scene/schema/quantity.hpp"
 
 namespace sarsim::gui {
 
@@ -27,6 +31,31 @@ core::Vec3* position_of(scene::AnyObject& object) {
   return nullptr;
 }
 
+// A coordinate that does not move keeps all its digits.
+core::Vec3 moved(const core::Vec3& from, const core::Vec3& way) {
+  const auto along = [](double begin, double by) { return by == 0.0 ? begin : core::tidy(begin + by); };
+  return {along(from.x, way.x), along(from.y, way.y), along(from.z, way.z)};
+}
+
+// On an Earth its latitude, longitude and height. Lengths are rounded to the pixel.
+QString place_text(const core::Vec3& world_m, const std::optional<radar::EarthFrame>& earth, double pixel_m) {
+  const double step = picture::round_below(pixel_m);
+  const auto length = [&](double m) {
+    return QString::fromStdString(scene::quantity_text(core::rounded_to(m, step), scene::Quantity::length));
+  };
+  if (!earth) return ScenePanel::tr("x %1  y %2  z %3").arg(length(world_m.x), length(world_m.y), length(world_m.z));
+  const radar::Geodetic place = earth->geodetic_of(world_m);
+  const double degree_m = 111'000.0;
+  const int decimals = std::clamp(static_cast<int>(std::ceil(std::log10(degree_m / pixel_m))), 2, 9);
+  const auto angle = [&](double rad, char positive, char negative) {
+    return QStringLiteral("%1° %2")
+        .arg(std::abs(rad) * core::deg_per_rad, 0, 'f', decimals)
+        .arg(QChar::fromLatin1(rad < 0.0 ? negative : positive));
+  };
+  return ScenePanel::tr("%1  %2  height %3")
+      .arg(angle(place.latitude_rad, 'N', 'S'), angle(place.longitude_rad, 'E', 'W'), length(place.height_m));
+}
+
 }  // namespace
 
 ScenePanel::ScenePanel(Session& session, QWidget* parent)
@@ -34,14 +63,23 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
       session_(session),
       scene_(new SceneWidget),
       time_bar_(new TimeBar),
-      direction_(new QLabel(scene_)) {
+      direction_(new QLabel(scene_)),
+      place_(new QLabel(scene_)) {
   setObjectName("scene_panel");
   direction_->setObjectName("view_direction");
   direction_->setAutoFillBackground(true);  // Marks of the scene pass behind the words.
   direction_->setToolTip(tr("Where the scene is seen from: azimuth clockwise from +y, elevation above the x-y plane"));
   // In a corner of the scene, so that the time has the whole width below.
   auto* corner = new QVBoxLayout(scene_);
-  corner->addWidget(direction_, 0, Qt::AlignTop | Qt::AlignRight);
+  corner->addWidget(direction_, 0, Qt::AlignRight);
+  corner->addWidget(place_, 0, Qt::AlignRight);
+  corner->addStretch();
+  place_->setObjectName("place_under_pointer");
+  place_->setAutoFillBackground(true);
+  place_->setAccessibleName(tr("Place under the pointer"));
+  place_->setToolTip(tr("What the pointer is over: an object, or else the ground"));
+  place_->setAttribute(Qt::WA_TransparentForMouseEvents);  // The scene below is what is pointed at.
+  place_->hide();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -49,6 +87,11 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   layout->addWidget(time_bar_);
   scene_->set_namer([this](scene::ObjectId id) {
     return scene::has_object(session_.scene(), id) ? scene::label_of(session_.scene(), id) : std::string();
+  });
+  scene_->set_point_namer([this](const picture::PathPointId& point) {
+    if (!scene::has_object(session_.scene(), point.platform)) return std::string();
+    const scene::Platform& platform = session_.scene().platforms[point.platform.index];
+    return scene::label_of(session_.scene(), point.platform) + ": " + scene::path_point_name(platform, point.index);
   });
   connect_gestures();
   scene_->installEventFilter(this);
@@ -83,6 +126,9 @@ void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::delete_wanted, this, &ScenePanel::delete_wanted);
   connect(scene_, &SceneWidget::drag_started, this, &ScenePanel::begin_drag);
   connect(scene_, &SceneWidget::dragged_to, this, &ScenePanel::drag);
+  connect(scene_, &SceneWidget::path_drag_started, this, &ScenePanel::begin_path_drag);
+  connect(scene_, &SceneWidget::path_dragged_to, this, &ScenePanel::drag_path);
+  connect(scene_, &SceneWidget::pointed_at, this, &ScenePanel::show_place);
   connect(scene_, &SceneWidget::drag_ended, this, [this] {
     dragged_.reset();
     session_.end_run();
@@ -104,6 +150,9 @@ void ScenePanel::take_scene(const scene::SceneChange& change) {
   else
     maker_->follow(session_.scene(), change);
   const auto [first_s, last_s] = maker_->time_span_s();
+  earth_ = scene::earth_of(session_.scene().world);
+  scene_->set_earth(earth_);
+  time_bar_->set_epoch(scene::epoch_of(session_.scene().world).instant);
   time_bar_->set_span(first_s, last_s);
   if (new_document_) time_bar_->set_step(picture::round_below((last_s - first_s) / 100.0));
   show_time();
@@ -126,9 +175,10 @@ void ScenePanel::show_marks() {
   scene_->set_dark(is_dark(palette()));
   if (const QColor ground = colour_of(picture::Role::background, palette());
       direction_->palette().color(QPalette::Window) != ground) {
-    QPalette own;  // Only what is set here is the label's own; the rest follows the theme.
+    QPalette own;  // Only what is set here is the labels' own; the rest follows the theme.
     own.setColor(QPalette::Window, ground);
     direction_->setPalette(own);
+    place_->setPalette(own);
   }
   picture::DrawingOptions options = scene_->options();
   options.selected = session_.selection();
@@ -164,6 +214,18 @@ void ScenePanel::focus_on_selection() {
   if (count > 0) focus_on((1.0 / count) * sum);
 }
 
+void ScenePanel::show_place(const std::optional<core::Vec3>& world_m) {
+  place_->setVisible(world_m.has_value());
+  if (world_m) place_->setText(place_text(*world_m, earth_, scene_->pixel_scale() / scene_->camera().pixels_per_m));
+}
+
+core::Mat3 ScenePanel::frame_of(const std::string& platform) const {
+  const std::size_t carrier = scene::find_platform(session_.scene(), platform);
+  for (const auto& p : scene_->snapshot().platforms)
+    if (p.id.index == carrier) return core::transposed(p.pose.world_from_platform);
+  return {};
+}
+
 void ScenePanel::begin_drag(scene::ObjectId id) {
   dragged_.reset();
   if (!scene::has_object(session_.scene(), id)) return;
@@ -171,31 +233,54 @@ void ScenePanel::begin_drag(scene::ObjectId id) {
   dragged_ = scene::object_of(session_.scene(), id);
   written_ = *dragged_;
   platform_from_world_ = core::Mat3();
-  if (id.kind == scene::ObjectKind::platform) return;
-  const std::size_t carrier = scene::find_platform(session_.scene(), scene::carrier_of(session_.scene(), id));
-  for (const auto& p : scene_->snapshot().platforms)
-    if (p.id.index == carrier) platform_from_world_ = core::transposed(p.pose.world_from_platform);
+  if (id.kind != scene::ObjectKind::platform)
+    platform_from_world_ = frame_of(scene::carrier_of(session_.scene(), id));
+  else if (const std::string& parent = session_.scene().platforms[id.index].parent; !parent.empty())
+    platform_from_world_ = frame_of(parent);
+}
+
+void ScenePanel::begin_path_drag(const picture::PathPointId& point) {
+  begin_drag(point.platform);
+  if (!dragged_) return;
+  const std::vector<core::Vec3> points = scene::path_points(std::get<scene::Platform>(*dragged_));
+  if (point.index < points.size())
+    held_m_ = points[point.index];
+  else
+    dragged_.reset();
+}
+
+// Undone, removed or edited elsewhere meanwhile: what the hand holds is no longer there.
+bool ScenePanel::still_held(scene::ObjectId id) {
+  if (dragged_ && (!scene::has_object(session_.scene(), id) || scene::object_of(session_.scene(), id) != written_))
+    dragged_.reset();
+  return dragged_.has_value();
+}
+
+void ScenePanel::write_dragged(scene::ObjectId id, scene::AnyObject object, const char* what) {
+  session_.perform(scene::replace_object(session_.scene(), id, std::move(object), what,
+                                         "drag " + std::string(scene::name_of(id.kind)) + std::to_string(id.index)));
+  written_ = scene::object_of(session_.scene(), id);
 }
 
 void ScenePanel::drag(scene::ObjectId id, const core::Vec3& delta_world_m) {
-  if (!dragged_) return;
-  // Undone, removed or edited elsewhere meanwhile: what the hand holds is no longer there.
-  if (!scene::has_object(session_.scene(), id) || scene::object_of(session_.scene(), id) != written_) {
-    dragged_.reset();
-    return;
-  }
+  if (!still_held(id)) return;
   scene::AnyObject object = *dragged_;
   core::Vec3* const position = position_of(object);
   if (position == nullptr) return;
-  const core::Vec3 by = platform_from_world_ * delta_world_m;
-  // A coordinate that does not move keeps all its digits.
-  const auto moved = [](double from, double way) { return way == 0.0 ? from : core::tidy(from + way); };
-  *position = {moved(position->x, by.x), moved(position->y, by.y), moved(position->z, by.z)};
-  const bool target = id.kind == scene::ObjectKind::target;
-  session_.perform(scene::replace_object(session_.scene(), id, std::move(object),
-                                         target ? "Move target" : "Move platform",
-                                         "drag " + std::string(scene::name_of(id.kind)) + std::to_string(id.index)));
-  written_ = scene::object_of(session_.scene(), id);
+  *position = moved(*position, platform_from_world_ * delta_world_m);
+  write_dragged(id, std::move(object), id.kind == scene::ObjectKind::target ? "Move target" : "Move platform");
+}
+
+void ScenePanel::drag_path(const picture::PathPointId& point, const core::Vec3& delta_world_m, double resolution_m) {
+  if (!still_held(point.platform)) return;
+  const auto& platform = std::get<scene::Platform>(*dragged_);
+  if (delta_world_m == core::Vec3{}) {
+    write_dragged(point.platform, platform, "Move point of path");
+    return;
+  }
+  const core::Vec3 to_m = moved(held_m_, platform_from_world_ * delta_world_m);
+  if (auto changed = scene::with_path_point(platform, point.index, to_m, resolution_m))
+    write_dragged(point.platform, std::move(*changed), "Move point of path");
 }
 
 }  // namespace sarsim::gui

@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "gui/common/session.hpp"
+#include "picture/scene/drawing.hpp"
 #include "picture/scene/snapshot.hpp"
+#include "radar/earth/earth_frame.hpp"
 
 class QLabel;
 
@@ -51,17 +53,28 @@ class ScenePanel : public QWidget {
   void show_marks();
   void show_camera();
   void begin_drag(scene::ObjectId id);
+  void begin_path_drag(const picture::PathPointId& point);
+  // How the world's axes lie in a platform; as in the world where there is no such platform.
+  [[nodiscard]] core::Mat3 frame_of(const std::string& platform) const;
   void drag(scene::ObjectId id, const core::Vec3& delta_world_m);
+  void drag_path(const picture::PathPointId& point, const core::Vec3& delta_world_m, double resolution_m);
+  // Whether what the hand holds is there as the drag left it.
+  [[nodiscard]] bool still_held(scene::ObjectId id);
+  void write_dragged(scene::ObjectId id, scene::AnyObject object, const char* what);
+  void show_place(const std::optional<core::Vec3>& world_m);
 
   Session& session_;
   std::unique_ptr<picture::SnapshotMaker> maker_;
   SceneWidget* scene_ = nullptr;
   TimeBar* time_bar_ = nullptr;
   QLabel* direction_ = nullptr;
+  QLabel* place_ = nullptr;
+  std::optional<radar::EarthFrame> earth_;
   std::optional<scene::ObjectId> followed_;
   std::optional<scene::AnyObject> dragged_;  // as it was when the drag began
   scene::AnyObject written_;                 // as the drag last wrote it
   core::Mat3 platform_from_world_;           // of what carries it
+  core::Vec3 held_m_;                        // of a path's point that is dragged: where it was, in the path's frame
   bool new_document_ = true;
 };
 

@@ -39,6 +39,8 @@ void SceneWidget::set_snapshot(picture::Snapshot snapshot) {
   snapshot_ = std::move(snapshot);
   if (options_.hovered && press_.gesture == Gesture::none && !picture::place_of(snapshot_, *options_.hovered))
     set_hovered(std::nullopt);
+  if (options_.hovered_point && press_.gesture == Gesture::none && !place_of_point(*options_.hovered_point))
+    set_hovered_point(std::nullopt);
   redraw();
 }
 
@@ -46,6 +48,7 @@ void SceneWidget::set_camera(const picture::Camera& camera) { change_camera(came
 
 void SceneWidget::set_options(picture::DrawingOptions options) {
   options.hovered = options_.hovered;
+  options.hovered_point = options_.hovered_point;
   options.pixel_scale = options_.pixel_scale;
   options.coarse = false;
   options_ = std::move(options);
@@ -58,6 +61,12 @@ void SceneWidget::set_dark(bool dark) {
 }
 
 void SceneWidget::set_namer(std::function<std::string(scene::ObjectId)> namer) { namer_ = std::move(namer); }
+
+void SceneWidget::set_point_namer(std::function<std::string(const picture::PathPointId&)> namer) {
+  point_namer_ = std::move(namer);
+}
+
+void SceneWidget::set_earth(std::optional<radar::EarthFrame> earth) { earth_ = std::move(earth); }
 
 void SceneWidget::fit() {
   follow_size();
@@ -122,6 +131,18 @@ void SceneWidget::set_hovered(std::optional<scene::ObjectId> id) {
   emit hovered(id);
 }
 
+void SceneWidget::set_hovered_point(std::optional<picture::PathPointId> point) {
+  if (options_.hovered_point == point) return;
+  options_.hovered_point = point;
+  redraw();
+}
+
+std::optional<core::Vec3> SceneWidget::place_of_point(const picture::PathPointId& point) const {
+  const auto* const platform = found_in(snapshot_.platforms, point.platform);
+  if (platform == nullptr || point.index >= platform->path_points_world_m.size()) return std::nullopt;
+  return platform->path_points_world_m[point.index];
+}
+
 void SceneWidget::paintEvent(QPaintEvent*) {
   if (options_.pixel_scale != devicePixelRatioF()) follow_size();
   const bool dragging = press_.gesture != Gesture::none && press_.gesture != Gesture::pressed;
@@ -146,7 +167,10 @@ bool SceneWidget::event(QEvent* event) {
     return true;
   }
   if (event->type() == QEvent::ToolTip) {
-    if (options_.hovered)
+    if (options_.hovered_point && point_namer_)
+      QToolTip::showText(dynamic_cast<const QHelpEvent&>(*event).globalPos(),
+                         QString::fromStdString(point_namer_(*options_.hovered_point)), this);
+    else if (options_.hovered)
       QToolTip::showText(dynamic_cast<const QHelpEvent&>(*event).globalPos(), name_of_object(*options_.hovered), this);
     else
       QToolTip::hideText();

@@ -12,13 +12,15 @@
 #include "picture/scene/camera.hpp"
 #include "picture/scene/drawing.hpp"
 #include "picture/scene/snapshot.hpp"
+#include "radar/earth/earth_frame.hpp"
 
 namespace sarsim::gui {
 
 /// The scene in three dimensions ("scene_view"). It shows a snapshot and turns gestures into signals; edits, selection
 /// and menus are the owner's.
 ///
-/// Mouse: left drag turns, on a target or platform moves it in the view plane (with Shift to round coordinates); middle
+/// Mouse: left drag turns, on a target or platform moves it in the view plane (with Shift to round coordinates), on a
+/// point of a selected platform's path moves it on its level, or in the view plane where that is seen edge on; middle
 /// drag, or Shift and left drag on empty space, pans; right drag zooms ten times per 200 px upwards; the wheel zooms at
 /// the cursor. Left click selects, with Ctrl adds; double click edits; right click asks for a menu.
 /// Keys: arrows turn, with Shift pan; + and - zoom, Home fits; 1, 2 and 3 look from above, the front, the side;
@@ -43,6 +45,10 @@ class SceneWidget : public QWidget {
   void set_dark(bool dark);
   /// How tooltips name an object; without it by its name, or kind and number.
   void set_namer(std::function<std::string(scene::ObjectId)> namer);
+  /// How tooltips name a point of a path.
+  void set_point_namer(std::function<std::string(const picture::PathPointId&)> namer);
+  /// What is under the pointer: a point of the ground, or of an object.
+  void set_earth(std::optional<radar::EarthFrame> earth);
 
   /// Shows all of the snapshot.
   void fit();
@@ -66,7 +72,13 @@ class SceneWidget : public QWidget {
   void drag_started(sarsim::scene::ObjectId id);  ///< What follows moves this object.
   /// All the way from where the object was when the drag started.
   void dragged_to(sarsim::scene::ObjectId id, sarsim::core::Vec3 delta_world_m);
-  void drag_ended();                                        ///< The object stays where it is.
+  void path_drag_started(sarsim::picture::PathPointId point);  ///< What follows moves this point.
+  /// All the way from where the point was when the drag started, rounded to `resolution_m`.
+  void path_dragged_to(sarsim::picture::PathPointId point, sarsim::core::Vec3 delta_world_m, double resolution_m);
+  void drag_ended();  ///< The object, or point, stays where it is.
+  /// The pointer is over a point of the world: of an object, of a path, or else of the ground. Nothing where it is over
+  /// neither, or has left.
+  void pointed_at(std::optional<sarsim::core::Vec3> world_m);
   void hovered(std::optional<sarsim::scene::ObjectId> id);  ///< What the pointer is over.
   void camera_changed();                                    ///< The scene is seen from elsewhere.
 
@@ -92,6 +104,7 @@ class SceneWidget : public QWidget {
     QPointF at_px;
     picture::Camera camera;
     std::optional<scene::ObjectId> on;
+    std::optional<picture::PathPointId> point;
     core::Vec3 object_world_m;
   };
 
@@ -99,7 +112,16 @@ class SceneWidget : public QWidget {
   [[nodiscard]] std::optional<scene::ObjectId> picked_at(const QPointF& at_px);
   [[nodiscard]] bool movable(scene::ObjectId id) const;
   [[nodiscard]] QString name_of_object(scene::ObjectId id) const;
-  [[nodiscard]] core::Vec3 moved_by(const QPointF& step_px, bool snap) const;
+  struct Move {
+    core::Vec3 delta_world_m;
+    double resolution_m = 0.0;  // to which it is rounded
+  };
+  [[nodiscard]] Move moved_to(const QPointF& at_px, bool snap) const;
+  [[nodiscard]] std::optional<picture::PathPointId> path_point_at(const QPointF& at_px);
+  [[nodiscard]] std::optional<core::Vec3> place_of_point(const picture::PathPointId& point) const;
+  void set_hovered_point(std::optional<picture::PathPointId> point);
+  void tell_place(const QPointF& at_px);
+  void move_object(const Move& move);
   [[nodiscard]] Gesture gesture_of(Qt::KeyboardModifiers modifiers) const;
 
   void follow_size();
@@ -121,6 +143,8 @@ class SceneWidget : public QWidget {
   picture::Camera camera_ = picture::Camera::start(640.0, 480.0);
   picture::DrawingOptions options_;
   std::function<std::string(scene::ObjectId)> namer_;
+  std::function<std::string(const picture::PathPointId&)> point_namer_;
+  std::optional<radar::EarthFrame> earth_;
   bool dark_ = false;
   Press press_;
   picture::Drawing drawing_;

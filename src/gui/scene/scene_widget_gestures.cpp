@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "picture/figure/ticks.hpp"
+#include "picture/scene/ground_point.hpp"
 
 namespace sarsim::gui {
 
@@ -35,6 +36,11 @@ std::optional<scene::ObjectId> SceneWidget::picked_at(const QPointF& at_px) {
   return picture::picked(drawing_, snapshot_, camera_, at_px.x(), at_px.y(), reach_px * options_.pixel_scale);
 }
 
+std::optional<picture::PathPointId> SceneWidget::path_point_at(const QPointF& at_px) {
+  refresh_drawing(false);
+  return picture::picked_path_point(drawing_, at_px.x(), at_px.y(), reach_px * options_.pixel_scale);
+}
+
 // Targets and platforms; the world itself only where it was selected before.
 bool SceneWidget::movable(scene::ObjectId id) const {
   if (id.kind == scene::ObjectKind::target) return true;
@@ -54,15 +60,19 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
   press_.gesture = Gesture::pressed;
   press_.at_px = device_point(event->position());
   press_.camera = camera_;
-  press_.on = picked_at(press_.at_px);
-  if (press_.on) press_.object_world_m = picture::place_of(snapshot_, *press_.on).value_or(core::Vec3{});
+  press_.point = path_point_at(press_.at_px);
+  press_.on = press_.point ? press_.point->platform : picked_at(press_.at_px);
+  if (press_.point)
+    press_.object_world_m = place_of_point(*press_.point).value_or(core::Vec3{});
+  else if (press_.on)
+    press_.object_world_m = picture::place_of(snapshot_, *press_.on).value_or(core::Vec3{});
   QToolTip::hideText();
 }
 
 SceneWidget::Gesture SceneWidget::gesture_of(Qt::KeyboardModifiers modifiers) const {
   switch (press_.button) {
     case Qt::LeftButton:
-      if (press_.on && movable(*press_.on)) return Gesture::move;
+      if (press_.point || (press_.on && movable(*press_.on))) return Gesture::move;
       return modifiers.testFlag(Qt::ShiftModifier) ? Gesture::pan : Gesture::turn;
     case Qt::MiddleButton: return Gesture::pan;
     case Qt::RightButton: return Gesture::zoom;
@@ -73,27 +83,42 @@ SceneWidget::Gesture SceneWidget::gesture_of(Qt::KeyboardModifiers modifiers) co
 void SceneWidget::begin_gesture(Qt::KeyboardModifiers modifiers) {
   press_.gesture = gesture_of(modifiers);
   if (press_.gesture != Gesture::move) return;
-  set_hovered(press_.on);
-  emit drag_started(*press_.on);
+  if (press_.point) {
+    set_hovered_point(press_.point);
+    emit path_drag_started(*press_.point);
+  } else {
+    set_hovered(press_.on);
+    emit drag_started(*press_.on);
+  }
 }
 
-// How far the object is moved in the plane through it that faces the viewer. Coordinates that the view cannot change
-// keep every digit.
-core::Vec3 SceneWidget::moved_by(const QPointF& step_px, bool snap) const {
+// How far the object is moved in the plane through it that faces the viewer, or a point of a path on its level.
+// Coordinates that the view cannot change keep every digit.
+SceneWidget::Move SceneWidget::moved_to(const QPointF& at_px, bool snap) const {
   const core::Mat3 picture_from_world = press_.camera.picture_from_world();
   const core::Vec3 at_picture = picture_from_world * (press_.object_world_m - press_.camera.focus_world_m);
   const double scale = press_.camera.scale_at(-at_picture.z);
   if (scale <= 0.0) return {};
-  const core::Vec3 delta =
-      core::transposed(picture_from_world) * core::Vec3{step_px.x() / scale, -step_px.y() / scale, 0.0};
+  const QPointF step_px = at_px - press_.at_px;
+  core::Vec3 delta = core::transposed(picture_from_world) * core::Vec3{step_px.x() / scale, -step_px.y() / scale, 0.0};
+  if (press_.point) {
+    const auto level = [&](const QPointF& at) {
+      return picture::level_under(press_.camera, at.x(), at.y(), press_.object_world_m);
+    };
+    const auto from = level(press_.at_px);
+    const auto to = level(at_px);
+    if (from && !to) return {};  // Beyond the horizon.
+    if (from) delta = *to - *from;
+  }
   const double fine = picture::round_below(fine_px * options_.pixel_scale / scale);
-  if (!snap) return rounded(delta, fine);
+  if (!snap) return {rounded(delta, fine), fine};
   const double step = picture::round_below(snap_px * options_.pixel_scale / scale);
   const auto snapped = [&](double from, double by) {
     return std::abs(by) < 0.1 * fine ? 0.0 : core::rounded_to(from + by, step) - from;
   };
-  return {snapped(press_.object_world_m.x, delta.x), snapped(press_.object_world_m.y, delta.y),
-          snapped(press_.object_world_m.z, delta.z)};
+  return {{snapped(press_.object_world_m.x, delta.x), snapped(press_.object_world_m.y, delta.y),
+           snapped(press_.object_world_m.z, delta.z)},
+          step};
 }
 
 void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
@@ -107,12 +132,21 @@ void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers mod
       break;
     }
     case Gesture::move:
-      emit dragged_to(*press_.on, moved_by(step, modifiers.testFlag(Qt::ShiftModifier)));
+      move_object(moved_to(at_px, modifiers.testFlag(Qt::ShiftModifier)));
       redraw();
       break;
     case Gesture::none:
     case Gesture::pressed: break;
   }
+}
+
+void SceneWidget::move_object(const Move& move) {
+  if (press_.point)
+    emit path_dragged_to(*press_.point, move.delta_world_m, move.resolution_m);
+  else
+    emit dragged_to(*press_.on, move.delta_world_m);
+  const core::Vec3 now = press_.object_world_m + move.delta_world_m;
+  emit pointed_at(press_.point ? place_of_point(*press_.point).value_or(now) : now);
 }
 
 // Leaves everything as the gesture made it.
@@ -128,7 +162,9 @@ void SceneWidget::mouseMoveEvent(QMouseEvent* event) {
   // A dialog or another window may have taken the release.
   if (press_.gesture != Gesture::none && !event->buttons().testFlag(press_.button)) end_gesture();
   if (press_.gesture == Gesture::none) {
-    set_hovered(picked_at(at_px));
+    set_hovered_point(path_point_at(at_px));
+    set_hovered(options_.hovered_point ? std::nullopt : picked_at(at_px));
+    tell_place(at_px);
     return;
   }
   const double drag_px = QApplication::startDragDistance() * options_.pixel_scale;
@@ -168,14 +204,26 @@ void SceneWidget::wheelEvent(QWheelEvent* event) {
 }
 
 void SceneWidget::leaveEvent(QEvent*) {
-  if (press_.gesture == Gesture::none) set_hovered(std::nullopt);
+  if (press_.gesture != Gesture::none) return;
+  set_hovered(std::nullopt);
+  set_hovered_point(std::nullopt);
+  emit pointed_at(std::nullopt);
+}
+
+void SceneWidget::tell_place(const QPointF& at_px) {
+  if (options_.hovered_point)
+    emit pointed_at(place_of_point(*options_.hovered_point));
+  else if (options_.hovered && picture::place_of(snapshot_, *options_.hovered))
+    emit pointed_at(picture::place_of(snapshot_, *options_.hovered));
+  else
+    emit pointed_at(picture::ground_under(camera_, at_px.x(), at_px.y(), earth_));
 }
 
 void SceneWidget::take_gesture_back() {
   const Gesture gesture = press_.gesture;
   press_.gesture = Gesture::none;
   if (gesture == Gesture::move) {
-    emit dragged_to(*press_.on, core::Vec3{});
+    move_object({});
     emit drag_ended();
   } else if (gesture != Gesture::pressed) {
     change_camera(press_.camera);

@@ -33,6 +33,13 @@ constexpr double frame_parts = 1e5;  // of the span: times that playing announce
 
 QString time_text(double time_s) { return QString::fromStdString(scene::quantity_text(time_s, scene::Quantity::time)); }
 
+// To a millisecond; what the clock shows within it is in the field.
+QString utc_text(const radar::Instant& epoch, double time_s) {
+  if (!(std::abs(time_s) < 1e12)) return {};
+  const std::string text = radar::format_instant(radar::later(epoch, time_s), radar::TimeScale::utc, 3);
+  return QString::fromStdString(text);
+}
+
 // Marks a field whose text cannot be taken and says why, or takes the mark off where `failure` is empty. The mark is a
 // thicker frame, so that it is not told by colour alone.
 void mark(QLineEdit& field, const QString& failure) {
@@ -138,6 +145,11 @@ void TimeBar::add_buttons() {
 void TimeBar::add_fields() {
   time_field_ = make_field(this, "time_field", tr("Time"), tr("Time of the scene; any unit: 0.1 s, 5 ms"));
   connect(time_field_, &QLineEdit::editingFinished, this, &TimeBar::take_time_text);
+  utc_ = new QLabel(this);
+  utc_->setObjectName(QStringLiteral("utc_label"));
+  utc_->setAccessibleName(tr("Time, UTC"));
+  utc_->setToolTip(tr("The time of the scene as UTC, from the epoch of the world"));
+  utc_->hide();
   step_field_ = make_field(this, "step_field", tr("Step"), tr("How far Earlier and Later go; any unit: 0.1 s, 5 ms"));
   step_field_->setText(time_text(step_s_));
   connect(step_field_, &QLineEdit::editingFinished, this, &TimeBar::take_step_text);
@@ -172,6 +184,7 @@ void TimeBar::lay_out() {
   row->addWidget(scrubber_, 3);
   row->addWidget(label(tr("Time"), time_field_));
   row->addWidget(time_field_, 1);
+  row->addWidget(utc_);
   row->addWidget(label(tr("Step"), step_field_));
   row->addWidget(step_field_, 1);
   row->addWidget(label(tr("Speed"), speed_box_));
@@ -185,6 +198,15 @@ void TimeBar::set_span(double first_s, double last_s) {
   if (!std::isfinite(first_s) || !std::isfinite(last_s) || !(first_s < last_s)) return;
   span_s_ = {first_s, last_s};
   scrubber_->setToolTip(tr("%1 to %2").arg(time_text(first_s), time_text(last_s)));
+  show_time();
+}
+
+void TimeBar::set_epoch(const std::optional<radar::Instant>& epoch) {
+  if (epoch == epoch_) return;
+  epoch_ = epoch;
+  utc_->setVisible(epoch.has_value());
+  time_field_->setToolTip(epoch ? tr("Time of the scene; any unit: 0.1 s, 5 ms; or UTC: 2026-05-01T12:00:00Z")
+                                : tr("Time of the scene; any unit: 0.1 s, 5 ms"));
   show_time();
 }
 
@@ -210,6 +232,7 @@ void TimeBar::show_time() {
   const double part = (time_s_ - span_s_[0]) / (span_s_[1] - span_s_[0]);
   const QSignalBlocker quiet(scrubber_);
   scrubber_->setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * scrubber_steps)));
+  if (epoch_) utc_->setText(utc_text(*epoch_, time_s_));
   // What is being typed stays.
   if (!(time_field_->hasFocus() && time_field_->isModified())) {
     time_field_->setText(time_text(time_s_));
@@ -219,10 +242,21 @@ void TimeBar::show_time() {
 
 void TimeBar::take_time_text() {
   if (!time_field_->isModified()) return;
-  if (const auto time_s = taken_from(*time_field_)) {
+  if (const auto time_s = typed_time()) {
     set_time(*time_s);
     show_time();
   }
+}
+
+// Seconds, or a moment where the world has an epoch: only a date has two hyphens.
+std::optional<double> TimeBar::typed_time() {
+  const std::string text = time_field_->text().trimmed().toStdString();
+  if (!epoch_ || std::ranges::count(text, '-') < 2) return taken_from(*time_field_);
+  const radar::InstantReading reading = radar::parse_instant(text, radar::TimeScale::utc);
+  mark(*time_field_, QString::fromStdString(reading.failure));
+  if (!reading.instant) return std::nullopt;
+  time_field_->setModified(false);
+  return core::tidy(radar::seconds_between(*epoch_, *reading.instant));
 }
 
 void TimeBar::take_step_text() {

@@ -5,9 +5,13 @@
 #include <QWidget>
 
 #include <array>
+#include <optional>
+
+#include "radar/earth/instant.hpp"
 
 class QCheckBox;
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QSlider;
 class QToolButton;
@@ -33,6 +37,8 @@ class TimeBar : public QWidget {
 
   /// Ends that are no numbers, or not in order, are passed over.
   void set_span(double first_s, double last_s);
+  /// What time 0 of the scene is: with it the time is shown, and can be typed, as UTC too.
+  void set_epoch(const std::optional<radar::Instant>& epoch);
   /// A step of 0 is none. What is no number, or negative, is passed over.
   void set_step(double step_s);
 
@@ -58,6 +64,7 @@ class TimeBar : public QWidget {
   void add_fields();
   void lay_out();
   void take_time_text();
+  [[nodiscard]] std::optional<double> typed_time();
   void take_step_text();
   void show_time();
   void advance();
@@ -74,6 +81,8 @@ class TimeBar : public QWidget {
   QToolButton* later_button_ = nullptr;
   QSlider* scrubber_ = nullptr;
   QLineEdit* time_field_ = nullptr;
+  QLabel* utc_ = nullptr;
+  std::optional<radar::Instant> epoch_;
   QLineEdit* step_field_ = nullptr;
   QComboBox* speed_box_ = nullptr;
   QCheckBox* loop_box_ = nullptr;

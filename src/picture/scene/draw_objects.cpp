@@ -17,6 +17,7 @@ constexpr double lobe_px = 60.0;
 constexpr int rim_points = 16;
 constexpr double platform_axis_px = 50.0;
 constexpr double normal_px = 20.0;
+constexpr double path_point_px = 7.0;
 
 // What is selected or hovered is told by size as well as by colour.
 double emphasis_px(const Pen& pen, const scene::ObjectId& id) {
@@ -145,6 +146,27 @@ void draw_trail(Pen& pen, const Snapshot::Platform& platform) {
     pen.world_line(trail[i - 1], trail[i], pen.role_of(platform.id, Role::faint), 1.0);
 }
 
+void draw_square(Pen& pen, const PicturePoint& at, double side_px, Role role) {
+  const double half = 0.5 * pen.px(side_px);
+  const auto corner = [&](double x, double y) { return PicturePoint{at.x + x * half, at.y + y * half, at.depth_m}; };
+  const std::array<PicturePoint, 4> corners{corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+  for (std::size_t i = 0; i < corners.size(); ++i) pen.line(corners[i], corners[(i + 1) % corners.size()], role, 2.0);
+}
+
+// The whole of a path with the points that make it.
+void draw_path(Pen& pen, const Snapshot::Platform& platform) {
+  const std::vector<core::Vec3>& path = platform.path_world_m;
+  for (std::size_t i = 1; i < path.size(); ++i) pen.world_line(path[i - 1], path[i], Role::selected, 1.0, true);
+  const auto& hovered = pen.options().hovered_point;
+  for (std::size_t i = 0; i < platform.path_points_world_m.size(); ++i) {
+    const auto at = pen.project(platform.path_points_world_m[i]);
+    if (!at || !pen.visible(*at)) continue;
+    const bool is_hovered = hovered == PathPointId{platform.id, i};
+    draw_square(pen, *at, path_point_px + (is_hovered ? 4.0 : 0.0), is_hovered ? Role::hovered : Role::selected);
+    pen.handle(platform.id, *at, i);
+  }
+}
+
 void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
   const DrawingOptions& options = pen.options();
   const auto at = pen.project(platform.pose.position_world_m);
@@ -223,6 +245,7 @@ void draw_platforms(Pen& pen, const std::vector<Snapshot::Platform>& platforms) 
   for (const Snapshot::Platform& platform : platforms) {
     if (pen.hidden(platform.id)) continue;
     if (pen.options().trails) draw_trail(pen, platform);
+    if (pen.selected(platform.id)) draw_path(pen, platform);
     draw_platform(pen, platform);
   }
 }

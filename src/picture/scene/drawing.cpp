@@ -42,7 +42,10 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
 
 std::vector<core::Vec3> points_of(const Snapshot& snapshot) {
   std::vector<core::Vec3> points;
-  for (const Snapshot::Platform& platform : snapshot.platforms) points.push_back(platform.pose.position_world_m);
+  for (const Snapshot::Platform& platform : snapshot.platforms) {
+    points.push_back(platform.pose.position_world_m);
+    points.insert(points.end(), platform.path_points_world_m.begin(), platform.path_points_world_m.end());
+  }
   for (const Snapshot::Target& target : snapshot.targets) points.push_back(target.position_world_m);
   for (const Snapshot::Target& point : snapshot.cloud_points) points.push_back(point.position_world_m);
   for (const Snapshot::Surface& surface : snapshot.surfaces)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +11,14 @@
 #include "picture/scene/snapshot.hpp"
 
 namespace sarsim::picture {
+
+/// A point of `Snapshot::Platform::path_points_world_m`.
+struct PathPointId {
+  scene::ObjectId platform;
+  std::size_t index = 0;
+
+  friend bool operator==(const PathPointId&, const PathPointId&) = default;
+};
 
 /// What the View menu switches (thesis 4.1.2), and what is set apart.
 struct DrawingOptions {
@@ -25,6 +34,7 @@ struct DrawingOptions {
   double pixel_scale = 1.0;  ///< Device pixels per pixel of the screen: sizes are multiplied by it.
   std::set<scene::ObjectId> selected;
   std::optional<scene::ObjectId> hovered;
+  std::optional<PathPointId> hovered_point;
   std::set<scene::ObjectId> hidden;
 };
 inline constexpr std::size_t coarse_targets = 2000;
@@ -67,6 +77,7 @@ struct Drawing {
     float x = 0.0F;
     float y = 0.0F;
     float depth_m = 0.0F;
+    std::optional<std::size_t> path_point = std::nullopt;  ///< It moves this point of the platform's path.
   };
   std::vector<Polygon> polygons;  ///< Drawn first, farthest first.
   std::vector<Line> lines;        ///< Then lines,
@@ -79,9 +90,10 @@ struct Drawing {
 /// 200 px long with a mark at a round distance, corner triad, platforms with own axes of 50 px and name, targets as
 /// discs of 7 px with drop lines and, where directional, the normal of 20 px, surfaces with their normal, radars as
 /// discs of 10 px with the cone of their beam (50 px, 16 points, 4 ribs) or a dotted circle where isotropic. Beyond
-/// them: a scale bar with the main axes, the names of radars, trails. What is selected or hovered has its own role and
-/// is larger. Marks end at most 64 pixels of the screen outside the picture. Drop lines of platforms and surfaces end
-/// at the world's z = 0. Fills `drawing`, whose room is used again. About 1 ms for 10 000 targets.
+/// them: a scale bar with the main axes, the names of radars, trails, and of selected platforms the points that make
+/// the path, squares of 7 px, on the whole of it. What is selected or hovered has its own role and is larger. Marks end
+/// at most 64 pixels of the screen outside the picture. Drop lines of platforms and surfaces end at the world's z = 0.
+/// Fills `drawing`, whose room is used again. About 1 ms for 10 000 targets.
 void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOptions& options, Drawing& drawing);
 
 /// The object under a picture point: the nearest handle within `reach_px`, targets and radars before platforms, the
@@ -90,7 +102,12 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
 [[nodiscard]] std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot,
                                                     const Camera& camera, double x_px, double y_px, double reach_px);
 
-/// All points of a snapshot that a fitted view should show: objects, not trails.
+/// The point of a platform's path under a picture point: the nearest within `reach_px`, and the one nearer to the
+/// viewer where two are equally near.
+[[nodiscard]] std::optional<PathPointId> picked_path_point(const Drawing& drawing, double x_px, double y_px,
+                                                           double reach_px);
+
+/// All points of a snapshot that a fitted view should show: objects and the points of paths, not trails.
 [[nodiscard]] std::vector<core::Vec3> points_of(const Snapshot& snapshot);
 
 }  // namespace sarsim::picture

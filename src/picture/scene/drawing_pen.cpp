@@ -161,8 +161,9 @@ void Pen::text(double x, double y, const std::string& words, Role role, bool bol
   drawing_.texts.push_back({static_cast<float>(x), static_cast<float>(y), words, role, bold, centred});
 }
 
-void Pen::handle(const scene::ObjectId& id, const PicturePoint& at) {
-  drawing_.handles.push_back({id, static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.depth_m)});
+void Pen::handle(const scene::ObjectId& id, const PicturePoint& at, std::optional<std::size_t> path_point) {
+  drawing_.handles.push_back(
+      {id, static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(at.depth_m), path_point});
 }
 
 Role Pen::role_of(const scene::ObjectId& id, Role usual) const {

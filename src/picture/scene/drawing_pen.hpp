@@ -40,8 +40,8 @@ class Pen {
   void polygon(const std::array<core::Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled);
   /// Words at a place of the picture: the left end of their base line, or its middle.
   void text(double x, double y, const std::string& words, Role role, bool bold, bool centred);
-  /// Makes an object be picked at a point.
-  void handle(const scene::ObjectId& id, const PicturePoint& at);
+  /// Makes an object, or a point of its path, be picked at a point.
+  void handle(const scene::ObjectId& id, const PicturePoint& at, std::optional<std::size_t> path_point = std::nullopt);
 
   [[nodiscard]] bool hidden(const scene::ObjectId& id) const { return options_.hidden.contains(id); }
   [[nodiscard]] bool selected(const scene::ObjectId& id) const { return options_.selected.contains(id); }

@@ -20,11 +20,11 @@ const Drawing::Handle* nearest_handle(const Drawing& drawing, double x_px, doubl
   double nearest = reach_px;
   bool found = false;
   for (const Drawing::Handle& handle : drawing.handles)
-    if (accept(handle.id.kind) && distance(handle) <= nearest) nearest = distance(handle), found = true;
+    if (accept(handle) && distance(handle) <= nearest) nearest = distance(handle), found = true;
   if (!found) return nullptr;
   const Drawing::Handle* best = nullptr;
   for (const Drawing::Handle& handle : drawing.handles)
-    if (accept(handle.id.kind) && distance(handle) <= nearest + same_distance_px &&
+    if (accept(handle) && distance(handle) <= nearest + same_distance_px &&
         (best == nullptr || handle.depth_m < best->depth_m))
       best = &handle;
   return best;
@@ -86,13 +86,23 @@ std::optional<scene::ObjectId> surface_under(const Drawing& drawing, const Snaps
 
 std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
                                       double x_px, double y_px, double reach_px) {
-  const auto small = [](scene::ObjectKind kind) {
+  const auto small = [](const Drawing::Handle& handle) {
+    const scene::ObjectKind kind = handle.id.kind;
     return kind == scene::ObjectKind::target || kind == scene::ObjectKind::cloud || kind == scene::ObjectKind::radar;
   };
-  const auto platform = [](scene::ObjectKind kind) { return kind == scene::ObjectKind::platform; };
+  const auto platform = [](const Drawing::Handle& handle) {
+    return handle.id.kind == scene::ObjectKind::platform && !handle.path_point;
+  };
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, small)) return handle->id;
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, platform)) return handle->id;
   return surface_under(drawing, snapshot, camera, x_px, y_px, reach_px);
+}
+
+std::optional<PathPointId> picked_path_point(const Drawing& drawing, double x_px, double y_px, double reach_px) {
+  const auto of_path = [](const Drawing::Handle& handle) { return handle.path_point.has_value(); };
+  const Drawing::Handle* const handle = nearest_handle(drawing, x_px, y_px, reach_px, of_path);
+  if (handle == nullptr) return std::nullopt;
+  return PathPointId{handle->id, *handle->path_point};
 }
 
 }  // namespace sarsim::picture

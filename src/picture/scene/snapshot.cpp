@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "picture/scene/snapshot_beam.hpp"
+#include "scene/edit/path_points.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/route.hpp"
 #include "scene/model/scene_index.hpp"
@@ -20,6 +21,7 @@ constexpr double longest_time_s = 1e9;        // beyond it a scene's times are n
 constexpr double shortest_envelope_s = 1e-6;  // of an integration envelope; below, steps outnumber integers
 constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass function's knots
 constexpr int trail_steps = 48;
+constexpr int route_steps = 400;
 constexpr std::size_t most_trail_knots = 256;
 constexpr std::size_t most_drawn_cloud_points = 5000;
 
@@ -179,6 +181,13 @@ std::array<double, 2> span_of(const scene::Scene& scene) {
 
 // --- Paths ----------------------------------------------------------------------------------------------------------
 
+// The path of legs or waypoints, in its own frame.
+struct Route {
+  std::vector<core::Vec3> points_m;
+  std::vector<core::Vec3> line_m;
+  std::size_t parent = 0;  // whose frame it is; of the world where there is none
+};
+
 struct Path {
   std::array<core::Interpolator, 3> position_m;
   std::vector<double> knots_s;  // of all three, ascending: where a path of straight lines bends
@@ -212,6 +221,25 @@ Path path_of(const scene::Platform& platform, const radar::Track& track, core::I
   std::ranges::sort(path.knots_s);
   path.knots_s.erase(std::unique(path.knots_s.begin(), path.knots_s.end()), path.knots_s.end());
   return path;
+}
+
+Route route_of(const scene::Platform& platform, std::size_t parent) {
+  Route route{scene::path_points(platform), {}, parent};
+  if (route.points_m.empty()) return route;
+  const radar::SegmentPath path = scene::route_of(platform).path;
+  for (int i = 0; i <= route_steps; ++i)
+    route.line_m.push_back(path.at(path.start_s() + path.duration_s() * i / route_steps).position_world_m);
+  if (!std::ranges::all_of(route.line_m, is_finite)) route.line_m.clear();
+  return route;
+}
+
+// Legs and waypoints that cannot be flown: such a platform stays at the first of them.
+void rest_unless_flown(scene::Platform& platform) {
+  using enum scene::Platform::Path;
+  if ((platform.path != legs && platform.path != waypoints) || scene::route_of(platform).fault.empty()) return;
+  const std::vector<core::Vec3> points = scene::path_points(platform);
+  platform.path = stationary;
+  platform.position_m = points.empty() ? core::Vec3{} : finite_or_zero(points.front());
 }
 
 std::vector<core::Vec3> trail_of(const Path& path, double time_s, double length_s) {
@@ -310,6 +338,7 @@ struct SnapshotMaker::Prepared {
 
   simulate::ResolvedScene resolved;
   std::vector<Path> paths;
+  std::vector<Route> routes;
   std::vector<Target> targets;
   std::vector<Target> cloud_points;  // a few of each cloud, with its number
   std::vector<Surface> surfaces;
@@ -328,6 +357,13 @@ SnapshotMaker::Prepared::Prepared(const scene::Scene& scene) : span_s(span_of(sc
 }
 
 void SnapshotMaker::Prepared::add_platforms(scene::Scene frames) {
+  // Before what cannot be flown is put to rest: the points are what mends it.
+  routes.clear();
+  PlatformFinder platform_of(frames);
+  for (scene::Platform& platform : frames.platforms) {
+    routes.push_back(route_of(platform, platform_of(platform.parent)));
+    rest_unless_flown(platform);
+  }
   try {
     resolved = simulate::resolve(frames);
   } catch (const std::invalid_argument&) {
@@ -435,10 +471,20 @@ void SnapshotMaker::Prepared::put_platforms(const std::vector<Frame>& frames, do
                                             Snapshot& snapshot) const {
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (!frames[i].usable) continue;
+    const Route& route = routes[i];
+    const auto in_world = [&](const std::vector<core::Vec3>& points_m) {
+      if (!frames[route.parent].usable) return std::vector<core::Vec3>();
+      std::vector<core::Vec3> points_world_m;
+      for (const core::Vec3& point : points_m)
+        points_world_m.push_back(radar::world_position_m(frames[route.parent].pose, point));
+      return points_world_m;
+    };
     snapshot.platforms.push_back({{scene::ObjectKind::platform, i},
                                   resolved.platforms[i].name,
                                   frames[i].pose,
-                                  trail_of(paths[i], snapshot.time_s, trail_s)});
+                                  trail_of(paths[i], snapshot.time_s, trail_s),
+                                  in_world(route.points_m),
+                                  in_world(route.line_m)});
   }
 }
 

@@ -21,6 +21,9 @@ struct Snapshot {
     std::string name;
     radar::Pose pose;
     std::vector<core::Vec3> trail_world_m;  ///< Its path around the time; empty where it does not move.
+    /// Of legs and waypoints the points of `scene::path_points`,
+    std::vector<core::Vec3> path_points_world_m;
+    std::vector<core::Vec3> path_world_m;  ///< and the path from the first to the last of them.
   };
   /// Where a target is.
   struct Target {

@@ -1,0 +1,209 @@
+#include <QLabel>
+#include <QMouseEvent>
+#include <QSignalSpy>
+#include <QStandardPaths>
+#include <QTest>
+
+#include "core/maths/constants.hpp"
+#include "gui/common/session.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+#include "gui/scene/time_bar.hpp"
+#include "gui/small_scene.hpp"
+#include "scene/edit/path_points.hpp"
+
+namespace sarsim {
+namespace {
+
+constexpr const char* legs_text = R"(format = "sarsim 2"
+
+[[platform]]
+name = "Plane"
+[platform.path]
+type = "legs"
+start = [0, "-1 km", "1 km"]
+heading = "0 deg"
+speed = "100 m/s"
+legs = [
+  { leg = "straight", length = "2 km" },        # past the target
+  { leg = "turn", angle = "90 deg", radius = "500 m" },
+  { leg = "straight", length = "1 km" },
+]
+
+[[target]]
+position = [0, 0, 0]
+)";
+
+constexpr const char* waypoints_text = R"(format = "sarsim 2"
+
+[world]
+frame = "earth"
+epoch = "2026-05-01T12:00:00Z"
+anchor = { latitude = "54 deg", longitude = "10 deg" }
+
+[[platform]]
+name = "Boat"
+[platform.path]
+type = "waypoints"
+speed = "20 m/s"
+bank = "20 deg"
+waypoints = [
+  { position = { latitude = "54 deg", longitude = "10 deg", height = "0 m" } },
+  { position = { latitude = "54.01 deg", longitude = "10 deg", height = "0 m" } },
+  { position = { latitude = "54.01 deg", longitude = "10.02 deg", height = "0 m" } },
+]
+)";
+
+// A scene panel from above, the first platform selected, so that its path can be taken hold of.
+struct Bench {
+  explicit Bench(const char* text) {
+    session.take(scene::Document::from_text(text));
+    panel.resize(800, 600);
+    panel.show();
+    session.select_only(test::platform(0));
+    panel.scene().look(picture::ViewPreset::top);
+    panel.scene().fit();
+    picture::Camera camera = panel.scene().camera();
+    camera.focus_world_m = points().front();
+    camera.pixels_per_m = 0.1;
+    panel.scene().set_camera(camera);
+  }
+  [[nodiscard]] std::vector<core::Vec3> points() const { return scene::path_points(platform()); }
+  [[nodiscard]] const scene::Platform& platform() const { return session.scene().platforms.at(0); }
+  [[nodiscard]] QPoint place_of(const core::Vec3& world_m) {
+    const auto at = panel.scene().camera().project(world_m);
+    return (QPointF(at->x, at->y) / panel.scene().pixel_scale()).toPoint();
+  }
+  void mouse(QEvent::Type type, QPoint at) {
+    const bool move = type == QEvent::MouseMove;
+    QMouseEvent event(type, at, panel.scene().mapToGlobal(at), move ? Qt::NoButton : Qt::LeftButton,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&panel.scene(), &event);
+  }
+  void drag(QPoint from, QPoint to) {
+    mouse(QEvent::MouseButtonPress, from);
+    mouse(QEvent::MouseMove, from + (to - from) / 2);
+    mouse(QEvent::MouseMove, to);
+    mouse(QEvent::MouseButtonRelease, to);
+  }
+  void hover(QPoint at) {
+    QMouseEvent event(QEvent::MouseMove, at, panel.scene().mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
+    QCoreApplication::sendEvent(&panel.scene(), &event);
+  }
+  [[nodiscard]] QLabel* place() { return panel.findChild<QLabel*>("place_under_pointer"); }
+
+  gui::Session session;
+  gui::ScenePanel panel{session};
+};
+
+}  // namespace
+
+class PathDragTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() {
+    QStandardPaths::setTestModeEnabled(true);
+    QCoreApplication::setOrganizationName("Sarsim test");
+    QCoreApplication::setApplicationName("path_drag_test");
+  }
+
+  void the_end_of_a_leg_follows_the_hand() {
+    Bench bench(legs_text);
+    const std::vector<core::Vec3> before = bench.points();
+    QCOMPARE(before.size(), std::size_t{4});
+    const core::Vec3 to = before[1] + core::Vec3{300.0, 500.0, 0.0};
+    bench.drag(bench.place_of(before[1]), bench.place_of(to));
+    const std::vector<core::Vec3> after = bench.points();
+    QVERIFY(core::norm(after[1] - to) < 2.0 / bench.panel.scene().camera().pixels_per_m);
+    QVERIFY(bench.platform().course.deg() > 5.0);
+    QVERIFY(bench.platform().legs[0].length_m > 2400.0);
+    QCOMPARE(bench.platform().legs[1].angle.deg(), 90.0);
+    QVERIFY(bench.session.document().text().find("# past the target") != std::string::npos);
+    bench.session.undo();
+    QCOMPARE(bench.session.document().text(), std::string(legs_text));
+  }
+
+  void a_leg_behind_a_turn_takes_the_turn_along() {
+    Bench bench(legs_text);
+    const core::Vec3 from = bench.points()[3];
+    const core::Vec3 to = from + core::Vec3{0.0, -700.0, 0.0};
+    bench.drag(bench.place_of(from), bench.place_of(to));
+    QVERIFY(core::norm(bench.points()[3] - to) < 2.0 / bench.panel.scene().camera().pixels_per_m);
+    QVERIFY(bench.platform().legs[1].angle.deg() > 100.0);
+    QCOMPARE(bench.platform().legs[0].length_m, 2000.0);
+  }
+
+  void escape_takes_it_back() {
+    Bench bench(legs_text);
+    const QPoint at = bench.place_of(bench.points()[2]);
+    bench.mouse(QEvent::MouseButtonPress, at);
+    bench.mouse(QEvent::MouseMove, at + QPoint(40, 40));
+    QVERIFY(bench.session.document().text() != legs_text);
+    QTest::keyClick(&bench.panel.scene(), Qt::Key_Escape);
+    QCOMPARE(bench.session.document().text(), std::string(legs_text));
+  }
+
+  void points_are_there_for_selected_platforms_alone() {
+    Bench bench(legs_text);
+    const QPoint at = bench.place_of(bench.points()[2]);
+    bench.hover(at);
+    QVERIFY(bench.panel.scene().options().hovered_point);
+    bench.session.select({});
+    bench.hover(at);
+    QVERIFY(!bench.panel.scene().options().hovered_point);
+    bench.drag(at, at + QPoint(40, 40));
+    QCOMPARE(bench.session.document().text(), std::string(legs_text));
+  }
+
+  void waypoints_on_the_earth_are_moved_on_their_level() {
+    Bench bench(waypoints_text);
+    const core::Vec3 from = bench.points()[1];
+    // Seen from the south at an angle: what goes up in the picture goes north on the ground.
+    picture::Camera camera = bench.panel.scene().camera();
+    camera.azimuth_rad = core::pi;
+    camera.elevation_rad = 0.5;
+    bench.panel.scene().set_camera(camera);
+    const core::Vec3 to = from + core::Vec3{200.0, 400.0, 0.0};
+    bench.drag(bench.place_of(from), bench.place_of(to));
+    const core::Vec3 after = bench.points()[1];
+    QVERIFY(std::abs(after.z - from.z) < 1e-6);
+    QVERIFY(core::norm(after - to) < 4.0 / camera.pixels_per_m);
+    QCOMPARE(bench.points()[0], scene::path_points(scene::Document::from_text(waypoints_text).scene().platforms[0])[0]);
+  }
+
+  void the_place_under_the_pointer_is_told_in_the_worlds_own_terms() {
+    Bench flat(legs_text);
+    QVERIFY(!flat.place()->isVisible());
+    flat.hover(flat.place_of({500.0, -700.0, 0.0}));
+    QVERIFY(flat.place()->isVisible());
+    QCOMPARE(flat.place()->text(), QString("x 500 m  y -700 m  z 0 m"));
+    flat.hover(flat.place_of(flat.points()[1]));
+    QCOMPARE(flat.place()->text(), QString("x 0 m  y 1 km  z 1 km"));
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&flat.panel.scene(), &leave);
+    QVERIFY(!flat.place()->isVisible());
+
+    Bench earth(waypoints_text);
+    earth.hover(earth.place_of(earth.points()[1]));
+    QVERIFY2(earth.place()->text().startsWith("54.01"), qPrintable(earth.place()->text()));
+    QVERIFY(earth.place()->text().contains("° N  10.00000° E  height 0 m"));
+    earth.hover(earth.place_of({-1000.0, 0.0, 0.0}));
+    QVERIFY2(earth.place()->text().contains("9.984"), qPrintable(earth.place()->text()));
+  }
+
+  void time_is_shown_as_utc_where_there_is_an_epoch() {
+    Bench flat(legs_text);
+    QVERIFY(!flat.panel.findChild<QLabel*>("utc_label")->isVisible());
+    Bench earth(waypoints_text);
+    auto* const utc = earth.panel.findChild<QLabel*>("utc_label");
+    QVERIFY(utc->isVisible());
+    earth.session.set_time(90.5);
+    QCOMPARE(utc->text(), QString("2026-05-01T12:01:30.5Z"));
+  }
+};
+
+}  // namespace sarsim
+
+QTEST_MAIN(sarsim::PathDragTest)
+#include "path_drag_test.moc"
