@@ -98,7 +98,8 @@ class TimeBarTest : public QObject {
     bench.bar.set_epoch(epoch.instant);
     bench.type("time_field", "2026-05-01T12:00:12.5Z");
     QCOMPARE(bench.bar.time_s(), 12.5);
-    QCOMPARE(bench.get<QLabel>("utc_label")->text(), QString("2026-05-01T12:00:12.5Z"));
+    QCOMPARE(bench.get<QLabel>("utc_label")->text(), QString("12:00:12.500 UTC"));
+    QVERIFY(bench.get<QLabel>("utc_label")->toolTip().endsWith("2026-05-01T12:00:12.5Z"));
     bench.type("time_field", "2026-05-01 11:59:59");
     QCOMPARE(bench.bar.time_s(), -1.0);
     bench.type("time_field", "2026-13-01T12:00:00Z");

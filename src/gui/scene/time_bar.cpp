@@ -33,11 +33,13 @@ constexpr double frame_parts = 1e5;  // of the span: times that playing announce
 
 QString time_text(double time_s) { return QString::fromStdString(scene::quantity_text(time_s, scene::Quantity::time)); }
 
-// To a millisecond; what the clock shows within it is in the field.
-QString utc_text(const radar::Instant& epoch, double time_s) {
-  if (!(std::abs(time_s) < 1e12)) return {};
-  const std::string text = radar::format_instant(radar::later(epoch, time_s), radar::TimeScale::utc, 3);
-  return QString::fromStdString(text);
+// The clock of a moment to a millisecond, always as wide.
+QString clock_text(const radar::Instant& moment) {
+  const radar::CivilTime clock = radar::civil_of(radar::later(moment, 0.0005), radar::TimeScale::utc);
+  const auto two = [](int number) { return QStringLiteral("%1").arg(number, 2, 10, QLatin1Char('0')); };
+  return QStringLiteral("%1:%2:%3.%4 UTC")
+      .arg(two(clock.hour), two(clock.minute), two(clock.second))
+      .arg(static_cast<int>(clock.fraction_s * 1e3), 3, 10, QLatin1Char('0'));
 }
 
 // Marks a field whose text cannot be taken and says why, or takes the mark off where `failure` is empty. The mark is a
@@ -148,7 +150,6 @@ void TimeBar::add_fields() {
   utc_ = new QLabel(this);
   utc_->setObjectName(QStringLiteral("utc_label"));
   utc_->setAccessibleName(tr("Time, UTC"));
-  utc_->setToolTip(tr("The time of the scene as UTC, from the epoch of the world"));
   utc_->hide();
   step_field_ = make_field(this, "step_field", tr("Step"), tr("How far Earlier and Later go; any unit: 0.1 s, 5 ms"));
   step_field_->setText(time_text(step_s_));
@@ -232,12 +233,21 @@ void TimeBar::show_time() {
   const double part = (time_s_ - span_s_[0]) / (span_s_[1] - span_s_[0]);
   const QSignalBlocker quiet(scrubber_);
   scrubber_->setValue(static_cast<int>(std::lround(std::clamp(part, 0.0, 1.0) * scrubber_steps)));
-  if (epoch_) utc_->setText(utc_text(*epoch_, time_s_));
+  show_utc();
   // What is being typed stays.
   if (!(time_field_->hasFocus() && time_field_->isModified())) {
     time_field_->setText(time_text(time_s_));
     mark(*time_field_, {});
   }
+}
+
+void TimeBar::show_utc() {
+  constexpr double longest_s = 1e12;
+  if (!epoch_ || !(std::abs(time_s_) < longest_s)) return utc_->clear();
+  const radar::Instant moment = radar::later(*epoch_, time_s_);
+  utc_->setText(clock_text(moment));
+  utc_->setToolTip(tr("The time of the scene as UTC, from the epoch of the world: %1")
+                       .arg(QString::fromStdString(radar::format_instant(moment, radar::TimeScale::utc))));
 }
 
 void TimeBar::take_time_text() {

@@ -67,6 +67,7 @@ class TimeBar : public QWidget {
   [[nodiscard]] std::optional<double> typed_time();
   void take_step_text();
   void show_time();
+  void show_utc();
   void advance();
 
   std::array<double, 2> span_s_{0.0, 1.0};

@@ -41,6 +41,7 @@ double half_cell(const std::vector<double>& centres) {
 // What a map of cells is drawn from: [up][across].
 struct Cells {
   const std::vector<double>& across;  // Centres of the cells.
+  double half_across;                 // Of a cell's width.
   const std::vector<double>& up;
   const std::vector<std::complex<double>>& samples;
 };
@@ -54,9 +55,8 @@ FigureImage map_image(const Cells& map, const std::vector<double>& level_db, con
   FigureImage image;
   image.width = (columns + step - 1) / step;
   image.height = map.up.size();
-  const double half_across = half_cell(map.across);
-  image.x_first = map.across.front() - half_across;
-  image.x_last = image.x_first + 2.0 * half_across * static_cast<double>(image.width * step);
+  image.x_first = map.across.front() - map.half_across;
+  image.x_last = image.x_first + 2.0 * map.half_across * static_cast<double>(image.width * step);
   image.y_first = map.up.front() - half_cell(map.up);
   image.y_last = map.up.back() + half_cell(map.up);
   image.cells.reserve(image.width * image.height);
@@ -78,12 +78,14 @@ void add_doppler_map(Figure& figure, const EchoBlock& block, const Cells& map, F
   std::vector<double> level_db;
   level_db.reserve(map.samples.size());
   for (const std::complex<double>& sample : map.samples)
-    level_db.push_back(value_of(DisplayQuantity::decibels, sample, reference_v(decibels, statistics)));
+    level_db.push_back(sample == std::complex<double>()
+                           ? limits.low
+                           : value_of(DisplayQuantity::decibels, sample, reference_v(decibels, statistics)));
   FigurePanel& panel = figure.panels.emplace_back();
   panel.image = map_image(map, level_db, limits, colours);
   panel.x = std::move(across);
   panel.x.first = panel.image->x_first;
-  panel.x.last = map.across.back() + half_cell(map.across);
+  panel.x.last = map.across.back() + map.half_across;
   panel.y = {"Doppler frequency", "Hz", panel.image->y_first, panel.image->y_last, {}};
   panel.y.twin =
       FigureAxis::Twin{"Range rate", "m/s", -radar::range_of_cycle(block.carrier_hz[0], block.light_speed_mps)};
@@ -181,8 +183,8 @@ Figure range_doppler_figure(const EchoBlock& block, std::size_t column, const Ra
   figure.title = std::string(title_of(RadarView::range_doppler));
   figure.note = interval_text(block) + (map.remark.empty() ? "" : "; note: " + map.remark);
   if (block.rows == 0 || block.columns == 0) return figure;
-  add_doppler_map(figure, block, {map.range_m, map.doppler_hz, map.samples}, {"Slant range", "m", 0.0, 1.0, {}},
-                  choice.range_db);
+  add_doppler_map(figure, block, {map.range_m, half_cell(map.range_m), map.doppler_hz, map.samples},
+                  {"Slant range", "m", 0.0, 1.0, {}}, choice.range_db);
 
   std::vector<double> cut;
   for (std::size_t d = 0; d < map.doppler_hz.size(); ++d) cut.push_back(std::abs(map.at(d, column)));
@@ -202,7 +204,12 @@ Figure doppler_time_figure(const EchoBlock& block, std::size_t column, const Rad
   figure.note = fmt::format("Range {}, spectra of {} of {}", core::with_prefix(block.range_m[column], "m"), pulses,
                             interval_text(block)) +
                 (history.remark.empty() ? "" : "; note: " + history.remark);
-  add_doppler_map(figure, block, {history.time_s, history.doppler_hz, history.samples},
+  if (std::ranges::all_of(history.samples, [](std::complex<double> v) { return v == std::complex<double>(); }))
+    figure.note += "; nothing is received at this range";
+  // A single spectrum is as wide as its pulses.
+  const double half_s = history.time_s.size() > 1 ? half_cell(history.time_s)
+                                                  : 0.5 * std::max(block.time_s.back() - block.time_s.front(), 1e-9);
+  add_doppler_map(figure, block, {history.time_s, half_s, history.doppler_hz, history.samples},
                   {"Azimuth time", "s", 0.0, 1.0, {}}, choice.range_db);
   const std::vector<double>& mean_hz = history.mean_hz;
   const std::vector<double>& width_hz = history.width_hz;
