@@ -79,10 +79,10 @@ function(sarsim_test_headers name library)
 endfunction()
 sarsim_test_headers(sarsim_headers_of_tests GTest::gmock <gtest/gtest.h>)
 
-# The same for a library without loops over samples, in the release: `level` is that of -O. A third of the time that commands
-# take to compile is spent on optimising what runs once.
+# The same for a library without loops over samples: `level` is that of -O in the release; for tests 1 is enough. A third of
+# the time that commands take to compile is spent on optimising what runs once.
 function(sarsim_optimise_less target level)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}>)
+  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O${level}> $<$<CONFIG:RelWithDebInfo>:-O1>)
 endfunction()
 
 # Gives the program or library `target` the headers that `from` has precompiled.

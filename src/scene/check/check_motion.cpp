@@ -153,7 +153,7 @@ void check_route(Findings& findings, const Platform& platform) {
   if (!made.fault.empty())
     return findings.error(legs ? "legs" : "waypoints",
                           {.message = made.fault, .found = {}, .expected = {}, .hint = {}});
-  constexpr double noticed_step_mps = 1e-6;
+  constexpr double noticed_step_mps = 1e-3;  // A change of the Doppler frequency of 0.07 Hz at 3 cm.
   if (made.path.largest_step_mps() > noticed_step_mps)
     findings.warning(Consequence::false_signal, legs ? "legs" : "waypoints",
                      {.message = "the velocity of the path steps",
