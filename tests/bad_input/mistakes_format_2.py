@@ -370,6 +370,11 @@ def routes():
         legs('{ leg = "turn", angle = "90 deg", bank = "20 deg", radius = "2 km" }', "The speed and one of them give the other.",
              "both bank and radius"),
         legs('{ leg = "climb-to", height = "4 km" }', "How fast?", "leg 1 lacks a rate"),
+        legs('@{ leg = "climb-to", rate = "5 m/s" }', "How high?", "leg 1 lacks the height"),
+        legs('{ leg = "straight", length = "2 km" }, @{ leg = "turn-to", bank = "20 deg" }', "To which heading?", "leg 2 lacks the heading"),
+        legs('{ leg = "straight", length = "2 km", @radius = "3 km" }', "A straight leg has no radius.", "belongs to leg turn, turn-to or circle"),
+        legs('{ leg = "climb", duration = "20 s", rate = "5 m/s", rounding = "0.1 m/s2" }', "Its ends take all of the climb.",
+             "too short to reach its rate", status=0),
         legs('{ leg = "straight", @lenght = "2 km" }', "A word is misspelt.", "did you mean 'length'"),
         legs('{ leg = @"loop", length = "2 km" }', "There is no such leg.", "unknown kind of leg"),
         legs('@"straight"', "A leg is a table.", "not a table"),
@@ -401,7 +406,7 @@ def motions():
 
     return [
         plane('oscillations = [{ axis = @"surge", amplitude = "1 m" }]', "There is no such axis.", "expected x, y, z"),
-        plane('oscillations = [{ axis = "roll", @amplitude = "1 deg" }]', "The amplitude of a roll is its angle.", "no field 'amplitude'"),
+        plane('oscillations = [{ axis = "roll", @amplitude = "1 deg" }]', "The amplitude of a roll is its angle.", "belongs to axis x, y or z"),
         plane('position_error = { type = "gusts", turbulence = @"extreme" }', "Light, moderate or severe.", "expected light"),
         plane('position_error = { type = "gusts", airspeed = @"0 m/s" }', "Who does not move meets no gusts.", "airspeed is out of"),
         plane('waves = { type = @"sea" }', "There are no such waves.", "unknown kind of waves"),

@@ -14,6 +14,7 @@ using Segments = std::vector<PathSegment>;
 struct LegMade {
   Segments segments;
   std::string fault;
+  std::optional<SlowClimb> slow = {};
 };
 
 LegMade fault_of_leg(std::string text) { return {{}, std::move(text)}; }
@@ -146,6 +147,16 @@ PathSegment climbing(PathSegment from, double duration_s, double rate_mps, doubl
   return from;
 }
 
+// Whether the ends of a climb meet before its rate is reached. What it reaches goes with the rounding, to a height with
+// its root.
+std::optional<SlowClimb> slow_climb(const ClimbLeg& leg, const ClimbTimes& times) {
+  const double rate = std::abs(leg.rate_mps);
+  const double reached = std::abs(times.rate_mps);
+  if (reached == 0.0 || reached >= rate) return std::nullopt;
+  const double share = rate / reached;
+  return SlowClimb{0, reached, leg.rounding_mps2 * (leg.height_m ? share * share : share)};
+}
+
 LegMade segments_of(const ClimbLeg& leg, const PathSegment& now) {
   if (std::string fault = fault_of_climb(leg); !fault.empty()) return fault_of_leg(std::move(fault));
   const ClimbTimes times = climb_times(leg, now.position_world_m.z);
@@ -154,7 +165,7 @@ LegMade segments_of(const ClimbLeg& leg, const PathSegment& now) {
   const double a = std::copysign(leg.rounding_mps2, times.rate_mps);
   const PathSegment up = climbing(now, times.ramp_s, 0.0, a);
   const PathSegment steady = climbing(after(up), steady_s, times.rate_mps, 0.0);
-  return {{up, steady, climbing(after(steady), times.ramp_s, times.rate_mps, -a)}, {}};
+  return {{up, steady, climbing(after(steady), times.ramp_s, times.rate_mps, -a)}, {}, slow_climb(leg, times)};
 }
 
 const char* name_of(const Leg& leg) {
@@ -193,16 +204,19 @@ PathMade leg_path(const PathStart& start, const std::vector<Leg>& legs) {
   now.heading_rad = start.heading_rad;
   now.speed_mps = start.speed_mps;
   Segments all{now};
+  std::vector<SlowClimb> slow;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     LegMade made = std::visit([&now](const auto& leg) { return segments_of(leg, now); }, legs[i]);
     if (made.fault.empty()) now = level(after(made.segments.back()));
     if (made.fault.empty() && lost(now)) made.fault = "it leads beyond all numbers";
-    if (!made.fault.empty()) return {{}, "leg " + std::to_string(i + 1) + " (" + name_of(legs[i]) + "): " + made.fault};
+    if (!made.fault.empty())
+      return {{}, "leg " + std::to_string(i + 1) + " (" + name_of(legs[i]) + "): " + made.fault, i, {}};
+    if (made.slow) slow.push_back({i, made.slow->reached_mps, made.slow->needed_rounding_mps2});
     now.speed_mps = std::max(0.0, now.speed_mps);
     all.insert(all.end(), made.segments.begin(), made.segments.end());
   }
   all.push_back(now);
-  return {SegmentPath(start.time_s, std::move(all)), {}};
+  return {SegmentPath(start.time_s, std::move(all)), {}, {}, std::move(slow)};
 }
 
 std::vector<Leg> racetrack(double length_m, const TurnSize& size, TurnSide side) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,10 +58,19 @@ class SegmentPath {
   std::vector<double> begins_;  // of each segment, in s after start_s_
 };
 
+/// A climb that is too short to reach its rate between its rounded ends.
+struct SlowClimb {
+  std::size_t leg = 0;                ///< Position.
+  double reached_mps = 0.0;           ///< Magnitude of the greatest vertical speed.
+  double needed_rounding_mps2 = 0.0;  ///< With this or more it would reach its rate.
+};
+
 /// A path, or why there is none.
 struct PathMade {
   SegmentPath path;
-  std::string fault;  ///< Empty where the path was made.
+  std::string fault;                   ///< Empty where the path was made.
+  std::optional<std::size_t> at = {};  ///< Position of the leg or waypoint that the fault is about, where it is one's.
+  std::vector<SlowClimb> slow_climbs = {};
 };
 
 }  // namespace sarsim::radar

@@ -1,6 +1,7 @@
 #include "radar/motion/waypoints.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/text/number_text.hpp"
@@ -26,6 +27,12 @@ struct Corner {
   [[nodiscard]] double arc_m() const { return radius_m * std::abs(angle_rad); }
 };
 
+// What is wrong with a route, and at which waypoint.
+struct RouteFault {
+  std::string text;
+  std::optional<std::size_t> at = {};
+};
+
 std::string metres(double length_m) { return core::with_prefix(length_m, "m", 6); }
 std::string waypoint_name(std::size_t i) { return "waypoint " + std::to_string(i + 1); }
 std::string leg_name(std::size_t i) {
@@ -34,17 +41,17 @@ std::string leg_name(std::size_t i) {
 
 bool finite_point(const core::Vec3& p) { return std::isfinite(p.x + p.y + p.z); }
 
-std::string fault_of_numbers(const WaypointRoute& route) {
-  if (route.waypoints.size() < 2) return "a route needs at least two waypoints";
+RouteFault fault_of_numbers(const WaypointRoute& route) {
+  if (route.waypoints.size() < 2) return {"a route needs at least two waypoints"};
   if (!std::isfinite(route.start_s + route.speed_mps + route.bank_rad + route.acceleration_mps2))
-    return "a number is not finite";
-  if (route.acceleration_mps2 < 0.0) return "the acceleration is negative";
+    return {"a number is not finite"};
+  if (route.acceleration_mps2 < 0.0) return {"the acceleration is negative"};
   const bool turns = route.waypoints.size() > 2;
-  if (turns && route.bank_rad == 0.0) return "the bank is 0";
+  if (turns && route.bank_rad == 0.0) return {"the bank is 0"};
   if (turns && !(route.bank_rad > 0.0 && route.bank_rad < core::pi / 2.0))
-    return "the bank is not between 0 and 90 degrees";
+    return {"the bank is not between 0 and 90 degrees"};
   for (std::size_t i = 0; i < route.waypoints.size(); ++i)
-    if (!finite_point(route.waypoints[i].position_world_m)) return waypoint_name(i) + ": a number is not finite";
+    if (!finite_point(route.waypoints[i].position_world_m)) return {waypoint_name(i) + ": a number is not finite", i};
   return {};
 }
 
@@ -59,12 +66,12 @@ std::vector<RouteLeg> route_legs(const WaypointRoute& route) {
   return legs;
 }
 
-std::string fault_of_legs(const std::vector<RouteLeg>& legs) {
+RouteFault fault_of_legs(const std::vector<RouteLeg>& legs) {
   for (std::size_t i = 0; i < legs.size(); ++i) {
-    if (!(legs[i].length_m > 0.0)) return leg_name(i) + " has no length, seen from above";
-    if (!std::isfinite(legs[i].length_m)) return leg_name(i) + " is too long for a number";
+    if (!(legs[i].length_m > 0.0)) return {leg_name(i) + " has no length, seen from above", i + 1};
+    if (!std::isfinite(legs[i].length_m)) return {leg_name(i) + " is too long for a number", i + 1};
     if (!(legs[i].speed_mps > 0.0 && std::isfinite(legs[i].speed_mps)))
-      return waypoint_name(i) + ": the speed is not positive";
+      return {waypoint_name(i) + ": the speed is not positive", i};
   }
   return {};
 }
@@ -99,16 +106,18 @@ std::string needs_of(const std::vector<Corner>& corners, std::size_t i, double c
   return text;
 }
 
-std::string fault_of_fit(const std::vector<RouteLeg>& legs, const std::vector<Corner>& corners, double acceleration) {
+RouteFault fault_of_fit(const std::vector<RouteLeg>& legs, const std::vector<Corner>& corners, double acceleration) {
   constexpr double half_turn_rad = core::pi - 1e-6;
   for (std::size_t i = 1; i < legs.size(); ++i)
-    if (std::abs(corners[i].angle_rad) > half_turn_rad) return waypoint_name(i) + ": the route turns back on itself";
+    if (std::abs(corners[i].angle_rad) > half_turn_rad)
+      return {waypoint_name(i) + ": the route turns back on itself", i};
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const double change = change_m(legs, i, acceleration);
     const double needed = corners[i].tangent_m + change + corners[i + 1].tangent_m;
     if (needed > legs[i].length_m * (1.0 + 1e-12))
-      return leg_name(i) + " must be " + metres(needed) + " long and is " + metres(legs[i].length_m) +
-             needs_of(corners, i, change);
+      return {leg_name(i) + " must be " + metres(needed) + " long and is " + metres(legs[i].length_m) +
+                  needs_of(corners, i, change),
+              i + 1};
   }
   return {};
 }
@@ -175,12 +184,13 @@ void lay_leg(Layer& layer, const std::vector<RouteLeg>& legs, const std::vector<
 }  // namespace
 
 PathMade waypoint_path(const WaypointRoute& route) {
-  if (std::string fault = fault_of_numbers(route); !fault.empty()) return {{}, std::move(fault)};
+  const auto fault_made = [](RouteFault& fault) { return PathMade{{}, std::move(fault.text), fault.at, {}}; };
+  if (RouteFault fault = fault_of_numbers(route); !fault.text.empty()) return fault_made(fault);
   const std::vector<RouteLeg> legs = route_legs(route);
-  if (std::string fault = fault_of_legs(legs); !fault.empty()) return {{}, std::move(fault)};
+  if (RouteFault fault = fault_of_legs(legs); !fault.text.empty()) return fault_made(fault);
   const std::vector<Corner> corners = corners_of(legs, route.bank_rad);
-  if (std::string fault = fault_of_fit(legs, corners, route.acceleration_mps2); !fault.empty())
-    return {{}, std::move(fault)};
+  if (RouteFault fault = fault_of_fit(legs, corners, route.acceleration_mps2); !fault.text.empty())
+    return fault_made(fault);
   Layer layer(route.waypoints.front().position_world_m, legs.front().heading_rad);
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const double rise = route.waypoints[i + 1].position_world_m.z - route.waypoints[i].position_world_m.z;

@@ -122,6 +122,9 @@ std::string_view lack_of(const Leg& leg) {
   return tight ? "" : "a bank or a radius";
 }
 
+// The field of one of a list.
+std::string entry_of(std::string_view list, std::size_t entry) { return fmt::format("{}[{}]", list, entry); }
+
 // Whether all legs say what they need to be flown.
 bool check_legs(Findings& findings, const Platform& platform) {
   bool sound = true;
@@ -133,13 +136,23 @@ bool check_legs(Findings& findings, const Platform& platform) {
   for (std::size_t i = 0; i < platform.legs.size(); ++i) {
     const std::string_view lack = lack_of(platform.legs[i]);
     if (lack.empty()) continue;
-    findings.error("legs", {.message = fmt::format("leg {} lacks {}", i + 1, lack),
-                            .found = {},
-                            .expected = fmt::format("{} that is not 0", lack),
-                            .hint = {}});
+    findings.error(entry_of("legs", i), {.message = fmt::format("leg {} lacks {}", i + 1, lack),
+                                         .found = {},
+                                         .expected = fmt::format("{} that is not 0", lack),
+                                         .hint = {}});
     sound = false;
   }
   return sound && !platform.legs.empty();
+}
+
+void warn_slow_climb(Findings& findings, const Platform& platform, const radar::SlowClimb& slow) {
+  const Leg& leg = platform.legs[slow.leg];
+  findings.warning(
+      Consequence::surprise, entry_of("legs", slow.leg),
+      {.message = fmt::format("leg {} is too short to reach its rate of climb with that rounding", slow.leg + 1),
+       .found = fmt::format("{} at most", value_text(slow.reached_mps, "m/s")),
+       .expected = value_text(std::abs(leg.rate_mps), "m/s"),
+       .hint = fmt::format("A rounding of {} or more reaches it.", value_text(slow.needed_rounding_mps2, "m/s2"))});
 }
 
 void check_route(Findings& findings, const Platform& platform) {
@@ -150,12 +163,14 @@ void check_route(Findings& findings, const Platform& platform) {
         "speed_mps", {.message = "the path has no speed", .found = {}, .expected = "speed = \"100 m/s\"", .hint = {}});
   if (legs && !check_legs(findings, platform)) return;
   const radar::PathMade made = route_of(platform);
+  const std::string list = legs ? "legs" : "waypoints";
   if (!made.fault.empty())
-    return findings.error(legs ? "legs" : "waypoints",
+    return findings.error(made.at ? entry_of(list, *made.at) : list,
                           {.message = made.fault, .found = {}, .expected = {}, .hint = {}});
+  for (const radar::SlowClimb& slow : made.slow_climbs) warn_slow_climb(findings, platform, slow);
   constexpr double noticed_step_mps = 1e-3;  // A change of the Doppler frequency of 0.07 Hz at 3 cm.
   if (made.path.largest_step_mps() > noticed_step_mps)
-    findings.warning(Consequence::false_signal, legs ? "legs" : "waypoints",
+    findings.warning(Consequence::false_signal, list,
                      {.message = "the velocity of the path steps",
                       .found = fmt::format("by up to {}", value_text(made.path.largest_step_mps(), "m/s")),
                       .expected = "a path that is rounded off",

@@ -6,6 +6,7 @@
 #include "core/maths/constants.hpp"
 #include "core/toml/values.hpp"
 #include "scene/language/object_reader.hpp"
+#include "scene/language/plain_table.hpp"
 
 /// What stands in tables within an object: the elements of lists, and places on the Earth.
 namespace sarsim::scene::language {
@@ -23,6 +24,9 @@ const std::vector<std::string>& keys_of() {
   }();
   return keys;
 }
+
+// Places of more entries of a list are not kept: they take the place of the list.
+constexpr std::size_t placed_entries = 1000;
 
 FieldSpec place_spec(std::string_view id, std::string_view words, Quantity quantity, const Range& range) {
   FieldSpec spec;
@@ -60,22 +64,39 @@ void ObjectReader::read_list(const FieldSpec& spec, const Leaf& leaf, std::vecto
         leaf.value.span, spec.problem_place(),
         {fmt::format("{} is not an array", leaf.path), std::string(noun_of(leaf.value.kind)), "[{ ... }, { ... }]"});
   toml::Elements elements(source_.text, leaf.value);
+  const PlainTable& entries = element_table(spec.list);
   list.clear();
-  while (const auto element = elements.next()) {
+  for (std::size_t entry = 0; const auto element = elements.next(); ++entry) {
     if (reading_.log.full()) return;
+    if (entry < placed_entries) note_place(fmt::format("{}[{}]", spec.problem_place(), entry), element->value.span);
+    const std::string name = fmt::format("{} {}", entries.header, entry + 1);
     if (element->value.kind != toml::Kind::table) {
-      error(element->value.span, spec.problem_place(),
-            {fmt::format("entry {} of {} is not a table", list.size() + 1, leaf.path),
-             std::string(noun_of(element->value.kind)), "{ key = value, ... }"});
+      error(
+          element->value.span, spec.problem_place(),
+          {fmt::format("{} is not a table", name), std::string(noun_of(element->value.kind)), "{ key = value, ... }"});
       continue;
     }
     ObjectTexts texts(source_.text, source_.document);
     ObjectText text = texts.inner(element->value);
-    text.kind = leaf.path;
-    ObjectReader inner(*this, text, spec.problem_place());
-    inner.read(list.emplace_back());
+    text.kind = name;
+    ObjectReader inner(*this, text, spec.problem_place(), &entries);
+    Element& read = list.emplace_back();
+    inner.read(read);
+    inner.report_lacks(read, element->value.span);
     inner.finish(keys_of<Element>());
   }
+}
+
+// What has no default and is not said. A word that nobody knows may be it, misspelt.
+template <class Element>
+void ObjectReader::report_lacks(const Element& element, toml::Span at) {
+  if (!std::ranges::all_of(text_.leaves, &Leaf::used)) return;
+  const FieldTable<Element>& table = table_of<Element>();
+  for (const FieldOf<Element>& field : table.fields())
+    if (field.spec.needed && table.applies(element, field) && text_.find(field.spec.key) == nullptr)
+      error(at, field.spec.problem_place(),
+            {fmt::format("{} lacks the {}", text_.kind, field.spec.words), "",
+             fmt::format("{} = {}", field.spec.key, field.spec.example)});
 }
 
 template void ObjectReader::read_list(const FieldSpec&, const Leaf&, std::vector<Leg>&);
@@ -97,7 +118,7 @@ bool ObjectReader::read_place(const FieldSpec& spec, const toml::Value& value, c
   ObjectTexts texts(source_.text, source_.document);
   ObjectText text = taken_from(text_, value).value_or(texts.inner(value));
   text.kind = spec.words;
-  ObjectReader inner(*this, text, spec.problem_place());
+  ObjectReader inner(*this, text, spec.problem_place(), nullptr);
   std::array<double, 3> numbers{};
   bool sound = true;
   const auto read = [&](std::string_view key, const FieldSpec& of, double& number) {

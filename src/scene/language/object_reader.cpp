@@ -65,6 +65,8 @@ ObjectReader::ObjectReader(Reading& reading, const Source& source, toml::Lines& 
 
 void ObjectReader::add(core::Severity severity, toml::Span at, std::string_view field, script::Complaint complaint) {
   const toml::Position position = lines_.at(at.begin);
+  if (!entry_.empty() && !complaint.message.starts_with(entry_))
+    complaint.message = fmt::format("{}: {}", entry_, complaint.message);
   core::Problem problem = core::problem_of(severity, std::move(complaint.message), std::move(complaint.found),
                                            std::move(complaint.expected), std::move(complaint.hint));
   problem.place = {source_.file, position.line, position.column};
@@ -407,7 +409,7 @@ void ObjectReader::finish(const std::vector<std::string>& known) {
     const bool is_known_table = leaf.value.kind == toml::Kind::table &&
                                 std::ranges::any_of(known, [&](const auto& path) { return is_below(path, leaf.path); });
     if (is_known_table) continue;
-    const PlainTable* const table = is_single(text_.kind) ? plain_table(text_.kind) : nullptr;
+    const PlainTable* const table = is_single(text_.kind) ? plain_table(text_.kind) : entries_;
     report_unknown(leaf, table != nullptr ? owner_of(*table, leaf.path) : std::string(), known);
     if (leaf.value.kind == toml::Kind::table) text_.use_all_below(leaf.path);
   }

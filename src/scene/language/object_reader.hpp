@@ -10,6 +10,7 @@
 #include "scene/language/earth_places.hpp"
 #include "scene/language/keys.hpp"
 #include "scene/language/object_text.hpp"
+#include "scene/language/plain_table.hpp"
 #include "scene/schema/expression.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/script/data_file.hpp"
@@ -112,6 +113,8 @@ class ObjectReader {
   void read_function(const FieldSpec& spec, std::string_view key, const FunctionRef& function);
   template <class Element>
   void read_list(const FieldSpec& spec, const Leaf& leaf, std::vector<Element>& list);
+  template <class Element>
+  void report_lacks(const Element& element, core::toml::Span at);
   void read_part(const FieldSpec& spec, const std::string& key, std::size_t part, core::SampledFunction& function);
   void read_points(const FieldSpec& spec, const Leaf& leaf, std::size_t part, core::SampledFunction& function);
   void read_function_file(const FieldSpec& spec, const Leaf& leaf, const FunctionRef& function);
@@ -119,15 +122,18 @@ class ObjectReader {
   void report_unknown(const Leaf& leaf, const std::string& belongs, const std::vector<std::string>& known);
   void add(core::Severity severity, core::toml::Span at, std::string_view field, script::Complaint complaint);
 
-  // Of an element of a list of that object.
-  ObjectReader(const ObjectReader& outer, ObjectText& text, std::string_view field)
+  // Of a table within that object: an entry of a list, or a place on the Earth.
+  // @param entries  fields of the entries; null where it is none
+  ObjectReader(const ObjectReader& outer, ObjectText& text, std::string_view field, const PlainTable* entries)
       : reading_(outer.reading_),
         source_(outer.source_),
         lines_(outer.lines_),
         text_(text),
         kind_(outer.kind_),
         index_(outer.index_),
-        list_field_(field) {}
+        list_field_(field),
+        entries_(entries),
+        entry_(entries != nullptr ? text.kind : outer.entry_) {}
 
   Reading& reading_;
   const Source& source_;
@@ -136,7 +142,9 @@ class ObjectReader {
   std::string_view kind_;
   std::size_t index_;
   core::toml::Span geodetic_at_{};
-  std::string_view list_field_;  // of the list that this is an element of: where problems are shown
+  std::string_view list_field_;  // of the object, which this is an element or a part of: where problems are shown
+  const PlainTable* entries_ = nullptr;  // of an element of a list
+  std::string_view entry_;               // that element, or the one around: "leg 2"
 };
 
 /// What a value is, for messages: "a string", "an array".

@@ -108,7 +108,8 @@ std::vector<Dependence> dependences(const PlainTable& table, const PathFacts& fa
 std::string dependence_text(const PlainTable& table, const PathFacts& facts) {
   std::string text;
   for (const Dependence& on : dependences(table, facts))
-    text += fmt::format("{}{} of type {}", text.empty() ? "" : ", with ", on.choice, joined(on.words));
+    text += fmt::format("{}{}{} {}", text.empty() ? "" : ", with ", on.choice, table.is_entry ? "" : " of type",
+                        joined(on.words));
   return text;
 }
 

@@ -156,8 +156,11 @@ const std::vector<PlainTable>& plain_tables() {
 
 const PlainTable& element_table(ListKind kind) {
   const auto made = []<class Element>(std::string_view header, std::string_view meaning, std::type_identity<Element>) {
-    PlainTable table{header, meaning, "", false, plain_fields<Element>({}, {})};
-    for (PlainField& field : table.fields) field.spec.since_2 = true;
+    PlainTable table{header, meaning, "", false, plain_fields<Element>({}, {}), true};
+    for (PlainField& field : table.fields) {
+      field.spec.since_2 = true;
+      if (field.spec.needed) field.initial.reset();
+    }
     return table;
   };
   static const PlainTable legs = made("leg", "A piece of a path.", std::type_identity<Leg>{});

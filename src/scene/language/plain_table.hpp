@@ -29,6 +29,7 @@ struct PlainTable {
   std::string_view command;  ///< Of the 1998 language, without `$`.
   bool is_list = true;       ///< There may be many; of [options] there is one.
   std::vector<PlainField> fields;
+  bool is_entry = false;  ///< An entry of a list: the word of a choice stands behind its key, without `type`.
 
   /// "[[radar]]", "[options]".
   [[nodiscard]] std::string header_line() const;

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "scene/language/format_mark.hpp"
+#include "scene/language/scene_writer.hpp"
 
 namespace sarsim::scene {
 
@@ -158,6 +159,63 @@ TEST(Format2, UnknownFieldsAreErrorsThatSayWhereTheyBelong) {
   EXPECT_THAT(complaints("[[platform]]\n[platform.path]\ntype = \"points\"\nrotation_rate = [0, 0, 1]\n"),
               HasSubstr("move it"));
   EXPECT_EQ(complaints("x-mine = 1\n[[target]]\nx-colour = \"red\"\n[x-notes]\na = 1\n"), "");
+}
+
+// A platform whose first leg is sound and whose second one is on line 6.
+std::string with_second_leg(const std::string& leg) {
+  return "[[platform]]\n[platform.path]\ntype = \"legs\"\nlegs = [{ leg = \"straight\", length = 1000 },\n  " + leg +
+         "]\n";
+}
+
+TEST(Format2, ProblemsInAnEntryOfAListNameItAndItsLine) {
+  EXPECT_THAT(complaints(with_second_leg("{ leg = \"loop\" }")),
+              HasSubstr("scene.toml:6:11: error: leg 2: unknown kind of leg"));
+  EXPECT_THAT(complaints(with_second_leg("{ leg = \"turn\", angle = 90, bank = 95 }")),
+              HasSubstr("scene.toml:6:38: error: leg 2: bank of the turn is out of range"));
+  EXPECT_THAT(complaints(with_second_leg("{ leg = \"straight\", lenght = 5 }")),
+              HasSubstr("scene.toml:6:23: error: leg 2 has no field 'lenght'"));
+  EXPECT_THAT(complaints("[[platform]]\noscillations = [\n3]\n"),
+              HasSubstr("scene.toml:4:1: error: oscillation 1 is not a table"));
+  const std::string waypoints = "[[platform]]\npath.type = \"waypoints\"\npath.waypoints = [{ speed = 3 }]\n";
+  EXPECT_THAT(complaints(waypoints), HasSubstr("scene.toml:4:19: error: waypoint 1 lacks the position"));
+}
+
+TEST(Format2, PlacesOfEntriesAreKept) {
+  const ScriptReading reading =
+      read_format_2(mark + with_second_leg("{ leg = \"hold\", duration = 5 }"), "scene.toml", {});
+  EXPECT_EQ(reading.places.find({"platform", 0, "legs[1]"}).line, 6U);
+  EXPECT_EQ(reading.places.find({"platform", 0, "legs[0]"}).line, 5U);
+  EXPECT_EQ(reading.places.find({"platform", 0, "legs[7]"}).line, 5U);  // that of the list
+}
+
+TEST(Format2, FieldsOfAnotherKindOfLegBelongThere) {
+  const std::string told = complaints(with_second_leg("{ leg = \"straight\", length = 5, radius = 300 }"));
+  EXPECT_THAT(told, HasSubstr("scene.toml:6:35: error: leg 2: 'radius' does not apply here"));
+  EXPECT_THAT(told, HasSubstr("it belongs to leg turn, turn-to or circle"));
+  EXPECT_THAT(complaints("[[platform]]\noscillations = [{ axis = \"roll\", amplitude = 3, frequency = 1 }]\n"),
+              HasSubstr("it belongs to axis x, y or z"));
+}
+
+TEST(Format2, WhatALegCannotDoWithoutMustBeSaid) {
+  const std::string turn = complaints(with_second_leg("{ leg = \"turn-to\", bank = 20 }"));
+  EXPECT_THAT(turn, HasSubstr("scene.toml:6:3: error: leg 2 lacks the heading behind the turn"));
+  EXPECT_THAT(complaints(with_second_leg("{ leg = \"climb-to\", rate = 2 }")),
+              HasSubstr("leg 2 lacks the height behind the climb"));
+  EXPECT_EQ(complaints(with_second_leg("{ leg = \"turn-to\", heading = 0, bank = 20 }")), "");
+  EXPECT_EQ(complaints(with_second_leg("{ leg = \"climb-to\", height = 0, rate = 2 }")), "");
+  // A word that is misspelt may be what is missing.
+  const std::string misspelt = complaints(with_second_leg("{ leg = \"turn-to\", headnig = 5, bank = 20 }"));
+  EXPECT_THAT(misspelt, HasSubstr("did you mean 'heading'?"));
+  EXPECT_THAT(misspelt, testing::Not(HasSubstr("lacks")));
+}
+
+// A heading of 0 is no default: what is written must be read again.
+TEST(Format2, WhatALegCannotDoWithoutIsWritten) {
+  const std::string text = mark + with_second_leg("{ leg = \"turn-to\", heading = 0, bank = 20 }");
+  const ScriptReading reading = read_format_2(text, "scene.toml", {});
+  const ScriptReading again = read_format_2(write_format_2(reading.scene), "again.toml", {});
+  EXPECT_EQ(again.scene, reading.scene);
+  EXPECT_THAT(again.problems, testing::IsEmpty());
 }
 
 TEST(Format2, EveryMistakeOfATextIsTold) {

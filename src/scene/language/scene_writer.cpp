@@ -116,9 +116,11 @@ class ObjectNodes {
     set(key, said_value(spec, value, also_), is_default);
   }
 
-  // Names, and a choice that is there at all only because another one of the same key is not "same".
+  // Names, what has no default, and a choice that is there at all only because another one of the same key is not
+  // "same".
   static bool is_always_said(const FieldTable<Object>& table, const FieldOf<Object>& field) {
     if (field.spec.type == FieldType::text) return !field.spec.optional;
+    if (field.spec.needed) return true;
     const Condition& when = field.spec.when;
     return !when.among.empty() && table.fields()[when.field].spec.key == field.spec.key &&
            field.spec.type == FieldType::choice;

@@ -104,6 +104,7 @@ std::string_view matching_field(const std::vector<Field>& fields, std::string_vi
   for (const Field& field : fields) {
     if (field.id == name) return field.id;
     const std::string_view id = field.id;
+    if (name.starts_with(id) && name.substr(id.size()).starts_with('[')) within = id;  // an entry of a list
     if (!within.empty() || id.size() <= name.size() || !id.starts_with(name)) continue;
     if (id[name.size()] == '.' || id[name.size()] == '[') within = id;
   }

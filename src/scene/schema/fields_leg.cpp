@@ -15,6 +15,7 @@ void add_leg_sizes(FieldTable<Leg>& table) {
                                .words = "duration of the leg",
                                .quantity = Quantity::time,
                                .range = zero_or_more,
+                               .example = "\"60 s\"",
                                .tip = "How long it lasts; a straight leg has this or a length."});
   table.when<&Leg::kind>(LegKind::straight);
   table.add<&Leg::length_m>({.id = "length_m",
@@ -23,13 +24,17 @@ void add_leg_sizes(FieldTable<Leg>& table) {
                              .words = "length of the leg",
                              .quantity = Quantity::length,
                              .range = zero_or_more,
-                             .tip = "How long it is."});
+                             .example = "\"10 km\"",
+                             .tip = "How long it is.",
+                             .rare = true});
   table.add<&Leg::acceleration_mps2>({.id = "acceleration_mps2",
                                       .key = "acceleration",
                                       .label = "Acceleration",
                                       .words = "acceleration of the leg",
                                       .quantity = Quantity::acceleration,
-                                      .tip = "Of the speed, which may come to 0 but not below."});
+                                      .example = "\"0.5 m/s2\"",
+                                      .tip = "Of the speed, which may come to 0 but not below.",
+                                      .rare = true});
 }
 
 void add_turns(FieldTable<Leg>& table) {
@@ -39,6 +44,7 @@ void add_turns(FieldTable<Leg>& table) {
                           .label = "Angle",
                           .words = "angle of the turn",
                           .quantity = Quantity::angle,
+                          .example = "\"90 deg\"",
                           .tip = "By which the heading changes: positive to the right."});
   table.when<&Leg::kind>(LegKind::turn_to);
   table.add<&Leg::heading>({.id = "heading",
@@ -46,7 +52,9 @@ void add_turns(FieldTable<Leg>& table) {
                             .label = "Heading",
                             .words = "heading behind the turn",
                             .quantity = Quantity::angle,
-                            .tip = "Azimuth: clockwise from the y axis."});
+                            .example = "\"270 deg\"",
+                            .tip = "Azimuth: clockwise from the y axis.",
+                            .needed = true});
   table.when<&Leg::kind>(LegKind::turn_to, LegKind::circle);
   table.add<&Leg::side>(
       {.id = "side",
@@ -56,7 +64,8 @@ void add_turns(FieldTable<Leg>& table) {
        .choices = {{"", Leg::Side::shorter, "Shorter", "the shorter way; circles to the right", "shorter"},
                    {"", Leg::Side::right, "Right", "clockwise from above", "right"},
                    {"", Leg::Side::left, "Left", "counterclockwise from above", "left"}},
-       .tip = "Which way it turns."});
+       .tip = "Which way it turns.",
+       .rare = true});
   table.when<&Leg::kind>(LegKind::turn, LegKind::turn_to, LegKind::circle);
   table.add<&Leg::bank>({.id = "bank",
                          .key = "bank",
@@ -64,6 +73,7 @@ void add_turns(FieldTable<Leg>& table) {
                          .words = "bank of the turn",
                          .quantity = Quantity::angle,
                          .range = {0.0, 89.9},
+                         .example = "\"25 deg\"",
                          .tip = "Of a coordinated turn: radius v^2/(g tan bank). This or the radius."});
   table.add<&Leg::radius_m>({.id = "radius_m",
                              .key = "radius",
@@ -71,7 +81,9 @@ void add_turns(FieldTable<Leg>& table) {
                              .words = "radius of the turn",
                              .quantity = Quantity::length,
                              .range = zero_or_more,
-                             .tip = "Of the arc. This or the bank."});
+                             .example = "\"3 km\"",
+                             .tip = "Of the arc. This or the bank.",
+                             .rare = true});
 }
 
 void add_climbs(FieldTable<Leg>& table) {
@@ -81,13 +93,16 @@ void add_climbs(FieldTable<Leg>& table) {
                              .label = "Height",
                              .words = "height behind the climb",
                              .quantity = Quantity::length,
-                             .tip = "World z, above or below."});
+                             .example = "\"3500 m\"",
+                             .tip = "World z, above or below.",
+                             .needed = true});
   table.when<&Leg::kind>(LegKind::climb, LegKind::climb_to);
   table.add<&Leg::rate_mps>({.id = "rate_mps",
                              .key = "rate",
                              .label = "Rate of climb",
                              .words = "rate of the climb",
                              .quantity = Quantity::speed,
+                             .example = "\"5 m/s\"",
                              .tip = "Vertical speed; to a height its magnitude counts, otherwise negative is down."});
   table.add<&Leg::rounding_mps2>({.id = "rounding_mps2",
                                   .key = "rounding",
@@ -95,7 +110,9 @@ void add_climbs(FieldTable<Leg>& table) {
                                   .words = "rounding of the climb",
                                   .quantity = Quantity::acceleration,
                                   .range = zero_or_more,
-                                  .tip = "Vertical acceleration at both ends; 0: the vertical speed steps."});
+                                  .example = "\"1 m/s2\"",
+                                  .tip = "Vertical acceleration at both ends; 0: the vertical speed steps.",
+                                  .rare = true});
 }
 
 }  // namespace
@@ -135,14 +152,17 @@ const FieldTable<Waypoint>& table_of<Waypoint>() {
                                       .label = "coordinate",
                                       .words = "position of the waypoint",
                                       .quantity = Quantity::length,
+                                      .example = "[0, 20000, 3000]",
                                       .on_earth = true,
-                                      .tip = "World position."});
+                                      .tip = "World position.",
+                                      .needed = true});
     table.add<&Waypoint::speed_mps>({.id = "speed_mps",
                                      .key = "speed",
                                      .label = "Speed",
                                      .words = "speed from the waypoint on",
                                      .quantity = Quantity::speed,
                                      .range = zero_or_more,
+                                     .example = "\"150 m/s\"",
                                      .tip = "Level speed from here on; 0: as before."});
     return table;
   }();
@@ -172,6 +192,7 @@ const FieldTable<Oscillation>& table_of<Oscillation>() {
                                           .label = "Amplitude",
                                           .words = "amplitude of the oscillation",
                                           .quantity = Quantity::length,
+                                          .example = "\"0.5 m\"",
                                           .tip = "Half of the way from end to end."});
     table.when<&Oscillation::axis>(Axis::roll, Axis::pitch, Axis::yaw);
     table.add<&Oscillation::angle>({.id = "angle",
@@ -179,6 +200,7 @@ const FieldTable<Oscillation>& table_of<Oscillation>() {
                                     .label = "Angle",
                                     .words = "angle of the oscillation",
                                     .quantity = Quantity::angle,
+                                    .example = "\"5 deg\"",
                                     .tip = "Half of the angle from end to end."});
     table.always();
     table.add<&Oscillation::frequency_hz>({.id = "frequency_hz",
@@ -188,13 +210,15 @@ const FieldTable<Oscillation>& table_of<Oscillation>() {
                                            .quantity = Quantity::frequency,
                                            .range = {0.0, 1e5},
                                            .likely = {1e-5, 1e5},
+                                           .example = "\"0.1 Hz\"",
                                            .tip = "Of amplitude sin(2 pi f t + phase)."});
     table.add<&Oscillation::phase>({.id = "phase",
                                     .key = "phase",
                                     .label = "Phase",
                                     .words = "phase of the oscillation",
                                     .quantity = Quantity::angle,
-                                    .tip = "At time 0."});
+                                    .tip = "At time 0.",
+                                    .rare = true});
     return table;
   }();
   return made;

@@ -1,0 +1,73 @@
+#include "scene/check/check_test_scene.hpp"
+
+namespace sarsim::scene {
+namespace check_motion_test {
+
+using testing::HasSubstr;
+
+Leg climb(double duration_s, double rate_mps, double rounding_mps2) {
+  Leg leg;
+  leg.kind = Leg::Kind::climb;
+  leg.duration_s = duration_s;
+  leg.rate_mps = rate_mps;
+  leg.rounding_mps2 = rounding_mps2;
+  return leg;
+}
+
+Leg straight(double length_m) {
+  Leg leg;
+  leg.length_m = length_m;
+  return leg;
+}
+
+Scene scene_with_legs(const std::vector<Leg>& legs) {
+  Scene scene = sound_scene();
+  scene.platforms[1].path = Platform::Path::legs;
+  scene.platforms[1].start_m = {0.0, -10e3, 2e3};
+  scene.platforms[1].speed_mps = 100.0;
+  scene.platforms[1].legs = legs;
+  return scene;
+}
+
+TEST(CheckMotion, NamesTheLegThatIsWrong) {
+  Leg turn;
+  turn.kind = Leg::Kind::turn;
+  turn.angle = core::Angle::from_deg(90.0);
+  const Scene no_bank = scene_with_legs({straight(1e3), turn});
+  const core::Problem problem = expect_single(no_bank, core::Severity::error, {"platform", 1, "legs[1]"});
+  EXPECT_THAT(problem.message, HasSubstr("leg 2"));
+  expect_error(scene_with_legs({straight(1e3), straight(1e3), straight(0.0)}), {"platform", 1, "legs[2]"});
+}
+
+TEST(CheckMotion, NamesTheWaypointThatIsWrong) {
+  Scene scene = scene_with_legs({});
+  scene.platforms[1].path = Platform::Path::waypoints;
+  scene.platforms[1].bank = core::Angle::from_deg(20.0);
+  scene.platforms[1].waypoints = {{{0.0, 0.0, 2e3}}, {{0.0, 9e3, 2e3}}, {{0.0, 1e3, 2e3}}};
+  const core::Problem back = expect_single(scene, core::Severity::error, {"platform", 1, "waypoints[1]"});
+  EXPECT_THAT(back.message, HasSubstr("waypoint 2: the route turns back"));
+  scene.platforms[1].waypoints[2] = {{0.0, 9e3, 2e3}};
+  const core::Problem twice = expect_single(scene, core::Severity::error, {"platform", 1, "waypoints[2]"});
+  EXPECT_THAT(twice.message, HasSubstr("no length"));
+}
+
+// With a the rounding and T the time the rate is a T/2 at most; over a rise H it is the root of H a.
+TEST(CheckMotion, TellsOfAClimbThatDoesNotReachItsRate) {
+  const core::Problem problem =
+      expect_warning(scene_with_legs({straight(1e3), climb(20.0, 5.0, 0.1)}), {"platform", 1, "legs[1]"});
+  EXPECT_THAT(problem.message, HasSubstr("leg 2"));
+  EXPECT_EQ(problem.found, "1 m/s at most");
+  EXPECT_EQ(problem.expected, "5 m/s");
+  EXPECT_EQ(problem.hint, "A rounding of 0.5 m/s2 or more reaches it.");
+  Leg to = climb(0.0, 5.0, 0.01);
+  to.kind = Leg::Kind::climb_to;
+  to.height_m = 2400.0;
+  const core::Problem up = expect_warning(scene_with_legs({to}), {"platform", 1, "legs[0]"});
+  EXPECT_EQ(up.found, "2 m/s at most");
+  EXPECT_EQ(up.hint, "A rounding of 0.0625 m/s2 or more reaches it.");
+  to.rounding_mps2 = 0.0625;
+  EXPECT_TRUE(check(scene_with_legs({to, climb(20.0, -5.0, 0.5)})).empty());
+}
+
+}  // namespace check_motion_test
+}  // namespace sarsim::scene
