@@ -91,11 +91,13 @@ class Offers {
   Offers(Cursor cursor, const KnownNames& names)
       : cursor_(std::move(cursor)), names_(names), table_(plain_table(cursor_.kind)) {
     if (table_ != nullptr) paths_ = paths_of(*table_);
+    enter_list();
   }
 
   Completions made(std::string_view text, std::size_t offset);
 
  private:
+  void enter_list();
   void offer(std::string word, std::string shown, std::string inserted, std::string meaning);
   void keep_begun(bool whole_words);
   void say_whether_unasked(std::string_view text);
@@ -128,6 +130,30 @@ class Offers {
   Completions result_;
   bool wanted_ = false;  // without a letter typed
 };
+
+// Within an entry of a list, its table takes the place of that of the object.
+void Offers::enter_list() {
+  if (cursor_.rows.empty()) return;
+  const bool is_key = cursor_.site == Site::key;
+  const std::string& around = is_key ? cursor_.table : cursor_.path;
+  const auto list = std::ranges::find_if(paths_, [&](const PathFacts& facts) {
+    const bool within = is_inside(around, facts.path) || (is_key && around == facts.path);
+    return facts.spec().type == FieldType::list && within;
+  });
+  if (list == paths_.end()) return;
+  const std::string path = list->path;
+  const std::vector<std::size_t> entry{cursor_.rows.front()};
+  const auto below = [&](const std::string& whole) {
+    return is_inside(whole, path) ? whole.substr(path.size() + 1) : std::string();
+  };
+  std::erase_if(cursor_.said, [&](const SaidKey& said) { return said.rows != entry || !is_inside(said.path, path); });
+  for (SaidKey& said : cursor_.said) said.path = below(said.path);
+  cursor_.table = below(cursor_.table);
+  cursor_.path = below(cursor_.path);
+  cursor_.rows.erase(cursor_.rows.begin());
+  table_ = &element_table(list->spec().list);
+  paths_ = paths_of(*table_);
+}
 
 Completions Offers::made(std::string_view text, std::size_t offset) {
   result_.replaced = cursor_.word;

@@ -83,6 +83,20 @@ TEST(Completion, LeavesOutWhatIsSaidOrBelongsToAnotherType) {
   EXPECT_THAT(words_at_bar("[[radar]]\ncarrier = \"9 GHz\"\ncarrier.|"), ElementsAre("type", "frequency"));
 }
 
+TEST(Completion, OffersTheFieldsOfAnEntryOfAList) {
+  const std::string legs = "[[platform]]\n[platform.path]\ntype = \"legs\"\nlegs = [{ leg = \"turn\", radius = 1 }, ";
+  EXPECT_THAT(words_at_bar(legs + "{ | }]"), IsSupersetOf({"leg", "radius", "length"}));
+  EXPECT_THAT(words_at_bar(legs + "{ | }]"), Not(Contains("legs")));
+  EXPECT_THAT(words_at_bar(legs + "{ leg = \"climb-to\", | }]"), ElementsAre("height", "rate", "rounding"));
+  EXPECT_EQ(taken(legs + "{ leg = \"straight\", le| }]", "length"), legs + "{ leg = \"straight\", length =  }]");
+  EXPECT_THAT(words_at_bar(legs + "{ leg = \"|\" }]"), IsSupersetOf({"straight", "turn-to"}));
+  EXPECT_THAT(words_at_bar(legs + "{ leg = | }]"), IsSupersetOf({"straight", "turn-to"}));
+  EXPECT_THAT(words_at_bar(legs + "{ length = \"2 |\" }]"), Contains("km"));
+  EXPECT_THAT(words_at_bar("[[platform]]\npath.waypoints = [{ position = [0, \"2 |\" ] }]"), Contains("km"));
+  EXPECT_THAT(words_at_bar("[[platform]]\noscillations = [\n  { axis = \"roll\", | },\n]"),
+              ElementsAre("angle", "frequency", "phase"));
+}
+
 TEST(Completion, KeysGetAnEqualsSignOnce) {
   EXPECT_EQ(taken("[[radar]]\npo|", "power"), "[[radar]]\npower = ");
   EXPECT_EQ(taken("[[radar]]\npo| = 3", "power"), "[[radar]]\npower = 3");

@@ -131,6 +131,12 @@ class CursorScan {
     (site == Site::key ? cursor_.table : cursor_.path) = path;
     return true;
   }
+  // The key whose value begins here; null where that is at the place, or this an element of its array.
+  SaidKey* key_at(const std::string& path) {
+    if (cursor_.said.empty()) return nullptr;
+    SaidKey& last = cursor_.said.back();
+    return last.path == path && last.rows == rows_ ? &last : nullptr;
+  }
   void found_word(std::size_t begin, std::size_t end) {
     cursor_.word = toml::span_of(begin, end);
     cursor_.typed = text_.substr(begin, offset_ - begin);
@@ -241,7 +247,7 @@ std::string CursorScan::key(const std::string& table) {
   if (is_here)
     cursor_.complete = here() == '=';
   else
-    cursor_.said.push_back({path, {}});
+    cursor_.said.push_back({path, {}, rows_});
   return path;
 }
 
@@ -291,8 +297,7 @@ void CursorScan::string(const std::string& path) {
     cursor_.complete = closed;
     found_word(begin, end);
   }
-  if (rows_.empty() && !cursor_.said.empty() && cursor_.said.back().path == path)
-    cursor_.said.back().word = text_.substr(begin, end - begin);
+  if (SaidKey* const key = key_at(path)) key->word = text_.substr(begin, end - begin);
   at_ = closed ? quotes.end : end;
 }
 
@@ -304,8 +309,7 @@ void CursorScan::word(const std::string& path) {
     cursor_.path = path;
     found_word(begin, at_);
   }
-  if (rows_.empty() && !cursor_.said.empty() && cursor_.said.back().path == path)
-    cursor_.said.back().word = text_.substr(begin, at_ - begin);
+  if (SaidKey* const key = key_at(path)) key->word = text_.substr(begin, at_ - begin);
 }
 
 void CursorScan::array(const std::string& path) {

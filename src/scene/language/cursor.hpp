@@ -22,8 +22,9 @@ enum class Site {
 
 /// A key of an object, with its value where that is a single one.
 struct SaidKey {
-  std::string path;  ///< Below the object: "pulse.type".
-  std::string word;  ///< Without quotes; empty for tables and arrays.
+  std::string path;                    ///< Below the object: "pulse.type".
+  std::string word;                    ///< Without quotes; empty for tables and arrays.
+  std::vector<std::size_t> rows = {};  ///< As `Cursor::rows`: of a key of a table in an array, which of these.
 };
 
 /// A place in a text with what is around it.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -18,12 +19,45 @@ namespace {
 struct Found {
   const PlainTable* table;
   PathFacts facts;
+  const PlainTable* object = nullptr;  // of a field of the entries of a list: what has the list,
+  PathFacts list = {};                 // and the list
 
-  [[nodiscard]] std::string name() const { return fmt::format("{}.{}", table->header, facts.path); }
+  [[nodiscard]] bool is_of_entry() const { return object != nullptr; }
+  [[nodiscard]] const PlainTable& owner() const { return is_of_entry() ? *object : *table; }
+  // Below the object.
+  [[nodiscard]] std::string path_of(const PathFacts& other) const {
+    return is_of_entry() ? fmt::format("{}.{}", list.path, other.path) : other.path;
+  }
+  [[nodiscard]] std::string path() const { return path_of(facts); }
+  [[nodiscard]] std::string name() const { return fmt::format("{}.{}", owner().header, path()); }
 };
+
+std::vector<Found> entry_paths(const PlainTable& object, const PathFacts& list) {
+  std::vector<Found> found;
+  if (list.spec().type != FieldType::list) return found;
+  const PlainTable& entries = element_table(list.spec().list);
+  for (PathFacts& facts : paths_of(entries)) found.push_back({&entries, std::move(facts), &object, list});
+  return found;
+}
+
+// Every path of every object, those of entries of lists behind that of the list.
+std::vector<Found> every_path() {
+  std::vector<Found> all;
+  for (const PlainTable& table : plain_tables())
+    for (PathFacts& facts : paths_of(table)) {
+      std::vector<Found> entries = entry_paths(table, facts);
+      all.push_back({&table, std::move(facts)});
+      std::ranges::move(entries, std::back_inserter(all));
+    }
+  return all;
+}
 
 ExplanationLine line_of(const Found& found) {
   return {found.name(), default_text(found.facts), first_sentence(meaning_text(found.facts))};
+}
+
+std::string next_text(const Explanation& explanation) {
+  return fmt::format("sarsim explain {} says more of one of them", explanation.lines.front().name);
 }
 
 std::vector<AlternativeExplanation> explained_alternatives(const Found& found) {
@@ -34,7 +68,7 @@ std::vector<AlternativeExplanation> explained_alternatives(const Found& found) {
     one.meaning = alternative.meaning.empty() ? alternative.shown : alternative.meaning;
     one.in_script = alternative.word;
     for (const PathFacts& facts : paths_of_alternative(*found.table, found.facts, alternative))
-      one.fields.push_back(facts.path);
+      one.fields.push_back(found.path_of(facts));
     one.example = example_text(*found.table, found.facts, alternative);
   }
   return explained;
@@ -60,10 +94,16 @@ Explanation explained(const Found& found) {
   explanation.applies_to = dependence_text(*found.table, facts);
   explanation.shorthand = shorthand_text(*found.table, facts);
   explanation.example = example_text(*found.table, facts);
+  if (found.is_of_entry()) {
+    const std::string& list = found.list.path;
+    explanation.example = fmt::format("{} = [{}]", list.substr(list.rfind('.') + 1), explanation.example);
+  }
   explanation.in_script = script_text(facts);
   explanation.label = label_text(facts);
   explanation.set_names = set_names(facts);
   if (facts.role == PathRole::choice) explanation.alternatives = explained_alternatives(found);
+  for (const Found& entry : entry_paths(*found.table, facts)) explanation.lines.push_back(line_of(entry));
+  if (!explanation.lines.empty()) explanation.next = next_text(explanation);
   return explanation;
 }
 
@@ -75,7 +115,7 @@ Explanation explained(const PlainTable& table) {
       fmt::format("a table with the header {}{}", table.header_line(), table.is_list ? "; there may be many" : "");
   explanation.in_script = fmt::format("${}", table.command);
   for (const PathFacts& facts : paths_of(table)) explanation.lines.push_back(line_of({&table, facts}));
-  explanation.next = fmt::format("sarsim explain {} says more of one of them", explanation.lines.front().name);
+  explanation.next = next_text(explanation);
   return explanation;
 }
 
@@ -124,15 +164,14 @@ Explanation overview() {
 std::vector<Found> paths_called(std::string_view word) {
   std::vector<Found> whole;
   std::vector<Found> ends;
-  for (const PlainTable& table : plain_tables())
-    for (PathFacts& facts : paths_of(table)) {
-      Found found{&table, std::move(facts)};
-      if (found.name() == word) return {std::move(found)};
-      if (found.facts.path == word)
-        whole.push_back(std::move(found));
-      else if (found.facts.path.ends_with(fmt::format(".{}", word)))
-        ends.push_back(std::move(found));
-    }
+  for (Found& found : every_path()) {
+    if (found.name() == word) return {std::move(found)};
+    const std::string path = found.path();
+    if (path == word)
+      whole.push_back(std::move(found));
+    else if (path.ends_with(fmt::format(".{}", word)))
+      ends.push_back(std::move(found));
+  }
   return whole.empty() ? ends : whole;
 }
 
@@ -145,25 +184,29 @@ bool is_name_of(const PlainTable& table, const PlainField& field, std::string_vi
   });
 }
 
-// Those that the form, `--set` or the scene call so.
+// Whether the form, `--set` or the scene call a path so; "platform.legs.length" of a field of a list's entries.
+bool is_named(const Found& found, std::string_view word) {
+  const auto is_it = [&](const PathFacts& facts, std::string_view name) {
+    return std::ranges::any_of(facts.fields,
+                               [&](const PlainField* field) { return is_name_of(found.owner(), *field, name); });
+  };
+  if (!found.is_of_entry()) return is_it(found.facts, word);
+  const std::string end = fmt::format(".{}", found.facts.path);
+  return word.ends_with(end) && is_it(found.list, word.substr(0, word.size() - end.size()));
+}
+
 std::vector<Found> paths_named(std::string_view word) {
-  std::vector<Found> found;
-  for (const PlainTable& table : plain_tables())
-    for (PathFacts& facts : paths_of(table))
-      if (std::ranges::any_of(facts.fields, [&](const PlainField* field) { return is_name_of(table, *field, word); }))
-        found.push_back({&table, std::move(facts)});
+  std::vector<Found> found = every_path();
+  std::erase_if(found, [&](const Found& one) { return !is_named(one, word); });
   return found;
 }
 
 // Those below a table that is not a choice: "radar.antenna.azimuth", of which there are points and interpolation.
 std::vector<Found> paths_below(std::string_view word) {
-  std::vector<Found> found;
-  for (const PlainTable& table : plain_tables())
-    for (PathFacts& facts : paths_of(table)) {
-      Found one{&table, std::move(facts)};
-      const std::string below = fmt::format("{}.", word);
-      if (one.name().starts_with(below) || one.facts.path.starts_with(below)) found.push_back(std::move(one));
-    }
+  const std::string below = fmt::format("{}.", word);
+  std::vector<Found> found = every_path();
+  std::erase_if(found,
+                [&](const Found& one) { return !one.name().starts_with(below) && !one.path().starts_with(below); });
   return found;
 }
 
@@ -174,7 +217,7 @@ Explanation several(std::string_view word, const std::vector<Found>& found, std:
   explanation.name = word;
   explanation.meaning = meaning;
   for (const Found& one : found) explanation.lines.push_back(line_of(one));
-  explanation.next = fmt::format("sarsim explain {} says more of one of them", explanation.lines.front().name);
+  explanation.next = next_text(explanation);
   return explanation;
 }
 
@@ -183,13 +226,16 @@ std::string nearest_name(const std::string& word) {
   std::vector<std::string> names;
   for (const Explanation& general : general_words()) names.push_back(general.name);
   for (const PlainTable& table : plain_tables()) names.emplace_back(table.header);
-  for (const PlainTable& table : plain_tables())
-    for (const PathFacts& facts : paths_of(table)) {
-      names.push_back(word.starts_with(fmt::format("{}.", table.header))
-                          ? fmt::format("{}.{}", table.header, facts.path)
-                          : facts.path);
-      if (word.find('.') == std::string::npos) names.push_back(facts.path.substr(facts.path.rfind('.') + 1));
-    }
+  for (const Found& found : every_path()) {
+    const std::string path = found.path();
+    names.push_back(word.starts_with(fmt::format("{}.", found.owner().header)) ? found.name() : path);
+    if (word.find('.') == std::string::npos) names.push_back(path.substr(path.rfind('.') + 1));
+    if (!found.is_of_entry()) continue;
+    const std::string& list = found.list.path;  // "legs.length", "platform.legs.length"
+    const std::string below = fmt::format("{}.{}", list.substr(list.rfind('.') + 1), found.facts.path);
+    names.push_back(below);
+    names.push_back(fmt::format("{}.{}", found.owner().header, below));
+  }
   return core::nearest_word(word, names);
 }
 

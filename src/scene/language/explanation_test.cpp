@@ -143,6 +143,52 @@ TEST(Explanation, FindsAFieldByAnyOfItsNames) {
   EXPECT_THAT(explain("target.positions.file").set_names, ElementsAre("Cloud1.file"));
 }
 
+// Each list with the words of an object around it that make it mean something.
+std::vector<std::pair<std::string, PathFacts>> lists() {
+  std::vector<std::pair<std::string, PathFacts>> found;
+  for (const PathFacts& facts : paths_of(*plain_table("platform")))
+    if (facts.spec().type == FieldType::list) found.emplace_back("platform." + facts.path, facts);
+  return found;
+}
+
+TEST(Explanation, EveryFieldOfAnEntryIsExplained) {
+  ASSERT_EQ(lists().size(), 3U);
+  for (const auto& [list, facts] : lists()) {
+    const Explanation whole = explain(list);
+    std::size_t count = 0;
+    for (const PathFacts& field : paths_of(element_table(facts.spec().list))) {
+      const Explanation explanation = explain(list + "." + field.path);
+      EXPECT_EQ(explanation.failure, "") << list << field.path;
+      EXPECT_EQ(explanation.name, list + "." + field.path);
+      EXPECT_FALSE(explanation.takes.empty());
+      EXPECT_EQ(whole.lines.at(count++).name, explanation.name);
+      const std::string begin = facts.path == "oscillations" ? "" : "path.speed = 100\npath.";
+      const std::string type = facts.path == "oscillations" ? "" : "path.type = \"" + facts.path.substr(5) + "\"\n";
+      EXPECT_EQ(complaints(*plain_table("platform"), type + begin + explanation.example), "") << explanation.example;
+      for (const AlternativeExplanation& one : explanation.alternatives) {
+        const std::string key = facts.path.substr(facts.path.rfind('.') + 1);
+        EXPECT_EQ(complaints(*plain_table("platform"), fmt::format("{}{}{} = [{}]", type, begin, key, one.example)),
+                  "");
+        for (const std::string& path : one.fields) EXPECT_EQ(explain("platform." + path).failure, "") << path;
+      }
+    }
+  }
+}
+
+TEST(Explanation, FieldsOfEntriesAreFoundByTheNameOfTheList) {
+  for (const char* const word :
+       {"platform.path.legs.length", "path.legs.length", "legs.length", "platform.legs.length"})
+    EXPECT_EQ(explain(word).name, "platform.path.legs.length") << word;
+  EXPECT_EQ(explain("legs.length").applies_to, "leg straight");
+  EXPECT_EQ(explain("legs.length").example, "legs = [{ leg = \"straight\", length = \"10 km\" }]");
+  EXPECT_EQ(explain("legs.heading").initial, "");
+  EXPECT_EQ(explain("legs.leg").alternatives[2].example,
+            "{ leg = \"turn-to\", heading = \"270 deg\", bank = \"25 deg\" }");
+  EXPECT_EQ(explain("waypoints.speed").unit, "m/s");
+  EXPECT_EQ(explain("legs.lenght").hint, "did you mean 'legs.length'?");
+  EXPECT_EQ(explain("platform.legs.raduis").hint, "did you mean 'platform.legs.radius'?");
+}
+
 TEST(Explanation, ListsWhatAWordCanMean) {
   const Explanation position = explain("position");
   ASSERT_EQ(position.lines.size(), 2U);

@@ -111,17 +111,39 @@ std::string lines_of(const Node& root) {
 
 void set(Node& root, std::string_view path, std::string text) { node_at(root, path).text = std::move(text); }
 
+// Where the word of a choice stands.
+std::string word_path(const PlainTable& table, const std::string& choice) {
+  return table.is_entry ? choice : choice + ".type";
+}
+
+std::string text_below(const PlainTable& table, const Node& root) {
+  return table.is_entry ? inline_text(root) : lines_of(root);
+}
+
 // The types that a path needs around it, the outer ones first.
 void set_types(Node& root, const PlainTable& table, const PathFacts& facts) {
   const std::vector<Dependence> all = dependences(table, facts);
   for (auto on = all.rbegin(); on != all.rend(); ++on) {
     const bool is_around = facts.path.starts_with(on->choice + ".");
-    if (is_around || !on->is_default) set(root, on->choice + ".type", in_quotes(on->words.front()));
+    if (is_around || !on->is_default || table.is_entry)
+      set(root, word_path(table, on->choice), in_quotes(on->words.front()));
   }
   for (const PathFacts& choice : paths_of(table)) {
     if (choice.role != PathRole::choice || !facts.path.starts_with(choice.path + ".")) continue;
     Node& type = node_at(root, choice.path + ".type");
     if (type.text.empty()) type.text = default_text(choice);
+  }
+}
+
+// What has no default, of the type that is set.
+void set_needed(Node& root, const PlainTable& table) {
+  for (const PathFacts& facts : paths_of(table)) {
+    if (!facts.spec().needed) continue;
+    const auto is_set = [&](const Dependence& on) {
+      const std::string text = node_at(root, word_path(table, on.choice)).text;
+      return std::ranges::any_of(on.words, [&](const std::string& word) { return in_quotes(word) == text; });
+    };
+    if (std::ranges::all_of(dependences(table, facts), is_set)) set(root, facts.path, example_value(facts));
   }
 }
 
@@ -161,16 +183,18 @@ std::string example_text(const PlainTable& table, const PathFacts& facts) {
 std::string example_text(const PlainTable& table, const PathFacts& facts, const std::string& value) {
   Node root;
   set_types(root, table, facts);
+  set_needed(root, table);
   set(root, facts.path, value);
   for (const PathFacts& other : paths_of(table))
     if (stands_beside(facts, other)) set(root, other.path, example_value(other));
-  return lines_of(root);
+  return text_below(table, root);
 }
 
 std::string example_text(const PlainTable& table, const PathFacts& choice, const Choice& alternative) {
   Node root;
   set_types(root, table, choice);
-  set(root, choice.path + ".type", in_quotes(type_word(alternative)));
+  set(root, word_path(table, choice.path), in_quotes(type_word(alternative)));
+  set_needed(root, table);
   for (const PathFacts& facts : paths_of_alternative(table, choice, alternative)) {
     if (facts.role == PathRole::interpolation || facts.role == PathRole::file) continue;
     if (facts.spec().type == FieldType::check) continue;
@@ -178,7 +202,7 @@ std::string example_text(const PlainTable& table, const PathFacts& choice, const
     if (facts.spec().rare && facts.spec().type != FieldType::function && !choice.spec().rare) continue;
     set(root, facts.path, facts.role == PathRole::choice ? default_text(facts) : example_value(facts));
   }
-  return lines_of(root);
+  return text_below(table, root);
 }
 
 std::string shorthand_text(const PlainTable& table, const PathFacts& facts) {
