@@ -87,6 +87,7 @@ struct Wrong {
 TEST(Quantity, WrongTextsAreRefusedWithTheReasonAndTheRemedy) {
   const Wrong table[] = {{"5 kg", Quantity::length, "'5 kg' is not a valid length; try m, nm"},
                          {"", Quantity::length, "nothing is typed; expected a length"},
+                         {"5 m", Quantity::angle, "rad, mrad or minutes of arc (')"},
                          {"abc", Quantity::time, "'abc' is not a valid time"},
                          {"nan", Quantity::length, "'nan' is not a valid length"},
                          {"inf m", Quantity::length, "is not a valid length"},

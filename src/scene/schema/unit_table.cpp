@@ -132,7 +132,8 @@ std::string units_listed(Quantity quantity) {
   std::string text;
   for (std::size_t i = 0; i < units.size(); ++i) {
     if (i > 0) text += i + 1 == units.size() ? " or " : ", ";
-    text += units[i].name;
+    // A quote alone, at the end perhaps, is not seen.
+    text += units[i].name == "'" ? std::string("minutes of arc (')") : std::string(units[i].name);
   }
   if (quantity == Quantity::ratio_db) text += ", or a bare factor such as x100";
   return text;

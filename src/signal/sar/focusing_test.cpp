@@ -314,6 +314,17 @@ TEST(ProblemsOfFocusing, NameWhatCannotBeFocused) {
   EXPECT_NE(first_error(small_echoes(), {.doppler_centroid_hz = 7065.0}).find("no look direction"), std::string::npos);
 }
 
+TEST(ProblemsOfFocusing, SayWhatWasFoundWithItsUnit) {
+  const auto found = [](const SarEchoes& echoes, const FocusOptions& options) {
+    return problems_of_focusing(rows_of(echoes), options).at(0).found;
+  };
+  EXPECT_EQ(found(small_echoes(), {.doppler_bandwidth_hz = 601.0}), "601 Hz");
+  EXPECT_EQ(found(small_echoes(), {.doppler_centroid_hz = 7065.0}), "7065 Hz");
+  SarEchoes bent = small_echoes();
+  bent.track[bent.track.size() / 2].position_m.z += 2.0;
+  EXPECT_TRUE(found(bent, {}).ends_with(" m")) << found(bent, {});
+}
+
 TEST(ProblemsOfFocusing, NameAnAreaThatIsTooLongOrTooFarAway) {
   for (const AxisInterval area :
        {AxisInterval{1e300, 1e301}, AxisInterval{-1e18, 1e18}, AxisInterval{1e15, 1e15 + 1}}) {
