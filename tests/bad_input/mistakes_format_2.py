@@ -265,6 +265,7 @@ def places():
         orbit([(PLACE, PLACE.replace(" }", ', altitude = "3 m" }').replace("= {", "= @{"))],
               "Above the ellipsoid, or above the sea?", "a height or an altitude"),
         orbit([(PLACE, PLACE.replace("latitude", "@lattitude"))], "A word is misspelt.", "did you mean 'latitude'", errors=2),
+        orbit([(PLACE, PLACE.replace('"-68.6', '"-12'))], "The Earth hides the target.", "1 of 1 target behind the horizon", status=0),
         orbit([(PLACE, PLACE.replace('"0 m"', '@"-700 km"'))], "That is far below the ground.", "height is out of range"),
         orbit([(ORBIT, ORBIT.replace("ephemeris", "orbit").replace('file = "orbit.csv"', 'semi_major_axis = @"700 km"'))],
               "The axis counts from the centre of the Earth.", "semi-major axis is out of range"),
@@ -323,6 +324,9 @@ def ephemerides():
         file("orbit.sp3", SP3, (SP3, sp3(STATES[3:9])), "Six positions are too few.", "too few states", typed="orbit.sp3: 6 positions"),
         file("orbit.tle", TLE, ("1830", "1836"), "A digit was changed.", "checksum"),
         file("orbit.tle", TLE, (TLE[TLE.index("2 28057") :], ""), "The second line is missing.", "second line of a set is missing"),
+        file("orbit.oem", OEM, ("META_STOP\n", ""), "The end of the metadata is missing.", "metadata is not closed"),
+        orbit([(ORBIT, 'path = { type = "ephemeris", file = "orbit.csv", satellite = @"ENVISAT" }')], "A table holds one path.",
+              "satellite is not looked for", status=0),
         file("orbit.tle", TLE, ("2 28057", "2 28058"), "The lines are of two satellites.", "different satellites", errors=2),
         orbit([("orbit.csv", "orbit.tle"), (EPOCH, 'epoch = "2021-07-28T22:59:42Z"')], "The elements are a year old.",
               "mean elements are old", {"orbit.tle": TLE}, status=0),
@@ -334,6 +338,8 @@ def ephemerides():
         attitude(("= QUATERNION\n", "= EULER_ANGLE\n"), "Angles are not read.", "type of attitude is not read"),
         attitude(("22:59:42 0 0 0 1", "22:59:42 0 0 0 0.9"), "A quaternion has the length 1.", "does not have the length 1"),
         attitude((AEM[AEM.index("2020-07-28T23:00:42 0") :], ""), "The file is cut off.", "ends within a block"),
+        attitude(("META_STOP\nDATA_START", f"USEABLE_START_TIME = {stamp(10)}\nMETA_STOP\nDATA_START"), "The attitudes begin later.",
+                 "does not cover the recordings; found '2020-07-28T22:59:52Z to 2020-07-28T23:00:42Z"),
     ]
 
 
@@ -420,6 +426,8 @@ def motions():
         Mistake("There is no such format.", "names no format", whole=SCENE, typed="", command="motion scene.toml --out plane.xyz"),
         Mistake("A person does not walk so fast.", "that is running", whole=SCENE, typed="",
                 command="motion --walker 9 --out walker.toml"),
+        Mistake("Centimetres were taken for metres.", "a person is", whole=SCENE, typed="",
+                command="motion --walker 1 --height 180 --out walker.toml"),
         Mistake("The navigation begins too late.", "does not cover the recordings", whole=SCENE, typed="",
                 command="focus scene.toml --navigation nav.csv --out a.img --quiet",
                 files={"nav.csv": "t,x,y,z,vx,vy,vz\n" + "".join(f"{t},{t}00,-8000,3000,100,0,0\n" for t in range(5))}),

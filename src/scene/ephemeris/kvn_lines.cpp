@@ -115,6 +115,14 @@ void check_centre(std::string_view at, FileProblems& problems) {
   problems.error(at, {"the centre of the orbit is not the Earth", core::clipped(at), "CENTER_NAME = EARTH", ""});
 }
 
+bool misses_stop(const KvnLine& line, FileProblems& problems) {
+  const bool is_data = line.key.empty() && !line.line.empty() && core::is_digit(line.line.front());
+  if (!is_data && line.line != "DATA_START" && line.line != "META_START") return false;
+  problems.error(line.line,
+                 {"the block of metadata is not closed", core::clipped(line.line), "META_STOP before it", ""});
+  return true;
+}
+
 int read_version(const KvnLine& line, int newest, FileProblems& problems) {
   const auto number = core::parse_number(line.value);
   for (int version = 1; version <= newest; ++version)

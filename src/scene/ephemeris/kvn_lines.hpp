@@ -68,6 +68,10 @@ class KvnBlock {
 /// @param at  the name in the text
 void check_centre(std::string_view at, FileProblems& problems);
 
+/// Whether a line within metadata belongs behind them: data, or the begin of the next block. Reports that META_STOP is
+/// missing.
+[[nodiscard]] bool misses_stop(const KvnLine& line, FileProblems& problems);
+
 /// The number before the point of a version "2.0"; 0, and a report, where it is not among 1 to `newest`.
 [[nodiscard]] int read_version(const KvnLine& line, int newest, FileProblems& problems);
 

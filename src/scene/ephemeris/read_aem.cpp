@@ -97,6 +97,10 @@ class AemReader {
         return header_.add(line, line.key.empty(), problems_);
       case Part::metadata:
         if (line.line == "META_STOP") return end_metadata();
+        if (misses_stop(line, problems_)) {
+          end_metadata();
+          return take_between(line);
+        }
         return metadata_.add(line, true, problems_);
       case Part::between: return take_between(line);
       case Part::states:

@@ -45,6 +45,10 @@ TEST(ReadAttitude, ReadsQuaternionsOfBothVersions) {
   }
 }
 
+TEST(ReadAttitude, MetadataThatAreNotClosedAreOneMistake) {
+  EXPECT_EQ(problem_of("META_STOP\n", "").message, "the block of metadata is not closed");
+}
+
 TEST(ReadAttitude, GivesNeighboursOfOneSignAndLengthOne) {
   const AttitudeFile file = sound(aem_text);
   EXPECT_EQ(states_of(file)[0].body_from_reference, states_of(file)[1].body_from_reference);

@@ -210,6 +210,14 @@ TEST(ReadEphemeris, RefusesWrongMetadataOfAnOem) {
             "TEME of a fixed epoch is not read");
 }
 
+// One message, and not one for each state.
+TEST(ReadEphemeris, MetadataThatAreNotClosedAreOneMistake) {
+  const core::Problem problem = problem_of(oem_text, "META_STOP\n", "");
+  EXPECT_EQ(problem.message, "the block of metadata is not closed");
+  EXPECT_EQ(problem.expected, "META_STOP before it");
+  EXPECT_GT(problem.place.line, 1U);
+}
+
 TEST(ReadEphemeris, WarnsOfWordsThatItDoesNotKnow) {
   core::Problem problem = problem_of(oem_text, "INTERPOLATION = HERMITE", "INTERPOLATION = SPLINE");
   EXPECT_EQ(problem.severity, core::Severity::warning);

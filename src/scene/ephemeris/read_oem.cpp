@@ -72,6 +72,10 @@ class OemReader {
 
   void take_metadata(const KvnLine& line) {
     if (line.line == "META_STOP") return end_metadata();
+    if (misses_stop(line, problems_)) {
+      end_metadata();
+      return take_state(line);
+    }
     metadata_.add(line, line.key.empty(), problems_);
   }
 

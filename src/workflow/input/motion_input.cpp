@@ -65,6 +65,16 @@ radar::StateInterpolation interpolation_of(const Platform& platform, bool has_ve
   return has_velocities ? radar::hermite_degree_7 : radar::lagrange_8_points;
 }
 
+// Times of the scene, as seconds and, where there is an epoch, as dates.
+std::string said_times(const radar::TimeSpan& span, const WorldAxes& axes) {
+  if (!axes.epoch()) return fmt::format("{:.3f} s to {:.3f} s", span.first_s, span.last_s);
+  const auto date = [&](double time_s) {
+    return radar::format_instant(radar::later(*axes.epoch(), time_s), radar::TimeScale::utc, 3);
+  };
+  return fmt::format("{} to {} ({:.3f} s to {:.3f} s)", date(span.first_s), date(span.last_s), span.first_s,
+                     span.last_s);
+}
+
 // Makes the path of one platform.
 class PathMaker {
  public:
@@ -188,15 +198,7 @@ class PathMaker {
     return std::nullopt;
   }
 
-  // Times of the scene, as seconds and, where there is an epoch, as dates.
-  [[nodiscard]] std::string said(const radar::TimeSpan& span) const {
-    if (!axes_.epoch()) return fmt::format("{:.3f} s to {:.3f} s", span.first_s, span.last_s);
-    const auto date = [&](double time_s) {
-      return radar::format_instant(radar::later(*axes_.epoch(), time_s), radar::TimeScale::utc, 3);
-    };
-    return fmt::format("{} to {} ({:.3f} s to {:.3f} s)", date(span.first_s), date(span.last_s), span.first_s,
-                       span.last_s);
-  }
+  [[nodiscard]] std::string said(const radar::TimeSpan& span) const { return said_times(span, axes_); }
 
   bool expect_epoch(std::string_view first) {
     if (axes_.epoch()) return true;
@@ -214,6 +216,7 @@ class PathMaker {
     if (broken) return nullptr;
     const scene::EphemerisFile& states = reading.file;
     const bool is_table = format == scene::OrbitFormat::csv;
+    warn_of_satellite(format);
     if (!axes_.earth() && !is_table) return refuse(no_earth(fmt::format("the orbit in {}", platform_.ephemeris_file)));
     const bool dated = states.form == scene::TimeForm::civil;
     if (dated && !expect_epoch(radar::format_civil(states.segments.front().states.front().time))) return nullptr;
@@ -233,6 +236,18 @@ class PathMaker {
         fmt::format("no segment of {} covers the recordings", platform_.ephemeris_file),
         fmt::format("{} segments, {}", spans.size(), said(all)), said(needed_),
         "nothing may be interpolated from one segment to the next; change the epoch or the times of the recordings"));
+  }
+
+  // The satellite also chooses among those of a file of attitudes.
+  void warn_of_satellite(scene::OrbitFormat format) {
+    const bool holds_one = format == scene::OrbitFormat::csv || format == scene::OrbitFormat::eof;
+    if (platform_.satellite.empty() || !holds_one || platform_.rotation_kind == Platform::Rotation::quaternions) return;
+    core::Problem problem = core::problem_of(
+        core::Severity::warning,
+        fmt::format("{} holds one path, and the satellite is not looked for", platform_.ephemeris_file),
+        platform_.satellite, "no satellite beside a Sentinel-1 EOF or a CSV table", "remove satellite");
+    problem.subject.field = "satellite";
+    problems_.push_back(std::move(problem));
   }
 
   std::optional<double> time_of(const radar::CivilTime& time, radar::TimeScale scale) {
@@ -338,6 +353,7 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
   std::ranges::move(reading.problems, std::back_inserter(problems));
   if (broken) return nullptr;
   const radar::TimeSpan needed = scene::needed_times(scene);
+  std::vector<radar::TimeSpan> spans;
   for (const scene::AttitudeSegment& segment : reading.file.segments) {
     radar::AttitudeSamples samples;
     std::vector<double>& times_s = samples.time_s;
@@ -356,6 +372,7 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     };
     const radar::TimeSpan usable{usable_s(segment.usable.start, times_s.front()),
                                  usable_s(segment.usable.stop, times_s.back())};
+    spans.push_back(usable);
     if (usable.first_s > needed.first_s || usable.last_s < needed.last_s) continue;
     auto read = std::make_shared<scene::ReadAttitude>();
     read->usable = usable;
@@ -364,8 +381,13 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     read->attitudes = std::make_shared<const radar::AttitudeTable>(std::get<radar::AttitudeTable>(std::move(table)));
     return read;
   }
-  return refuse(path_problem(fmt::format("no segment of {} covers the recordings", platform.attitude_file), {},
-                             fmt::format("{:.3f} s to {:.3f} s", needed.first_s, needed.last_s)));
+  const bool one = spans.size() == 1;
+  const radar::TimeSpan all{spans.front().first_s, spans.back().last_s};
+  const std::string who = one ? platform.attitude_file : fmt::format("no segment of {}", platform.attitude_file);
+  return refuse(
+      path_problem(fmt::format("{} {} the recordings", who, one ? "does not cover" : "covers"),
+                   one ? said_times(all, axes) : fmt::format("{} segments, {}", spans.size(), said_times(all, axes)),
+                   said_times(needed, axes), "change the epoch or the times of the recordings, or take another file"));
 }
 
 std::string world_key(const scene::Scene& scene) {
@@ -429,7 +451,7 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
   for (std::size_t i = 0; i < scene.platforms.size(); ++i) {
     const auto add = [&](core::Problems problems, const char* field) {
       for (core::Problem& problem : problems) {
-        problem.subject = {"platform", i, field};
+        problem.subject = {"platform", i, problem.subject.field.empty() ? field : problem.subject.field};
         all.push_back(std::move(problem));
       }
     };

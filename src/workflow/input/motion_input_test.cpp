@@ -92,6 +92,23 @@ TEST(MotionInput, IsMadeAnewOnlyWhereItDependsOnWhatChanged) {
   EXPECT_TRUE(scene.platforms[0].read_path->states->covers(0.0, 2000.0));
 }
 
+TEST(MotionInput, TellsOfASatelliteThatIsNotLookedFor) {
+  const test::TestFolder own;
+  std::ofstream table(own.path() / "t.csv");
+  table << "t,x,y,z\n";
+  for (int i = -5; i < 16; ++i) table << fmt::format("{},7000000,{},0\n", 10 * i, 70000 * i);
+  table.close();
+  scene::Scene scene = earth_scene(0.0, 100.0);
+  scene::Platform& platform = scene.platforms[0];
+  platform.path = scene::Platform::Path::ephemeris;
+  platform.ephemeris_file = "t.csv";
+  EXPECT_EQ(messages(read_motions(scene, own.path())), "");
+  platform.satellite = "S1A";
+  const std::string told = messages(read_motions(scene, own.path()));
+  EXPECT_THAT(told, HasSubstr("warning: t.csv holds one path, and the satellite is not looked for; found 'S1A'"));
+  EXPECT_TRUE(platform.read_path);
+}
+
 TEST(MotionInput, SaysWhatIsMissing) {
   const test::TestFolder own;
   const std::filesystem::path& folder = own.path();
