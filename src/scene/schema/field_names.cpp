@@ -73,9 +73,12 @@ std::vector<const Field*> fields_called(const std::vector<Field>& fields, std::s
   };
   collect([](const Field& field) { return std::string_view(field.id); });
   collect([](const Field& field) { return without_units(field.id); });
+  // A choice may have the path that another field is called by: "rotation".
+  collect([](const Field& field) { return field.kind == FieldKind::choice ? path_of(field, false) : std::string(); });
   if (!found.empty()) return found;
   collect([](const Field& field) { return path_of(field, false); });
   collect([](const Field& field) { return path_of(field, true); });
+  collect([](const Field& field) { return field.kind == FieldKind::choice ? path_of(field, false) + ".type" : ""; });
   if (!found.empty()) return found;
   if (wanted == "x" || wanted == "y" || wanted == "z")
     collect([&](const Field& field) { return field.id == "position_m." + wanted ? wanted : std::string(); });
@@ -85,9 +88,20 @@ std::vector<const Field*> fields_called(const std::vector<Field>& fields, std::s
   return found;
 }
 
-// Of fields of one name, the number for a number and the choice for a word.
+// The alternative that a word of one of the languages stands for; null where it is none.
+const Choice* alternative_called(const Field& field, std::string_view text) {
+  if (field.kind != FieldKind::choice) return nullptr;
+  const std::string wanted = plain(text);
+  for (const Choice& choice : field.spec->choices)
+    if ((!choice.word.empty() && plain(choice.word) == wanted) || plain(type_word(choice)) == wanted) return &choice;
+  return nullptr;
+}
+
+// Of fields of one name, the choice that has the word, the number for a number and something else for a word.
 const Field* fitting(const std::vector<const Field*>& fields, std::string_view value) {
   if (fields.empty()) return nullptr;
+  for (const Field* field : fields)
+    if (alternative_called(*field, value) != nullptr) return field;
   const bool number = starts_like_number(value);
   for (const Field* field : fields)
     if ((field->kind == FieldKind::quantity) == number) return field;
@@ -240,14 +254,10 @@ std::string set_function(AnyObject& object, const Field& field, std::string_view
   return {};
 }
 
-// The choice that a word of one of the languages stands for; the text itself where it is none.
+// What forms show of the choice that a word stands for; the text itself where it is none.
 std::string_view choice_text(const NamedField& named, std::string_view text) {
-  if (named.field->kind != FieldKind::choice) return text;
-  const std::string wanted = plain(text);
-  for (const Choice& choice : named.field->spec->choices)
-    if ((!choice.word.empty() && plain(choice.word) == wanted) || plain(type_word(choice)) == wanted)
-      return choice.shown;
-  return text;
+  const Choice* const choice = alternative_called(*named.field, text);
+  return choice == nullptr ? text : choice->shown;
 }
 
 }  // namespace

@@ -80,6 +80,16 @@ TEST(FieldNames, TellsANumberFromAChoiceOfTheSameName) {
   EXPECT_EQ(id_of(scene, "Radar1.carrier", ".5GHz"), "carrier_hz");
 }
 
+// The law of a rotation has the path that rotation against time is called by.
+TEST(FieldNames, TellsAFileFromAChoiceOfTheSameName) {
+  Scene scene = small_scene();
+  EXPECT_EQ(set(scene, "Platform1.rotation", "nadir"), "");
+  EXPECT_EQ(scene.platforms[0].rotation_kind, Platform::Rotation::nadir);
+  EXPECT_EQ(set(scene, "Platform1.rotation.type", "zero-doppler"), "");
+  EXPECT_EQ(scene.platforms[0].rotation_kind, Platform::Rotation::zero_doppler);
+  EXPECT_EQ(id_of(scene, "Platform1.rotation", "turns.txt"), "rotation_deg");
+}
+
 TEST(FieldNames, FindsObjectsByNameFileKindAndNumber) {
   const Scene scene = small_scene();
   const auto objects = [&](std::string_view name) { return find_named_field(scene, name, "1").objects; };
