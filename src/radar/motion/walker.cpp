@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/maths/constants.hpp"
+#include "core/text/number_text.hpp"
 
 namespace sarsim::radar {
 
@@ -130,10 +133,18 @@ Walker walker_at(double height_m, double speed_mps) {
 }
 
 std::string fault_of(const Walker& walker) {
-  if (!(walker.height_m > 0.0 && std::isfinite(walker.height_m))) return "the height is not positive";
+  constexpr double smallest_m = 0.4, largest_m = 2.8;
+  constexpr double fastest = 3.0;
+  if (!(walker.height_m >= smallest_m && walker.height_m <= largest_m))
+    return "a person is " + core::format_number(smallest_m) + " to " + core::format_number(largest_m) +
+           " m tall, not " + core::format_number(walker.height_m) + " m";
   if (!(walker.relative_speed > 0.0)) return "the speed is not positive";
-  if (walker.relative_speed > 3.0) return "the speed is above 3 leg lengths per second: that is running";
-  return {};
+  if (walker.relative_speed <= fastest) return {};
+  const WalkingBody body({walker.height_m, fastest});
+  return fmt::format(
+      "the speed of {:.3g} m/s is above 3 leg lengths per second: that is running; at most {:.3g} m/s for a height of "
+      "{:.3g} m, with toes at up to {:.3g} m/s",
+      gait_of(walker).speed_mps, body.gait().speed_mps, walker.height_m, body.fastest_mps());
 }
 
 WalkingBody::WalkingBody(const Walker& walker)
@@ -160,6 +171,20 @@ WalkerBody WalkingBody::at(double time_s) const {
   WalkerBody body = cyclic(time_s);
   for (core::Vec3& part : body) part.x += gait_.speed_mps * time_s;
   return body;
+}
+
+double WalkingBody::fastest_mps() const {
+  constexpr int looks = 1000;
+  const double step_s = gait_.cycle_s / looks;
+  double fastest_mps = 0.0;
+  WalkerBody before = at(0.0);
+  for (int i = 1; i <= looks; ++i) {
+    const WalkerBody now = at(i * step_s);
+    for (std::size_t part = 0; part < body_part_count; ++part)
+      fastest_mps = std::max(fastest_mps, core::norm(now[part] - before[part]) / step_s);
+    before = now;
+  }
+  return fastest_mps;
 }
 
 WalkerBody WalkingBody::cyclic(double time_s) const { return at_phase(fraction_of(time_s / gait_.cycle_s)); }

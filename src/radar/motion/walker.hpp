@@ -42,7 +42,7 @@ using WalkerBody = std::array<core::Vec3, body_part_count>;
 
 /// Who walks, and how fast.
 struct Walker {
-  double height_m = 1.8;
+  double height_m = 1.8;        ///< 0.4 to 2.8.
   double relative_speed = 1.0;  ///< RV: speed over the length of the leg per second; above 0, at most 3.
 };
 
@@ -81,6 +81,8 @@ class WalkingBody {
   /// The same in a frame that moves ahead with the walker's mean speed: it repeats with each cycle.
   [[nodiscard]] WalkerBody cyclic(double time_s) const;
   [[nodiscard]] const Gait& gait() const { return gait_; }
+  /// The largest speed of any part, over the ground; that of the toes.
+  [[nodiscard]] double fastest_mps() const;
 
  private:
   [[nodiscard]] WalkerBody at_phase(double phase) const;

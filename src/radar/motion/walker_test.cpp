@@ -1,5 +1,6 @@
 #include "radar/motion/walker.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -168,9 +169,18 @@ TEST(SampledCycle, IsTheBody) {
 
 TEST(Walker, SaysWhatIsWrong) {
   EXPECT_EQ(fault_of(Walker{1.8, 1.0}), "");
-  EXPECT_EQ(fault_of(Walker{0.0, 1.0}), "the height is not positive");
+  EXPECT_EQ(fault_of(Walker{0.0, 1.0}), "a person is 0.4 to 2.8 m tall, not 0 m");
+  EXPECT_EQ(fault_of(Walker{180.0, 1.0}), "a person is 0.4 to 2.8 m tall, not 180 m");
+  EXPECT_EQ(fault_of(Walker{2.8, 3.0}), "");
   EXPECT_EQ(fault_of(Walker{1.8, 0.0}), "the speed is not positive");
-  EXPECT_EQ(fault_of(Walker{1.8, 3.1}), "the speed is above 3 leg lengths per second: that is running");
+  const double toes_mps = WalkingBody(Walker{1.8, 3.0}).fastest_mps();
+  EXPECT_GT(toes_mps, 2.5 * 3.0 * 0.491 * 1.8);
+  EXPECT_LT(toes_mps, 6.0 * 3.0 * 0.491 * 1.8);
+  EXPECT_EQ(
+      fault_of(Walker{1.8, 3.1}),
+      fmt::format("the speed of 2.74 m/s is above 3 leg lengths per second: that is running; at most 2.65 m/s for "
+                  "a height of 1.8 m, with toes at up to {:.3g} m/s",
+                  toes_mps));
   EXPECT_EQ(fault_of(Walker{1.8, std::numeric_limits<double>::quiet_NaN()}), "the speed is not positive");
 }
 

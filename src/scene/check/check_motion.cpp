@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -207,6 +209,34 @@ void check_leader(Findings& findings, const Scene& scene, std::size_t index) {
   check_chain(findings, scene, index, &Platform::leader, "leader");
 }
 
+// Of a target on the platform, or on one that is mounted on it.
+double farthest_tip_mps(const Scene& scene, const Platform& platform, const core::Vec3& rate_rad_per_s) {
+  std::map<std::string_view, core::Vec3> mounts{{platform.name, {}}};
+  for (const Platform& other : scene.platforms)
+    if (other.parent == platform.name && other.path == Platform::Path::stationary)
+      mounts.emplace(other.name, other.position_m);
+  double fastest_mps = 0.0;
+  for (const Target& target : scene.targets)
+    if (const auto mount = mounts.find(target.platform); mount != mounts.end())
+      fastest_mps = std::max(fastest_mps, core::norm(core::cross(rate_rad_per_s, mount->second + target.position_m)));
+  return fastest_mps;
+}
+
+// A rate in turns a minute that was taken for something else shows in the speed of the tips.
+void check_tips(Findings& findings, const Scene& scene, const Platform& platform) {
+  constexpr double fastest_mps = 1000.0;
+  const auto& rate = platform.rotation_rate;
+  const core::Vec3 rate_rad_per_s{rate[0].rad(), rate[1].rad(), rate[2].rad()};
+  if (core::norm(rate_rad_per_s) == 0.0) return;
+  const double tip_mps = farthest_tip_mps(scene, platform, rate_rad_per_s);
+  if (!(tip_mps > fastest_mps)) return;
+  findings.warning(Consequence::surprise, "rotation_rate",
+                   {.message = "the rotation carries a target faster than blades and wheels turn",
+                    .found = fmt::format("{:.6g} m/s", tip_mps),
+                    .expected = fmt::format("up to {:g} m/s", fastest_mps),
+                    .hint = "300 turns a minute are 1800 deg/s."});
+}
+
 void check_height(Findings& findings, const Scene& scene, const Platform& platform) {
   if (!platform.read_path || scene.world.frame != World::Frame::earth) return;
   const radar::EarthFrame earth(anchor_of(scene.world));
@@ -247,6 +277,7 @@ void check_motion(Findings& findings, const Scene& scene, std::size_t index) {
   check_leader(findings, scene, index);
   check_chain(findings, scene, index, &Platform::parent, "parent");
   check_height(findings, scene, platform);
+  check_tips(findings, scene, platform);
 }
 
 }  // namespace sarsim::scene

@@ -69,5 +69,23 @@ TEST(CheckMotion, TellsOfAClimbThatDoesNotReachItsRate) {
   EXPECT_TRUE(check(scene_with_legs({to, climb(20.0, -5.0, 0.5)})).empty());
 }
 
+TEST(CheckMotion, TellsOfTipsThatAreTooFast) {
+  Scene scene = sound_scene();
+  Platform rotor;
+  rotor.name = "Rotor";
+  rotor.rotation_rate[2] = core::Angle::from_deg(1800.0);
+  Platform blade;
+  blade.name = "Blade";
+  blade.parent = "Rotor";
+  blade.position_m = {5.0, 0.0, 0.0};
+  scene.platforms.push_back(rotor);
+  scene.platforms.push_back(blade);
+  scene.targets[0].platform = "Blade";
+  scene.targets[0].position_m = {1.0, 0.0, 30.0};
+  EXPECT_TRUE(check(scene).empty());  // 188.5 m/s
+  scene.platforms[2].rotation_rate[2] = core::Angle::from_deg(10800.0);
+  EXPECT_EQ(expect_warning(scene, {"platform", 2, "rotation_rate"}).found, "1130.97 m/s");
+}
+
 }  // namespace check_motion_test
 }  // namespace sarsim::scene
