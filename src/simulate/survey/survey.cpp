@@ -44,6 +44,7 @@ class Surveyor {
                  : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled, plan.pulses.count());
     if (!check_echoes(survey, plan)) return;
     check_surfaces(survey, plan);
+    check_horizon(survey);
     check_window(survey, plan);
     check_doppler(survey, plan);
     check_lsb(survey, plan);
@@ -171,6 +172,19 @@ class Surveyor {
                              {},
                              {"surface", i, "corner_m"},
                              1});
+  }
+
+  // The sum of echoes knows no shadows.
+  void check_horizon(const EchoSurvey& survey) {
+    const SurveyTotals& totals = survey.totals;
+    if (totals.hidden == 0) return;
+    const std::size_t all = survey.targets.size();
+    add(core::Severity::warning, "radar",
+        "the Earth stands between the radar and targets: their echoes are computed all the same" + scope_,
+        fmt::format("{} of {} target{} behind the horizon, the first of them target {}; {} in the window",
+                    totals.hidden, all, all == 1 ? "" : "s", totals.first_hidden + 1, totals.hidden_in_window),
+        "targets to which the straight line does not pass through the ellipsoid",
+        "leave them out, or correct their places or the orbit");
   }
 
   void check_window(const EchoSurvey& survey, const Plan& plan) {

@@ -24,6 +24,7 @@ struct TargetSurvey {
   double largest_speed_mps = 0.0;  ///< Radial, without its sign.
   double snr = 0.0;        ///< P Tp/(k T) at the largest amplitude, per pulse after a matched filter; 0 without noise.
   bool in_window = false;  ///< Some sampled echo touches the window.
+  bool hidden = false;     ///< The Earth stands before it at all sampled pulses; its echoes are computed all the same.
 
   friend bool operator==(const TargetSurvey&, const TargetSurvey&) = default;
 };
@@ -38,6 +39,9 @@ struct SurveyTotals {
   std::size_t strongest = 0;            ///< Which target that is, ...
   std::size_t weakest = 0;              ///< ... and which has the weakest echo.
   std::size_t in_window = 0;            ///< Targets some sampled echo of which touches the window.
+  std::size_t hidden = 0;               ///< Targets behind the Earth, ...
+  std::size_t hidden_in_window = 0;     ///< ... and of them those in the window.
+  std::size_t first_hidden = 0;         ///< Which target is the first of them.
   std::size_t late = 0;                 ///< Targets in the window that lie beyond the unambiguous range.
   double latest_m = 0.0;                ///< The farthest of them.
   std::vector<std::size_t> impossible;  ///< Targets whose echo cannot be computed, in order.
@@ -100,8 +104,8 @@ struct SurveyReport {
 /// they are), PRF below the Doppler band, LSB that clips or wastes more than half the range, targets whose echo is
 /// impossible (at the radar's position, faster than light, too strong), echoes beyond the PRI, surfaces that show their
 /// back or are filled too thinly for the wavelength, motion within a pulse that echoes leave out, a window function
-/// without weight, no echo at all, a beam that misses its targets, echoes below the noise, echoes that the window cuts.
-/// The scene must have passed `check`.
+/// without weight, no echo at all, targets behind the Earth, a beam that misses its targets, echoes below the noise,
+/// echoes that the window cuts. The scene must have passed `check`.
 /// @param resolved  what `resolve` gives for the scene; made where it is missing and needed
 [[nodiscard]] core::Problems survey(const scene::Scene& scene, std::shared_ptr<const ResolvedScene> resolved = nullptr,
                                     const core::WorkControl& control = {});

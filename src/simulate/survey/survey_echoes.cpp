@@ -5,6 +5,7 @@
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/behind_earth.hpp"
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/survey.hpp"
 
@@ -93,7 +94,9 @@ void take_in(SurveyTotals& totals, std::size_t index, const TargetSurvey& target
   totals.nearest_m = std::min(totals.nearest_m, target.nearest_m);
   totals.farthest_m = std::max(totals.farthest_m, target.farthest_m);
   if (!possible_echo(extremes_of(target), light_speed_mps)) totals.impossible.push_back(index);
+  if (target.hidden && totals.hidden++ == 0) totals.first_hidden = index;
   if (!target.in_window) return;
+  if (target.hidden) ++totals.hidden_in_window;
   totals.any_in_window = true;
   ++totals.in_window;
   take_in_amplitude(totals, index, target.largest_amplitude_v, index, target.largest_amplitude_v);
@@ -108,6 +111,9 @@ void take_in(SurveyTotals& totals, const SurveyTotals& more) {
   totals.any_in_window = totals.any_in_window || more.any_in_window;
   totals.in_window += more.in_window;
   if (more.any_in_window) take_in_amplitude(totals, more.strongest, more.strongest_v, more.weakest, more.weakest_v);
+  if (totals.hidden == 0) totals.first_hidden = more.first_hidden;
+  totals.hidden += more.hidden;
+  totals.hidden_in_window += more.hidden_in_window;
   totals.late += more.late;
   totals.latest_m = std::max(totals.latest_m, more.latest_m);
   totals.impossible.insert(totals.impossible.end(), more.impossible.begin(), more.impossible.end());
@@ -117,10 +123,14 @@ void take_in(SurveyTotals& totals, const SurveyTotals& more) {
 class Look {
  public:
   Look(const Plan& plan, const core::WorkControl& control)
-      : plan_(plan), control_(control), light_mps_(plan.scene->conventions.light_speed_mps) {
+      : plan_(plan),
+        control_(control),
+        light_mps_(plan.scene->conventions.light_speed_mps),
+        earth_(plan.scene->turning) {
     survey_.surface_faces_radar.assign(plan.scene->sheets.size(), false);
     core::reserve_touched(survey_.targets, plan.scene->scatterers.size(), control);
-    survey_.targets.assign(plan.scene->scatterers.size(), {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false});
+    survey_.targets.assign(plan.scene->scatterers.size(),
+                           {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false, earth_.is_round()});
   }
 
   EchoSurvey survey() {
@@ -174,10 +184,19 @@ class Look {
       const bool in_window = touches_window(view);
       if (in_window) sum_v += std::abs(view.amplitude_sqrt_w);
       const double doppler_hz = radar::doppler_of(view.speed_mps, geometry.carrier_hz(), light_mps_);
-      take_in(survey_.targets[i], view, radar::range_of(view.delay_s, light_mps_), doppler_hz, in_window);
+      TargetSurvey& target = survey_.targets[i];
+      take_in(target, view, radar::range_of(view.delay_s, light_mps_), doppler_hz, in_window);
+      // Once it is seen it is not hidden.
+      if (target.hidden) target.hidden = is_hidden(geometry, i);
       if (!looks_.empty()) looks_[pulse * survey_.targets.size() + i] = {doppler_hz, std::abs(view.amplitude_sqrt_w)};
     }
     return sum_v;
+  }
+
+  [[nodiscard]] bool is_hidden(const PulseGeometry& geometry, std::size_t index) const {
+    const Scatterer& target = plan_.scene->scatterers[index];
+    return earth_.hides(geometry.radar_pose().position_world_m,
+                        radar::world_position_m(geometry.pose(target.platform), target.position_m));
   }
 
   // Well inside and well outside the window need no counting of samples.
@@ -253,6 +272,7 @@ class Look {
   const Plan& plan_;
   const core::WorkControl& control_;
   double light_mps_;
+  BehindEarth earth_;
   EchoSurvey survey_;
   std::vector<OneLook> looks_;  // all targets of the first pulse, of the second ...; none where they are too many
 };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -55,6 +56,29 @@ TEST(Survey, WarnsWhereAllEchoesMissTheWindowAndSaysWhereTheyAre) {
   scene.simulations[0].range_end_m = 3300.0;
   scene.targets.push_back(target_on("Earth", {2500, 0, 0}, 40.0));
   EXPECT_THAT(survey(scene), IsEmpty());
+}
+
+// The world's z axis is up; 60 deg farther west nothing of the radar at 700 km is seen.
+TEST(Survey, WarnsOfTargetsBehindTheEarth) {
+  scene::Scene scene = sound_scene();
+  scene.world.frame = scene::World::Frame::earth;
+  scene.world.latitude = core::Angle::from_deg(40.0);
+  scene.platforms.push_back(resting("High", {0.0, 0.0, 700e3}));
+  scene.radars[0].platform = "High";
+  scene.targets = {target_on("Earth", {0.0, 0.0, 0.0}, 1e9), target_on("Earth", {-5.5e6, 0.0, -3.2e6}, 1e9)};
+  scene.simulations[0].range_start_m = 699.9e3;
+  scene.simulations[0].range_end_m = 701e3;
+  const auto is_horizon = Field(&core::Problem::message, HasSubstr("the Earth stands between"));
+  core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ::testing::Contains(is_horizon));
+  EXPECT_EQ(
+      std::ranges::find_if(problems, [](const core::Problem& p) { return p.message.starts_with("the Earth"); })->found,
+      "1 of 2 targets behind the horizon, the first of them target 2; 0 in the window");
+  scene.targets[1] = target_on("Earth", {-5.5e6, 0.0, 3.2e6}, 1e9);
+  EXPECT_THAT(survey(scene), ::testing::Not(::testing::Contains(is_horizon)));
+  scene.world.frame = scene::World::Frame::flat;
+  scene.targets[1] = target_on("Earth", {-5.5e6, 0.0, -3.2e6}, 1e9);
+  EXPECT_THAT(survey(scene), ::testing::Not(::testing::Contains(is_horizon)));
 }
 
 TEST(Survey, WarnsOfASceneWithoutTargets) {
