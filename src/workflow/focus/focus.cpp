@@ -13,6 +13,7 @@
 #include "core/task/clock.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/air_remarks.hpp"
 #include "workflow/focus/back_projection.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/motion_residual.hpp"
@@ -185,6 +186,7 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   std::ranges::move(remarks_on_area(work.input.echoes, work.options), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, control), std::back_inserter(problems));
+  std::ranges::move(remarks_on_air(*work.input.plan), std::back_inserter(problems));
   if (!in_time(request))
     std::ranges::move(remarks_on_swath_loss(*work.input.plan, work.input.echoes, work.options, control),
                       std::back_inserter(problems));
@@ -265,6 +267,7 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
   std::ranges::move(remarks_on_movers(plan, echoes, std::nullopt, control), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(remarks_on_ghosts(plan, echoes, kept, control), std::back_inserter(problems));
+  std::ranges::move(remarks_on_air(plan), std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
 

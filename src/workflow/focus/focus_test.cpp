@@ -6,11 +6,14 @@
 #include <set>
 #include <string>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "raster/format/envi.hpp"
+#include "scene/language/scene_writer.hpp"
+#include "workflow/focus/air_remarks.hpp"
 #include "workflow/focus/focus_test_script.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
@@ -190,6 +193,31 @@ TEST_F(FocusWorkflow, TheObserverSeesTheStageAndWhatTheReportRemarks) {
   const FocusReport report = focus(request_, observer);
   EXPECT_EQ(stages, std::set<std::string>{request_.output.string()});
   EXPECT_EQ(remarks.size(), report.problems.size());
+}
+
+// What the remark says is where the target then lies.
+TEST_F(FocusWorkflow, SaysHowFarTheAtmosphereShiftsTargets) {
+  scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25);
+  EXPECT_TRUE(remarks_on_air(*shared_plan(scene)).empty());
+  scene.atmosphere.refraction = scene::Atmosphere::Refraction::exponential;
+  const core::Problems remarks = remarks_on_air(*shared_plan(scene));
+  ASSERT_EQ(remarks.size(), 1U);
+  EXPECT_EQ(remarks[0].severity, core::Severity::note);
+  // 1e-6 N0 times the mean of exp(-h/H) over the heights up to 2000 m, on 10.198 km: 2.81 m.
+  const double height_m = 2000.0, scale_m = scene.atmosphere.scale_height_m;
+  const double mean = scale_m / height_m * (1.0 - std::exp(-height_m / scale_m));
+  const double excess_m = 1e-6 * scene.atmosphere.refractivity * mean * std::hypot(10e3, height_m);
+  EXPECT_THAT(remarks[0].found, testing::StartsWith(fmt::format("{:.3g} m of excess path", excess_m)));
+  const fs::path file = folder_ / "air.toml";
+  std::ofstream(file) << scene::write_format_2(scene);
+  request_.input.path = file.string();
+  const FocusReport report = focus(request_, {});
+  EXPECT_THAT(report.problems, testing::Contains(testing::Field(&core::Problem::message, remarks[0].message)));
+  const signal::FocusedImage image = signal::in_memory(report.image);
+  const signal::ImagePlace place = signal::place_of(image.frame, {});
+  const auto found = signal::measure_point(image, signal::reader_of(image), place, 6.0);
+  ASSERT_TRUE(found);
+  EXPECT_NEAR(found->place.range_m - place.range_m, excess_m, 0.15);
 }
 
 TEST_F(FocusWorkflow, RefusesWhatContradictsItself) {
