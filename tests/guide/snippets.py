@@ -8,6 +8,7 @@ A page is read by its fences:
 
     ```sh           run by bash in an empty folder of the page's own, with sarsim on the path and a copy of examples/
     ```python       run by Python (with NumPy and h5py), ```octave by Octave, ```gdl by GNU Data Language
+    ```python MODULE ...   by a Python that has these, too; SARSIM_XARRAY_PYTHON may name one
     ```toml NAME    written to the file NAME of that folder, as is ```scr NAME
     ```output       what the snippet before printed: these lines, in this order; "..." stands for any lines, and within a line
                     for any text
@@ -89,9 +90,15 @@ class Machine:
         self.environment = dict(os.environ, MPLBACKEND="Agg", QT_QPA_PLATFORM="offscreen", HOME=str(folder.parent))
         self.environment["PATH"] = f"{folder.parent / 'bin'}:{os.environ['PATH']}"
 
+    def program_for(self, fence):
+        """What runs a snippet; None where it is missing."""
+        if fence.language == "python" and fence.words:
+            return python_with(["numpy", "h5py", *fence.words])
+        return self.programs[fence.language]
+
     def run(self, fence):
         """Status and output of a snippet."""
-        command = [*self.programs[fence.language]]
+        command = [*self.program_for(fence)]
         name = {"sh": "snippet.sh", "python": "snippet.py", "octave": "snippet.m", "gdl": "snippet.pro"}[fence.language]
         file = self.folder.parent / name
         text = fence.text
@@ -116,7 +123,7 @@ class Machine:
 
 
 def python_with(modules):
-    for program in (sys.executable, "/usr/bin/python3"):
+    for program in (sys.executable, "/usr/bin/python3", os.environ.get("SARSIM_XARRAY_PYTHON", "")):
         imports = f"import {', '.join(modules)}"
         if os.path.exists(program) and subprocess.run([program, "-c", imports], capture_output=True).returncode == 0:
             return [program]
@@ -149,8 +156,8 @@ def check_fence(fence, machine, result):
         result.faults.append(f"line {fence.line}: a snippet in {fence.language} without the words '{MARK}' above it")
     elif fence.language not in RUN | QUIET | SCENES:
         result.faults.append(f"line {fence.line}: no such language: {fence.language}")
-    elif fence.language in RUN and machine.programs[fence.language] is None:
-        result.missing.append(fence.language)
+    elif fence.language in RUN and machine.program_for(fence) is None:
+        result.missing.append(fence.language + (f" with {', '.join(fence.words)}" if fence.words else ""))
     elif WORKBENCH.search(fence.text) and not machine.has_workbench:
         result.missing.append("sarsim-gui")
     elif fence.language in RUN:
@@ -231,6 +238,10 @@ class Reading(unittest.TestCase):
     def test_unknown_languages_and_outputs_of_nothing_are_found(self):
         self.assertEqual(self.check("```cobol\n```\n")[3], ["line 1: no such language: cobol"])
         self.assertEqual(self.check("```output\nx\n```\n")[3], ["line 1: output of no snippet"])
+
+    def test_missing_modules_are_told(self):
+        self.assertEqual(self.check("```python no_such_module\nx\n```\n"), (0, 0, ["python with no_such_module"], []))
+        self.assertEqual(self.check("```python json\nimport json\n```\n"), (1, 0, [], []))
 
     def test_a_missing_program_is_told(self):
         self.assertEqual(self.check("```gdl\nprint, 1\n```\n```output\n1\n```\n"), (0, 0, ["gdl"], []))

@@ -18,8 +18,8 @@ namespace {
 
 // About how many bytes an HDF5 file needs beside the samples.
 double hdf5_overhead_bytes(const simulate::Product& product) {
-  constexpr double structure = 8150.0;      // Superblock, object headers, the heap that holds the texts.
-  constexpr double pose_structure = 870.0;  // Three datasets and what they mean.
+  constexpr double structure = 11500.0;      // Superblock, object headers, the heaps that hold texts and references.
+  constexpr double pose_structure = 1900.0;  // Three datasets, what they mean and their axes.
   constexpr double pose = 72.0;
   const auto rows = static_cast<double>(product.rows);
   return structure + static_cast<double>(product.script.size()) + 16.0 * rows +

@@ -13,6 +13,8 @@
 
 #include "core/build/version.hpp"
 #include "raster/hdf5/hdf5_poses.hpp"
+#include "raster/hdf5/hdf5_scales.hpp"
+#include "raster/hdf5/hdf5_write.hpp"
 #include "raster/table/product_attributes.hpp"
 
 namespace sarsim::raster {
@@ -44,42 +46,6 @@ Hdf5Handle complex_type(hid_t part) {
 hid_t part_type(const Encoding& encoding) {
   if (!encoding.counts) return encoding.doubles ? H5T_IEEE_F64LE : H5T_IEEE_F32LE;
   return array_component_bytes(encoding) == 8 ? H5T_STD_I64LE : H5T_STD_I32LE;
-}
-
-bool write_attribute(hid_t object, const char* name, hid_t type, const void* value) {
-  if (H5Aexists(object, name) > 0) {
-    const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
-    return attribute && H5Awrite(attribute.get(), type, value) >= 0;
-  }
-  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  const Hdf5Handle attribute(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-  return attribute && H5Awrite(attribute.get(), type, value) >= 0;
-}
-
-bool write_attribute(hid_t object, const char* name, const std::string& text) {
-  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  H5Tset_size(type.get(), H5T_VARIABLE);
-  H5Tset_cset(type.get(), H5T_CSET_UTF8);
-  const char* pointer = text.c_str();
-  return write_attribute(object, name, type.get(), &pointer);
-}
-
-bool write_attribute(hid_t object, const char* name, double value) {
-  return write_attribute(object, name, H5T_IEEE_F64LE, &value);
-}
-
-bool write_attribute(hid_t object, const char* name, std::int32_t value) {
-  return write_attribute(object, name, H5T_STD_I32LE, &value);
-}
-
-Hdf5Handle create_dataset(hid_t file, const char* name, hid_t type, std::span<const hsize_t> sizes) {
-  const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
-  const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
-  H5Pset_obj_track_times(properties.get(), false);
-  H5Pset_layout(properties.get(), H5D_CONTIGUOUS);
-  H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY);
-  H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER);
-  return {H5Dcreate2(file, name, type, space.get(), H5P_DEFAULT, properties.get(), H5P_DEFAULT), H5Dclose};
 }
 
 // Writes whole leading indices [first, first + count) of a dataset of one or two dimensions.
@@ -115,6 +81,26 @@ bool write_poses(const std::array<Hdf5Handle, 3>& datasets, std::size_t first, s
   return true;
 }
 
+// What CF ("NetCDF Climate and Forecast Metadata Conventions") calls for: the unit as udunits writes it, and a name.
+struct AxisWords {
+  const char* name;
+  const char* units;
+  const char* long_name;
+};
+
+constexpr std::array<AxisWords, 6> axis_words{{{"pulse_time_s", "s", "send time"},
+                                               {"carrier_hz", "Hz", "carrier frequency"},
+                                               {"slant_range_m", "m", "one-way slant range"},
+                                               {"platform_position_m", "m", "position of the radar's platform"},
+                                               {"platform_velocity_mps", "m s-1", "velocity of the radar's platform"},
+                                               {"platform_rotation_rad", "rad", "rotation of the radar's platform"}}};
+
+bool describe(const Hdf5Handle& dataset, std::string_view name) {
+  const auto words = std::ranges::find(axis_words, name, &AxisWords::name);
+  return write_attribute(dataset.get(), "units", std::string(words->units)) &&
+         write_attribute(dataset.get(), "long_name", std::string(words->long_name));
+}
+
 bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
                 const std::function<double(std::size_t)>& value) {
   if (!value) return true;
@@ -141,8 +127,8 @@ Hdf5Sink::Hdf5Sink(const std::filesystem::path& path, const simulate::Product& p
     throw std::system_error(ESPIPE, std::generic_category(), "cannot write HDF5 into a pipe: " + path.string());
   const Hdf5Use use;
   create_file();
-  sample_type_ = complex_type(part_type(encoding_));
   write_attributes();
+  create_sample_type();
   create_datasets();
   write_column_axis();
   output_.check();
@@ -172,7 +158,8 @@ void Hdf5Sink::write_attributes() {
   const auto put = [&](const char* name, const auto&... value) {
     return !is_known(product_, name) || write_attribute(root, name, value...);
   };
-  expect(write_attribute(root, "format_version", format_version) &&
+  expect(write_attribute(root, "Conventions", std::string("CF-1.8")) &&
+         write_attribute(root, "format_version", format_version) &&
          write_attribute(root, "program_version", std::string(core::program_version)) &&
          put("script", product_.script) && put("radar", product_.radar) &&
          put("processing", std::string(name_of(product_.processing))) &&
@@ -183,26 +170,60 @@ void Hdf5Sink::write_attributes() {
          put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v));
 }
 
+// With a name in the file, because older netCDF libraries leave out compound types that have none.
+void Hdf5Sink::create_sample_type() {
+  const Hdf5Handle creation(H5Pcreate(H5P_DATATYPE_CREATE), H5Pclose);
+  H5Pset_obj_track_times(creation.get(), false);
+  sample_type_ = complex_type(part_type(encoding_));
+  expect(H5Tcommit2(hdf5_.get(), "complex", sample_type_.get(), H5P_DEFAULT, creation.get(), H5P_DEFAULT) >= 0);
+}
+
 void Hdf5Sink::create_datasets() {
   const std::array<hsize_t, 2> shape{product_.rows, product_.columns};
-  const hid_t file = hdf5_.get();
-  const auto add_axis = [&](const char* name, const auto& axis, Hdf5Handle& dataset, std::span<const hsize_t> size) {
-    if (!axis) return;
-    dataset = create_dataset(file, name, H5T_IEEE_F64LE, size);
-    expect(static_cast<bool>(dataset));
-  };
-  add_axis("pulse_time_s", product_.row_time_s, pulse_time_, std::span(shape).first(1));
-  add_axis("carrier_hz", product_.row_carrier_hz, carrier_, std::span(shape).first(1));
-  add_axis("slant_range_m", product_.column_range_m, slant_range_, std::span(shape).last(1));
-  for (std::size_t a = 0; product_.row_pose && a < pose_axes.size(); ++a) {
-    pose_[a] = create_dataset(file, pose_axes[a].name, H5T_IEEE_F64LE, std::array<hsize_t, 2>{product_.rows, 3});
-    expect(pose_[a] && write_attribute(pose_[a].get(), "meaning", std::string(pose_axes[a].meaning)));
-  }
+  const std::span<const hsize_t> rows = std::span(shape).first(1);
+  Hdf5Scales scales(hdf5_.get());
+  create_axis("slant_range_m", product_.column_range_m, std::span(shape).last(1), slant_range_);
+  create_axis("pulse_time_s", product_.row_time_s, rows, pulse_time_);
+  create_axis("carrier_hz", product_.row_carrier_hz, rows, carrier_);
+  const std::string down = add_scale(scales, pulse_time_, "pulse_time_s", "pulse", product_.rows);
+  const std::string across = add_scale(scales, slant_range_, "slant_range_m", "sample", product_.columns);
+  if (carrier_) expect(scales.attach(carrier_.get(), "carrier_hz", {down}));
+  create_poses(scales, down);
   // Of a recording; images and profiles have times of their own.
   if (product_.row_time_s && product_.processing != scene::Processing::srp && is_known(product_, "processing"))
     expect(write_attribute(pulse_time_.get(), "meaning", std::string("when the middle of the pulse leaves, s")));
-  samples_ = create_dataset(file, "samples", sample_type_.get(), shape);
-  expect(samples_ && write_attribute(samples_.get(), "unit", std::string(encoding_.counts ? "count" : "V")));
+  samples_ = create_dataset(hdf5_.get(), "samples", sample_type_.get(), shape);
+  const std::string unit = encoding_.counts ? "count" : "V";
+  expect(samples_ && write_attribute(samples_.get(), "unit", unit) && write_attribute(samples_.get(), "units", unit) &&
+         write_attribute(samples_.get(), "long_name", std::string("complex envelope")) &&
+         (!carrier_ || write_attribute(samples_.get(), "coordinates", std::string("carrier_hz"))) &&
+         scales.attach(samples_.get(), "samples", {down, across}) && scales.finish());
+}
+
+void Hdf5Sink::create_axis(const char* name, const std::function<double(std::size_t)>& axis,
+                           std::span<const hsize_t> size, Hdf5Handle& dataset) {
+  if (!axis) return;
+  dataset = create_dataset(hdf5_.get(), name, H5T_IEEE_F64LE, size);
+  expect(dataset && describe(dataset, name));
+}
+
+// The name of a dimension: that of its coordinates, or where there are none a word.
+std::string Hdf5Sink::add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const char* name, const char* word,
+                                std::size_t length) const {
+  expect(axis ? scales.add(axis.get(), name) : scales.add_bare(word, length));
+  return axis ? name : word;
+}
+
+void Hdf5Sink::create_poses(Hdf5Scales& scales, const std::string& rows) {
+  if (!product_.row_pose) return;
+  expect(scales.add_words("world_axis", {"x", "y", "z"}));
+  for (std::size_t a = 0; a < pose_axes.size(); ++a) {
+    const char* name = pose_axes[a].name;
+    pose_[a] = create_dataset(hdf5_.get(), name, H5T_IEEE_F64LE, std::array<hsize_t, 2>{product_.rows, 3});
+    expect(pose_[a] && describe(pose_[a], name) &&
+           write_attribute(pose_[a].get(), "meaning", std::string(pose_axes[a].meaning)) &&
+           scales.attach(pose_[a].get(), name, {rows, "world_axis"}));
+  }
 }
 
 void Hdf5Sink::write_column_axis() { expect(write_axis(slant_range_, 0, product_.columns, product_.column_range_m)); }
@@ -246,7 +267,7 @@ void Hdf5Sink::finish(const simulate::RunReport& report) {
   order_.expect_all();
   const Hdf5Use use;
   write_row_axes(product_.rows, 1);
-  expect(!is_known(product_, "lsb_v") || write_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
+  expect(!is_known(product_, "lsb_v") || replace_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
   bool closed = true;
   for (Hdf5Handle* handle :
        {&slant_range_, &pose_[0], &pose_[1], &pose_[2], &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})

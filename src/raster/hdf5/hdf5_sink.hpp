@@ -2,6 +2,9 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
 
 #include "core/os/output_file.hpp"
 #include "raster/format/encoder.hpp"
@@ -13,8 +16,11 @@
 
 namespace sarsim::raster {
 
+class Hdf5Scales;
+
 /// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`,
-/// `/slant_range_m` and the poses of the radar's platform, but for what is not known. Contiguous datasets of known
+/// `/slant_range_m` and the poses of the radar's platform, but for what is not known, with scales that name their
+/// dimensions. Contiguous datasets of known
 /// size; rows and their axes are written as they come. No time stamps, and a fixed version of the format: the same
 /// input gives the same bytes.
 class Hdf5Sink final : public simulate::Sink {
@@ -40,7 +46,13 @@ class Hdf5Sink final : public simulate::Sink {
  private:
   void expect(bool done) const;
   void create_file();
+  void create_sample_type();
   void create_datasets();
+  void create_axis(const char* name, const std::function<double(std::size_t)>& axis, std::span<const hsize_t> size,
+                   Hdf5Handle& dataset);
+  [[nodiscard]] std::string add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const char* name, const char* word,
+                                      std::size_t length) const;
+  void create_poses(Hdf5Scales& scales, const std::string& rows);
   void write_attributes();
   void write_column_axis();
   void write_row_axes(std::size_t end, std::size_t least_rows);

@@ -1,0 +1,127 @@
+#!/usr/bin/env python3
+"""Opens what the program writes with xarray and its like, and compares the values with those of the program itself.
+
+    xarray_test.py NAME      one of the functions below
+
+The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment, an interpreter with the packages
+SARSIM_XARRAY_PYTHON. Exit status: 0 as it should be, 1 not, 77 packages are missing.
+"""
+
+import importlib.util
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+SKIPPED = 77
+NEEDS = {
+    "recordings_have_named_axes": ("numpy", "xarray", "h5netcdf"),
+    "netcdf_reads_recordings": ("numpy", "netCDF4"),
+}
+SCENE = """$TARGET Earth 1000 0 0 0 0 0 1 0 ISOTROPIC
+$RADAR Radar1 Earth CHIRP 0.03 500 RECT CONSTANT 1000 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC
+$SIMULATION Radar1 900 1200 0 0.0199 8 0.05 1E-6 HDF5 RAW sim.h5 BEGIN 1 1
+"""
+
+
+def skip_without(modules):
+    """Ends the test where a package is missing, after another interpreter has been tried."""
+    missing = [name for name in modules if importlib.util.find_spec(name) is None]
+    if not missing:
+        return
+    other = os.environ.pop("SARSIM_XARRAY_PYTHON", "")
+    if other:
+        os.execv(other, [other, "-B", *sys.argv])
+    print(f"{sys.executable} has no {', '.join(missing)}; SARSIM_XARRAY_PYTHON may name an interpreter that has")
+    sys.exit(SKIPPED)
+
+
+def sarsim(*words):
+    program = os.environ.get("SARSIM_PROGRAM") or os.environ["SARSIM_BUILT_PROGRAM"]
+    done = subprocess.run([program, *map(str, words)], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, f"{words}: {done.stderr}"
+    return done.stdout
+
+
+def recorded(folder, *words):
+    """A recording as HDF5 with what the program itself says of it."""
+    (folder / "scene.scr").write_text(SCENE)
+    sarsim("run", folder / "scene.scr", "--out", folder, "--quiet", "--force", *words)
+    return folder / "sim.h5"
+
+
+def volts_of(path):
+    """The samples as the program copies them to NPY."""
+    import numpy
+
+    sarsim("convert", path, path.with_suffix(".npy"), "--force")
+    return numpy.load(path.with_suffix(".npy"))
+
+
+def check_axes(data):
+    import numpy
+
+    assert data.samples.dims == ("pulse_time_s", "slant_range_m"), data.samples.dims
+    numpy.testing.assert_allclose(data.pulse_time_s, 0.001 * numpy.arange(20), atol=1e-12)
+    numpy.testing.assert_allclose(numpy.diff(data.slant_range_m), 299792458 / 1e8)
+    assert data.samples.coords["carrier_hz"].dims == ("pulse_time_s",)
+    assert set(data.carrier_hz.values) == {1e9}
+    units = {name: data[name].attrs["units"] for name in ("samples", "pulse_time_s", "slant_range_m", "carrier_hz")}
+    assert units == {"samples": "V", "pulse_time_s": "s", "slant_range_m": "m", "carrier_hz": "Hz"}, units
+    assert list(data.world_axis.values) == ["x", "y", "z"]
+    assert data.platform_position_m.dims == ("pulse_time_s", "world_axis")
+
+
+def recordings_have_named_axes(folder):
+    import numpy
+    import xarray
+
+    path = recorded(folder)
+    with xarray.open_dataset(path, engine="h5netcdf") as data:
+        check_axes(data)
+        assert data.samples.dtype == numpy.complex64
+        numpy.testing.assert_array_equal(data.samples.values, volts_of(path))
+        near = data.samples.sel(slant_range_m=1004, method="nearest")
+        assert abs(float(near.slant_range_m) - 1004) < 1.5
+        assert abs(near.values).min() > 0, "the echo of the target at 1000 m"
+    with xarray.open_dataset(recorded(folder, "--counts"), engine="h5netcdf") as data:
+        assert data.samples.attrs["units"] == "count"
+        assert data.samples.dims == ("pulse_time_s", "slant_range_m")
+    # Without axes the dimensions have names all the same.
+    recorded(folder)
+    volts_of(path)
+    sarsim("convert", path.with_suffix(".npy"), folder / "bare.h5")
+    with xarray.open_dataset(folder / "bare.h5", engine="h5netcdf") as data:
+        assert data.samples.dims == ("pulse", "sample") and not data.coords, data
+        numpy.testing.assert_array_equal(data.samples.values, volts_of(path))
+
+
+def netcdf_reads_recordings(folder):
+    import netCDF4
+    import numpy
+
+    path = recorded(folder)
+    with netCDF4.Dataset(path) as data:
+        assert sorted(data.dimensions) == ["pulse_time_s", "slant_range_m", "world_axis"], list(data.dimensions)
+        samples = data["samples"]
+        assert samples.dimensions == ("pulse_time_s", "slant_range_m")
+        assert samples.units == "V"
+        pairs = samples[...]
+        numpy.testing.assert_array_equal(pairs["r"] + 1j * pairs["i"], volts_of(path))
+        assert data["pulse_time_s"][3] == 0.003
+    volts_of(path)
+    sarsim("convert", path.with_suffix(".npy"), folder / "bare.h5")
+    with netCDF4.Dataset(folder / "bare.h5") as data:
+        assert sorted(data.variables) == ["samples"], data.variables
+        assert data["samples"].dimensions == ("pulse", "sample")
+
+
+def main():
+    name = sys.argv[1]
+    skip_without(NEEDS[name])
+    with tempfile.TemporaryDirectory() as folder:
+        globals()[name](pathlib.Path(folder))
+
+
+main()
