@@ -18,6 +18,7 @@ SKIPPED = 77
 NEEDS = {
     "recordings_have_named_axes": ("numpy", "xarray", "h5netcdf"),
     "netcdf_reads_recordings": ("numpy", "netCDF4"),
+    "images_have_named_axes": ("numpy", "xarray", "h5netcdf"),
 }
 SCENE = """$TARGET Earth 1000 0 0 0 0 0 1 0 ISOTROPIC
 $RADAR Radar1 Earth CHIRP 0.03 500 RECT CONSTANT 1000 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC
@@ -115,6 +116,94 @@ def netcdf_reads_recordings(folder):
     with netCDF4.Dataset(folder / "bare.h5") as data:
         assert sorted(data.variables) == ["samples"], data.variables
         assert data["samples"].dimensions == ("pulse", "sample")
+
+
+EARTH_SCENE = """format = "sarsim 2"
+
+[world]
+frame = "earth"
+anchor = { latitude = "52.3 deg", longitude = "13.4 deg" }
+
+[[platform]]
+name = "Aircraft"
+[platform.path]
+type = "points"
+x = { interpolation = "linear", points = [[0, -60], [1, 40]] }
+y = { interpolation = "linear", points = [[0, -3000]] }
+z = { interpolation = "linear", points = [[0, 2000]] }
+
+[[target]]
+positions = [[0, 0, 0]]
+
+[[radar]]
+name = "SAR"
+platform = "Aircraft"
+pulse = { type = "chirp", bandwidth = "50 MHz", width = "1 us" }
+repetition = "400 Hz"
+carrier = "5 GHz"
+power = "1 kW"
+beam = { type = "fixed", azimuth = "0 deg", elevation = "-33.7 deg" }
+
+[[recording]]
+radar = "SAR"
+file = "sim.h5"
+format = "hdf5"
+range = ["3.5 km", "3.8 km"]
+time = ["0 s", "1.2 s"]
+sample_rate = "60 MHz"
+bits = 16
+"""
+
+
+def header_of(path):
+    """The fields of an ENVI header."""
+    lines = (line.split(" = ", 1) for line in path.read_text().splitlines() if " = " in line)
+    return {name: value.strip("{} ") for name, value in lines}
+
+
+def images_have_named_axes(folder):
+    import numpy
+    import xarray
+
+    scene = folder / "scene.toml"
+    scene.write_text(EARTH_SCENE)
+    sarsim("run", scene, "--out", folder, "--quiet")
+    # A slant-range image: places along the track name its rows, times go with them.
+    sarsim("focus", folder / "sim.h5", "--out", folder / "slant.h5", "--quiet")
+    sarsim("focus", folder / "sim.h5", "--out", folder / "slant.img", "--quiet")
+    header = header_of(folder / "slant.hdr")
+    with xarray.open_dataset(folder / "slant.h5", engine="h5netcdf") as image:
+        assert image.samples.dims == ("azimuth_m", "slant_range_m"), image.samples.dims
+        assert image.samples.coords["pulse_time_s"].dims == ("azimuth_m",)
+        steps = float(header["azimuth step m"]) * numpy.arange(image.azimuth_m.size)
+        numpy.testing.assert_allclose(image.azimuth_m, float(header["azimuth first m"]) + steps)
+        numpy.testing.assert_allclose(image.pulse_time_s, image.azimuth_m / 100.0)
+        peak = abs(image.samples).argmax(dim=["azimuth_m", "slant_range_m"])
+        assert abs(float(image.slant_range_m[peak["slant_range_m"]]) - numpy.hypot(3000, 2000)) < 3
+    # A ground grid over the Earth.
+    grid = ("--algorithm", "back-projection", "--grid", "ground", "--quiet")
+    sarsim("focus", folder / "sim.h5", "--out", folder / "ground.h5", *grid)
+    sarsim("focus", folder / "sim.h5", "--out", folder / "ground.img", *grid)
+    header = header_of(folder / "ground.hdr")
+    with xarray.open_dataset(folder / "ground.h5", engine="h5netcdf") as image:
+        assert image.samples.dims == ("azimuth_m", "ground_range_m"), image.samples.dims
+        assert image.samples.attrs.get("grid_mapping", image.samples.encoding.get("grid_mapping")) == "utm"
+        assert f"{image.utm.attrs['spatial_ref']}" == "EPSG:32633"
+        transform = [float(word) for word in image.utm.attrs["GeoTransform"].split()]
+        middle = [float(word) for word in header["utm middle m"].split(",")]
+        half = (image.sizes["ground_range_m"] / 2, image.sizes["azimuth_m"] / 2)
+        numpy.testing.assert_allclose(transform[0] + transform[1] * half[0] + transform[2] * half[1], middle[0], atol=1e-3)
+        numpy.testing.assert_allclose(transform[3] + transform[4] * half[0] + transform[5] * half[1], middle[1], atol=1e-3)
+        corners = [float(word) for word in header["geo points"].split(",")]
+        assert abs(min(corners[2::4]) - image.attrs["geospatial_lat_min"]) < 1e-9
+        assert abs(max(corners[3::4]) - image.attrs["geospatial_lon_max"]) < 1e-9
+        places = image.ground_range_m.values
+    # Copies keep the axes.
+    sarsim("convert", folder / "ground.h5", folder / "copy.h5")
+    with xarray.open_dataset(folder / "copy.h5", engine="h5netcdf") as image:
+        assert image.samples.dims == ("azimuth_m", "ground_range_m"), image.samples.dims
+        numpy.testing.assert_array_equal(image.ground_range_m, places)
+    assert "ground ranges" in sarsim("info", folder / "copy.h5")
 
 
 def main():

@@ -57,7 +57,10 @@ std::vector<Figure> axis_figures(const raster::Raster& file) {
   if (!axes) return f;
   add_axis(f, "send times", "time", "s", axes->row_time_s);
   add_axis(f, "carriers", "carrier", "Hz", axes->row_carrier_hz);
-  add_axis(f, "slant ranges", "range", "m", axes->column_range_m);
+  if (!axes->row_m.empty())
+    add_axis(f, axes->row_axis == "cross_range_m" ? "cross-range" : "azimuth", "row", "m", axes->row_m);
+  const bool ground = axes->column_axis == "ground_range_m";
+  add_axis(f, ground ? "ground ranges" : "slant ranges", "range", "m", axes->column_range_m);
   return f;
 }
 

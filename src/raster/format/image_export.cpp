@@ -71,6 +71,10 @@ simulate::Product product_of(const Raster& source, const ImageWindow& window, co
     product.row_time_s = picked(std::move(axes->row_time_s), window.row0, window.row_step, unknown);
     product.row_carrier_hz = picked(std::move(axes->row_carrier_hz), window.row0, window.row_step, unknown);
     product.column_range_m = picked(std::move(axes->column_range_m), window.col0, window.col_step, unknown);
+    product.image.columns = axes->column_axis;
+    product.image.rows = axes->row_axis;
+    if (!axes->row_m.empty())
+      product.image.row_m = picked(std::move(axes->row_m), window.row0, window.row_step, unknown);
     constexpr std::array nowhere{unknown, unknown, unknown};
     if (!axes->row_pose.empty())
       product.row_pose =

@@ -8,17 +8,22 @@ namespace sarsim::raster {
 
 /// A dataset of three numbers for each row, part of where the radar's platform is.
 struct PoseAxis {
-  const char* name;     ///< In the root of the file.
-  const char* meaning;  ///< Its attribute `meaning`.
+  const char* name;       ///< In the root of the file.
+  const char* units;      ///< As udunits writes them.
+  const char* long_name;  ///< For people.
+  const char* meaning;    ///< Its attribute `meaning`.
   std::array<double, 3> simulate::RowPose::*part;
 };
 
 /// All of them: a file has them together or not at all.
 inline constexpr std::array<PoseAxis, 3> pose_axes{
-    {{"platform_position_m", "x, y, z of the radar's platform in world axes when the middle of the pulse leaves, m",
+    {{"platform_position_m", "m", "position of the radar's platform",
+      "x, y, z of the radar's platform in world axes when the middle of the pulse leaves, m",
       &simulate::RowPose::position_m},
-     {"platform_velocity_mps", "its velocity in world axes, m/s", &simulate::RowPose::velocity_mps},
-     {"platform_rotation_rad", "its rotation about x, y and z, rad: world = Rz(-rz) Ry(-ry) Rx(-rx) platform",
+     {"platform_velocity_mps", "m s-1", "velocity of the radar's platform", "its velocity in world axes, m/s",
+      &simulate::RowPose::velocity_mps},
+     {"platform_rotation_rad", "rad", "rotation of the radar's platform",
+      "its rotation about x, y and z, rad: world = Rz(-rz) Ry(-ry) Rx(-rx) platform",
       &simulate::RowPose::rotation_rad}}};
 
 }  // namespace sarsim::raster

@@ -16,6 +16,7 @@
 #include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/hdf5/hdf5_attributes.hpp"
+#include "raster/hdf5/hdf5_axes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
 #include "raster/hdf5/hdf5_poses.hpp"
@@ -85,9 +86,11 @@ class Hdf5Raster final : public Raster {
     const Hdf5Use use;
     auto time = read_axis("/pulse_time_s", rows());
     auto carrier = read_axis("/carrier_hz", rows());
-    auto range = read_axis("/slant_range_m", columns());
-    if (!time || !carrier || !range) return std::nullopt;
-    return RasterAxes{std::move(*time), std::move(*carrier), std::move(*range), read_poses()};
+    if (!time || !carrier) return std::nullopt;
+    RasterAxes axes{std::move(*time), std::move(*carrier), {}, read_poses()};
+    find_axis(AxisOf::image_rows, rows(), axes.row_axis, axes.row_m);
+    if (!find_axis(AxisOf::columns, columns(), axes.column_axis, axes.column_range_m)) return std::nullopt;
+    return axes;
   }
 
   // From here on rows are read from the file itself, where they stand in it as they are wanted: the library lets one
@@ -112,9 +115,8 @@ class Hdf5Raster final : public Raster {
   void try_axes() const {
     if (old_layout_) return;
     const Hdf5Use use;
-    try_axis("/pulse_time_s", rows());
-    try_axis("/carrier_hz", rows());
-    try_axis("/slant_range_m", columns());
+    for (const AxisWords& axis : axis_words)
+      try_axis(std::string("/") + axis.name, axis.of == AxisOf::columns ? columns() : rows());
     for (const PoseAxis& axis : pose_axes) try_axis(axis.name, rows(), 3);
   }
 
@@ -164,7 +166,8 @@ class Hdf5Raster final : public Raster {
   }
 
   // The axis, where it is there and of numbers, `width` of them for each of `length`.
-  [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const char* path, std::size_t length, std::size_t width) const {
+  [[nodiscard]] std::optional<Hdf5Dataset> open_axis(const std::string& path, std::size_t length,
+                                                     std::size_t width) const {
     auto opened = open_dataset(file_.get(), path, file_bytes_);
     auto* dataset = std::get_if<Hdf5Dataset>(&opened);
     const auto shape = width == 1 ? std::vector<std::uint64_t>{length} : std::vector<std::uint64_t>{length, width};
@@ -174,18 +177,31 @@ class Hdf5Raster final : public Raster {
     return std::move(*dataset);
   }
 
-  void read_axis_part(const Hdf5Dataset& axis, const char* path, std::size_t first, std::size_t count,
+  void read_axis_part(const Hdf5Dataset& axis, const std::string& path, std::size_t first, std::size_t count,
                       std::span<double> out) const {
     read_part(axis, H5T_NATIVE_DOUBLE, first, count, out.data(), fmt::format("{} of {}", path, name_));
   }
 
-  [[nodiscard]] std::optional<std::vector<double>> read_axis(const char* path, std::size_t length,
+  [[nodiscard]] std::optional<std::vector<double>> read_axis(const std::string& path, std::size_t length,
                                                              std::size_t width = 1) const {
     const auto axis = open_axis(path, length, width);
     if (!axis) return std::nullopt;
     std::vector<double> values(length * width);
     read_axis_part(*axis, path, 0, length, values);
     return values;
+  }
+
+  // The first axis of a kind that the file has.
+  bool find_axis(AxisOf kind, std::size_t length, std::string& name, std::vector<double>& values) const {
+    for (const AxisWords& axis : axis_words) {
+      if (axis.of != kind) continue;
+      auto found = read_axis(std::string("/") + axis.name, length);
+      if (!found) continue;
+      name = axis.name;
+      values = std::move(*found);
+      return true;
+    }
+    return false;
   }
 
   // Empty where the file lacks one of the datasets, as those of older versions do.
@@ -200,7 +216,7 @@ class Hdf5Raster final : public Raster {
     return poses;
   }
 
-  void try_axis(const char* path, std::size_t length, std::size_t width = 1) const {
+  void try_axis(const std::string& path, std::size_t length, std::size_t width = 1) const {
     constexpr std::size_t at_once = std::size_t{1} << 20U;
     const auto axis = open_axis(path, length, width);
     if (!axis) return;

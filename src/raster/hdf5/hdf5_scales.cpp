@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -42,7 +43,8 @@ bool Hdf5Scales::add_named(hid_t dataset, const std::string& name, const std::st
 bool Hdf5Scales::add(hid_t dataset, const std::string& name) { return add_named(dataset, name, name); }
 
 bool Hdf5Scales::add_bare(const std::string& name, std::uint64_t length) {
-  const Hdf5Handle dataset = create_late_dataset(file_, name.c_str(), H5T_IEEE_F32BE, length);
+  const hsize_t size = length;
+  const Hdf5Handle dataset = create_late_dataset(file_, name.c_str(), H5T_IEEE_F32BE, std::span(&size, 1));
   // By these words netCDF-4 tells a dimension without coordinates; the length takes ten places.
   return dataset && add_named(dataset.get(), name,
                               fmt::format("This is a netCDF dimension but not a netCDF variable.{:10}", length));
@@ -50,7 +52,8 @@ bool Hdf5Scales::add_bare(const std::string& name, std::uint64_t length) {
 
 bool Hdf5Scales::add_words(const std::string& name, const std::vector<const char*>& words) {
   const Hdf5Handle type = text_type();
-  const Hdf5Handle dataset = create_late_dataset(file_, name.c_str(), type.get(), words.size());
+  const hsize_t count = words.size();
+  const Hdf5Handle dataset = create_late_dataset(file_, name.c_str(), type.get(), std::span(&count, 1));
   // The library clears the buffers in which it converts texts, two megabytes unless told otherwise.
   constexpr std::size_t buffer_bytes = 4096;
   const Hdf5Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);

@@ -7,6 +7,7 @@
 
 #include "raster/format/data_test_support.hpp"
 #include "raster/hdf5/hdf5_library.hpp"
+#include "raster/table/product_attributes.hpp"
 
 // The dimension scales of our files, as the HDF5 specification has them; tests/references reads them with xarray.
 namespace sarsim::raster {
@@ -144,6 +145,37 @@ TEST(Hdf5Scales, DimensionsWithoutCoordinatesHaveNamesAndLengthsOnly) {
   EXPECT_FALSE(file.has("world_axis"));
   EXPECT_EQ(text_attribute(file.dataset("samples").get(), "coordinates"), "");
   EXPECT_EQ(text_attribute(file.dataset("samples").get(), "units"), "count");
+}
+
+TEST(Hdf5Scales, ImagesHaveTheirOwnAxesAndMaps) {
+  const TestFolder folder;
+  simulate::Product product = test_product(5, 7, 12);
+  product.image.rows = "azimuth_m";
+  product.image.row_m = [](std::size_t row) { return 10.0 * static_cast<double>(row); };
+  product.image.columns = "ground_range_m";
+  product.image.facts = {{"geospatial_lat_min", -1.5}, {"geospatial_bounds", "POLYGON"}};
+  product.image.map = {{"grid_mapping_name", "transverse_mercator"}, {"false_easting", 500e3}};
+  write_test_file(folder / "a.h5", product, {scene::FileFormat::hdf5});
+  {
+    const Scaled file(folder / "a.h5");
+    EXPECT_THAT(file.dimensions("samples"), ElementsAre("/azimuth_m", "/ground_range_m"));
+    EXPECT_THAT(file.dimensions("pulse_time_s"), ElementsAre("/azimuth_m"));
+    EXPECT_EQ(text_attribute(file.dataset("samples").get(), "coordinates"), "pulse_time_s carrier_hz");
+    EXPECT_EQ(text_attribute(file.dataset("samples").get(), "grid_mapping"), "utm");
+    EXPECT_EQ(text_attribute(file.dataset("utm").get(), "grid_mapping_name"), "transverse_mercator");
+    EXPECT_EQ(text_attribute(file.dataset("azimuth_m").get(), "long_name"), "place along the track");
+    EXPECT_FALSE(file.has("slant_range_m"));
+  }
+  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(attribute_of(opened.raster->info().attributes, "geospatial_lat_min"), "-1.5");
+  EXPECT_EQ(attribute_of(opened.raster->info().attributes, "geospatial_bounds"), "POLYGON");
+  const auto axes = opened.raster->axes();
+  ASSERT_TRUE(axes);
+  EXPECT_EQ(axes->row_axis, "azimuth_m");
+  EXPECT_EQ(axes->row_m, (std::vector<double>{0.0, 10.0, 20.0, 30.0, 40.0}));
+  EXPECT_EQ(axes->column_axis, "ground_range_m");
+  EXPECT_EQ(axes->column_range_m[1], 1001.5);
 }
 
 TEST(Hdf5Scales, SamplesHaveATypeWithAName) {

@@ -7,11 +7,14 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/build/version.hpp"
+#include "core/report/expect.hpp"
+#include "raster/hdf5/hdf5_axes.hpp"
 #include "raster/hdf5/hdf5_poses.hpp"
 #include "raster/hdf5/hdf5_scales.hpp"
 #include "raster/hdf5/hdf5_write.hpp"
@@ -24,6 +27,7 @@ namespace {
 constexpr std::int32_t format_version = 1;
 constexpr std::size_t axis_chunk = 8192;  // Values of an axis that are computed and written at a time.
 constexpr unsigned most_attributes_in_header = 64;
+constexpr const char* map_name = "utm";
 
 const char* name_of(scene::Processing processing) {
   switch (processing) {
@@ -81,24 +85,15 @@ bool write_poses(const std::array<Hdf5Handle, 3>& datasets, std::size_t first, s
   return true;
 }
 
-// What CF ("NetCDF Climate and Forecast Metadata Conventions") calls for: the unit as udunits writes it, and a name.
-struct AxisWords {
-  const char* name;
-  const char* units;
-  const char* long_name;
-};
+bool describe(const Hdf5Handle& dataset, const std::string& units, const std::string& long_name) {
+  return write_attribute(dataset.get(), "units", units) && write_attribute(dataset.get(), "long_name", long_name);
+}
 
-constexpr std::array<AxisWords, 6> axis_words{{{"pulse_time_s", "s", "send time"},
-                                               {"carrier_hz", "Hz", "carrier frequency"},
-                                               {"slant_range_m", "m", "one-way slant range"},
-                                               {"platform_position_m", "m", "position of the radar's platform"},
-                                               {"platform_velocity_mps", "m s-1", "velocity of the radar's platform"},
-                                               {"platform_rotation_rad", "rad", "rotation of the radar's platform"}}};
-
-bool describe(const Hdf5Handle& dataset, std::string_view name) {
-  const auto words = std::ranges::find(axis_words, name, &AxisWords::name);
-  return write_attribute(dataset.get(), "units", std::string(words->units)) &&
-         write_attribute(dataset.get(), "long_name", std::string(words->long_name));
+bool write_facts(hid_t object, const simulate::Facts& facts) {
+  return std::ranges::all_of(facts, [&](const auto& fact) {
+    return std::visit([&](const auto& value) { return write_attribute(object, fact.first.c_str(), value); },
+                      fact.second);
+  });
 }
 
 bool write_axis(const Hdf5Handle& dataset, std::size_t first, std::size_t count,
@@ -167,7 +162,8 @@ void Hdf5Sink::write_attributes() {
                              [&](const auto& option) { return put(option.first.c_str(), option.second); }) &&
          put("seed", H5T_STD_U64LE, static_cast<const void*>(&options.seed)) && put("engine", product_.engine) &&
          put("tolerance", options.tolerance) && put("sample_rate_hz", product_.sample_rate_hz) &&
-         put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v));
+         put("bits", static_cast<std::int32_t>(product_.bits)) && put("lsb_v", product_.lsb_v) &&
+         write_facts(root, product_.image.facts));
 }
 
 // With a name in the file, because older netCDF libraries leave out compound types that have none.
@@ -181,37 +177,58 @@ void Hdf5Sink::create_sample_type() {
 void Hdf5Sink::create_datasets() {
   const std::array<hsize_t, 2> shape{product_.rows, product_.columns};
   const std::span<const hsize_t> rows = std::span(shape).first(1);
+  const simulate::ImageAxes& image = product_.image;
   Hdf5Scales scales(hdf5_.get());
-  create_axis("slant_range_m", product_.column_range_m, std::span(shape).last(1), slant_range_);
+  create_axis(image.columns, product_.column_range_m, std::span(shape).last(1), slant_range_);
+  create_axis(image.rows, image.row_m, rows, image_rows_);
   create_axis("pulse_time_s", product_.row_time_s, rows, pulse_time_);
   create_axis("carrier_hz", product_.row_carrier_hz, rows, carrier_);
-  const std::string down = add_scale(scales, pulse_time_, "pulse_time_s", "pulse", product_.rows);
-  const std::string across = add_scale(scales, slant_range_, "slant_range_m", "sample", product_.columns);
-  if (carrier_) expect(scales.attach(carrier_.get(), "carrier_hz", {down}));
+  // Times name the rows of recordings and go with those of images.
+  const std::string down = image.row_m ? add_scale(scales, image_rows_, image.rows, {}, 0)
+                                       : add_scale(scales, pulse_time_, "pulse_time_s", "pulse", product_.rows);
+  const std::string across = add_scale(scales, slant_range_, image.columns, "sample", product_.columns);
+  std::string with_rows;
+  const auto attach = [&](const Hdf5Handle& axis, const std::string& name) {
+    if (!axis) return;
+    expect(scales.attach(axis.get(), name, {down}));
+    with_rows += (with_rows.empty() ? "" : " ") + name;
+  };
+  if (image.row_m) attach(pulse_time_, "pulse_time_s");
+  attach(carrier_, "carrier_hz");
   create_poses(scales, down);
   // Of a recording; images and profiles have times of their own.
   if (product_.row_time_s && product_.processing != scene::Processing::srp && is_known(product_, "processing"))
     expect(write_attribute(pulse_time_.get(), "meaning", std::string("when the middle of the pulse leaves, s")));
+  create_map();
   samples_ = create_dataset(hdf5_.get(), "samples", sample_type_.get(), shape);
   const std::string unit = encoding_.counts ? "count" : "V";
-  expect(samples_ && write_attribute(samples_.get(), "unit", unit) && write_attribute(samples_.get(), "units", unit) &&
-         write_attribute(samples_.get(), "long_name", std::string("complex envelope")) &&
-         (!carrier_ || write_attribute(samples_.get(), "coordinates", std::string("carrier_hz"))) &&
+  expect(samples_ && write_attribute(samples_.get(), "unit", unit) && describe(samples_, unit, "complex envelope") &&
+         (with_rows.empty() || write_attribute(samples_.get(), "coordinates", with_rows)) &&
+         (image.map.empty() || write_attribute(samples_.get(), "grid_mapping", std::string(map_name))) &&
          scales.attach(samples_.get(), "samples", {down, across}) && scales.finish());
 }
 
-void Hdf5Sink::create_axis(const char* name, const std::function<double(std::size_t)>& axis,
+void Hdf5Sink::create_axis(const std::string& name, const std::function<double(std::size_t)>& axis,
                            std::span<const hsize_t> size, Hdf5Handle& dataset) {
   if (!axis) return;
-  dataset = create_dataset(hdf5_.get(), name, H5T_IEEE_F64LE, size);
-  expect(dataset && describe(dataset, name));
+  const AxisWords* const words = words_of_axis(name);
+  CORE_EXPECT(words != nullptr);
+  dataset = create_dataset(hdf5_.get(), words->name, H5T_IEEE_F64LE, size);
+  expect(dataset && describe(dataset, words->units, words->long_name));
 }
 
 // The name of a dimension: that of its coordinates, or where there are none a word.
-std::string Hdf5Sink::add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const char* name, const char* word,
-                                std::size_t length) const {
+std::string Hdf5Sink::add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const std::string& name,
+                                const std::string& word, std::size_t length) const {
   expect(axis ? scales.add(axis.get(), name) : scales.add_bare(word, length));
   return axis ? name : word;
+}
+
+// A dataset that only carries attributes, as CF has it.
+void Hdf5Sink::create_map() {
+  if (product_.image.map.empty()) return;
+  const Hdf5Handle dataset = create_late_dataset(hdf5_.get(), map_name, H5T_STD_I32LE, {});
+  expect(dataset && write_facts(dataset.get(), product_.image.map));
 }
 
 void Hdf5Sink::create_poses(Hdf5Scales& scales, const std::string& rows) {
@@ -220,7 +237,7 @@ void Hdf5Sink::create_poses(Hdf5Scales& scales, const std::string& rows) {
   for (std::size_t a = 0; a < pose_axes.size(); ++a) {
     const char* name = pose_axes[a].name;
     pose_[a] = create_dataset(hdf5_.get(), name, H5T_IEEE_F64LE, std::array<hsize_t, 2>{product_.rows, 3});
-    expect(pose_[a] && describe(pose_[a], name) &&
+    expect(pose_[a] && describe(pose_[a], pose_axes[a].units, pose_axes[a].long_name) &&
            write_attribute(pose_[a].get(), "meaning", std::string(pose_axes[a].meaning)) &&
            scales.attach(pose_[a].get(), name, {rows, "world_axis"}));
   }
@@ -233,7 +250,8 @@ void Hdf5Sink::write_row_axes(std::size_t end, std::size_t least_rows) {
   const std::size_t first = axes_written_;
   const std::size_t rows = end - first;
   if (rows < least_rows) return;
-  expect(write_axis(pulse_time_, first, rows, product_.row_time_s) &&
+  expect(write_axis(image_rows_, first, rows, product_.image.row_m) &&
+         write_axis(pulse_time_, first, rows, product_.row_time_s) &&
          write_axis(carrier_, first, rows, product_.row_carrier_hz) &&
          write_poses(pose_, first, rows, product_.row_pose));
   axes_written_ = end;
@@ -269,8 +287,8 @@ void Hdf5Sink::finish(const simulate::RunReport& report) {
   write_row_axes(product_.rows, 1);
   expect(!is_known(product_, "lsb_v") || replace_attribute(hdf5_.get(), "lsb_v", report.lsb_v));
   bool closed = true;
-  for (Hdf5Handle* handle :
-       {&slant_range_, &pose_[0], &pose_[1], &pose_[2], &carrier_, &pulse_time_, &samples_, &sample_type_, &hdf5_})
+  for (Hdf5Handle* handle : {&slant_range_, &image_rows_, &pose_[0], &pose_[1], &pose_[2], &carrier_, &pulse_time_,
+                             &samples_, &sample_type_, &hdf5_})
     closed = handle->close() && closed;
   expect(closed);
   file_.commit();

@@ -48,10 +48,11 @@ class Hdf5Sink final : public simulate::Sink {
   void create_file();
   void create_sample_type();
   void create_datasets();
-  void create_axis(const char* name, const std::function<double(std::size_t)>& axis, std::span<const hsize_t> size,
-                   Hdf5Handle& dataset);
-  [[nodiscard]] std::string add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const char* name, const char* word,
-                                      std::size_t length) const;
+  void create_axis(const std::string& name, const std::function<double(std::size_t)>& axis,
+                   std::span<const hsize_t> size, Hdf5Handle& dataset);
+  [[nodiscard]] std::string add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const std::string& name,
+                                      const std::string& word, std::size_t length) const;
+  void create_map();
   void create_poses(Hdf5Scales& scales, const std::string& rows);
   void write_attributes();
   void write_column_axis();
@@ -70,7 +71,8 @@ class Hdf5Sink final : public simulate::Sink {
   Hdf5Handle pulse_time_;
   Hdf5Handle carrier_;
   std::array<Hdf5Handle, 3> pose_;  // Position, velocity, rotation.
-  Hdf5Handle slant_range_;
+  Hdf5Handle slant_range_;          // Of images the axis of their columns.
+  Hdf5Handle image_rows_;
 };
 
 }  // namespace sarsim::raster

@@ -55,8 +55,8 @@ Hdf5Handle create_dataset(hid_t file, const char* name, hid_t type, std::span<co
   return dataset_of(file, name, type, sizes, true);
 }
 
-Hdf5Handle create_late_dataset(hid_t file, const char* name, hid_t type, hsize_t size) {
-  return dataset_of(file, name, type, std::span(&size, 1), false);
+Hdf5Handle create_late_dataset(hid_t file, const char* name, hid_t type, std::span<const hsize_t> sizes) {
+  return dataset_of(file, name, type, sizes, false);
 }
 
 }  // namespace sarsim::raster

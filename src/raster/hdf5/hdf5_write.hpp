@@ -25,7 +25,7 @@ bool replace_attribute(hid_t object, const char* name, double value);
 /// Begins a dataset that stands in the file in one piece, without time stamps; its bytes are there at once, but hold
 /// anything until they are written.
 [[nodiscard]] Hdf5Handle create_dataset(hid_t file, const char* name, hid_t type, std::span<const hsize_t> sizes);
-/// The same of one dimension, whose bytes are there when they are written; until then it reads as zeros.
-[[nodiscard]] Hdf5Handle create_late_dataset(hid_t file, const char* name, hid_t type, hsize_t size);
+/// The same whose bytes are there when they are written; until then it reads as zeros.
+[[nodiscard]] Hdf5Handle create_late_dataset(hid_t file, const char* name, hid_t type, std::span<const hsize_t> sizes);
 
 }  // namespace sarsim::raster

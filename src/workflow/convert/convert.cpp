@@ -57,6 +57,9 @@ simulate::Product product_of_file(const raster::Raster& file) {
     product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
     if (!shared->row_pose.empty()) product.row_pose = [shared](std::size_t row) { return shared->row_pose[row]; };
     product.column_range_m = [shared](std::size_t column) { return shared->column_range_m[column]; };
+    product.image.columns = shared->column_axis;
+    product.image.rows = shared->row_axis;
+    if (!shared->row_m.empty()) product.image.row_m = [shared](std::size_t row) { return shared->row_m[row]; };
   }
   return product;
 }

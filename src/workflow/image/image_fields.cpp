@@ -92,6 +92,10 @@ class FieldTaker {
 
 bool is_of_turning_target(const ImageOrigin& origin) { return origin.algorithm.starts_with("isar-"); }
 
+bool is_on_the_earth(const signal::FocusedImage& image, const ImageOrigin& origin) {
+  return origin.earth && !is_of_turning_target(origin) && image.frame.plane == signal::ImagePlane::ground_grid;
+}
+
 raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigin& origin) {
   raster::EnviHeader header;
   header.samples = image.range.count;
@@ -123,8 +127,7 @@ raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigi
   fields.emplace_back("azimuth window", signal::to_string(origin.options.azimuth_window));
   fields.emplace_back("doppler centroid hz", fmt::format("{}", origin.options.doppler_centroid_hz));
   fields.emplace_back("doppler bandwidth hz", fmt::format("{}", origin.options.doppler_bandwidth_hz));
-  if (origin.earth && !turning && image.frame.plane == signal::ImagePlane::ground_grid)
-    std::ranges::move(map_fields(image, *origin.earth), std::back_inserter(fields));
+  if (is_on_the_earth(image, origin)) std::ranges::move(map_fields(image, *origin.earth), std::back_inserter(fields));
   return header;
 }
 

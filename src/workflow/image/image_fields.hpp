@@ -30,6 +30,9 @@ struct ImageOrigin {
 /// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.
 [[nodiscard]] bool is_of_turning_target(const ImageOrigin& origin);
 
+/// Whether an image is a ground grid of which it is known where on the Earth it lies.
+[[nodiscard]] bool is_on_the_earth(const signal::FocusedImage& image, const ImageOrigin& origin);
+
 /// The header of a focused image (docs/formats/focused-images.md).
 [[nodiscard]] raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigin& origin);
 

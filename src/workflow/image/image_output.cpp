@@ -13,6 +13,7 @@
 #include "raster/table/formats.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/image_writer.hpp"
+#include "workflow/image/map_fields.hpp"
 
 namespace sarsim::workflow {
 
@@ -41,6 +42,14 @@ simulate::Product product_of(const signal::FocusedImage& image, const ImageOrigi
     return axis.at(static_cast<double>(row)) / speed;
   };
   product.row_carrier_hz = [carrier = image.carrier_hz](std::size_t) { return carrier; };
+  product.image.rows = is_of_turning_target(origin) ? "cross_range_m" : "azimuth_m";
+  product.image.row_m = [axis = image.azimuth](std::size_t row) { return axis.at(static_cast<double>(row)); };
+  if (image.frame.plane == signal::ImagePlane::ground_grid) product.image.columns = "ground_range_m";
+  if (is_on_the_earth(image, origin)) {
+    GridFacts facts = grid_facts(image, *origin.earth);
+    product.image.facts = std::move(facts.file);
+    product.image.map = std::move(facts.map);
+  }
   product.column_range_m = [axis = image.range](std::size_t column) { return axis.at(static_cast<double>(column)); };
   product.sample_rate_hz = radar::frequency_of_turns(1.0, image.range.step_m, image.light_speed_mps);
   product.engine = "focus";

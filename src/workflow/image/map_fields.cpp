@@ -105,6 +105,74 @@ std::string map_info(const signal::FocusedImage& grid, const GridOnMap& map) {
                      map.middle.zone, map.middle.north ? "North" : "South", rotation_deg);
 }
 
+// Corners in the order in which one walks around.
+std::string bounds_text(const signal::FocusedImage& grid, const radar::EarthFrame& earth) {
+  const Pixel last{static_cast<double>(grid.azimuth.count) - 1.0, static_cast<double>(grid.range.count) - 1.0};
+  std::string text;
+  for (const Pixel& pixel : {Pixel{0.0, 0.0}, Pixel{0.0, last.sample}, last, Pixel{last.line, 0.0}, Pixel{0.0, 0.0}}) {
+    const radar::Geodetic place = place_of(grid, earth, pixel);
+    text += fmt::format("{}{:.9f} {:.9f}", text.empty() ? "" : ", ", core::deg_per_rad * place.latitude_rad,
+                        core::deg_per_rad * place.longitude_rad);
+  }
+  return "POLYGON ((" + text + "))";
+}
+
+double turned_deg(double longitude_deg) { return std::remainder(longitude_deg, 360.0); }
+
+// Over the points that `looked_at` names. West of 180 deg and east of it the first longitude is the larger one.
+simulate::Facts bounds_of(const signal::FocusedImage& grid, const radar::EarthFrame& earth) {
+  const double middle_deg = core::deg_per_rad * place_of(grid, earth, middle_of(grid)).longitude_rad;
+  std::array<double, 3> least;
+  std::array<double, 3> most;
+  least.fill(std::numeric_limits<double>::infinity());
+  most.fill(-std::numeric_limits<double>::infinity());
+  for (const Pixel& pixel : looked_at(grid)) {
+    const radar::Geodetic place = place_of(grid, earth, pixel);
+    const std::array<double, 3> numbers{core::deg_per_rad * place.latitude_rad,
+                                        turned_deg(core::deg_per_rad * place.longitude_rad - middle_deg),
+                                        place.height_m};
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      least[i] = std::min(least[i], numbers[i]);
+      most[i] = std::max(most[i], numbers[i]);
+    }
+  }
+  return {{"geospatial_bounds", bounds_text(grid, earth)},
+          {"geospatial_bounds_crs", "EPSG:4326"},
+          {"geospatial_lat_min", least[0]},
+          {"geospatial_lat_max", most[0]},
+          {"geospatial_lon_min", turned_deg(middle_deg + least[1])},
+          {"geospatial_lon_max", turned_deg(middle_deg + most[1])},
+          {"geospatial_vertical_min", least[2]},
+          {"geospatial_vertical_max", most[2]}};
+}
+
+// From the outer corner of the first pixel: easting, its steps from sample to sample and from line to line; northing.
+std::string geo_transform(const signal::FocusedImage& grid, const GridOnMap& map) {
+  const Pixel middle = middle_of(grid);
+  const double lines = -0.5 - middle.line;
+  const double samples = -0.5 - middle.sample;
+  return fmt::format("{:.4f} {:.12g} {:.12g} {:.4f} {:.12g} {:.12g}",
+                     map.middle.easting_m + lines * map.line_east_m + samples * map.sample_east_m, map.sample_east_m,
+                     map.line_east_m, map.middle.northing_m + lines * map.line_north_m + samples * map.sample_north_m,
+                     map.sample_north_m, map.line_north_m);
+}
+
+simulate::Facts utm_facts(const signal::FocusedImage& grid, const GridOnMap& map) {
+  constexpr int northern_zones = 32600;  // EPSG codes of WGS 84 / UTM; the southern ones are 100 more.
+  const int code = northern_zones + (map.middle.north ? 0 : 100) + map.middle.zone;
+  return {{"grid_mapping_name", "transverse_mercator"},
+          {"longitude_of_central_meridian", 6.0 * map.middle.zone - 183.0},
+          {"latitude_of_projection_origin", 0.0},
+          {"scale_factor_at_central_meridian", 0.9996},
+          {"false_easting", 500e3},
+          {"false_northing", map.middle.north ? 0.0 : 10'000e3},
+          {"semi_major_axis", radar::wgs84_semi_major_m},
+          {"inverse_flattening", 1.0 / radar::wgs84_flattening},
+          {"spatial_ref", fmt::format("EPSG:{}", code)},
+          {"GeoTransform", geo_transform(grid, map)},
+          {"largest_error_m", map.error_m}};
+}
+
 }  // namespace
 
 core::Vec3 point_of_pixel(const signal::FocusedImage& grid, double line, double sample) {
@@ -136,6 +204,12 @@ Fields map_fields(const signal::FocusedImage& grid, const radar::EarthFrame& ear
   }
   fields.emplace_back("geo points", geo_points(grid, earth));
   return fields;
+}
+
+GridFacts grid_facts(const signal::FocusedImage& grid, const radar::EarthFrame& earth) {
+  GridFacts facts{bounds_of(grid, earth), {}};
+  if (const auto map = grid_on_map(grid, earth)) facts.map = utm_facts(grid, *map);
+  return facts;
 }
 
 }  // namespace sarsim::workflow

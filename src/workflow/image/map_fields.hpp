@@ -8,6 +8,7 @@
 #include "radar/earth/earth_frame.hpp"
 #include "radar/earth/transverse_mercator.hpp"
 #include "signal/sar/sar_image.hpp"
+#include "simulate/plan/sink.hpp"
 
 namespace sarsim::workflow {
 
@@ -36,5 +37,15 @@ struct GridOnMap {
 /// pixels are square or the grid is not turned, because GDAL takes the steps of turned ones for each other.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> map_fields(const signal::FocusedImage& grid,
                                                                           const radar::EarthFrame& earth);
+
+/// What an HDF5 file of a ground grid says of its place on the Earth.
+struct GridFacts {
+  simulate::Facts file;  ///< Bounds, as the Attribute Convention for Data Discovery (ACDD 1.3) names them.
+  simulate::Facts map;   ///< Its UTM map as CF and GDAL name it, see docs/formats/focused-images.md; empty beyond UTM.
+};
+
+/// The same as `map_fields`, for HDF5: the bounds of its corners and, within UTM, the map with the step from pixel to
+/// pixel, which may turn and mirror.
+[[nodiscard]] GridFacts grid_facts(const signal::FocusedImage& grid, const radar::EarthFrame& earth);
 
 }  // namespace sarsim::workflow

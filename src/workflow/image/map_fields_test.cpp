@@ -1,6 +1,10 @@
 #include "workflow/image/map_fields.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -94,6 +98,56 @@ TEST(MapFields, BeyondUtmHaveGeoPointsAlone) {
   const auto fields = map_fields(grid_of(north, east, 2.0, 3.0), earth_at(86.0, 13.4));
   ASSERT_EQ(fields.size(), 1U);
   EXPECT_EQ(fields[0].first, "geo points");
+}
+
+double number_fact(const simulate::Facts& facts, const std::string& name) {
+  for (const auto& [key, value] : facts)
+    if (key == name && std::holds_alternative<double>(value)) return std::get<double>(value);
+  ADD_FAILURE() << name << " is missing";
+  return 0.0;
+}
+
+std::string text_fact(const simulate::Facts& facts, const std::string& name) {
+  for (const auto& [key, value] : facts)
+    if (key == name && std::holds_alternative<std::string>(value)) return std::get<std::string>(value);
+  return {};
+}
+
+TEST(GridFacts, SayTheMapWithItsTurnAndMirror) {
+  const auto earth = earth_at(0.0, 15.0);
+  const GridFacts facts = grid_facts(grid_of(north, east, 2.0, 3.0), earth);
+  EXPECT_EQ(text_fact(facts.map, "spatial_ref"), "EPSG:32633");
+  EXPECT_EQ(number_fact(facts.map, "longitude_of_central_meridian"), 15.0);
+  EXPECT_EQ(number_fact(facts.map, "false_northing"), 0.0);
+  // The outer corner of the first pixel: 151.5 m west and 201 m south of the anchor, on the map 0.9996 of it.
+  std::istringstream numbers(text_fact(facts.map, "GeoTransform"));
+  std::array<double, 6> transform{};
+  for (double& number : transform) ASSERT_TRUE(numbers >> number);
+  EXPECT_NEAR(transform[0], 500e3 - 0.9996 * 151.5, 1e-3);
+  EXPECT_NEAR(transform[1], 0.9996 * 3.0, 1e-6);
+  EXPECT_NEAR(transform[2], 0.0, 1e-6);
+  EXPECT_NEAR(transform[3], -0.9996 * 201.0, 1e-3);
+  EXPECT_NEAR(transform[4], 0.0, 1e-6);
+  EXPECT_NEAR(transform[5], 0.9996 * 2.0, 1e-6);
+  EXPECT_EQ(text_fact(grid_facts(grid_of(north, east, 2.0, 3.0), earth_at(-34.0, 18.5)).map, "spatial_ref"),
+            "EPSG:32734");
+  EXPECT_TRUE(grid_facts(grid_of(north, east, 2.0, 3.0), earth_at(87.0, 15.0)).map.empty());
+}
+
+TEST(GridFacts, SayTheBoundsAlsoAcrossTheDateLine) {
+  const auto grid = grid_of(north, east, 2.0, 3.0);
+  const simulate::Facts facts = grid_facts(grid, earth_at(0.0, 180.0)).file;
+  const double half_deg = core::deg_per_rad * 150.0 / 6'378'137.0;
+  EXPECT_NEAR(number_fact(facts, "geospatial_lon_min"), 180.0 - half_deg, 1e-7);
+  EXPECT_NEAR(number_fact(facts, "geospatial_lon_max"), -180.0 + half_deg, 1e-7);
+  EXPECT_NEAR(number_fact(facts, "geospatial_lat_max"), -number_fact(facts, "geospatial_lat_min"), 1e-9);
+  EXPECT_NEAR(number_fact(facts, "geospatial_lat_max"), core::deg_per_rad * 200.0 / 6'335'439.0, 1e-7);
+  EXPECT_NEAR(number_fact(facts, "geospatial_vertical_max"), 250.0 * 250.0 / (2.0 * 6.378e6), 1e-4);
+  // Around the grid and back: first line from its first sample to its last, then the last line.
+  const std::string bounds = text_fact(grid_facts(grid, earth_at(10.0, 20.0)).file, "geospatial_bounds");
+  EXPECT_EQ(std::ranges::count(bounds, ','), 4);
+  EXPECT_EQ(bounds.substr(0, 16), "POLYGON ((9.9981") << bounds;
+  EXPECT_EQ(bounds.substr(10, bounds.find(',') - 10), bounds.substr(bounds.rfind(',') + 2, bounds.find(',') - 10));
 }
 
 }  // namespace map_fields_test
