@@ -6,6 +6,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "core/maths/rounding.hpp"
 #include "core/maths/window.hpp"
 #include "radar/path/path.hpp"
 
@@ -153,7 +154,7 @@ DopplerTime doppler_time(const EchoBlock& block, std::size_t column, SpectrumWin
   for (std::size_t i = 0; i < intervals.columns; ++i) {
     for (std::size_t r = 0; r < intervals.rows; ++r)
       intervals.samples[r * intervals.columns + i] = block.at(i * step + r, column);
-    history.time_s.push_back(0.5 * (block.time_s[i * step] + block.time_s[i * step + intervals.rows - 1]));
+    history.time_s.push_back(core::tidy(0.5 * (block.time_s[i * step] + block.time_s[i * step + intervals.rows - 1])));
   }
   RangeDoppler map = range_doppler(intervals, window, intervals.rows * padding);
   // The frequencies are those of the mean interval of all pulses, as the remark is.

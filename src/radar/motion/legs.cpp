@@ -205,18 +205,21 @@ PathMade leg_path(const PathStart& start, const std::vector<Leg>& legs) {
   now.speed_mps = start.speed_mps;
   Segments all{now};
   std::vector<SlowClimb> slow;
+  std::vector<core::Vec3> ends_m;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     LegMade made = std::visit([&now](const auto& leg) { return segments_of(leg, now); }, legs[i]);
     if (made.fault.empty()) now = level(after(made.segments.back()));
     if (made.fault.empty() && lost(now)) made.fault = "it leads beyond all numbers";
     if (!made.fault.empty())
-      return {{}, "leg " + std::to_string(i + 1) + " (" + name_of(legs[i]) + "): " + made.fault, i, {}};
+      return {
+          {}, "leg " + std::to_string(i + 1) + " (" + name_of(legs[i]) + "): " + made.fault, i, {}, std::move(ends_m)};
     if (made.slow) slow.push_back({i, made.slow->reached_mps, made.slow->needed_rounding_mps2});
     now.speed_mps = std::max(0.0, now.speed_mps);
     all.insert(all.end(), made.segments.begin(), made.segments.end());
+    ends_m.push_back(now.position_world_m);
   }
   all.push_back(now);
-  return {SegmentPath(start.time_s, std::move(all)), {}, {}, std::move(slow)};
+  return {SegmentPath(start.time_s, std::move(all)), {}, {}, std::move(slow), std::move(ends_m)};
 }
 
 std::vector<Leg> racetrack(double length_m, const TurnSize& size, TurnSide side) {

@@ -71,6 +71,7 @@ struct PathMade {
   std::string fault;                   ///< Empty where the path was made.
   std::optional<std::size_t> at = {};  ///< Position of the leg or waypoint that the fault is about, where it is one's.
   std::vector<SlowClimb> slow_climbs = {};
+  std::vector<core::Vec3> leg_ends_m = {};  ///< Of `leg_path`: where each leg ends, up to the one that is at fault.
 };
 
 }  // namespace sarsim::radar

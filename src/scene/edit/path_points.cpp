@@ -55,9 +55,7 @@ Knob knob_of(const std::function<core::Angle&(Platform&)>& angle, double step_de
 std::optional<core::Vec3> end_of(Platform platform, std::size_t legs) {
   platform.legs.resize(legs);
   const radar::PathMade made = route_of(platform);
-  if (!made.fault.empty()) return std::nullopt;
-  const core::Vec3 end = made.path.at(made.path.start_s() + made.path.duration_s()).position_world_m;
-  return std::isfinite(core::norm(end)) ? std::optional(end) : std::nullopt;
+  return made.fault.empty() && !made.leg_ends_m.empty() ? std::optional(made.leg_ends_m.back()) : std::nullopt;
 }
 
 // What turns the direction in which a leg is flown, where something before it does.
@@ -194,11 +192,8 @@ std::vector<core::Vec3> path_points(const Platform& platform) {
     for (const Waypoint& waypoint : platform.waypoints) points.push_back(waypoint.position_m);
   if (platform.path != Platform::Path::legs) return points;
   points.push_back(platform.start_m);
-  for (std::size_t leg = 1; leg <= platform.legs.size(); ++leg) {
-    const auto end = end_of(platform, leg);
-    if (!end) break;
-    points.push_back(*end);
-  }
+  const std::vector<core::Vec3> ends = route_of(platform).leg_ends_m;
+  points.insert(points.end(), ends.begin(), ends.end());
   return points;
 }
 

@@ -163,6 +163,14 @@ TEST(PathPoints, AnAcceleratedLegEndsWhereItIsPut) {
   EXPECT_NEAR(moved->course.deg(), -36.8699, 1e-3);
 }
 
+TEST(PathPoints, OfManyLegsAreFoundAtOnce) {
+  Platform platform = circuit();
+  platform.legs.assign(20'000, straight(10.0));
+  const std::vector<core::Vec3> points = path_points(platform);
+  ASSERT_THAT(points, SizeIs(20'001));
+  EXPECT_LT(apart(points.back(), {100.0, 200e3, 500.0}), 1e-6);
+}
+
 TEST(PathPoints, WhatIsNoPlaceMovesNothing) {
   EXPECT_FALSE(with_path_point(circuit(), 3, {std::nan(""), 0.0, 0.0}, 1.0));
   EXPECT_FALSE(with_path_point(circuit(), 4, {}, 1.0));
