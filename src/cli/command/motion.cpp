@@ -19,6 +19,7 @@ struct MotionArguments {
   std::optional<double> height_m;
   std::optional<double> error_m;
   std::string parent;
+  bool quiet = false;
 };
 
 void print_report(const workflow::MotionReport& report, Streams& streams) {
@@ -40,7 +41,8 @@ ExitStatus run_motion(const MotionArguments& arguments, Streams& streams) {
     if (arguments.height_m || !arguments.parent.empty())
       throw core::Refused("--height and --parent belong to --walker", "leave them out, or give --walker SPEED");
     if (motion.input.empty()) throw core::Refused("no scene is given", "sarsim motion SCENE --platform P --out FILE");
-    print_report(workflow::write_motion(motion), streams);
+    const workflow::MotionReport report = workflow::write_motion(motion);
+    if (!arguments.quiet) print_report(report, streams);
     return exit_done;
   }
   if (!motion.input.empty() || !motion.platform.empty() || motion.navigation || motion.spacing_s)
@@ -78,6 +80,7 @@ Action add_motion(CLI::App& app) {
   add_text(app, "--parent", arguments->parent, "NAME", "platform along whose x axis the walker goes");
   add_scene_overrides(app, motion->overrides);
   app.add_flag("--force", motion->force, "replace the output file where it exists");
+  app.add_flag("--quiet", arguments->quiet, "only errors on standard error");
   add_examples(app,
                {{"sarsim motion scene.toml --platform Aircraft --out track.csv", "states, with the error between them"},
                 {"sarsim motion scene.toml --platform Aircraft --navigation --out nav.csv",

@@ -153,6 +153,7 @@ std::string message_head(std::string_view version_key, std::string_view version,
   return fmt::format(
       "{} = {}\n"
       "COMMENT {}\n"
+      "{}"
       "CREATION_DATE = {}\n"
       "ORIGINATOR = SARSIM\n"
       "\n"
@@ -160,7 +161,10 @@ std::string message_head(std::string_view version_key, std::string_view version,
       "OBJECT_NAME = {}\n"
       "OBJECT_ID = {}\n"
       "CENTER_NAME = EARTH\n",
-      version_key, version, comment, facts.created, facts.object_name, facts.object_id);
+      version_key, version, comment,
+      facts.created_is_epoch ? "COMMENT CREATION_DATE is the epoch of the scene: the same scene gives the same file\n"
+                             : "",
+      facts.created, facts.object_name, facts.object_id);
 }
 
 std::string time_lines(double first_s, double last_s, const radar::Instant& epoch) {

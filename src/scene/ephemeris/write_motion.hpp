@@ -33,6 +33,7 @@ struct MotionFacts {
   std::string object_name;                 ///< Of the platform; at most 200 bytes on one line.
   std::string object_id = "UNKNOWN";       ///< International designator; the word that CCSDS has for none.
   std::string created;                     ///< When the file is made, UTC: "2025-03-14T12:00:00".
+  bool created_is_epoch = false;           ///< That is no such time but the epoch, so that files are reproducible.
   std::optional<radar::Instant> epoch;     ///< Time 0 of the samples.
   std::optional<radar::EarthFrame> earth;  ///< Where the world lies; none for a flat world of its own.
   InterpolationHint interpolation{InterpolationMethod::hermite, 7};  ///< By which positions should be read.

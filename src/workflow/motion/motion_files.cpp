@@ -117,14 +117,18 @@ std::string text_of(scene::MotionText text, core::Problems& remarks) {
   return std::move(text.text);
 }
 
-scene::MotionFacts facts_of(const scene::Scene& scene, const std::string& platform) {
+scene::MotionFacts facts_of(const scene::Scene& scene, const std::string& platform, MotionFormat format) {
   scene::MotionFacts facts;
   facts.object_name = platform;
   facts.epoch = scene::epoch_of(scene.world).instant;
   facts.earth = scene::earth_of(scene.world);
-  // The same scene gives the same file: the date is that of the scene.
-  facts.created = facts.epoch ? radar::format_instant(*facts.epoch, radar::TimeScale::utc, 3) : "2000-01-01T00:00:00";
+  // The same scene gives the same file: CCSDS messages, which must have a date and say what it is, have that of the
+  // scene, and tables none.
+  const bool is_message = format == MotionFormat::oem || format == MotionFormat::aem;
+  if (!is_message || !facts.epoch) return facts;
+  facts.created = radar::format_instant(*facts.epoch, radar::TimeScale::utc, 3);
   if (facts.created.ends_with('Z')) facts.created.pop_back();
+  facts.created_is_epoch = true;
   return facts;
 }
 
@@ -209,7 +213,11 @@ MotionReport write_motion(const MotionRequest& request) {
   report.format = *format;
   report.first_s = times.first_s;
   report.last_s = times.last_s;
-  report.remarks = input.problems;
+  // What is wrong with recordings is no matter of the motion.
+  std::ranges::copy_if(input.problems, std::back_inserter(report.remarks), [](const core::Problem& problem) {
+    const std::string& kind = problem.subject.kind;
+    return kind.empty() || kind == "platform" || kind == "world";
+  });
   Sampling sampling;
   if (*format == MotionFormat::aem) {
     sampling.spacing_s = request.spacing_s.value_or(attitude_spacing_s);
@@ -221,7 +229,8 @@ MotionReport write_motion(const MotionRequest& request) {
   report.samples = sampling.times_s.size();
   report.position_error_m = sampling.error.position_m;
   report.velocity_error_mps = sampling.error.velocity_mps;
-  const std::string text = motion_text(*format, motion, sampling.times_s, facts_of(input.scene, name), report.remarks);
+  const std::string text =
+      motion_text(*format, motion, sampling.times_s, facts_of(input.scene, name, *format), report.remarks);
   core::OutputFile file(request.output, request.force);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
