@@ -207,6 +207,16 @@ void check_leader(Findings& findings, const Scene& scene, std::size_t index) {
                                      .expected = "leader = the name of a platform",
                                      .hint = {}});
   check_chain(findings, scene, index, &Platform::leader, "leader");
+  const std::size_t leader = find_platform(scene, platform.leader);
+  const auto parent_of = [](const Platform& of) { return of.parent == "Earth" ? std::string() : of.parent; };
+  if (leader == not_found || parent_of(scene.platforms[leader]) == parent_of(platform)) return;
+  const std::string parent = parent_of(scene.platforms[leader]);
+  findings.warning(
+      Consequence::surprise, "leader",
+      {.message = "the platform has another parent than its leader, whose path it follows in the frame of its own",
+       .found = parent.empty() ? "a leader in the world" : fmt::format("a leader mounted on {}", parent),
+       .expected = "one parent for both",
+       .hint = parent.empty() ? "Remove the parent." : fmt::format("Write parent = \"{}\".", parent)});
 }
 
 // Of a target on the platform, or on one that is mounted on it.

@@ -87,5 +87,24 @@ TEST(CheckMotion, TellsOfTipsThatAreTooFast) {
   EXPECT_EQ(expect_warning(scene, {"platform", 2, "rotation_rate"}).found, "1130.97 m/s");
 }
 
+TEST(CheckMotion, TellsOfALeaderInAnotherFrame) {
+  Scene scene = sound_scene();
+  Platform boat;
+  boat.name = "Boat";
+  boat.parent = "Plane";
+  Platform follower;
+  follower.name = "Follower";
+  follower.path = Platform::Path::relative;
+  follower.leader = "Boat";
+  follower.offset_m = {0.0, 100.0, 0.0};
+  scene.platforms.push_back(boat);
+  scene.platforms.push_back(follower);
+  EXPECT_EQ(expect_warning(scene, {"platform", 3, "leader"}).hint, "Write parent = \"Plane\".");
+  scene.platforms[3].parent = "Plane";
+  EXPECT_TRUE(check(scene).empty());
+  scene.platforms[3].leader = "Plane";
+  EXPECT_EQ(expect_warning(scene, {"platform", 3, "leader"}).hint, "Remove the parent.");
+}
+
 }  // namespace check_motion_test
 }  // namespace sarsim::scene
