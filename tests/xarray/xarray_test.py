@@ -19,6 +19,7 @@ NEEDS = {
     "recordings_have_named_axes": ("numpy", "xarray", "h5netcdf"),
     "netcdf_reads_recordings": ("numpy", "netCDF4"),
     "images_have_named_axes": ("numpy", "xarray", "h5netcdf"),
+    "references_are_zarr": ("numpy", "xarray", "zarr", "fsspec"),
 }
 SCENE = """$TARGET Earth 1000 0 0 0 0 0 1 0 ISOTROPIC
 $RADAR Radar1 Earth CHIRP 0.03 500 RECT CONSTANT 1000 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC
@@ -45,9 +46,9 @@ def sarsim(*words):
     return done.stdout
 
 
-def recorded(folder, *words):
-    """A recording as HDF5 with what the program itself says of it."""
-    (folder / "scene.scr").write_text(SCENE)
+def recorded(folder, *words, end="0.0199"):
+    """A recording as HDF5, of a pulse every millisecond until its end."""
+    (folder / "scene.scr").write_text(SCENE.replace("0.0199", end))
     sarsim("run", folder / "scene.scr", "--out", folder, "--quiet", "--force", *words)
     return folder / "sim.h5"
 
@@ -204,6 +205,45 @@ def images_have_named_axes(folder):
         assert image.samples.dims == ("azimuth_m", "ground_range_m"), image.samples.dims
         numpy.testing.assert_array_equal(image.ground_range_m, places)
     assert "ground ranges" in sarsim("info", folder / "copy.h5")
+
+
+def opened_as_zarr(references, **options):
+    import xarray
+
+    options = {"fo": str(references), "remote_protocol": "file", **options}
+    return xarray.open_dataset(
+        "reference://", engine="zarr", backend_kwargs={"consolidated": False, "storage_options": options}
+    )
+
+
+def references_are_zarr(folder):
+    import numpy
+
+    # Each under a name of its own, as fsspec remembers what it has opened. Of 10007 pulses, which nothing divides, the
+    # last piece stands in the references.
+    for end in ("0.0199", "10.0064"):
+        path, references = recorded(folder, end=end), folder / f"until{end}.json"
+        sarsim("convert", path, "--references", references, "--force")
+        with opened_as_zarr(references) as data:
+            assert data.samples.dims == ("pulse_time_s", "slant_range_m")
+            numpy.testing.assert_array_equal(data.samples.values, volts_of(path))
+            numpy.testing.assert_allclose(data.pulse_time_s, 0.001 * numpy.arange(data.pulse_time_s.size), atol=1e-9)
+            assert data.samples.coords["carrier_hz"].dims == ("pulse_time_s",)
+            assert list(data.world_axis.values) == ["x", "y", "z"]
+            assert data.attrs["bits"] == 8
+            near = data.samples.isel(pulse_time_s=7).sel(slant_range_m=1004, method="nearest")
+            assert abs(complex(near)) > 0
+    # The file elsewhere.
+    path.rename(folder / "moved.h5")
+    with opened_as_zarr(references, template_overrides={"file": str(folder / "moved.h5")}) as data:
+        numpy.testing.assert_array_equal(data.samples.values, volts_of(folder / "moved.h5"))
+    # Counts are pairs.
+    references = folder / "counts.json"
+    sarsim("convert", recorded(folder, "--counts"), "--references", references, "--force")
+    with opened_as_zarr(references) as data:
+        assert data.samples.dims == ("pulse_time_s", "slant_range_m", "iq") and list(data.iq.values) == ["I", "Q"]
+        sarsim("convert", folder / "sim.h5", folder / "counts.npy", "--counts")
+        numpy.testing.assert_array_equal(data.samples.values, numpy.load(folder / "counts.npy"))
 
 
 def main():

@@ -1,4 +1,7 @@
 #include <memory>
+#include <string>
+
+#include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
@@ -8,6 +11,7 @@
 #include "core/report/refused.hpp"
 #include "workflow/convert/convert.hpp"
 #include "workflow/convert/convert_scene.hpp"
+#include "workflow/convert/references.hpp"
 #include "workflow/input/override_words.hpp"
 #include "workflow/input/recording_input.hpp"
 
@@ -17,11 +21,41 @@ namespace {
 
 struct ConvertArguments {
   workflow::ConvertRequest samples;
+  std::string references;
   workflow::SceneOverrides overrides;
 };
 
+// Either OUT or --references, which writes no samples.
+void expect_one_output(const ConvertArguments& arguments) {
+  const workflow::ConvertRequest& request = arguments.samples;
+  if (arguments.references.empty()) {
+    if (request.output.empty())
+      throw core::Refused("OUT is missing: nothing says what is to be written",
+                          "name the new file, or references to this one with --references");
+    return;
+  }
+  if (!request.output.empty())
+    throw core::Refused(fmt::format("--references writes no samples, but '{}' was to be written", request.output),
+                        "leave it out; references to a new file are made when it is there");
+  if (request.to || request.counts || request.header)
+    throw core::Refused("--references leaves the samples as they are: --to, --counts and --header change nothing",
+                        "leave them out");
+  if (workflow::holds_script(request.input))
+    throw core::Refused(fmt::format("--references: '{}' is a scene, not a file of samples", request.input),
+                        "name the file that the scene wrote, in HDF5 or NPY");
+}
+
+ExitStatus write_references(const ConvertArguments& arguments, Streams& streams) {
+  const workflow::ConvertRequest& request = arguments.samples;
+  Watch watch(streams, false);
+  workflow::write_references({request.input, arguments.references, request.sample, request.force}, watch.observer());
+  return exit_done;
+}
+
 ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
   const workflow::ConvertRequest& request = arguments.samples;
+  expect_one_output(arguments);
+  if (!arguments.references.empty()) return write_references(arguments, streams);
   if (workflow::holds_script(request.input)) {
     print_problems(streams,
                    workflow::convert_scene({request.input, request.output, arguments.overrides, request.force}));
@@ -43,7 +77,7 @@ Action add_convert(CLI::App& app) {
   auto arguments = std::make_shared<ConvertArguments>();
   workflow::ConvertRequest* const request = &arguments->samples;
   add_text(app, "input", request->input, "IN", "file of samples, or a scene")->required();
-  add_text(app, "output", request->output, "OUT", "file to write")->required();
+  add_text(app, "output", request->output, "OUT", "file to write");
   add_sample_arguments(app, request->sample);
   add_scene_overrides(app, arguments->overrides);
   add_integer(app, "--simulation", request->simulation, 1, 1'000'000,
@@ -51,10 +85,13 @@ Action add_convert(CLI::App& app) {
   add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
   app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5 and NPY");
   app.add_flag("--header", request->header, "a header line in CSV");
+  add_text(app, "--references", arguments->references, "JSON",
+           "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");
   app.add_flag("--force", request->force, "replace the new file where it exists");
   add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                      {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
                      {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
+                     {"sarsim convert sim1.h5 --references sim1.json", "to open the same bytes as Zarr"},
                      {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
                      {"sarsim convert old.scr new.toml", "a scene from the language of 1998 into format 2, or back"}});
   return [arguments](Streams& streams) { return run_convert(*arguments, streams); };

@@ -3,6 +3,7 @@
 #include "core/os/input_file.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
+#include "raster/table/stored_array.hpp"
 
 namespace sarsim::raster {
 
@@ -31,6 +32,12 @@ namespace sarsim::raster {
 /// An HDF5 file of samples, see `open_hdf5`; the library opens it anew, by its name.
 [[nodiscard]] OpenedRaster open_hdf5_file(core::InputFile file, const Format& format, const RasterHints& hints,
                                           Integrity integrity);
+
+/// Where the arrays of an HDF5 file that could be opened stand, see `hdf5_arrays`.
+[[nodiscard]] StoredArrays arrays_of_hdf5(const core::InputFile& file);
+
+/// Where the array of a NumPy file of samples stands.
+[[nodiscard]] StoredArrays arrays_of_npy(const core::InputFile& file);
 
 /// An image with its ENVI header beside it (docs/formats/focused-images.md), always whole: samples in volts, lines for
 /// rows; real pixels have no imaginary part. Its fields become attributes; that of the script is named "script file",

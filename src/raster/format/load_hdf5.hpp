@@ -11,6 +11,7 @@
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/row_places.hpp"
+#include "raster/table/stored_array.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
@@ -32,6 +33,8 @@ struct Hdf5Module {
   /// Makes a whole file but for its samples, which are left as a hole.
   void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product,
                       const FileAttributes& option_words, const Encoding& encoding, const simulate::RunReport& report);
+  /// Where its arrays stand, see hdf5_arrays.
+  StoredArrays (*arrays)(const std::filesystem::path& path, std::uint64_t file_bytes);
   /// Reads a table of points, see read_hdf5_points.
   std::optional<core::Problem> (*read_points)(const std::filesystem::path& path, std::uint64_t file_bytes,
                                               const NumberTableTaker& taker);

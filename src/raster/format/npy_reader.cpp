@@ -130,4 +130,25 @@ OpenedRaster open_npy(core::InputFile file, const Format&, const RasterHints& hi
   return {make_grid_raster(std::move(info), std::move(file), layout->grid, layout->plane.rows), std::move(problems)};
 }
 
+StoredArrays arrays_of_npy(const core::InputFile& file) {
+  auto parsed = read_npy_header(file);
+  if (auto* problem = std::get_if<core::Problem>(&parsed)) return std::move(*problem);
+  const NpyHeader& header = std::get<NpyHeader>(parsed);
+  const NpyType* const type = npy_sample_type_of(header);
+  const auto plane = type == nullptr || header.fortran_order ? std::nullopt : npy_plane_of(header, *type);
+  if (!plane) return wrong_type({}, header);
+  StoredArray samples{.name = "samples", .type = header.type, .shape = {plane->rows, plane->columns}};
+  samples.item_bytes = type->bytes * (type->pair ? 2U : 1U);
+  samples.dimensions = {"pulse", "sample"};
+  samples.offset = header.data_offset;
+  samples.facts = {{"units", type->counts ? "count" : "V"}, {"long_name", "complex envelope"}};
+  if (type->pair) return std::vector{std::move(samples)};
+  samples.shape.push_back(2);
+  samples.dimensions.emplace_back("iq");
+  return std::vector{
+      std::move(samples),
+      StoredArray{
+          .name = "iq", .type = "<U1", .item_bytes = 4, .shape = {2}, .dimensions = {"iq"}, .words = {"I", "Q"}}};
+}
+
 }  // namespace sarsim::raster

@@ -111,6 +111,10 @@ OpenedRaster open_hdf5_file(core::InputFile file, const Format&, const RasterHin
   return opened;
 }
 
+StoredArrays arrays_of_hdf5(const core::InputFile& file) {
+  return hdf5_module(file.path()).arrays(file.path(), file.size());
+}
+
 const FormatWriter hdf5_file_writer{.encode = encode_array,
                                     .component_bytes = array_component_bytes,
                                     .expected_bytes = hdf5_bytes,

@@ -11,6 +11,10 @@
 
 namespace sarsim::raster {
 
+/// Where the samples are, and where the program of 2015 had them.
+inline constexpr const char* samples_path = "/samples";
+inline constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
+
 /// A dataset whose shape and storage have been found sound: its bytes are in the file itself, no larger than the file
 /// can hold, and every filter that they need is at hand.
 struct Hdf5Dataset {

@@ -1,6 +1,7 @@
 // What the module shows to the program that loads it: one table, by the name that hdf5_module() looks for.
 
 #include "raster/format/load_hdf5.hpp"
+#include "raster/hdf5/hdf5_arrays.hpp"
 #include "raster/hdf5/hdf5_points.hpp"
 #include "raster/hdf5/hdf5_reader.hpp"
 #include "raster/hdf5/hdf5_sink.hpp"
@@ -34,7 +35,8 @@ void write_hdf5_frame(const std::filesystem::path& path, const simulate::Product
 
 extern "C" {
 [[gnu::visibility("default")]] extern const sarsim::raster::Hdf5Module sarsim_hdf5_module;
-const sarsim::raster::Hdf5Module sarsim_hdf5_module{
-    sarsim::core::use_temporary_names, sarsim::raster::open_hdf5,        sarsim::raster::make_hdf5_sink,
-    sarsim::raster::hdf5_row_places,   sarsim::raster::write_hdf5_frame, sarsim::raster::read_hdf5_points};
+const sarsim::raster::Hdf5Module sarsim_hdf5_module{sarsim::core::use_temporary_names, sarsim::raster::open_hdf5,
+                                                    sarsim::raster::make_hdf5_sink,    sarsim::raster::hdf5_row_places,
+                                                    sarsim::raster::write_hdf5_frame,  sarsim::raster::hdf5_arrays,
+                                                    sarsim::raster::read_hdf5_points};
 }

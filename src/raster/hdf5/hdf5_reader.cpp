@@ -26,8 +26,6 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr const char* samples_path = "/samples";
-constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
 constexpr hsize_t most_details = 1000;
 constexpr std::size_t most_tried_samples = std::size_t{1} << 20U;  // at either end of a file
 constexpr const char* good = "good";  // What a child process says of a file that it could read.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "raster/table/stored_array.hpp"
 #include "scene/model/format_values.hpp"
 #include "scene/model/scene.hpp"
 
@@ -67,6 +68,8 @@ struct Format {
   OpenedRaster (*open)(core::InputFile file, const Format& format, const RasterHints& hints,
                        Integrity integrity) = nullptr;
   const FormatWriter* writer = nullptr;  ///< Null where no sink writes it.
+  /// Where the arrays of a file of it stand; null where its numbers are no arrays, or are stored with an offset.
+  StoredArrays (*arrays)(const core::InputFile& file) = nullptr;
 
   /// Whether it is text, whose size is only estimated and whose rows have no places of their own.
   [[nodiscard]] bool is_text() const { return text != TextStyle::none; }

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "simulate/plan/sink.hpp"
+
+namespace sarsim::raster {
+
+/// An array that stands in a file as it is in memory: in one piece, the last index fastest, nothing compressed. Whoever
+/// knows this needs no library of the file's format.
+struct StoredArray {
+  std::string name = {};                     ///< "samples", "pulse_time_s"; docs/formats/samples.md.
+  std::string type = {};                     ///< As NumPy writes it: "<c8", "<i4".
+  std::size_t item_bytes = 0;                ///< Of one number.
+  std::vector<std::uint64_t> shape = {};     ///< At least one size.
+  std::vector<std::string> dimensions = {};  ///< A name for each.
+  std::uint64_t offset = 0;                  ///< Where it begins in the file.
+  simulate::Facts facts = {};                ///< Units and what else is said of it.
+  std::vector<std::string> words = {};  ///< Letters that it holds instead of numbers; they stand nowhere in the file.
+};
+
+/// All arrays of a file, the samples first; or why they cannot be told.
+using StoredArrays = std::variant<std::vector<StoredArray>, core::Problem>;
+
+}  // namespace sarsim::raster
