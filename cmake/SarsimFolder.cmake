@@ -179,6 +179,16 @@ function(sarsim_compile_together target most)
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
 
+# The folders that libsarsim.so is made of.
+set(SARSIM_LIBRARY_FOLDERS core radar signal scene simulate raster workflow capi)
+
+# Compiles a static library so that a shared one can be made of it. That its names are hidden keeps calls within it, and loads
+# of what it defines, as direct as in a program.
+function(sarsim_for_shared_library target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON)
+endfunction()
+
 function(sarsim_folder name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODULE" "USES;LIBS;ROOMS;MODULE_LIBS;MODULE_SHARES")
   set(patterns ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
@@ -205,6 +215,9 @@ function(sarsim_folder name)
     add_library(sarsim_${name} STATIC ${sources})
     target_link_libraries(sarsim_${name} PUBLIC sarsim_flags ${arg_USES} ${arg_LIBS})
     sarsim_compile_together(sarsim_${name} 12)
+    if(name IN_LIST SARSIM_LIBRARY_FOLDERS)
+      sarsim_for_shared_library(sarsim_${name})
+    endif()
     if(arg_MODULE)
       add_dependencies(sarsim_${name} sarsim_${arg_MODULE})
     endif()
