@@ -10,11 +10,8 @@
 #include "cli/shell/scene_options.hpp"
 #include "core/build/version.hpp"
 #include "core/text/json.hpp"
-#include "scene/script/reader.hpp"
-#include "workflow/check/command_remarks.hpp"
-#include "workflow/input/cloud_input.hpp"
+#include "workflow/check/check_scene.hpp"
 #include "workflow/input/echo_words.hpp"
-#include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
 
 namespace sarsim::cli {
@@ -39,14 +36,7 @@ workflow::SceneInput looked_at(const std::string& path, const workflow::SceneOve
                                const core::StopFlag* stop) {
   const core::WorkControl control{core::thread_count(0), stop};
   workflow::SceneInput input = workflow::read_scene(path, overrides, workflow::Scrutiny::echoes, control);
-  core::Problems names = workflow::output_names(input.scene, {}).problems;
-  if (input.resolved && !core::has_errors(input.problems))
-    std::ranges::move(workflow::remarks_of_commands(
-                          input.scene, simulate::thinned(input.resolved, workflow::most_cloud_looks), control),
-                      std::back_inserter(names));
-  scene::locate(names, input.places);
-  std::ranges::move(names, std::back_inserter(input.problems));
-  input.problems = core::ranked(std::move(input.problems));
+  workflow::add_remarks(input, control);
   return input;
 }
 

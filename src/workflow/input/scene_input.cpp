@@ -82,6 +82,16 @@ std::vector<TargetTable> tables_of(const SceneOverrides& overrides, const scene:
   return tables;
 }
 
+// Sets one field. Returns empty, or why not, in words.
+// @param[out] remarks  what is allowed but probably not meant
+std::string failure_of_setting(const std::string& name, const std::string& value, scene::Scene& scene,
+                               const scene::PointsLoader& load, core::Problems& remarks) {
+  const scene::NamedField field = scene::find_named_field(scene, name, value);
+  if (field.field == nullptr) return field.failure;
+  if (auto remark = remark_on_bare_number(scene, field, name, value)) remarks.push_back(std::move(*remark));
+  return scene::set_named_field(scene, field, value, load);
+}
+
 // One field after the other, so that a later one may need what an earlier one chose.
 // @param[out] remarks  what is allowed but probably not meant
 core::Problems problems_of_setting(const std::vector<std::string>& settings, scene::Scene& scene,
@@ -89,16 +99,10 @@ core::Problems problems_of_setting(const std::vector<std::string>& settings, sce
   core::Problems problems;
   for (const std::string& setting : settings) {
     const std::size_t equals = std::min(setting.find('='), setting.size());
-    const std::string name = setting.substr(0, equals);
-    const std::string value = equals < setting.size() ? setting.substr(equals + 1) : std::string();
-    const scene::NamedField field = scene::find_named_field(scene, name, value);
-    std::string failure = field.failure;
-    if (equals == setting.size())
-      failure = "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz";
-    else if (field.field != nullptr) {
-      if (auto remark = remark_on_bare_number(scene, field, name, value)) remarks.push_back(std::move(*remark));
-      failure = scene::set_named_field(scene, field, value, load);
-    }
+    const std::string failure =
+        equals == setting.size()
+            ? "there is no '='; write OBJECT.FIELD=VALUE, as in Radar1.bandwidth=10MHz"
+            : failure_of_setting(setting.substr(0, equals), setting.substr(equals + 1), scene, load, remarks);
     if (failure.empty()) continue;
     problems.push_back({});
     problems.back().message = "--set " + setting.substr(0, 80) + ": " + failure;
@@ -234,9 +238,11 @@ std::optional<scene::Language> language_of_name(const std::filesystem::path& fil
   return std::nullopt;
 }
 
-SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
-                      const core::WorkControl& control, const ChooseProducts& choose) {
-  scene::ScriptReading reading = scene::read_scene_file(path, read_control(overrides, control));
+namespace {
+
+// What a reader found in a text, as an input with all files that belong to it.
+SceneInput input_of(scene::ScriptReading reading, const std::string& path, const SceneOverrides& overrides,
+                    Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
   std::vector<std::filesystem::path> sources{path};
   append(sources, std::move(reading.included));
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
@@ -246,6 +252,55 @@ SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, 
   for (TargetTable& table : tables_of(overrides, input.scene)) sources.push_back(std::move(table.file));
   input.sources = std::move(sources);
   return input;
+}
+
+std::filesystem::path folder_of(const SceneInput& input) {
+  return input.sources.empty() ? std::filesystem::path() : input.sources.front().parent_path();
+}
+
+}  // namespace
+
+SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
+                      const core::WorkControl& control, const ChooseProducts& choose) {
+  return input_of(scene::read_scene_file(path, read_control(overrides, control)), path, overrides, scrutiny, control,
+                  choose);
+}
+
+SceneInput read_scene_text(std::string_view text, const std::string& name, const SceneOverrides& overrides,
+                           Scrutiny scrutiny, const core::WorkControl& control) {
+  const scene::DataFileLoader loader = scene::disk_loader(std::filesystem::path(name).parent_path());
+  return input_of(scene::read_scene_text(text, name, loader, read_control(overrides, control)), name, overrides,
+                  scrutiny, control, {});
+}
+
+SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::WorkControl& control,
+                       const ChooseProducts& choose) {
+  scene::ScriptReading reading;
+  reading.scene = known.scene;
+  reading.problems = known.problems;
+  reading.places = known.places;
+  reading.language = known.language;
+  reading.json = known.json;
+  reading.names = known.names;
+  SceneInput input = looked_at(std::move(reading), folder_of(known), {}, scrutiny, control, choose);
+  input.sources = known.sources;
+  append(input.sources, data_files_of(input.scene, folder_of(known)));
+  return input;
+}
+
+std::string field_value(const SceneInput& input, const std::string& name) {
+  const scene::NamedField field = scene::find_named_field(input.scene, name);
+  if (field.field == nullptr) throw core::Refused(field.failure);
+  return scene::named_field_text(input.scene, field);
+}
+
+core::Problems set_field_value(SceneInput& input, const std::string& name, const std::string& value) {
+  core::Problems remarks;
+  scene::Scene changed = input.scene;
+  const std::string failure = failure_of_setting(name, value, changed, scene::disk_points(folder_of(input)), remarks);
+  if (!failure.empty()) throw core::Refused(fmt::format("{}: {}", name, failure));
+  input.scene = std::move(changed);
+  return remarks;
 }
 
 SceneInput take_scene(scene::Scene scene, const std::filesystem::path& folder, const SceneOverrides& overrides,

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/report/problem.hpp"
@@ -72,6 +73,23 @@ using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
 /// @param choose  problems of other products do not count; nothing: all are looked at
 [[nodiscard]] SceneInput read_scene(const std::string& path, const SceneOverrides& overrides, Scrutiny scrutiny,
                                     const core::WorkControl& control = {}, const ChooseProducts& choose = {});
+
+/// The same of a text that is in no file.
+/// @param name  of a file that need not be there: for places, and files that the text names are looked for beside it
+[[nodiscard]] SceneInput read_scene_text(std::string_view text, const std::string& name,
+                                         const SceneOverrides& overrides, Scrutiny scrutiny,
+                                         const core::WorkControl& control = {});
+
+/// Checks a scene that was read before and perhaps changed since, as reading it does. Remarks of its reader stay.
+[[nodiscard]] SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::WorkControl& control = {},
+                                     const ChooseProducts& choose = {});
+
+/// The value of a field, as text, by the name that --set has for it; throws core::Refused where the name means nothing.
+[[nodiscard]] std::string field_value(const SceneInput& input, const std::string& name);
+
+/// Sets a field as --set does; throws core::Refused where that cannot be done, and the scene is unchanged then.
+/// @returns what is allowed but probably not meant
+core::Problems set_field_value(SceneInput& input, const std::string& name, const std::string& value);
 
 /// Checks a scene that was not read from a file, or not by `read_scene`; otherwise the same.
 /// @param folder  where the data files that it names are looked for
