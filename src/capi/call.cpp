@@ -1,0 +1,89 @@
+#include "capi/call.hpp"
+
+#include <new>
+
+#include "core/report/refused.hpp"
+#include "core/task/stop.hpp"
+#include "core/text/json.hpp"
+
+namespace sarsim::capi {
+
+namespace {
+
+core::Problems failure(const char* message, const char* hint = "") {
+  return {core::problem_of(core::Severity::error, message, {}, {}, hint)};
+}
+
+sarsim_status status_and_problems(core::Problems& problems) {
+  try {
+    throw;
+  } catch (const core::Refused& refused) {
+    problems = refused.problems;
+    return SARSIM_BAD_INPUT;
+  } catch (const core::Interrupted&) {
+    problems = failure("stopped");
+    return SARSIM_STOPPED;
+  } catch (const BadArgument& mistake) {
+    problems = failure(mistake.what(), "this is a mistake in the calling program; sarsim.h says what is expected");
+    return SARSIM_BAD_ARGUMENT;
+  } catch (const std::bad_alloc&) {
+    problems = failure("there is not enough memory");
+    return SARSIM_NO_MEMORY;
+  } catch (const std::logic_error& mistake) {
+    problems = failure(mistake.what(), "this is a mistake in Sarsim; please report it with the scene");
+    return SARSIM_FAILED;
+  } catch (const std::exception& error) {
+    problems = failure(error.what());
+    return SARSIM_FAILED;
+  } catch (...) {
+    problems = failure("failed for an unknown reason");
+    return SARSIM_FAILED;
+  }
+}
+
+void make_utf8(core::Problem& problem) {
+  for (std::string* const text : {&problem.message, &problem.found, &problem.expected, &problem.hint,
+                                  &problem.place.file, &problem.subject.kind, &problem.subject.field})
+    *text = core::valid_utf8(*text);
+}
+
+}  // namespace
+
+sarsim_status status_of_exception(core::Problems& problems) noexcept {
+  try {
+    problems.clear();
+    return status_and_problems(problems);
+  } catch (...) {  // No memory for the words.
+    return SARSIM_NO_MEMORY;
+  }
+}
+
+void hand_over(core::Problems found, sarsim_problems** problems) noexcept {
+  if (problems == nullptr || found.empty()) return;
+  try {
+    auto list = std::make_unique<sarsim_problems>();
+    list->problems = core::ranked(std::move(found));
+    for (core::Problem& problem : list->problems) {
+      make_utf8(problem);
+      list->texts.push_back(core::to_string(problem));
+    }
+    *problems = list.release();
+  } catch (const std::bad_alloc&) {
+    *problems = nullptr;
+  }
+}
+
+sarsim_text* text_handle(const std::string& text) { return new sarsim_text{core::valid_utf8(text)}; }
+
+core::Observer observer_of(const sarsim_work& work) {
+  core::Observer observer;
+  if (work.stop != nullptr) observer.stop = &work.stop->flag;
+  if (work.progress != nullptr)
+    observer.progress = [progress = work.progress, user = work.user](const std::string& stage,
+                                                                     const core::Progress& done) {
+      progress(user, stage.c_str(), done.done, done.total);
+    };
+  return observer;
+}
+
+}  // namespace sarsim::capi
