@@ -9,12 +9,21 @@
 
 namespace sarsim::workflow {
 
+namespace {
+
+// Counts up where the same recording gives another file, so that parts of both are never joined: versions of development
+// share a number.
+constexpr const char* file_layout = "2";
+
+}  // namespace
+
 raster::Identity identity_of(const scene::Scene& scene, std::size_t simulation, const raster::StoredProduct& stored,
                              const core::WorkControl& control) {
   const simulate::Product& product = stored.product;
   const scene::RunOptions& options = product.options;
   raster::Identity identity{
       {"program", core::program_version},
+      {"layout", file_layout},
       {"simulation", std::to_string(simulation + 1)},
       {"rows", std::to_string(product.rows)},
       {"columns", std::to_string(product.columns)},
