@@ -11,8 +11,8 @@ namespace sarsim::workflow {
 
 namespace {
 
-// Counts up where the same recording gives another file, so that parts of both are never joined: versions of development
-// share a number.
+// Counts up where the same recording gives another file, so that parts of both are never joined: versions of
+// development share a number.
 constexpr const char* file_layout = "2";
 
 }  // namespace
