@@ -1,6 +1,6 @@
 /* The C interface of Sarsim, a radar echo simulator: libsarsim.so.0.
  *
- *   cc program.c $(pkg-config --cflags --libs sarsim)
+ *   cc program.c -lsarsim
  *
  * docs/formats/c-interface.md has a whole program. What follows holds for every function.
  *
