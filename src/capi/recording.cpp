@@ -63,7 +63,7 @@ std::optional<scene::FileFormat> format_of(const char* word, const std::string& 
   if (word == nullptr) return raster::format_from_path(path);
   const auto format = raster::format_from_name(word);
   if (!format)
-    throw core::Refused("'" + std::string(word) + "' is no format of recordings",
+    throw core::Refused("'" + std::string(word) + "' is not a recording format",
                         "it is one of " + raster::format_words());
   return format;
 }

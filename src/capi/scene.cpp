@@ -40,7 +40,7 @@ std::unique_ptr<sarsim_scene> sound_scene(const Read& read, core::Problems& foun
 scene::ObjectKind kind_of(const char* word) {
   const std::string given = &capi::given(word, "kind");
   const auto kind = scene::kind_called(given);
-  if (!kind) throw capi::BadArgument("'" + given + "' is no kind of object");
+  if (!kind) throw capi::BadArgument("'" + given + "' is not a kind of object");
   return *kind;
 }
 

@@ -92,7 +92,7 @@ class PathMaker {
       case scene::OrbitFormat::aem:
       case scene::OrbitFormat::other_ndm:
       case scene::OrbitFormat::unknown:
-        return refuse(path_problem(fmt::format("{} is no file of an orbit", platform_.ephemeris_file),
+        return refuse(path_problem(fmt::format("{} is not an orbit file", platform_.ephemeris_file),
                                    format == scene::OrbitFormat::aem ? "a CCSDS AEM, which holds attitudes" : "",
                                    "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, TLE or OMM"));
       default: return of_states(file, format);
@@ -344,7 +344,7 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
   const WorldAxes axes(scene.world);
   if (scene::orbit_format_of(file.text) != scene::OrbitFormat::aem)
     return refuse(
-        path_problem(fmt::format("{} is no file of attitudes", platform.attitude_file), {}, "a CCSDS AEM (KVN)"));
+        path_problem(fmt::format("{} is not an attitude file", platform.attitude_file), {}, "a CCSDS AEM (KVN)"));
   if (!axes.earth() || !axes.epoch())
     return refuse(path_problem(fmt::format("the attitudes in {} need the Earth and an epoch", platform.attitude_file),
                                {}, "[world] with frame = \"earth\", an anchor and an epoch"));
