@@ -8,7 +8,7 @@ A page is read by its fences:
 
     ```sh           run by bash in an empty folder of the page's own, with sarsim on the path and a copy of examples/
     ```python       run by Python (with NumPy and h5py), ```octave by Octave, ```gdl by GNU Data Language
-    ```python MODULE ...   by a Python that has these, too; SARSIM_XARRAY_PYTHON may name one
+    ```python MODULE ...   by a Python that has these, too; SARSIM_TEST_PYTHON may name one
     ```toml NAME    written to the file NAME of that folder, as is ```scr NAME
     ```output       what the snippet before printed: these lines, in this order; "..." stands for any lines, and within a line
                     for any text
@@ -123,7 +123,7 @@ class Machine:
 
 
 def python_with(modules):
-    for program in (sys.executable, "/usr/bin/python3", os.environ.get("SARSIM_XARRAY_PYTHON", "")):
+    for program in (sys.executable, "/usr/bin/python3", os.environ.get("SARSIM_TEST_PYTHON", "")):
         imports = f"import {', '.join(modules)}"
         if os.path.exists(program) and subprocess.run([program, "-c", imports], capture_output=True).returncode == 0:
             return [program]

@@ -4,7 +4,7 @@
     xarray_test.py NAME      one of the functions below
 
 The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment, an interpreter with the packages
-SARSIM_XARRAY_PYTHON. Exit status: 0 as it should be, 1 not, 77 packages are missing.
+SARSIM_TEST_PYTHON. Exit status: 0 as it should be, 1 not, 77 packages are missing.
 """
 
 import importlib.util
@@ -32,10 +32,10 @@ def skip_without(modules):
     missing = [name for name in modules if importlib.util.find_spec(name) is None]
     if not missing:
         return
-    other = os.environ.pop("SARSIM_XARRAY_PYTHON", "")
+    other = os.environ.pop("SARSIM_TEST_PYTHON", "")
     if other:
         os.execv(other, [other, "-B", *sys.argv])
-    print(f"{sys.executable} has no {', '.join(missing)}; SARSIM_XARRAY_PYTHON may name an interpreter that has")
+    print(f"{sys.executable} has no {', '.join(missing)}; SARSIM_TEST_PYTHON may name an interpreter that has")
     sys.exit(SKIPPED)
 
 
