@@ -240,19 +240,6 @@ function(sarsim_folder name)
   endif()
 endfunction()
 
-# A QtTest program of tests/, run without a display: sarsim_gui_test(NAME sources...).
-function(sarsim_gui_test name)
-  add_executable(${name} ${ARGN})
-  set_target_properties(${name} PROPERTIES AUTOMOC ON)
-  target_include_directories(${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-  target_compile_definitions(${name} PRIVATE SARSIM_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
-  target_link_libraries(${name} PRIVATE sarsim_gui Qt6::Test)
-  sarsim_reuse_headers(${name} sarsim_headers_of_windows)
-  sarsim_compile_quickly(${name})
-  add_test(NAME ${name} COMMAND ${name})
-  set_tests_properties(${name} PROPERTIES LABELS "gui" TIMEOUT 120 ENVIRONMENT "QT_QPA_PLATFORM=offscreen")
-endfunction()
-
 # A test program of tests/: sarsim_test(NAME sources...). It may use every library and tests/support.
 function(sarsim_test name)
   add_executable(${name} ${ARGN})

@@ -11,18 +11,18 @@
 #include <QProcess>
 #include <QPushButton>
 #include <QRegularExpression>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "scene/script/reader.hpp"
 
 // The worked example of thesis chapter 3 as its reader builds it: with menus, fields and dialogs only. What the
 // workbench made of it is then judged by the command line program, which knows nothing of the workbench.
 
-namespace sarsim {
+namespace sarsim::chapter3_test {
 
 namespace {
 
@@ -169,12 +169,6 @@ class Chapter3Test : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("chapter3_test");
-  }
-
   void a_new_radar_begins_with_the_values_that_the_thesis_leaves_alone() {
     gui::MainWindow window;
     const Hands hands(window);
@@ -256,7 +250,8 @@ class Chapter3Test : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("chapter3_test", test::run_test<Chapter3Test>);
 
-QTEST_MAIN(sarsim::Chapter3Test)
+}  // namespace sarsim::chapter3_test
+
 #include "chapter3_test.moc"

@@ -7,7 +7,6 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -18,11 +17,12 @@
 
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::documents_test {
 
 namespace {
 
@@ -103,12 +103,6 @@ class DocumentsTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("documents_test");
-  }
-
   void saving_asks_nothing_where_the_data_files_say_what_is_shown() {
     Bench bench;
     bench.trigger("file_save");
@@ -355,7 +349,8 @@ class DocumentsTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("documents_test", test::run_test<DocumentsTest>);
 
-QTEST_MAIN(sarsim::DocumentsTest)
+}  // namespace sarsim::documents_test
+
 #include "documents_test.moc"

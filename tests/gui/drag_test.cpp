@@ -1,7 +1,7 @@
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTest>
 
+#include "gui/gui_test.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/script/script_coding.hpp"
 #include "gui/script/script_editor.hpp"
@@ -10,7 +10,7 @@
 #include "gui/window_drags.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::drag_test {
 namespace {
 
 scene::Edit move_to(const gui::Session& session, double x, const char* key) {
@@ -39,12 +39,6 @@ class DragTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("drag_test");
-  }
-
   void the_window_follows_the_hand_with_ten_thousand_targets() {
     test::WindowDrags drags(10'000);
     drags.open_target_table();
@@ -178,7 +172,8 @@ class DragTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("drag_test", test::run_test<DragTest>);
 
-QTEST_MAIN(sarsim::DragTest)
+}  // namespace sarsim::drag_test
+
 #include "drag_test.moc"

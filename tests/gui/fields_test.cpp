@@ -11,6 +11,7 @@
 #include <set>
 
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/language/recorded_text.hpp"
@@ -20,7 +21,7 @@
 
 // Every field of every panel, from the widget to the script and back.
 
-namespace sarsim {
+namespace sarsim::fields_test {
 namespace {
 
 constexpr scene::ObjectKind kinds[] = {scene::ObjectKind::platform,   scene::ObjectKind::target,
@@ -360,7 +361,8 @@ class FieldsTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("fields_test", test::run_test<FieldsTest>);
 
-QTEST_MAIN(sarsim::FieldsTest)
+}  // namespace sarsim::fields_test
+
 #include "fields_test.moc"

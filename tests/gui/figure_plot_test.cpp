@@ -10,8 +10,9 @@
 
 #include "gui/common/appearance.hpp"
 #include "gui/common/figure_plot.hpp"
+#include "gui/gui_test.hpp"
 
-namespace sarsim {
+namespace sarsim::figure_plot_test {
 
 namespace {
 
@@ -265,7 +266,8 @@ class FigurePlotTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("figure_plot_test", test::run_test<FigurePlotTest>);
 
-QTEST_MAIN(sarsim::FigurePlotTest)
+}  // namespace sarsim::figure_plot_test
+
 #include "figure_plot_test.moc"

@@ -14,13 +14,14 @@
 #include <memory>
 
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/function_editor.hpp"
 #include "gui/objects/function_plot.hpp"
 #include "gui/objects/function_table.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
 
-namespace sarsim {
+namespace sarsim::function_editor_test {
 
 namespace {
 
@@ -424,7 +425,8 @@ class FunctionEditorTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("function_editor_test", test::run_test<FunctionEditorTest>);
 
-QTEST_MAIN(sarsim::FunctionEditorTest)
+}  // namespace sarsim::function_editor_test
+
 #include "function_editor_test.moc"

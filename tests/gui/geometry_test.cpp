@@ -18,13 +18,14 @@
 
 #include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/scene/geometry_model.hpp"
 #include "gui/scene/geometry_view.hpp"
 #include "gui/scene/geometry_window.hpp"
 #include "small_scene.hpp"
 #include "text_files.hpp"
 
-namespace sarsim {
+namespace sarsim::geometry_test {
 
 namespace {
 
@@ -327,7 +328,8 @@ class GeometryTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("geometry_test", test::run_test<GeometryTest>);
 
-QTEST_MAIN(sarsim::GeometryTest)
+}  // namespace sarsim::geometry_test
+
 #include "geometry_test.moc"

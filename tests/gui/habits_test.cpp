@@ -9,7 +9,6 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QStandardPaths>
 #include <QTabBar>
 #include <QtTest>
 
@@ -17,9 +16,10 @@
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/frame/pictures.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/object_tree.hpp"
 
-namespace sarsim {
+namespace sarsim::habits_test {
 
 namespace {
 
@@ -89,12 +89,6 @@ class HabitsTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("habits_test");
-  }
-
   void the_walk_finds_a_field_without_names() {
     QWidget window;
     auto* field = new QLineEdit(&window);
@@ -263,7 +257,8 @@ class HabitsTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("habits_test", test::run_test<HabitsTest>);
 
-QTEST_MAIN(sarsim::HabitsTest)
+}  // namespace sarsim::habits_test
+
 #include "habits_test.moc"

@@ -4,7 +4,6 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTextBrowser>
 #include <QToolButton>
@@ -15,12 +14,13 @@
 #include "gui/frame/help_key.hpp"
 #include "gui/frame/help_window.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
 
-namespace sarsim {
+namespace sarsim::help_test {
 
 namespace {
 
@@ -80,12 +80,6 @@ class HelpTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("help_test");
-  }
-
   void every_place_that_f1_may_lead_to_is_in_the_guide() {
     gui::HelpWindow help;
     help.show();
@@ -252,7 +246,8 @@ class HelpTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("help_test", test::run_test<HelpTest>);
 
-QTEST_MAIN(sarsim::HelpTest)
+}  // namespace sarsim::help_test
+
 #include "help_test.moc"

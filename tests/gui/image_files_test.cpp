@@ -5,11 +5,12 @@
 
 #include <memory>
 
+#include "gui/gui_test.hpp"
 #include "image_viewer_bench.hpp"
 
 // Files that an image viewer writes, and those that change, are damaged, huge or not there.
 
-namespace sarsim {
+namespace sarsim::image_files_test {
 
 using namespace test;
 
@@ -182,7 +183,8 @@ class ImageFilesTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("image_files_test", test::run_test<ImageFilesTest>);
 
-QTEST_MAIN(sarsim::ImageFilesTest)
+}  // namespace sarsim::image_files_test
+
 #include "image_files_test.moc"

@@ -22,12 +22,8 @@ namespace sarsim::test {
 
 namespace fs = std::filesystem;
 
-/// Settings and caches of its own for a test program.
-inline void keep_apart(const QTemporaryDir& cache) {
-  QStandardPaths::setTestModeEnabled(true);
-  QSettings().clear();
-  qputenv("XDG_CACHE_HOME", cache.path().toUtf8());
-}
+/// A cache of its own for a test.
+inline void keep_apart(const QTemporaryDir& cache) { qputenv("XDG_CACHE_HOME", cache.path().toUtf8()); }
 
 inline constexpr int patience_ms = 20'000;
 inline constexpr std::size_t rows = 120;

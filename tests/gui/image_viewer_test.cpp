@@ -8,13 +8,14 @@
 #include <string>
 
 #include "gui/common/figure_plot.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/image/image_thumbnail.hpp"
 #include "image_viewer_bench.hpp"
 #include "raster/format/sun_raster.hpp"
 
 // What an image viewer shows, and what mouse and keys do in it.
 
-namespace sarsim {
+namespace sarsim::image_viewer_test {
 
 using namespace test;
 
@@ -262,7 +263,8 @@ class ImageViewerTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("image_viewer_test", test::run_test<ImageViewerTest>);
 
-QTEST_MAIN(sarsim::ImageViewerTest)
+}  // namespace sarsim::image_viewer_test
+
 #include "image_viewer_test.moc"

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/image/open_image_dialog.hpp"
 #include "image_viewer_bench.hpp"
@@ -14,7 +15,7 @@
 
 // Several image viewers, and how files come to them.
 
-namespace sarsim {
+namespace sarsim::image_viewers_test {
 
 using namespace test;
 
@@ -127,7 +128,8 @@ class ImageViewersTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("image_viewers_test", test::run_test<ImageViewersTest>);
 
-QTEST_MAIN(sarsim::ImageViewersTest)
+}  // namespace sarsim::image_viewers_test
+
 #include "image_viewers_test.moc"

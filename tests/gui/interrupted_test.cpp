@@ -10,6 +10,7 @@
 #include "gui/echo/data_saver.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/runs/run_panel.hpp"
 #include "gui/runs/save_queue.hpp"
 #include "gui/runs/stored_simulations.hpp"
@@ -21,7 +22,7 @@
 
 /// What happens when something else comes between: an undo or a lost release in a drag, another program at the file,
 /// the end of the workbench while work is under way.
-namespace sarsim {
+namespace sarsim::interrupted_test {
 
 namespace {
 
@@ -104,12 +105,6 @@ class InterruptedTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("interrupted_test");
-  }
-
   // --- Drags ------------------------------------------------------------------------------------------------------
 
   void a_drag_moves_a_target() {
@@ -270,7 +265,8 @@ class InterruptedTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("interrupted_test", test::run_test<InterruptedTest>);
 
-QTEST_MAIN(sarsim::InterruptedTest)
+}  // namespace sarsim::interrupted_test
+
 #include "interrupted_test.moc"

@@ -6,11 +6,11 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QStandardPaths>
 #include <QtTest>
 
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/function_editor.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/objects/property_panel.hpp"
@@ -18,7 +18,7 @@
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 
-namespace sarsim {
+namespace sarsim::keys_test {
 
 namespace {
 
@@ -66,12 +66,6 @@ class KeysTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("keys_test");
-  }
-
   void f6_takes_the_keyboard_from_panel_to_panel_and_back() {
     Bench bench;
     bench.window.scene().scene().setFocus();
@@ -159,7 +153,8 @@ class KeysTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("keys_test", test::run_test<KeysTest>);
 
-QTEST_MAIN(sarsim::KeysTest)
+}  // namespace sarsim::keys_test
+
 #include "keys_test.moc"

@@ -1,17 +1,17 @@
 #include <QAction>
 #include <QLineEdit>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QtTest>
 
 #include "gui/echo/simulation_window.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "scene/script/reader.hpp"
 
-namespace sarsim {
+namespace sarsim::main_window_test {
 
 class MainWindowTest : public QObject {
   Q_OBJECT
@@ -25,12 +25,6 @@ class MainWindowTest : public QObject {
   static QString example() { return QStringLiteral(SARSIM_SOURCE_DIR "/examples/sar_r.scr"); }
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("main_window_test");
-  }
-
   void menus_carry_the_words_of_the_thesis() {
     gui::MainWindow window;
     for (const char* name : {"file_new",
@@ -141,7 +135,8 @@ class MainWindowTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("main_window_test", test::run_test<MainWindowTest>);
 
-QTEST_MAIN(sarsim::MainWindowTest)
+}  // namespace sarsim::main_window_test
+
 #include "main_window_test.moc"

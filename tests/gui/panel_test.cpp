@@ -14,12 +14,13 @@
 
 #include "gui/common/field_editor.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "scene/language/recorded_text.hpp"
 #include "scene/script/reader.hpp"
 #include "small_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::panel_test {
 namespace {
 
 const std::vector<scene::ObjectKind> all_kinds{scene::ObjectKind::platform,   scene::ObjectKind::target,
@@ -556,7 +557,8 @@ class PanelTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("panel_test", test::run_test<PanelTest>);
 
-QTEST_MAIN(sarsim::PanelTest)
+}  // namespace sarsim::panel_test
+
 #include "panel_test.moc"

@@ -1,18 +1,18 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTest>
 
 #include "core/maths/constants.hpp"
 #include "gui/common/session.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
 #include "gui/small_scene.hpp"
 #include "scene/edit/path_points.hpp"
 
-namespace sarsim {
+namespace sarsim::path_drag_test {
 namespace {
 
 constexpr const char* legs_text = R"(format = "sarsim 2"
@@ -102,12 +102,6 @@ class PathDragTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("path_drag_test");
-  }
-
   void the_end_of_a_leg_follows_the_hand() {
     Bench bench(legs_text);
     const std::vector<core::Vec3> before = bench.points();
@@ -203,7 +197,8 @@ class PathDragTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("path_drag_test", test::run_test<PathDragTest>);
 
-QTEST_MAIN(sarsim::PathDragTest)
+}  // namespace sarsim::path_drag_test
+
 #include "path_drag_test.moc"

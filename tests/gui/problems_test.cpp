@@ -2,7 +2,6 @@
 #include <QListWidget>
 #include <QPlainTextEdit>
 #include <QSignalSpy>
-#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTextBlock>
 #include <QtTest>
@@ -13,12 +12,13 @@
 #include "gui/frame/main_window.hpp"
 #include "gui/frame/problem_badge.hpp"
 #include "gui/frame/problem_watch.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/text_files.hpp"
 #include "scene/edit/edit.hpp"
 
 // What is wrong with the script is told in the log, once, and counted in the status bar.
 
-namespace sarsim {
+namespace sarsim::problems_test {
 
 namespace {
 
@@ -77,12 +77,6 @@ class ProblemsTest : public QObject {
   }
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("problems_test");
-  }
-
   void errors_and_warnings_are_counted_and_notes_are_not() {
     QCOMPARE(gui::problem_counts({}), QString());
     QCOMPARE(gui::problem_counts({problem(core::Severity::note)}), QString());
@@ -172,7 +166,8 @@ class ProblemsTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("problems_test", test::run_test<ProblemsTest>);
 
-QTEST_MAIN(sarsim::ProblemsTest)
+}  // namespace sarsim::problems_test
+
 #include "problems_test.moc"

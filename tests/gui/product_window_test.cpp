@@ -24,6 +24,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/runs/product_window.hpp"
@@ -34,7 +35,7 @@
 #include "workflow/search/search_options.hpp"
 #include "workflow/stepped/profiles_options.hpp"
 
-namespace sarsim {
+namespace sarsim::product_window_test {
 
 namespace {
 
@@ -106,9 +107,6 @@ class ProductWindowTest : public QObject {
 
  private slots:
   void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("sarsim");
-    QCoreApplication::setApplicationName("product_window_test");
     qputenv("PATH", "");  // No program can be found: all work is done here.
   }
 
@@ -431,7 +429,8 @@ class ProductWindowTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("product_window_test", test::run_test<ProductWindowTest>);
 
-QTEST_MAIN(sarsim::ProductWindowTest)
+}  // namespace sarsim::product_window_test
+
 #include "product_window_test.moc"

@@ -3,7 +3,6 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QMenu>
-#include <QSettings>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QToolButton>
@@ -17,9 +16,10 @@
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::radar_views_window_test {
 
 namespace {
 
@@ -56,11 +56,6 @@ class RadarViewsWindowTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings().clear();
-  }
-
   void the_views_button_opens_each_view() {
     Bench bench;
     QVERIFY(bench.shown);
@@ -180,7 +175,8 @@ class RadarViewsWindowTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("radar_views_window_test", test::run_test<RadarViewsWindowTest>);
 
-QTEST_MAIN(sarsim::RadarViewsWindowTest)
+}  // namespace sarsim::radar_views_window_test
+
 #include "radar_views_window_test.moc"

@@ -19,6 +19,7 @@
 
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/edit/recovery.hpp"
@@ -27,7 +28,7 @@
 // opens a script, types into the properties of a target and waits; with --write it keeps copies for recovery without
 // end. Folders of the user are those of a temporary folder, for both.
 
-namespace sarsim {
+namespace sarsim::recovery_kill_test {
 
 namespace {
 
@@ -111,7 +112,9 @@ std::size_t files_being_written() {
 // A workbench in a process of its own.
 class Victim {
  public:
-  explicit Victim(const QStringList& arguments) { process_.start(QCoreApplication::applicationFilePath(), arguments); }
+  explicit Victim(const QStringList& arguments) {
+    process_.start(QCoreApplication::applicationFilePath(), QStringList("recovery_kill_test") + arguments);
+  }
   ~Victim() { kill(); }
   Victim(const Victim&) = delete;
   Victim& operator=(const Victim&) = delete;
@@ -329,17 +332,19 @@ class RecoveryKillTest : public QObject {
   }
 };
 
-}  // namespace sarsim
-
-int main(int argc, char** argv) {
-  QApplication application(argc, argv);
-  // As the workbench itself calls itself, because copies are kept under this name.
+// Without the places that are for tests: copies are kept under the workbench's own name in the folders that init()
+// chooses.
+int run(int argc, char** argv) {
+  QStandardPaths::setTestModeEnabled(false);
   QCoreApplication::setOrganizationName("Sarsim");
   QCoreApplication::setApplicationName("sarsim-gui");
-  if (argc == 4 && std::strcmp(argv[1], "--edit") == 0) return sarsim::edit_and_wait(argv[2], argv[3]);
-  if (argc == 3 && std::strcmp(argv[1], "--write") == 0) return sarsim::write_without_end(argv[2]);
-  sarsim::RecoveryKillTest test;
-  return QTest::qExec(&test, argc, argv);
+  if (argc == 4 && std::strcmp(argv[1], "--edit") == 0) return edit_and_wait(argv[2], argv[3]);
+  if (argc == 3 && std::strcmp(argv[1], "--write") == 0) return write_without_end(argv[2]);
+  return test::run_test<RecoveryKillTest>(argc, argv);
 }
+
+const test::AddTest added("recovery_kill_test", run);
+
+}  // namespace sarsim::recovery_kill_test
 
 #include "recovery_kill_test.moc"

@@ -18,6 +18,7 @@
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/runs/save_data_dialog.hpp"
 #include "gui/runs/save_queue.hpp"
 #include "raster/format/sinks.hpp"
@@ -27,7 +28,7 @@
 #include "small_scene.hpp"
 #include "text_files.hpp"
 
-namespace sarsim {
+namespace sarsim::save_data_test {
 
 namespace {
 
@@ -122,13 +123,6 @@ class SaveDataTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("save_data_test");
-    QSettings().clear();
-  }
-
   void the_dialog_proposes_what_the_window_shows() {
     Bench bench;
     QVERIFY(bench.shown);
@@ -373,7 +367,8 @@ class SaveDataTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("save_data_test", test::run_test<SaveDataTest>);
 
-QTEST_MAIN(sarsim::SaveDataTest)
+}  // namespace sarsim::save_data_test
+
 #include "save_data_test.moc"

@@ -8,9 +8,10 @@
 #include <random>
 
 #include "core/maths/constants.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/scene/scene_widget.hpp"
 
-namespace sarsim {
+namespace sarsim::scene_widget_test {
 namespace {
 
 const scene::ObjectId first_target{scene::ObjectKind::target, 0};
@@ -343,7 +344,8 @@ class SceneWidgetTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("scene_widget_test", test::run_test<SceneWidgetTest>);
 
-QTEST_MAIN(sarsim::SceneWidgetTest)
+}  // namespace sarsim::scene_widget_test
+
 #include "scene_widget_test.moc"

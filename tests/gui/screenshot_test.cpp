@@ -6,11 +6,12 @@
 
 #include <algorithm>
 
+#include "gui/gui_test.hpp"
 #include "gui/small_scene.hpp"
 
 // The workbench called for a picture, as scripts and tools call it: nobody is there to close a dialog.
 
-namespace sarsim {
+namespace sarsim::screenshot_test {
 
 namespace {
 
@@ -138,7 +139,8 @@ class ScreenshotTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("screenshot_test", test::run_test<ScreenshotTest>);
 
-QTEST_MAIN(sarsim::ScreenshotTest)
+}  // namespace sarsim::screenshot_test
+
 #include "screenshot_test.moc"

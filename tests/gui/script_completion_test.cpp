@@ -9,12 +9,13 @@
 
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/session.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/script/completion_list.hpp"
 #include "gui/script/script_completer.hpp"
 #include "gui/script/script_editor.hpp"
 #include "gui/script/script_text.hpp"
 
-namespace sarsim {
+namespace sarsim::script_completion_test {
 
 namespace {
 
@@ -333,7 +334,8 @@ class ScriptCompletionTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("script_completion_test", test::run_test<ScriptCompletionTest>);
 
-QTEST_MAIN(sarsim::ScriptCompletionTest)
+}  // namespace sarsim::script_completion_test
+
 #include "script_completion_test.moc"

@@ -14,12 +14,13 @@
 #include <QWheelEvent>
 
 #include "gui/common/palette_colours.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/script/script_editor.hpp"
 #include "gui/script/script_highlighter.hpp"
 #include "gui/script/script_text.hpp"
 #include "small_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::script_editor_test {
 
 namespace {
 
@@ -324,7 +325,8 @@ class ScriptEditorTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("script_editor_test", test::run_test<ScriptEditorTest>);
 
-QTEST_MAIN(sarsim::ScriptEditorTest)
+}  // namespace sarsim::script_editor_test
+
 #include "script_editor_test.moc"

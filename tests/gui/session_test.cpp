@@ -2,12 +2,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "gui/gui_test.hpp"
 #include "gui/objects/object_tree_model.hpp"
 #include "gui/objects/target_table_model.hpp"
 #include "gui/small_scene.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::session_test {
 namespace {
 
 // A session of the small scene and what it says of its changes.
@@ -123,7 +124,8 @@ class SessionTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("session_test", test::run_test<SessionTest>);
 
-QTEST_MAIN(sarsim::SessionTest)
+}  // namespace sarsim::session_test
+
 #include "session_test.moc"

@@ -15,11 +15,12 @@
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/runs/save_data_dialog.hpp"
 #include "scene/edit/edit.hpp"
 
 /// Simulation windows while their scene changes or is faulty, and the dialog that saves from them.
-namespace sarsim {
+namespace sarsim::simulation_changes_test {
 
 namespace {
 
@@ -68,13 +69,6 @@ class SimulationChangesTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("simulation_changes_test");
-    QSettings().clear();
-  }
-
   // The peak, 3 m wide, stands between the samples that are nearest to the pixels.
   void range_compressed_data_show_the_target_of_chapter_3() {
     Bench bench(scene::Processing::matched_filter);
@@ -169,7 +163,8 @@ class SimulationChangesTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("simulation_changes_test", test::run_test<SimulationChangesTest>);
 
-QTEST_MAIN(sarsim::SimulationChangesTest)
+}  // namespace sarsim::simulation_changes_test
+
 #include "simulation_changes_test.moc"

@@ -5,7 +5,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QRegularExpression>
-#include <QSettings>
 #include <QToolButton>
 
 #include <cmath>
@@ -16,9 +15,10 @@
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "scene/edit/edit.hpp"
 
-namespace sarsim {
+namespace sarsim::simulation_window_test {
 
 namespace {
 
@@ -66,11 +66,6 @@ class SimulationWindowTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QSettings().clear();
-  }
-
   void the_menu_opens_a_window_that_shows_all_targets() {
     gui::MainWindow main;
     main.documents().open_file(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.scr");
@@ -263,7 +258,8 @@ class SimulationWindowTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("simulation_window_test", test::run_test<SimulationWindowTest>);
 
-QTEST_MAIN(sarsim::SimulationWindowTest)
+}  // namespace sarsim::simulation_window_test
+
 #include "simulation_window_test.moc"

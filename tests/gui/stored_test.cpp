@@ -11,6 +11,7 @@
 #include <fstream>
 
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/runs/run_panel.hpp"
 #include "gui/runs/stored_simulations.hpp"
 #include "raster/format/sinks.hpp"
@@ -19,7 +20,7 @@
 #include "small_scene.hpp"
 #include "text_files.hpp"
 
-namespace sarsim {
+namespace sarsim::stored_test {
 
 namespace {
 
@@ -272,7 +273,8 @@ class StoredTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("stored_test", test::run_test<StoredTest>);
 
-QTEST_MAIN(sarsim::StoredTest)
+}  // namespace sarsim::stored_test
+
 #include "stored_test.moc"

@@ -14,12 +14,13 @@
 #include <QTest>
 
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/import_dialog.hpp"
 #include "gui/objects/target_table.hpp"
 #include "gui/objects/target_table_model.hpp"
 #include "small_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::target_table_test {
 namespace {
 
 struct Bench {
@@ -293,7 +294,8 @@ class TargetTableTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("target_table_test", test::run_test<TargetTableTest>);
 
-QTEST_MAIN(sarsim::TargetTableTest)
+}  // namespace sarsim::target_table_test
+
 #include "target_table_test.moc"

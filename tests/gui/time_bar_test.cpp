@@ -11,9 +11,10 @@
 #include <cmath>
 #include <limits>
 
+#include "gui/gui_test.hpp"
 #include "gui/scene/time_bar.hpp"
 
-namespace sarsim {
+namespace sarsim::time_bar_test {
 namespace {
 
 struct Bench {
@@ -267,7 +268,8 @@ class TimeBarTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("time_bar_test", test::run_test<TimeBarTest>);
 
-QTEST_MAIN(sarsim::TimeBarTest)
+}  // namespace sarsim::time_bar_test
+
 #include "time_bar_test.moc"

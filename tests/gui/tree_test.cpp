@@ -15,11 +15,12 @@
 #include <memory>
 
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/objects/object_tree_model.hpp"
 #include "small_scene.hpp"
 
-namespace sarsim {
+namespace sarsim::tree_test {
 namespace {
 
 struct Bench {
@@ -407,7 +408,8 @@ class TreeTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("tree_test", test::run_test<TreeTest>);
 
-QTEST_MAIN(sarsim::TreeTest)
+}  // namespace sarsim::tree_test
+
 #include "tree_test.moc"

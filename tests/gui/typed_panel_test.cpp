@@ -8,12 +8,13 @@
 
 #include "gui/common/appearance.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "small_scene.hpp"
 
 // What a form shows of the text of format 2: defaults in grey, expressions as they were typed.
 
-namespace sarsim {
+namespace sarsim::typed_panel_test {
 namespace {
 
 constexpr const char* scene_text = R"toml(format = "sarsim 2"
@@ -224,7 +225,8 @@ class TypedPanelTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("typed_panel_test", test::run_test<TypedPanelTest>);
 
-QTEST_MAIN(sarsim::TypedPanelTest)
+}  // namespace sarsim::typed_panel_test
+
 #include "typed_panel_test.moc"

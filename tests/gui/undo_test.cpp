@@ -8,7 +8,6 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
-#include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -25,6 +24,7 @@
 #include "gui/echo/simulation_window.hpp"
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/objects/function_editor.hpp"
 #include "gui/objects/import_dialog.hpp"
 #include "gui/objects/object_tree.hpp"
@@ -46,7 +46,7 @@
 
 // Every way to change a scene, undone and done again: scene and text come back, byte by byte.
 
-namespace sarsim {
+namespace sarsim::undo_test {
 namespace {
 
 using test::file_text;
@@ -336,12 +336,6 @@ class UndoTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("undo_test");
-  }
-
   void every_maker_of_edits_is_tested() {
     const std::string header = file_text(SARSIM_SOURCE_DIR "/src/scene/edit/edit.hpp");
     const std::regex declaration(R"(\[\[nodiscard\]\] Edit (\w+)\()");
@@ -547,7 +541,8 @@ class UndoTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("undo_test", test::run_test<UndoTest>);
 
-QTEST_MAIN(sarsim::UndoTest)
+}  // namespace sarsim::undo_test
+
 #include "undo_test.moc"

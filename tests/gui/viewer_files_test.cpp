@@ -6,7 +6,6 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSettings>
 #include <QToolButton>
 
 #include <cmath>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_plot.hpp"
 #include "gui/image/image_thumbnail.hpp"
@@ -28,7 +28,7 @@
 #include "image_viewer_bench.hpp"
 
 /// Viewers of files and what they do with files: replaced ones, exports, looks, descriptions.
-namespace sarsim {
+namespace sarsim::viewer_files_test {
 
 namespace {
 
@@ -129,10 +129,6 @@ class ViewerFilesTest : public QObject {
 
  private slots:
   void initTestCase() {
-    QStandardPaths::setTestModeEnabled(true);
-    QCoreApplication::setOrganizationName("Sarsim test");
-    QCoreApplication::setApplicationName("viewer_files_test");
-    QSettings().clear();
     qputenv("XDG_CACHE_HOME", cache_.path().toUtf8());
     QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   }
@@ -379,7 +375,8 @@ class ViewerFilesTest : public QObject {
   }
 };
 
-}  // namespace sarsim
+const test::AddTest added("viewer_files_test", test::run_test<ViewerFilesTest>);
 
-QTEST_MAIN(sarsim::ViewerFilesTest)
+}  // namespace sarsim::viewer_files_test
+
 #include "viewer_files_test.moc"
