@@ -57,7 +57,7 @@ ${sentence}
 .
 These are the headers, the static libraries and the CMake package.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "sarsim ${same}, libfftw3-dev, libfmt-dev, libhwy-dev, libxxhash-dev, liberfa-dev, pkg-config | pkgconf")
+    "sarsim ${same}, libfftw3-dev, libfmt-dev, libhwy-dev, libxxhash-dev, liberfa-dev, libpugixml-dev, pkg-config | pkgconf")
 
 # Every Debian package states its licence and its last change.
 set(change_date "${SARSIM_VERSION_DATE}")
