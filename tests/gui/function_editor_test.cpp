@@ -265,6 +265,46 @@ class FunctionEditorTest : public QObject {
     QCOMPARE(bench.knots()[0].x, 1.0);
   }
 
+  void tab_goes_on_to_the_next_number_and_loses_nothing() {
+    const Bench bench;
+    const std::vector<core::Knot> before = bench.knots();
+    bench.editor->activateWindow();
+    bench.view->setFocus();
+    bench.view->setCurrentIndex(bench.view->model()->index(0, 0));
+    bench.view->edit(bench.view->currentIndex());
+    const auto keys = [&](const QString& text, Qt::Key end) {
+      QWidget* cell = bench.view->indexWidget(bench.view->currentIndex());
+      QVERIFY2(cell != nullptr, qPrintable(text));
+      QTest::keyClicks(cell, text);
+      QTest::keyClick(cell, end);
+      QApplication::processEvents();  // Return is taken at the next turn.
+    };
+    // The first point goes behind the second by its new x; what is typed next is its y all the same.
+    const double x = before[1].x + 0.25 * (before[2].x - before[1].x);
+    keys(QString::number(x), Qt::Key_Tab);
+    keys("10", Qt::Key_Tab);
+    QCOMPARE(bench.knots().size(), before.size());
+    QCOMPARE(bench.knots()[0], before[1]);
+    QCOMPARE(bench.knots()[1].x, x);
+    QCOMPARE(bench.knots()[1].y, 10.0);
+    QCOMPARE(bench.view->currentIndex().row(), 2);
+    keys(QString::number(before[2].x), Qt::Key_Tab);
+    keys("-10", Qt::Key_Return);
+    QCOMPARE(bench.knots().size(), before.size());
+    QCOMPARE(bench.knots()[2].y, -10.0);
+    QCOMPARE(bench.editor->findChild<QSpinBox*>("function_count")->value(), static_cast<int>(before.size()));
+  }
+
+  void tab_passes_the_numbers_of_pulses_by() {
+    const Bench bench(radar1, "pri_s");
+    bench.view->setCurrentIndex(bench.view->model()->index(0, 1));
+    bench.view->edit(bench.view->currentIndex());
+    QTest::keyClick(bench.view->indexWidget(bench.view->currentIndex()), Qt::Key_Tab);
+    QCOMPARE(bench.view->currentIndex(), bench.view->model()->index(1, 1));
+    QTest::keyClick(bench.view->indexWidget(bench.view->currentIndex()), Qt::Key_Backtab);
+    QCOMPARE(bench.view->currentIndex(), bench.view->model()->index(0, 1));
+  }
+
   void interpolation_is_chosen_for_each_variable_and_compared() {
     const Bench bench;
     const auto visible_curves = [&] {

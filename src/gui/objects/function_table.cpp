@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace sarsim::gui {
 
@@ -22,6 +23,52 @@ constexpr int most_samples = 10'000;
 QString heading(const std::string& name, const AxisUnit& axis) {
   const QString text = QString::fromStdString(name);
   return axis.unit.empty() ? text : text + QStringLiteral(" (%1)").arg(QString::fromStdString(axis.unit));
+}
+
+// A table in which Tab goes from one number to the next that can be typed.
+class NumbersView : public QTableView {
+ public:
+  using QTableView::QTableView;
+
+ protected:
+  QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override {
+    QModelIndex next = QTableView::moveCursor(action, modifiers);
+    const bool by_tab = action == MoveNext || action == MovePrevious;
+    if (!by_tab || !next.isValid() || next.flags().testFlag(Qt::ItemIsEditable)) return next;
+    const int step = action == MoveNext ? 1 : -1;
+    return model()->index(next.row() + (next.column() + step < 0 ? -1 : 0), 1);
+  }
+};
+
+// Rows that differ: [first, was] of the old ones and [first, last] of the new. Where the points in between are the same
+// but for one that went to another place, `from` and `to` are its rows; else they are equal.
+struct RowChange {
+  int first = 0;
+  int was = -1;
+  int last = -1;
+  int from = 0;
+  int to = 0;
+};
+
+RowChange difference(const std::vector<core::Knot>& before, const std::vector<core::Knot>& after) {
+  const auto least = static_cast<std::ptrdiff_t>(std::min(before.size(), after.size()));
+  const std::ptrdiff_t same =
+      std::mismatch(before.begin(), before.begin() + least, after.begin()).first - before.begin();
+  const std::ptrdiff_t behind =
+      std::mismatch(before.rbegin(), before.rbegin() + (least - same), after.rbegin()).first - before.rbegin();
+  RowChange change{static_cast<int>(same), static_cast<int>(std::ssize(before) - behind) - 1,
+                   static_cast<int>(std::ssize(after) - behind) - 1};
+  if (change.was != change.last || change.first >= change.last) return change;
+  const std::size_t first = static_cast<std::size_t>(change.first);
+  const std::size_t last = static_cast<std::size_t>(change.last);
+  const auto part = [](const std::vector<core::Knot>& knots, std::size_t begin, std::size_t end) {
+    return std::span(knots).subspan(begin, end - begin);
+  };
+  if (std::ranges::equal(part(before, first + 1, last + 1), part(after, first, last)))
+    change.from = change.first, change.to = change.last;
+  else if (std::ranges::equal(part(before, first, last), part(after, first + 1, last + 1)))
+    change.from = change.last, change.to = change.first;
+  return change;
 }
 
 }  // namespace
@@ -46,24 +93,47 @@ FunctionTableModel::FunctionTableModel(QObject* parent) : QAbstractTableModel(pa
 
 void FunctionTableModel::show(const scene::FunctionInfo& info, std::size_t part,
                               const core::SampledFunction& function) {
-  beginResetModel();
-  function_ = function;
+  const QString names[] = {names_[0], names_[1]};
   per_pulse_ = info.per_pulse;
   axes_[0] = per_pulse_ ? AxisUnit{} : axis_unit(info.x_unit);
   axes_[1] = axis_unit(info.parts[part].y_unit);
   names_[0] = heading(info.x_name, axes_[0]);
   names_[1] = heading(info.parts[part].name, axes_[1]);
-  endResetModel();
+  take(function.knots);
+  if (!std::ranges::equal(names, names_)) emit headerDataChanged(Qt::Horizontal, 0, 1);
+}
+
+// Says what became of the rows, so that a cell that is current or being edited stays with its point.
+void FunctionTableModel::take(const std::vector<core::Knot>& knots) {
+  const RowChange change = difference(knots_, knots);
+  const int first = change.first;
+  const int last = change.last;
+  const int was = change.was;
+  if (was > last) {
+    beginRemoveRows({}, last + 1, was);
+    knots_ = knots;
+    endRemoveRows();
+  } else if (was < last) {
+    beginInsertRows({}, was + 1, last);
+    knots_ = knots;
+    endInsertRows();
+  } else if (change.from != change.to) {
+    beginMoveRows({}, change.from, change.from, {}, change.to > change.from ? change.to + 1 : change.to);
+    knots_ = knots;
+    endMoveRows();
+  }
+  knots_ = knots;
+  if (first <= last) emit dataChanged(index(first, 0), index(last, 1));
 }
 
 void FunctionTableModel::show_knot(std::size_t row, core::Knot knot) {
-  if (row >= function_.knots.size()) return;
-  function_.knots[row] = knot;
+  if (row >= knots_.size()) return;
+  knots_[row] = knot;
   emit dataChanged(index(static_cast<int>(row), 0), index(static_cast<int>(row), 1));
 }
 
 int FunctionTableModel::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(function_.knots.size());
+  return parent.isValid() ? 0 : static_cast<int>(knots_.size());
 }
 
 int FunctionTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : 2; }
@@ -72,7 +142,7 @@ QVariant FunctionTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   if (role != Qt::DisplayRole && role != Qt::EditRole) return {};
-  const core::Knot& knot = function_.knots[static_cast<std::size_t>(index.row())];
+  const core::Knot& knot = knots_[static_cast<std::size_t>(index.row())];
   if (index.column() == 0 && per_pulse_) return index.row();
   return axis_text(index.column() == 0 ? knot.x : knot.y, axes_[index.column()]);
 }
@@ -89,7 +159,7 @@ bool FunctionTableModel::setData(const QModelIndex& index, const QVariant& value
     return false;
   }
   const auto row = static_cast<std::size_t>(index.row());
-  core::Knot knot = function_.knots[row];
+  core::Knot knot = knots_[row];
   (index.column() == 0 ? knot.x : knot.y) = *reading.value;
   emit entered(row, knot);
   return true;
@@ -107,7 +177,7 @@ QVariant FunctionTableModel::headerData(int section, Qt::Orientation orientation
 }
 
 FunctionTable::FunctionTable(QWidget* parent)
-    : QWidget(parent), model_(new FunctionTableModel(this)), view_(new QTableView(this)), count_(new QSpinBox(this)) {
+    : QWidget(parent), model_(new FunctionTableModel(this)), view_(new NumbersView(this)), count_(new QSpinBox(this)) {
   view_->setObjectName("function_table");
   view_->setAccessibleName(tr("Samples of the function"));
   view_->setModel(model_);
@@ -163,16 +233,13 @@ FunctionTable::FunctionTable(QWidget* parent)
 
 void FunctionTable::show_function(const scene::FunctionInfo& info, std::size_t part,
                                   const core::SampledFunction& function) {
-  const QModelIndex before = view_->currentIndex();
   model_->show(info, part, function);
   const QSignalBlocker quiet(count_);
   const int count = static_cast<int>(function.knots.size());
   count_->setMaximum(std::max(most_samples, count));
   count_->setValue(count);
   delete_->setEnabled(count > 1);
-  if (count > 0)
-    view_->setCurrentIndex(
-        model_->index(std::clamp(before.row(), 0, count - 1), before.isValid() ? before.column() : 1));
+  if (count > 0 && !view_->currentIndex().isValid()) view_->setCurrentIndex(model_->index(0, 1));
 }
 
 void FunctionTable::set_current(std::size_t row) {

@@ -5,6 +5,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "scene/edit/function_model.hpp"
 #include "scene/schema/quantity.hpp"
@@ -48,10 +49,12 @@ class FunctionTableModel : public QAbstractTableModel {
 
  signals:
   void entered(std::size_t row, sarsim::core::Knot knot);  ///< The point as it is to be; its x may belong elsewhere.
-  void refused(const QString& why);                        ///< What was typed is no number of the axis.
+  void refused(const QString& why);                        ///< What was typed is not a number of the axis.
 
  private:
-  core::SampledFunction function_;
+  void take(const std::vector<core::Knot>& knots);
+
+  std::vector<core::Knot> knots_;
   bool per_pulse_ = false;
   QString names_[2];
   AxisUnit axes_[2];
