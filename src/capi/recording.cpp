@@ -1,5 +1,6 @@
 // The recordings of sarsim.h.
 
+#include <algorithm>
 #include <array>
 #include <complex>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "capi/call.hpp"
 #include "core/report/refused.hpp"
@@ -14,6 +16,7 @@
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "simulate/plan/plan.hpp"
+#include "workflow/input/sample_input.hpp"
 #include "workflow/input/scene_words.hpp"
 
 using namespace sarsim;
@@ -81,6 +84,7 @@ sarsim_status sarsim_plan_new(const sarsim_scene* scene, size_t number, const sa
     auto made = std::make_unique<sarsim_plan>();
     made->planned = workflow::plan_of_scene(input, number - 1, observer.control(core::thread_count(how.threads)));
     const simulate::Plan& p = made->planned.plan;
+    made->number = number;
     made->product = simulate::product_of(p, {});
     made->processing = workflow::processing_word(p.simulation.processing);
     made->format = workflow::format_word(p.simulation.format);
@@ -140,6 +144,32 @@ sarsim_status sarsim_record_float(const sarsim_plan* plan, uint64_t first, uint6
 sarsim_status sarsim_record_double(const sarsim_plan* plan, uint64_t first, uint64_t count, double* samples,
                                    const sarsim_work* work, sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems&) { record(plan, first, count, samples, work); });
+}
+
+sarsim_status sarsim_record_rows(const sarsim_plan* plan, uint64_t first, uint64_t count, uint64_t block,
+                                 sarsim_rows rows, void* user, const sarsim_work* work, sarsim_problems** problems) {
+  return capi::call(problems, [&](core::Problems&) {
+    const workflow::ScenePlan& planned = capi::given(plan, "sarsim_record_rows: plan").planned;
+    const simulate::RowRange wanted = range_of(first, count, planned.plan.rows, "rows");
+    const sarsim_work how = capi::taken(work, "work");
+    if (rows == nullptr) throw capi::BadArgument("sarsim_record_rows: rows is NULL");
+    const std::size_t columns = planned.plan.columns;
+    const std::size_t at_once =
+        block > 0 ? static_cast<std::size_t>(std::min<uint64_t>(block, wanted.count)) : workflow::rows_at_once(columns);
+    std::vector<std::complex<float>> samples(at_once * columns);
+    for (std::size_t row = wanted.first; row < wanted.end(); row += at_once) {
+      const simulate::RowRange part{row, std::min(at_once, wanted.end() - row)};
+      core::Observer observer = capi::observer_of(how);
+      if (observer.progress)
+        observer.progress = [progress = observer.progress, done = row - wanted.first, all = wanted.count](
+                                const std::string& stage, const core::Progress& now) {
+          progress(stage, {done + now.done, all, now.columns});
+        };
+      workflow::record_rows(planned, part, std::span(samples).first(part.count * columns), how.threads, observer);
+      if (rows(user, part.first, part.count, reinterpret_cast<const float*>(samples.data())) != 0)
+        throw core::Interrupted();
+    }
+  });
 }
 
 sarsim_status sarsim_record_file(const sarsim_plan* plan, const char* path, const sarsim_file_options* options,

@@ -56,7 +56,7 @@ extern "C" {
 
 /* Counts up with every function and member that is added. What a program was compiled for works with any library
  * libsarsim.so.0 whose number is not smaller. */
-#define SARSIM_ABI_VERSION 1
+#define SARSIM_ABI_VERSION 2
 
 /* The number of the library that runs. */
 SARSIM_API int sarsim_abi_version(void);
@@ -205,6 +205,55 @@ SARSIM_API sarsim_status sarsim_scene_get(const sarsim_scene* scene, const char*
 SARSIM_API sarsim_status sarsim_scene_set(sarsim_scene* scene, const char* field, const char* value,
                                           sarsim_problems** problems);
 
+/* An empty scene, in format 2. `name` is as for sarsim_scene_read_text. */
+SARSIM_API sarsim_status sarsim_scene_new(const char* name, sarsim_scene** scene, sarsim_problems** problems);
+
+/* The value of a numeric field in its unit, which sarsim_scene_fields and sarsim_schema name: SI units, but degrees and
+ * decibels, in which scenes have them. SARSIM_BAD_INPUT for a field that is not a number. A yes or no is 1 or 0. */
+SARSIM_API sarsim_status sarsim_scene_get_number(const sarsim_scene* scene, const char* field, double* value,
+                                                 sarsim_problems** problems);
+/* Sets it, of all objects that the name means; exactly. */
+SARSIM_API sarsim_status sarsim_scene_set_number(sarsim_scene* scene, const char* field, double value,
+                                                 sarsim_problems** problems);
+/* A field that is a function given by points: a pulse ("Radar1.pulse_iq"), a pattern ("Radar1.transmit_antenna.gain_db"), a
+ * track ("Plane.trajectory_m"), an envelope. Sets it to `count` points: x ascending, and `parts` values of y for each, one
+ * after the other, in the units that the field's name ends in. `method`: "linear", "cubic" or "mfilter". The choice that
+ * the field belongs to has to be made before ("Radar1.pulse=user"). */
+SARSIM_API sarsim_status sarsim_scene_set_points(sarsim_scene* scene, const char* field, size_t count, size_t parts,
+                                                 const double* x, const double* y, const char* method,
+                                                 sarsim_problems** problems);
+
+/* Adds an object of a kind, at the end of its list, with the values that a new object has. `name` is that of a platform or
+ * radar, or the file of a simulation or geometry table; NULL: one that is free. Its number comes back in `index`, which may
+ * be NULL. */
+SARSIM_API sarsim_status sarsim_scene_add(sarsim_scene* scene, const char* kind, const char* name, size_t* index,
+                                          sarsim_problems** problems);
+/* Removes an object; with a platform goes what stands on it, with a radar its recordings. */
+SARSIM_API sarsim_status sarsim_scene_remove(sarsim_scene* scene, const char* kind, size_t index,
+                                             sarsim_problems** problems);
+/* Adds `count` targets on a platform: x, y, z of each in `positions_m`, cross-sections in `rcs_m2` (NULL: 1 m2). */
+SARSIM_API sarsim_status sarsim_scene_add_targets(sarsim_scene* scene, const char* platform, size_t count,
+                                                  const double* positions_m, const double* rcs_m2,
+                                                  sarsim_problems** problems);
+/* Adds a cloud of so many points, which take 32 bytes each, however many they are. `file` is the name that the scene's text
+ * has for its table, which need not be there; writing it is left to the caller. */
+SARSIM_API sarsim_status sarsim_scene_add_cloud(sarsim_scene* scene, const char* platform, const char* file,
+                                                size_t count, const double* positions_m, const double* rcs_m2,
+                                                sarsim_problems** problems);
+
+/* The fields of an object that mean something as it is, as a JSON array of objects: name (as sarsim_scene_get takes it),
+ * id, value (a text), number (of fields that are numbers or a yes or no), unit (that the number is in). Kinds as in
+ * sarsim_scene_count, and "options". */
+SARSIM_API sarsim_status sarsim_scene_fields(const sarsim_scene* scene, const char* kind, size_t index,
+                                             sarsim_text** text, sarsim_problems** problems);
+/* The table of all fields of all kinds of objects as JSON, from which bindings are made: an object with a member "kinds", an
+ * array of objects with name, title, meaning, single (whether a scene has one of them: world, atmosphere, options) and
+ * fields. Of a field: name (for sarsim_scene_set, behind that of the object and a point), id, path (in format 2), label,
+ * group, type ("number", "choice", "check", "text", "platform", "radar", "function", "list"), unit, units, least, most,
+ * default, default_number, choices (word, meaning), functions (how many values a point has), when (it applies: field and
+ * among), tip. What does not apply is left out. */
+SARSIM_API sarsim_status sarsim_schema(sarsim_text** text, sarsim_problems** problems);
+
 typedef int sarsim_style;
 enum {
   SARSIM_WORDS = 0, /* Lines for people. */
@@ -301,6 +350,207 @@ typedef struct sarsim_file_report {
 SARSIM_API sarsim_status sarsim_record_file(const sarsim_plan* plan, const char* path,
                                             const sarsim_file_options* options, const sarsim_work* work,
                                             sarsim_file_report* report, sarsim_problems** problems);
+
+/* Called with rows [first, first + count) of a recording, count * columns pairs of numbers, which are gone when it
+ * returns. Rows come in order, on the thread that called the function. 0: go on; anything else ends the work, which then
+ * returns SARSIM_STOPPED. */
+typedef int (*sarsim_rows)(void* user, uint64_t first, uint64_t count, const float* samples);
+
+/* Computes rows [first, first + count) and hands them to `rows`, `block` at a time, in memory that does not grow with
+ * their number. 0 blocks as many as make a few megabytes. `user` goes to `rows`; that of `work` goes to its progress. The
+ * samples are those of sarsim_record_float. */
+SARSIM_API sarsim_status sarsim_record_rows(const sarsim_plan* plan, uint64_t first, uint64_t count, uint64_t block,
+                                            sarsim_rows rows, void* user, const sarsim_work* work,
+                                            sarsim_problems** problems);
+
+/* --------------------------------------------------------------------------------------------------------- Tables */
+
+/* Numbers and texts in rows and named columns, as the commands write them to CSV. Never changes. */
+typedef struct sarsim_table sarsim_table;
+SARSIM_API void sarsim_table_free(sarsim_table* table);
+/* Rows below the line of names; 0 for NULL. */
+SARSIM_API size_t sarsim_table_rows(const sarsim_table* table);
+SARSIM_API size_t sarsim_table_columns(const sarsim_table* table);
+/* Name of a column, which ends in its unit: "range_m". "" where there is none. */
+SARSIM_API const char* sarsim_table_name(const sarsim_table* table, size_t column);
+/* Whether all of a column are numbers, but for what is empty. */
+SARSIM_API int sarsim_table_is_number(const sarsim_table* table, size_t column);
+/* Copies the numbers of a column to `values`, which has room for all rows: NaN for what is empty or none. */
+SARSIM_API sarsim_status sarsim_table_numbers(const sarsim_table* table, size_t column, double* values,
+                                              sarsim_problems** problems);
+/* A value as it stands in the text; "" where there is none. */
+SARSIM_API const char* sarsim_table_text(const sarsim_table* table, size_t row, size_t column);
+/* All of it as comma-separated values. */
+SARSIM_API const char* sarsim_table_csv(const sarsim_table* table);
+
+/* -------------------------------------------------------------------------------------------------------- Rasters */
+
+/* Samples in rows and columns, with what is known of them: a file of any format that Sarsim reads, an image that was
+ * made, or the caller's memory. */
+typedef struct sarsim_raster sarsim_raster;
+SARSIM_API void sarsim_raster_free(sarsim_raster* raster);
+
+/* Opens a file of samples: recordings, images, pictures. `options` are "NAME=VALUE" (sarsim_options of "raster"): what is
+ * said of a file that does not describe itself. Its samples stay in the file until they are read. */
+SARSIM_API sarsim_status sarsim_raster_open(const char* path, const char* const* options, size_t option_count,
+                                            sarsim_raster** raster, sarsim_problems** problems);
+/* Makes a raster of rows * columns pairs of numbers in volts, which stay the caller's: they must not change or go before
+ * the raster and everything that was made of it are freed. `pairs` 0: rows * columns real numbers. */
+SARSIM_API sarsim_status sarsim_raster_of_floats(const float* samples, uint64_t rows, uint64_t columns, int pairs,
+                                                 sarsim_raster** raster, sarsim_problems** problems);
+/* Says where the rows or columns of such a raster are. `name` is one of those of sarsim_axis_info: "pulse_time_s",
+ * "carrier_hz", "azimuth_m", "cross_range_m", "y_m" of rows; "slant_range_m", "ground_range_m", "x_m" of columns.
+ * Copies `count` values. */
+SARSIM_API sarsim_status sarsim_raster_set_axis(sarsim_raster* raster, const char* name, const double* values,
+                                                uint64_t count, sarsim_problems** problems);
+/* Gives it an attribute; "script", "radar", "sample_rate_hz", "bits" and "lsb_v" are those of docs/formats/samples.md. */
+SARSIM_API sarsim_status sarsim_raster_set_attribute(sarsim_raster* raster, const char* name, const char* value,
+                                                     sarsim_problems** problems);
+
+typedef int sarsim_value;
+enum {
+  SARSIM_COMPLEX = 0,   /* Pairs. */
+  SARSIM_REAL = 1,      /* Numbers with a sign; the second of each pair that is read is 0. */
+  SARSIM_MAGNITUDE = 2, /* Magnitudes; likewise. */
+  SARSIM_POWER = 3,     /* Powers; likewise. */
+  SARSIM_COLOUR = 4     /* Colours, which are read as their luminance. */
+};
+
+typedef struct sarsim_raster_info {
+  size_t struct_size;
+  uint64_t rows;
+  uint64_t columns;
+  sarsim_value value;
+  int counts;            /* Not 0: numbers are counts of the A/D converter; else volts. */
+  int bits;              /* Of the A/D converter; 0: unknown. */
+  double lsb_v;          /* Volts of a count; 0: unknown. */
+  double sample_rate_hz; /* 0: unknown. */
+  const char* format;    /* "hdf5", "envi"; "" in memory. */
+  const char* path;      /* "" in memory. */
+  size_t attributes;     /* Number of them. */
+  size_t axes;           /* Number of them. */
+} sarsim_raster_info;
+
+SARSIM_API sarsim_status sarsim_raster_get_info(const sarsim_raster* raster, sarsim_raster_info* info,
+                                                sarsim_problems** problems);
+/* Name and value of attribute number `index`; "" where there is none. The scene that a recording carries is "script". */
+SARSIM_API const char* sarsim_raster_attribute_name(const sarsim_raster* raster, size_t index);
+SARSIM_API const char* sarsim_raster_attribute_value(const sarsim_raster* raster, size_t index);
+/* The value of an attribute by its name, in any case; NULL where there is none. */
+SARSIM_API const char* sarsim_raster_attribute(const sarsim_raster* raster, const char* name);
+
+/* Where rows or columns are. */
+typedef struct sarsim_axis_info {
+  size_t struct_size;
+  const char* name; /* "pulse_time_s", "slant_range_m", ...; its unit is its end. */
+  const char* unit; /* "s", "m", "Hz", ""; as the name has it. */
+  int of_columns;   /* Not 0: a value for each column; else for each row. */
+  uint64_t count;   /* Of its values. */
+} sarsim_axis_info;
+
+SARSIM_API sarsim_status sarsim_raster_axis_info(const sarsim_raster* raster, size_t index, sarsim_axis_info* info,
+                                                 sarsim_problems** problems);
+/* Copies values [first, first + count) of axis number `index`. */
+SARSIM_API sarsim_status sarsim_raster_axis(const sarsim_raster* raster, size_t index, uint64_t first, uint64_t count,
+                                            double* values, sarsim_problems** problems);
+
+/* Which samples of a raster are wanted. All zeros but for the size, or NULL in place of it: all of them. */
+typedef struct sarsim_window {
+  size_t struct_size;
+  uint64_t first_row;
+  uint64_t rows; /* That are read; 0: all from the first on. */
+  uint64_t first_column;
+  uint64_t columns;     /* That are read; 0: all from the first on. */
+  uint64_t row_step;    /* From one to the next; 0: 1. */
+  uint64_t column_step; /* 0: 1. */
+} sarsim_window;
+
+/* Reads a window into `samples`, which has room for rows * columns pairs of numbers: volts, or counts as they are. */
+SARSIM_API sarsim_status sarsim_raster_read_float(const sarsim_raster* raster, const sarsim_window* window,
+                                                  float* samples, const sarsim_work* work, sarsim_problems** problems);
+/* The same in double precision, without steps: counts are exact up to 2^53. */
+SARSIM_API sarsim_status sarsim_raster_read_double(const sarsim_raster* raster, const sarsim_window* window,
+                                                   double* samples, const sarsim_work* work,
+                                                   sarsim_problems** problems);
+/* Writes a raster to a file, in the format of its ending or of the option "to", with its axes and attributes as far as the
+ * format has place for them. `options` are "NAME=VALUE" (sarsim_options of "write"). The file appears when it is complete. */
+SARSIM_API sarsim_status sarsim_raster_write(const sarsim_raster* raster, const char* path, const char* const* options,
+                                             size_t option_count, const sarsim_work* work, sarsim_problems** problems);
+
+/* ----------------------------------------------------------------------------------------------- Work on echoes */
+
+/* Echoes to work on. Keeps what it needs. */
+typedef struct sarsim_source sarsim_source;
+SARSIM_API void sarsim_source_free(sarsim_source* source);
+/* Those of a file: a recording, or a scene, which is simulated. Opened by the functions that it is given to. */
+SARSIM_API sarsim_status sarsim_source_file(const char* path, sarsim_source** source, sarsim_problems** problems);
+/* Those of recording `number` of a scene, from 1, which are computed as they are needed. 0: the first that suits the
+ * work. */
+SARSIM_API sarsim_status sarsim_source_scene(const sarsim_scene* scene, size_t number, sarsim_source** source,
+                                             sarsim_problems** problems);
+/* Those of a recording in the caller's memory: all rows of the plan, in volts, as sarsim_record_float made them. The
+ * memory must not change or go before the source is freed. */
+SARSIM_API sarsim_status sarsim_source_floats(const sarsim_plan* plan, const float* samples, sarsim_source** source,
+                                              sarsim_problems** problems);
+/* The same in double precision. */
+SARSIM_API sarsim_status sarsim_source_doubles(const sarsim_plan* plan, const double* samples, sarsim_source** source,
+                                               sarsim_problems** problems);
+
+/* What work came to: a report, rasters and tables. */
+typedef struct sarsim_result sarsim_result;
+SARSIM_API void sarsim_result_free(sarsim_result* result);
+/* The report as a JSON object, as the command prints it with --json; "{}" where it has none. */
+SARSIM_API const char* sarsim_result_json(const sarsim_result* result);
+SARSIM_API size_t sarsim_result_raster_count(const sarsim_result* result);
+/* Raster number `index`; a handle of its own, which may outlive the result. */
+SARSIM_API sarsim_status sarsim_result_raster(const sarsim_result* result, size_t index, sarsim_raster** raster,
+                                              sarsim_problems** problems);
+SARSIM_API size_t sarsim_result_table_count(const sarsim_result* result);
+/* Table number `index`; a handle of its own. */
+SARSIM_API sarsim_status sarsim_result_table(const sarsim_result* result, size_t index, sarsim_table** table,
+                                             sarsim_problems** problems);
+
+/* The functions below take `options`: the words of the command of the same name, without hyphens before them: "window=hann",
+ * "algorithm=back-projection", "autofocus". sarsim_options lists them. Names of files say that something is to be written;
+ * what is not written stays in memory. Numbers of threads come from `work`. */
+
+/* The options of "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "sweep", "raster" or
+ * "write": as lines for people, or as a JSON array of objects with the members name, kind ("flag", "text", "texts",
+ * "number", "whole", "choice"), takes (what stands for its value), help, words (of a choice), least and most (of a whole
+ * number). */
+SARSIM_API sarsim_status sarsim_options(const char* work, sarsim_style style, sarsim_text** text,
+                                        sarsim_problems** problems);
+
+/* Focuses echoes to a SAR image: raster 0. Its samples may be in memory or on disk, as the option "memory" allows. */
+SARSIM_API sarsim_status sarsim_focus(const sarsim_source* source, const char* const* options, size_t option_count,
+                                      const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Range profiles of a stepped carrier: raster 0, a profile in each row. Table 0 has the targets of the scene in one. */
+SARSIM_API sarsim_status sarsim_profiles(const sarsim_source* source, const char* const* options, size_t option_count,
+                                         const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Images of a turning target: a raster for each. */
+SARSIM_API sarsim_status sarsim_isar(const sarsim_source* source, const char* const* options, size_t option_count,
+                                     const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Range-Doppler maps, one below the other: raster 0. Table 0: detections. */
+SARSIM_API sarsim_status sarsim_doppler(const sarsim_source* source, const char* const* options, size_t option_count,
+                                        const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* A plan position indicator: raster 0. Table 0: detections. */
+SARSIM_API sarsim_status sarsim_search(const sarsim_source* source, const char* const* options, size_t option_count,
+                                       const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Measures the point targets of an image that sarsim_focus made, in memory or in a file: table 0, a row for each. */
+SARSIM_API sarsim_status sarsim_measure(const sarsim_raster* image, const char* const* options, size_t option_count,
+                                        const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* What theory says of the targets in the image that sarsim_focus would make with these options: table 0. Reads no
+ * echoes. */
+SARSIM_API sarsim_status sarsim_theory(const sarsim_source* source, const char* const* options, size_t option_count,
+                                       const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Where platforms and targets are, pulse by pulse: a table for each geometry table of the scene, or the one that options
+ * describe. */
+SARSIM_API sarsim_status sarsim_geometry(const sarsim_source* source, const char* const* options, size_t option_count,
+                                         const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Runs a scene with many values: table 0, a row for each product of each variation. Files go to the folder of the option
+ * "out". */
+SARSIM_API sarsim_status sarsim_sweep(const sarsim_scene* scene, const char* const* options, size_t option_count,
+                                      const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
 
 #ifdef __cplusplus
 }

@@ -8,9 +8,9 @@
 #include "cli/shell/options.hpp"
 #include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/build/version.hpp"
 #include "workflow/search/doppler.hpp"
 #include "workflow/search/search_options.hpp"
+#include "workflow/search/search_report.hpp"
 
 namespace sarsim::cli {
 
@@ -25,20 +25,12 @@ std::string maps_text(const workflow::DopplerReport& report) {
          ranges;
 }
 
-void write_maps(core::JsonWriter& json, const workflow::DopplerReport& report) {
-  json.member("rows", report.rows).member("columns", report.columns);
-  json.member("doppler_first_hz", report.doppler_first_hz).member("doppler_step_hz", report.doppler_step_hz);
-  json.member("speed_first_mps", report.speed_first_mps).member("speed_step_mps", report.speed_step_mps);
-  json.member("range_first_m", report.range_first_m).member("range_step_m", report.range_step_m);
-}
-
 ExitStatus run_doppler(const RequestArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
   const workflow::DopplerReport report =
       workflow::doppler(workflow::doppler_request(arguments.input, arguments.given()), watch.observer());
   watch.close();
-  print_report(streams, arguments, report, maps_text(report),
-               [&report](core::JsonWriter& json) { write_maps(json, report); });
+  print_report(streams, arguments, report, maps_text(report), workflow::json_of(report));
   return exit_done;
 }
 

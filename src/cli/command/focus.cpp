@@ -10,10 +10,10 @@
 #include "cli/shell/report.hpp"
 #include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/build/version.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/focus_options.hpp"
+#include "workflow/focus/focus_report.hpp"
 
 namespace sarsim::cli {
 
@@ -36,39 +36,6 @@ std::string text_of_autofocus(const workflow::AutofocusFinding& found) {
                      found.entropy_after, found.applied ? "" : "; it failed, and the image is left as it was");
 }
 
-void write_autofocus(core::JsonWriter& json, const std::optional<workflow::AutofocusFinding>& found) {
-  json.key("autofocus");
-  if (!found) {
-    json.null();
-    return;
-  }
-  json.begin_object().member("applied", found->applied).member("piece_m", found->piece_m);
-  json.member("rms_rad", found->rms_rad);
-  json.member("entropy_before", found->entropy_before).member("entropy_after", found->entropy_after);
-  json.end_object();
-}
-
-std::string json_of_focus(const std::string& source, const workflow::FocusReport& report) {
-  const signal::FocusedImage& image = report.image.image;
-  core::JsonWriter json;
-  json.begin_object().member("sarsim", core::program_version).member("source", source);
-  json.key("files").begin_array();
-  for (const std::filesystem::path& path : report.files) json.value(path.string());
-  json.end_array().member("algorithm", word_of(report.algorithm));
-  json.member("rows", image.azimuth.count).member("columns", image.range.count);
-  json.member("azimuth_first_m", image.azimuth.first_m).member("azimuth_step_m", image.azimuth.step_m);
-  json.member("range_first_m", image.range.first_m).member("range_step_m", image.range.step_m);
-  json.member("doppler_centroid_hz", report.options.doppler_centroid_hz);
-  json.member("range_window", signal::to_string(report.options.range_window));
-  json.member("azimuth_window", signal::to_string(report.options.azimuth_window));
-  json.member("motion_compensation", to_string(report.motion));
-  write_autofocus(json, report.autofocus);
-  json.member("on_disk", report.image.on_disk).member("seconds", report.seconds).key("problems");
-  cli::write_json(json, report.problems);
-  json.end_object();
-  return json.text();
-}
-
 ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
   const workflow::FocusRequest request = workflow::focus_request(arguments.input, arguments.given());
   Watch watch(streams, arguments.quiet);
@@ -82,7 +49,7 @@ ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
     if (report.autofocus) streams.err << text_of_autofocus(*report.autofocus);
   }
   if (!arguments.json) return exit_done;
-  write_out(streams, json_of_focus(arguments.input, report));
+  write_out(streams, workflow::json_of(arguments.input, report));
   flush_out(streams);
   return exit_done;
 }

@@ -9,12 +9,12 @@
 #include "cli/shell/report.hpp"
 #include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/stepped/isar.hpp"
 #include "workflow/stepped/isar_options.hpp"
+#include "workflow/stepped/stepped_report.hpp"
 
 namespace sarsim::cli {
 
@@ -52,48 +52,6 @@ std::string points_text(const workflow::IsarImage& made) {
   return text;
 }
 
-void write_image_member(core::JsonWriter& json, const workflow::WrittenIsarImage& written) {
-  const workflow::IsarImage& made = written.image;
-  json.begin_object().member("file", written.file.string());
-  json.member("first_burst", written.first_burst + 1).member("last_burst", written.first_burst + written.bursts);
-  json.member("from_s", made.from_s).member("to_s", made.to_s);
-  json.member("rows", made.image.azimuth.count).member("columns", made.image.range.count);
-  json.member("cross_range_first_m", made.image.azimuth.first_m);
-  json.member("cross_range_step_m", made.image.azimuth.step_m);
-  json.member("range_first_m", made.image.range.first_m).member("range_step_m", made.image.range.step_m);
-  json.member("centre_range_m", made.range_m).member("speed_mps", made.speed_mps).member("turn_rad", made.turn_rad);
-  json.member("range_resolution_m", made.range_resolution_m);
-  json.member("cross_range_resolution_m", made.cross_range_resolution_m);
-  json.member("unambiguous_cross_range_m", made.unambiguous_cross_range_m).key("targets").begin_array();
-  for (const workflow::HeldPoint& point : made.points) {
-    json.begin_object().member("target", point.target + 1);
-    json.member("cross_range_m", point.expected.azimuth_m).member("range_m", point.expected.range_m).key("found");
-    if (point.found) {
-      json.begin_object();
-      json.member("cross_range_error_m", point.found->place.azimuth_m - point.expected.azimuth_m);
-      json.member("range_error_m", point.found->place.range_m - point.expected.range_m);
-      json.member("cross_range_width_m", point.found->azimuth.width).member("range_width_m", point.found->range.width);
-      json.member("amplitude_error_db", core::amplitude_db(point.found->amplitude / point.amplitude)).end_object();
-    } else {
-      json.null();
-    }
-    json.end_object();
-  }
-  json.end_array().end_object();
-}
-
-std::string json_text(const workflow::IsarReport& report) {
-  core::JsonWriter json;
-  json.begin_object().member("sarsim", core::program_version).member("source", report.source);
-  json.member("algorithm", report.algorithm).key("files").begin_array();
-  for (const std::filesystem::path& path : report.files) json.value(path.string());
-  json.end_array().key("images").begin_array();
-  for (const workflow::WrittenIsarImage& image : report.images) write_image_member(json, image);
-  json.end_array().member("seconds", report.seconds).key("problems");
-  cli::write_json(json, report.problems);
-  return json.end_object().text();
-}
-
 ExitStatus run_isar(const RequestArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
   const workflow::IsarReport report =
@@ -104,7 +62,7 @@ ExitStatus run_isar(const RequestArguments& arguments, Streams& streams) {
     streams.err << fmt::format("done in {}\n", core::duration_text(report.seconds));
   }
   if (arguments.json)
-    write_out(streams, json_text(report));
+    write_out(streams, workflow::json_of(report));
   else if (!arguments.quiet)
     for (const workflow::WrittenIsarImage& image : report.images) write_out(streams, points_text(image.image));
   flush_out(streams);

@@ -12,10 +12,10 @@
 #include "cli/shell/recording_options.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/build/version.hpp"
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
 #include "picture/figure/picture_file.hpp"
+#include "workflow/focus/focus_report.hpp"
 #include "workflow/focus/measure.hpp"
 #include "workflow/input/recording_input.hpp"
 
@@ -106,58 +106,6 @@ std::string summary_text(const workflow::MeasureReport& report) {
   return text + fmt::format("; noise alone counts as a target with probability {:g}\n", report.false_alarm);
 }
 
-void write_figures(core::JsonWriter& json, const char* name, const std::optional<signal::ResponseFigures>& figures) {
-  json.key(name);
-  if (!figures) {
-    json.null();
-    return;
-  }
-  json.begin_object().member("width_m", figures->width).member("null_m", figures->null);
-  json.member("pslr_db", figures->pslr_db).member("islr_db", figures->islr_db).end_object();
-}
-
-// Members of the open object, on a ground grid over the Earth.
-void write_place(core::JsonWriter& json, const workflow::MeasureReport& report, const signal::ImagePlace& place) {
-  const auto at = report.on_earth(place);
-  if (!at) return;
-  json.member("latitude_deg", core::deg_per_rad * at->latitude_rad);
-  json.member("longitude_deg", core::deg_per_rad * at->longitude_rad).member("height_m", at->height_m);
-}
-
-void write_target_json(core::JsonWriter& json, const workflow::MeasuredTarget& target,
-                       const workflow::MeasureReport& report) {
-  const workflow::TargetTheory& theory = target.theory;
-  json.begin_object().member("target", theory.target + 1).key("theory").begin_object();
-  json.member("azimuth_m", theory.place.azimuth_m).member("range_m", theory.place.range_m);
-  if (target.expected()) write_place(json, report, theory.place);
-  json.member("amplitude_v", theory.amplitude).member("phase_rad", theory.phase_rad);
-  write_figures(json, "azimuth", theory.azimuth);
-  write_figures(json, "range", theory.range);
-  json.end_object();
-  json.member("outside_image", target.outside);
-  if (target.expected() && !target.outside) {
-    json.member("search_m", target.search_m).member("noise_v", target.noise_v);
-    json.member("threshold_db", core::power_db(target.threshold)).key("snr_db");
-    target.peak_v > 0.0 && target.noise_v > 0.0 ? json.value(target.snr_db()) : json.null();
-  }
-  json.key("found");
-  if (!target.found) {
-    json.null().end_object();
-    return;
-  }
-  const signal::PointResponse& found = *target.found;
-  json.begin_object().member("azimuth_m", found.place.azimuth_m).member("range_m", found.place.range_m);
-  write_place(json, report, found.place);
-  json.member("amplitude_v", found.amplitude).member("phase_rad", found.phase_rad);
-  write_figures(json, "azimuth", found.azimuth);
-  write_figures(json, "range", found.range);
-  json.end_object();
-  json.member("azimuth_error_m", found.place.azimuth_m - theory.place.azimuth_m);
-  json.member("range_error_m", found.place.range_m - theory.place.range_m);
-  json.member("amplitude_error_db", target.amplitude_error_db());
-  json.member("phase_error_rad", target.phase_error_rad()).end_object();
-}
-
 std::string text_of_measure(const std::string& image, const workflow::MeasureReport& report) {
   std::string text = fmt::format(
       "{}: {} by {}; theory in parentheses, signed numbers are found minus theory\n  {:<8}{:>18}  {:>18}  {:>18}\n",
@@ -165,18 +113,6 @@ std::string text_of_measure(const std::string& image, const workflow::MeasureRep
       "ISLR (dB)");
   for (const workflow::MeasuredTarget& target : report.targets) text += text_of(target, report);
   return text + summary_text(report);
-}
-
-std::string json_of_measure(const std::string& image, const workflow::MeasureReport& report) {
-  core::JsonWriter json;
-  json.begin_object().member("sarsim", core::program_version).member("image", image);
-  json.member("source", report.origin.source).member("algorithm", report.origin.algorithm);
-  json.key("targets").begin_array();
-  for (const workflow::MeasuredTarget& target : report.targets) write_target_json(json, target, report);
-  const workflow::MeasureSummary sum = workflow::summary_of(report);
-  json.end_array().member("false_alarm", report.false_alarm);
-  json.member("expected_targets", sum.expected).member("found_targets", sum.found).end_object();
-  return json.text();
 }
 
 // One picture for each target that was found.
@@ -208,7 +144,7 @@ workflow::MeasureRequest measure_request_of(const MeasureArguments& arguments) {
 ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
   Watch watch(streams, false);
   const workflow::MeasureReport report = workflow::measure(measure_request_of(arguments), watch.observer());
-  write_out(streams, arguments.json  ? json_of_measure(arguments.image, report)
+  write_out(streams, arguments.json  ? workflow::json_of(arguments.image, report)
                      : arguments.csv ? workflow::csv_of(report)
                                      : text_of_measure(arguments.image, report));
   flush_out(streams);

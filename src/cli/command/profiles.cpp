@@ -11,11 +11,11 @@
 #include "cli/shell/report.hpp"
 #include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/build/version.hpp"
 #include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/stepped/profiles.hpp"
 #include "workflow/stepped/profiles_options.hpp"
+#include "workflow/stepped/stepped_report.hpp"
 
 namespace sarsim::cli {
 
@@ -81,65 +81,6 @@ std::string targets_text(const workflow::ProfilesReport& report) {
   return text + crowd_text(report);
 }
 
-void write_scan(core::JsonWriter& json, const workflow::ScanRecord& scan) {
-  json.begin_object().member("first_burst", scan.bursts.first + 1).member("last_burst", scan.bursts.last + 1);
-  json.member("from_s", scan.from_s).member("to_s", scan.to_s).member("speed_mps", scan.speed_mps);
-  if (scan.estimate)
-    json.member("uncertainty_mps", scan.estimate->uncertainty_mps)
-        .member("entropy", scan.estimate->entropy)
-        .member("entropy_at_rest", scan.estimate->entropy_at_rest);
-  json.end_object();
-}
-
-void write_held_target(core::JsonWriter& json, const workflow::HeldTarget& target) {
-  json.begin_object().member("target", target.truth.target + 1).member("range_m", target.truth.range_m);
-  json.member("speed_mps", target.truth.speed_mps).member("amplitude_v", target.truth.amplitude);
-  json.member("expected_m", target.expected_m).member("expected_bin", target.expected_bin);
-  json.member("smear_cells", target.smear_cells).key("nearest_target_m");
-  std::isfinite(target.nearest_m) ? json.value(target.nearest_m) : json.null();
-  json.key("found");
-  if (target.found) {
-    json.begin_object().member("range_m", target.found->range_m);
-    json.member("range_error_m", target.found->range_m - target.expected_m);
-    json.member("width_m", target.found->width_m).member("phase_rad", target.found->phase_rad);
-    json.member("amplitude_error_db", core::amplitude_db(target.found->amplitude / target.truth.amplitude));
-    json.end_object();
-  } else {
-    json.null();
-  }
-  json.end_object();
-}
-
-std::string json_text(const workflow::ProfilesReport& report) {
-  const workflow::ProfileSeries& series = report.series;
-  const workflow::ProfileRow& row = series.rows[report.held_row];
-  core::JsonWriter json;
-  json.begin_object().member("sarsim", core::program_version).member("source", report.source);
-  json.key("files").begin_array();
-  for (const std::filesystem::path& path : report.files) json.value(path.string());
-  json.end_array().member("set", workflow::word_of(report.set));
-  const signal::SteppedLimits& limits = series.limits;
-  json.member("bursts", series.rows.size()).member("columns", series.axis.count);
-  json.member("range_first_m", series.axis.first_m).member("range_step_m", series.axis.step_m);
-  json.member("carrier_hz", series.centre_hz).member("bandwidth_hz", series.band_hz);
-  json.member("resolution_m", limits.resolution_m).member("unambiguous_range_m", limits.unambiguous_range_m);
-  json.member("shift_m_per_mps", limits.shift_m_per_mps).member("smear_m_per_mps", limits.smear_m_per_mps);
-  json.member("tolerable_speed_mps", limits.tolerable_mps).member("ambiguous_speed_mps", limits.ambiguous_mps);
-  json.key("scans").begin_array();
-  for (const workflow::ScanRecord& scan : series.scans) write_scan(json, scan);
-  json.end_array().member("burst", row.burst + 1).member("time_s", row.time_s);
-  json.key("targets").begin_array();
-  for (const workflow::HeldTarget& target : report.targets) write_held_target(json, target);
-  json.end_array().key("peaks").begin_array();
-  for (const signal::ProfilePeak& peak : report.peaks) {
-    json.begin_object().member("range_m", peak.range_m).member("amplitude_v", peak.amplitude);
-    json.member("phase_rad", peak.phase_rad).member("width_m", peak.width_m).end_object();
-  }
-  json.end_array().member("seconds", report.seconds).key("problems");
-  cli::write_json(json, report.problems);
-  return json.end_object().text();
-}
-
 ExitStatus run_profiles(const RequestArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
   const workflow::ProfilesReport report =
@@ -147,7 +88,7 @@ ExitStatus run_profiles(const RequestArguments& arguments, Streams& streams) {
   watch.close();
   if (!arguments.quiet) streams.err << summary_text(report);
   if (arguments.json)
-    write_out(streams, json_text(report));
+    write_out(streams, workflow::json_of(report));
   else if (!arguments.quiet)
     write_out(streams, targets_text(report));
   flush_out(streams);

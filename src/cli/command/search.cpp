@@ -8,9 +8,9 @@
 #include "cli/shell/report.hpp"
 #include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
-#include "core/build/version.hpp"
 #include "workflow/search/search.hpp"
 #include "workflow/search/search_options.hpp"
+#include "workflow/search/search_report.hpp"
 
 namespace sarsim::cli {
 
@@ -23,21 +23,12 @@ std::string picture_text(const workflow::SearchReport& report) {
                      grid.columns, grid.pixel_m);
 }
 
-void write_picture(core::JsonWriter& json, const workflow::SearchReport& report) {
-  if (!report.picture) return;
-  const signal::PpiGrid& grid = report.picture->grid;
-  json.member("rows", grid.rows).member("columns", grid.columns).member("scans", report.picture->scans);
-  json.member("x_first_m", grid.first_x_m).member("x_step_m", grid.pixel_m);
-  json.member("y_first_m", grid.first_y_m).member("y_step_m", -grid.pixel_m);
-}
-
 ExitStatus run_search(const RequestArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
   const workflow::SearchReport report =
       workflow::search(workflow::search_request(arguments.input, arguments.given()), watch.observer());
   watch.close();
-  print_report(streams, arguments, report, picture_text(report),
-               [&report](core::JsonWriter& json) { write_picture(json, report); });
+  print_report(streams, arguments, report, picture_text(report), workflow::json_of(report));
   return exit_done;
 }
 

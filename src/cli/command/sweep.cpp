@@ -23,6 +23,7 @@
 #include "workflow/input/simd_choice.hpp"
 #include "workflow/sweep/sweep.hpp"
 #include "workflow/sweep/sweep_fields.hpp"
+#include "workflow/sweep/sweep_options.hpp"
 
 namespace sarsim::cli {
 
@@ -32,23 +33,6 @@ using workflow::SweepPlan;
 using workflow::SweepReport;
 using workflow::SweepRequest;
 using workflow::SweepRow;
-
-workflow::FollowUp follow_up_of(const SweepArguments& arguments) {
-  using Kind = workflow::FollowUp::Kind;
-  workflow::FollowUp follow_up;
-  for (const auto& [kind, given] : {std::pair{Kind::focus, arguments.focus}, std::pair{Kind::search, arguments.search},
-                                    std::pair{Kind::profiles, arguments.profiles}}) {
-    if (!given) continue;
-    if (follow_up)
-      throw core::Refused(
-          fmt::format("--{} and --{} cannot be made of one sweep", word_of(follow_up.kind), word_of(kind)),
-          "leave one of them out, and make the other in a sweep of its own");
-    follow_up.kind = kind;
-  }
-  follow_up.measure = arguments.measure;
-  follow_up.words = arguments.with;
-  return follow_up;
-}
 
 SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart part, workflow::SceneInput input) {
   SweepRequest request;
@@ -65,7 +49,7 @@ SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart 
   request.values.folder = std::filesystem::path(arguments.scene).parent_path();
   request.products = arguments.products;
   request.overrides = arguments.overrides;
-  request.follow_up = follow_up_of(arguments);
+  request.follow_up = workflow::follow_up_of(arguments.follow_up);
   request.format = arguments.overrides.format;
   request.folder = arguments.folder;
   request.table = arguments.table;
@@ -145,7 +129,7 @@ ExitStatus print_report(const SweepArguments& arguments, const SweepRequest& req
 }
 
 ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
-  const workflow::SweepPart part = read_part(arguments.part);
+  const workflow::SweepPart part = workflow::read_part(arguments.part);
   if (arguments.commands && !arguments.dry_run)
     throw core::Refused("--commands prints what a sweep would run, and runs nothing", "add --dry-run");
   workflow::choose_simd(arguments.simd);

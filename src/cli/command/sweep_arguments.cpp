@@ -6,7 +6,6 @@
 #include "cli/shell/engine_options.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/scene_options.hpp"
-#include "core/text/number_text.hpp"
 #include "workflow/sweep/sweep_axes.hpp"
 
 namespace sarsim::cli {
@@ -32,11 +31,12 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   app.add_flag("--fields", a.fields, "print the fields that can be set, with their values, and end");
   app.add_flag("--dry-run", a.dry_run, "check every variation, print what would run, and end");
   app.add_flag("--commands", a.commands, "with --dry-run: print a 'sarsim run' command for each variation instead");
-  app.add_flag("--focus", a.focus, "focus each recording to an image, NAME.img");
-  app.add_flag("--measure", a.measure, "measure each image against theory: columns of the table");
-  app.add_flag("--search", a.search, "make a picture and detections of each recording: columns of the table");
-  app.add_flag("--profiles", a.profiles, "make range profiles of each recording: columns of the table");
-  app.add_option("--with", a.with, "options of --focus, --search or --profiles, in quotes")->type_name("OPTIONS");
+  app.add_flag("--focus", a.follow_up.focus, "focus each recording to an image, NAME.img");
+  app.add_flag("--measure", a.follow_up.measure, "measure each image against theory: columns of the table");
+  app.add_flag("--search", a.follow_up.search, "make a picture and detections of each recording: columns of the table");
+  app.add_flag("--profiles", a.follow_up.profiles, "make range profiles of each recording: columns of the table");
+  app.add_option("--with", a.follow_up.with, "options of --focus, --search or --profiles, in quotes")
+      ->type_name("OPTIONS");
   add_text(app, "-o,--out", a.folder, "DIR", "folder for all files; made when missing (default: the current one)");
   add_text(app, "--table", a.table, "NAME", "name of the tables and the journal (default: sweep)");
   add_integer(app, "--jobs", a.jobs, 0, 4096, "variations at a time; 0 for as many as there are threads (default)");
@@ -54,20 +54,6 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   app.add_flag("--json", a.json, "the table as JSON on standard output, too");
   app.add_flag("--strict", a.strict, "warnings end the sweep before it begins (status 2)");
   app.add_flag("--quiet", a.quiet, "only errors on standard error");
-}
-
-workflow::SweepPart read_part(const std::string& text) {
-  if (text.empty()) return {};
-  const std::size_t slash = text.find('/');
-  const auto index = core::parse_integer(text.substr(0, slash));
-  const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
-  if (!index || !count)
-    throw core::Refused(fmt::format("--part: '{}' is not a valid part", text),
-                        "write K/N, for instance 2/4 for the second of four");
-  if (*count < 1 || *count > static_cast<std::int64_t>(workflow::most_variations) || *index < 1 || *index > *count)
-    throw core::Refused(fmt::format("--part: there is no part {}", text),
-                        fmt::format("parts are numbered from 1 to N, and N is {} at most", workflow::most_variations));
-  return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
 }
 
 }  // namespace sarsim::cli

@@ -9,6 +9,7 @@
 
 #include "simulate/plan/engine.hpp"
 #include "workflow/input/scene_input.hpp"
+#include "workflow/sweep/sweep_options.hpp"
 #include "workflow/sweep/sweep_request.hpp"
 
 namespace sarsim::cli {
@@ -36,11 +37,7 @@ struct SweepArguments {
   bool resume = false;
   bool dry_run = false;
   bool commands = false;
-  bool focus = false;
-  bool measure = false;
-  bool search = false;
-  bool profiles = false;
-  std::string with;  ///< Options of what follows up.
+  workflow::FollowUpWords follow_up;
   bool fields = false;
   bool json = false;
   bool strict = false;
@@ -49,8 +46,5 @@ struct SweepArguments {
 
 /// Adds all options of `sweep` to the command.
 void add_sweep_arguments(CLI::App& app, SweepArguments& arguments);
-
-/// Reads "2/4" and throws core::Refused for anything else; nothing is the whole.
-[[nodiscard]] workflow::SweepPart read_part(const std::string& text);
 
 }  // namespace sarsim::cli

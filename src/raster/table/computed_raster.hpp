@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "raster/table/raster.hpp"
@@ -19,7 +20,12 @@ class ComputedRaster final : public Raster {
   ComputedRaster(std::size_t rows, std::size_t columns, Read read)
       : Raster(info_of(columns)), rows_(rows), read_(std::move(read)) {}
 
+  /// The same of what is described like a file.
+  ComputedRaster(RasterInfo info, std::size_t rows, std::optional<RasterAxes> axes, Read read)
+      : Raster(std::move(info)), rows_(rows), axes_(std::move(axes)), read_(std::move(read)) {}
+
   [[nodiscard]] std::size_t rows() const override { return rows_; }
+  [[nodiscard]] std::optional<RasterAxes> axes() const override { return axes_; }
   [[nodiscard]] double read_cost_s(const ImageWindow& window) const override {
     return static_cast<double>(window.samples()) * 10e-9;
   }
@@ -38,6 +44,7 @@ class ComputedRaster final : public Raster {
   }
 
   std::size_t rows_;
+  std::optional<RasterAxes> axes_;
   Read read_;
 };
 

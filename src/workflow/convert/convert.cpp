@@ -104,7 +104,7 @@ class Conversion {
              const core::Observer& observer)
       : file_(file), product_(product_of_file(file)), request_(request), observer_(observer) {
     choose_converter(hints);
-    const auto image = header_beside(request.input, file);
+    const auto image = request.held ? std::nullopt : header_beside(request.input, file);
     const auto format = output_format(request, image.has_value());
     if (image) header_ = carried_header(*image, request, format);
     envi_ = !format;
@@ -271,12 +271,16 @@ class Conversion {
 ConvertReport convert(const ConvertRequest& request, const core::Observer& observer) {
   if (request.simulation && request.sample.script.empty())
     throw core::Refused("--simulation is a number in a script", "name it with --script");
-  const raster::RasterHints hints = hints_for(request.input, request.sample, request.simulation);
-  const std::shared_ptr<const raster::Raster> file = open_samples(request.input, hints, observer);
+  const raster::RasterHints hints =
+      request.held ? raster::RasterHints() : hints_for(request.input, request.sample, request.simulation);
+  const std::shared_ptr<const raster::Raster> file =
+      request.held ? request.held : open_samples(request.input, hints, observer);
   Conversion conversion(*file, hints, request, observer);
   OutputCare care{sources_of_script(request.sample.script), request.force, "OUT"};
-  care.sources.emplace_back(request.input);
-  care.sources.emplace_back(raster::envi_header_of(request.input));
+  if (!request.held) {
+    care.sources.emplace_back(request.input);
+    care.sources.emplace_back(raster::envi_header_of(request.input));
+  }
   expect_free_outputs(conversion.outputs(), care);
   return conversion.carry_out();
 }

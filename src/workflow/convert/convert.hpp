@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,7 @@ namespace sarsim::workflow {
 /// Which file of samples becomes which.
 struct ConvertRequest {
   std::string input;
+  std::shared_ptr<const raster::Raster> held{};  ///< In place of the file `input`, which is then only a name.
   std::string output;
   SampleArguments sample;                  ///< What is said of an input that does not describe itself.
   std::optional<std::int64_t> simulation;  ///< The one of `sample.script` that wrote the input, from 1.

@@ -230,22 +230,25 @@ signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& requ
   return signal::focus_rows(work.input.echoes, options, control, progress);
 }
 
-void write_outputs(const FocusReport& report, const FocusWork& work, const FocusRequest& request,
-                   const core::StopFlag* stop) {
-  const ImageOrigin origin{request.input.path,
-                           request.input.script,
-                           words_of_overrides(request.input.overrides),
-                           work.input.simulation,
-                           word_of(request.algorithm),
-                           work.options,
-                           to_string(work.motion),
-                           work.input.plan->radar.name,
-                           work.input.plan->scene->options,
-                           scene::earth_of(work.input.world)};
+ImageOrigin origin_of(const FocusWork& work, const FocusRequest& request) {
+  return {request.input.path,
+          request.input.script,
+          words_of_overrides(request.input.overrides),
+          work.input.simulation,
+          word_of(request.algorithm),
+          work.options,
+          to_string(work.motion),
+          work.input.plan->radar.name,
+          work.input.plan->scene->options,
+          scene::earth_of(work.input.world)};
+}
+
+void write_outputs(const FocusReport& report, const FocusRequest& request, const core::StopFlag* stop) {
   for (const fs::path& path : report.files)
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
-  if (!request.output.empty()) write_image(report.image, origin, request.output, request.force, false, stop);
-  if (request.magnitude) write_image(report.image, origin, magnitude_path(request.output), request.force, true, stop);
+  if (!request.output.empty()) write_image(report.image, report.origin, request.output, request.force, false, stop);
+  if (request.magnitude)
+    write_image(report.image, report.origin, magnitude_path(request.output), request.force, true, stop);
   if (report.autofocus && !request.autofocus_phase.empty())
     write_phase(*report.autofocus, request.autofocus_phase, request.force);
 }
@@ -271,6 +274,22 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
   return core::ranked(std::move(problems));
 }
 
+KeptImage kept_image(const FocusReport& report) {
+  KeptImage kept = kept_image(report.image, report.origin);
+  kept.input = report.input;
+  return kept;
+}
+
+std::vector<TargetTheory> theory_of_focus(const FocusRequest& asked, const core::Observer& observer) {
+  FocusRequest request = asked;
+  const core::WorkControl control = observer.control(core::thread_count(request.threads));
+  const FocusWork work = work_on(open_focus_input(request.input, control, request.navigation), request, control);
+  observer.remarks(work.input.problems);
+  signal::EchoRows echoes = work.input.echoes;
+  echoes.compensated = in_time(request) || work.motion != MotionOrder::none;
+  return theory_of_targets(*work.input.plan, echoes, work.options, in_time(request), control);
+}
+
 FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   const double begin_s = core::now_s();
   expect_sense(asked);
@@ -290,6 +309,8 @@ FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   }
   FocusReport report{.files = outputs_of(request),
                      .image = {},
+                     .origin = origin_of(work, request),
+                     .input = request.input,
                      .simulation = work.input.simulation,
                      .algorithm = request.algorithm,
                      .grid = request.grid,
@@ -307,7 +328,7 @@ FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
     observer.remarks(failed);
     report.problems.insert(report.problems.end(), failed.begin(), failed.end());
   }
-  write_outputs(report, work, request, observer.stop);
+  write_outputs(report, request, observer.stop);
   report.seconds = core::now_s() - begin_s;
   return report;
 }

@@ -36,6 +36,7 @@ void expect_options_that_agree(const FocusRequest& request) {
 }
 
 std::string script_of(const RecordingArguments& input) {
+  if (input.held) return {};  // Its sources are known.
   if (!input.script.empty()) return input.script;
   return holds_script(input.path) ? input.path : std::string();
 }

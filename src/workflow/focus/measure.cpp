@@ -31,10 +31,29 @@ namespace fs = std::filesystem;
 namespace {
 
 struct MeasuredImage {
-  raster::EnviImage file;
+  raster::EnviHeader header;
+  signal::ImageReader reader;
   signal::FocusedImage image;
   ImageOrigin origin;
 };
+
+// Reads parts of the rows of an image in memory.
+signal::ImageReader reader_of(const core::SampleRows<float>& rows) {
+  return [rows](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
+    std::vector<std::complex<float>> whole(rows.columns);
+    rows.read(row, whole);
+    std::copy_n(whole.begin() + static_cast<std::ptrdiff_t>(first), out.size(), out.begin());
+  };
+}
+
+MeasuredImage kept_image_to_measure(const MeasureRequest& request) {
+  const KeptImage& kept = *request.kept;
+  if (!kept.origin || !kept.input)
+    throw core::Refused("the image was not made by focusing", "measure the image of a focused recording");
+  MeasuredImage opened{kept.content.header, reader_of(kept.rows), {}, {}};
+  read_header(opened.header, request.image.string(), opened.image, opened.origin);
+  return opened;
+}
 
 MeasuredImage opened_image(const std::string& path) {
   if (!fs::exists(path))
@@ -43,15 +62,22 @@ MeasuredImage opened_image(const std::string& path) {
   if (!file) throw core::Refused(std::move(problems));
   if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)
     throw core::Refused(fmt::format("'{}' holds magnitudes", path), "measure the complex image beside it");
-  MeasuredImage opened{std::move(*file), {}, {}};
-  read_header(opened.file.header(), raster::envi_header_of(path).string(), opened.image, opened.origin);
+  MeasuredImage opened{file->header(),
+                       [file = *file](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
+                         file.read(row, first, out);
+                       },
+                       {},
+                       {}};
+  read_header(opened.header, raster::envi_header_of(path).string(), opened.image, opened.origin);
   return opened;
 }
 
 // What was focused, as the header says, unless the request says otherwise.
 RecordingArguments input_of(const MeasureRequest& request, const WayBack& way, const ImageOrigin& origin) {
   RecordingArguments input = request.input;
+  if (request.kept) input = *request.kept->input;
   if (!input.simulation) input.simulation = static_cast<std::int64_t>(origin.simulation) + 1;
+  if (request.kept) return input;
   input.path = way.source;
   input.script = way.script;
   input.overrides = overrides_from_words(origin.settings);
@@ -195,9 +221,6 @@ void measure_target(const MeasuredImage& opened, const signal::ImageReader& read
 
 std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const std::vector<TargetTheory>& theories,
                                              const MeasureRequest& request, const core::WorkControl& control) {
-  const signal::ImageReader reader = [&](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
-    opened.file.read(row, first, out);
-  };
   const bool cuts = request.cuts || !request.pictures.empty();
   std::vector<MeasuredTarget> targets(theories.size());
   core::parallel_ranges(theories.size(), 1, control, [&](std::size_t begin, std::size_t end) {
@@ -208,7 +231,7 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
       targets[t].outside = !is_within(opened.image, theories[t].place);
       if (targets[t].outside) continue;
       targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
-      measure_target(opened, reader, request, cuts, targets[t]);
+      measure_target(opened, opened.reader, request, cuts, targets[t]);
     }
   });
   std::erase_if(targets, [&](const MeasuredTarget& target) { return !is_asked_for(request, target.theory); });
@@ -225,9 +248,10 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   if (!(request.false_alarm >= 1e-15 && request.false_alarm <= 0.1))
     throw core::Refused(fmt::format("--pfa is out of range; found {:g}, expected 1e-15 to 0.1", request.false_alarm));
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  MeasuredImage opened = opened_image(request.image.string());
+  MeasuredImage opened = request.kept ? kept_image_to_measure(request) : opened_image(request.image.string());
   expect_folder(request.pictures);
-  WayBack way = way_back(opened.file.header(), opened.origin, request.image, request.input.script);
+  WayBack way;
+  if (!request.kept) way = way_back(opened.header, opened.origin, request.image, request.input.script);
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
   opened.origin.earth = scene::earth_of(input.world);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "signal/measure/image_quality.hpp"
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/image/image_fields.hpp"
+#include "workflow/image/kept_image.hpp"
 #include "workflow/input/recording_input.hpp"
 
 namespace sarsim::workflow {
@@ -17,6 +19,8 @@ namespace sarsim::workflow {
 /// What of an image is to be measured.
 struct MeasureRequest {
   std::filesystem::path image;  ///< Complex image of `focus`, ENVI or NPY.
+  /// In place of that file, which is then only a name: an image that was kept, with its origin and input. Null: none.
+  std::shared_ptr<const KeptImage> kept{};
   /// The script that it was made from and its simulation, where they are others than the image's header says; no path.
   RecordingArguments input;
   std::optional<double> search_m;     ///< How far from its place a peak may be; nothing: three cells, or half way to

@@ -9,6 +9,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
 #include "core/text/number_text.hpp"
+#include "workflow/focus/focus.hpp"
 #include "workflow/focus/measure.hpp"
 
 namespace sarsim::workflow {
@@ -109,6 +110,26 @@ MeasureSummary summary_of(const MeasureReport& report) {
     span(summary.lowest_snr_db, summary.highest_snr_db, target.snr_db());
   }
   return summary;
+}
+
+std::string csv_of(const std::vector<TargetTheory>& targets) {
+  std::string text =
+      "target,azimuth_m,range_m,amplitude_v,phase_rad,azimuth_width_m,azimuth_pslr_db,azimuth_islr_db,range_width_m,"
+      "range_pslr_db,range_islr_db\n";
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  for (const TargetTheory& theory : targets) {
+    const bool expected = theory.amplitude > 0.0;
+    std::string line = fmt::format("{}", theory.target + 1);
+    for (const double value : {expected ? theory.place.azimuth_m : none, expected ? theory.place.range_m : none,
+                               theory.amplitude, expected ? theory.phase_rad : none}) {
+      line += ',';
+      if (std::isfinite(value)) core::append_number(line, value);
+    }
+    add_figures(line, theory.azimuth);
+    add_figures(line, theory.range);
+    text += line + "\n";
+  }
+  return text;
 }
 
 std::string csv_of(const MeasureReport& report) {

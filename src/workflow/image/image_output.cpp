@@ -23,7 +23,7 @@ namespace {
 
 // Calls use(row) for every row of an image.
 template <class Use>
-void each_row(const signal::FocusedRows& image, const core::StopFlag* stop, const Use& use) {
+void each_row(const core::SampleRows<float>& image, const core::StopFlag* stop, const Use& use) {
   std::vector<std::complex<float>> row(image.columns);
   for (std::size_t r = 0; r < image.rows; ++r) {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
@@ -56,7 +56,7 @@ simulate::Product product_of(const signal::FocusedImage& image, const ImageOrigi
   return product;
 }
 
-double largest_of(const signal::FocusedRows& image, const core::StopFlag* stop) {
+double largest_of(const core::SampleRows<float>& image, const core::StopFlag* stop) {
   float largest = 0.0F;
   each_row(image, stop, [&](std::span<const std::complex<float>> row) {
     for (const std::complex<float> value : row) largest = std::max(largest, std::abs(value));
@@ -90,14 +90,25 @@ std::vector<fs::path> files_of_image(const fs::path& path) {
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 
+KeptImage kept_image(const signal::FocusedRows& image, const ImageOrigin& origin) {
+  return {{header_of(image.image, origin), product_of(image.image, origin)}, image, origin};
+}
+
+void write_image(const KeptImage& image, const fs::path& path, bool replace, const core::StopFlag* stop) {
+  if (image.write) return image.write(path, replace, stop);
+  ImageContent content = image.content;
+  if (image.origin && files_of_image(path).size() > 1) add_way_back(content.header, *image.origin, path);
+  const bool look = image.largest_if_needed ? needs_largest(path) : !is_envi(path);
+  ImageWriter writer(path, std::move(content), replace, look ? largest_of(image.rows, stop) : 0.0);
+  each_row(image.rows, stop, [&](std::span<const std::complex<float>> row) { writer.append(row); });
+  writer.finish();
+}
+
 void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, const fs::path& path, bool replace,
                  bool magnitude, const core::StopFlag* stop) {
-  ImageContent content{header_of(image.image, origin), product_of(image.image, origin)};
-  if (files_of_image(path).size() > 1) add_way_back(content.header, origin, path);
-  if (magnitude) content.header.pixel = raster::EnviHeader::Pixel::real_float;
-  ImageWriter writer(path, std::move(content), replace, is_envi(path) ? 0.0 : largest_of(image, stop));
-  each_row(image, stop, [&](std::span<const std::complex<float>> row) { writer.append(row); });
-  writer.finish();
+  KeptImage written = kept_image(image, origin);
+  if (magnitude) written.content.header.pixel = raster::EnviHeader::Pixel::real_float;
+  write_image(written, path, replace, stop);
 }
 
 }  // namespace sarsim::workflow

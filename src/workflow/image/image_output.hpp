@@ -8,6 +8,7 @@
 #include "core/task/stop.hpp"
 #include "signal/sar/focusing.hpp"
 #include "workflow/image/image_fields.hpp"
+#include "workflow/image/kept_image.hpp"
 
 namespace sarsim::workflow {
 
@@ -23,6 +24,9 @@ void expect_no_picture(const std::filesystem::path& path, std::string_view optio
 
 /// Files that an image of that name becomes: data, and the header of ENVI and NPY.
 [[nodiscard]] std::vector<std::filesystem::path> files_of_image(const std::filesystem::path& path);
+
+/// What an image is, as it stays in memory; its rows are those of `image`.
+[[nodiscard]] KeptImage kept_image(const signal::FocusedRows& image, const ImageOrigin& origin);
 
 /// Writes an image in the format that the path's extension says (docs/formats/focused-images.md): ENVI or NPY with a
 /// header, HDF5 as complex samples, the others as counts of 16 bits whose largest is the largest magnitude. Throws

@@ -1,6 +1,8 @@
 #include "workflow/image/image_writer.hpp"
 
 #include <array>
+#include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -42,18 +44,29 @@ ImageWriter::ImageWriter(const std::filesystem::path& path, ImageContent content
                    radar::Converter{count_bits, product.lsb_v});
 }
 
+ImageWriter::ImageWriter(ImageContent content) : content_(std::move(content)), replace_(false) {
+  pixels_.reserve(content_.header.lines * content_.header.samples);
+}
+
 ImageWriter::~ImageWriter() = default;
 
 void ImageWriter::append(std::span<const std::complex<float>> row) {
   if (envi_)
     envi_->append(row);
-  else
+  else if (samples_)
     samples_->append(row);
+  else
+    pixels_.insert(pixels_.end(), row.begin(), row.end());
 }
 
 void ImageWriter::finish() {
   if (envi_) {
     envi_->finish();
+    return;
+  }
+  if (!samples_) {
+    if (pixels_.size() != content_.header.lines * content_.header.samples)
+      throw std::logic_error("rows of the image are missing");
     return;
   }
   std::optional<core::OutputFile> text;
@@ -64,6 +77,14 @@ void ImageWriter::finish() {
   }
   samples_->finish(report_);
   if (text) text->commit();
+}
+
+KeptImage ImageWriter::kept() && {
+  const std::size_t rows = content_.header.lines;
+  const std::size_t columns = content_.header.samples;
+  return {std::move(content_),
+          core::rows_in_memory(std::make_shared<const std::vector<std::complex<float>>>(std::move(pixels_)), rows,
+                               columns)};
 }
 
 // NPY files are flat behind their header: one for ENVI beside them makes their axes known.

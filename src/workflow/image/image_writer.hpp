@@ -4,19 +4,15 @@
 #include <filesystem>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/os/output_file.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/table/raster_writer.hpp"
 #include "simulate/plan/sink.hpp"
+#include "workflow/image/kept_image.hpp"
 
 namespace sarsim::workflow {
-
-/// What stands in the file of an image besides its pixels, for any format.
-struct ImageContent {
-  raster::EnviHeader header;  ///< Shape, description and fields: the header of ENVI and, of complex pixels, of NPY.
-  simulate::Product product;  ///< Axes for HDF5; shape, bits and LSB are filled in.
-};
 
 /// Whether a format holds counts, whose LSB is only known with the largest magnitude.
 [[nodiscard]] bool needs_largest(const std::filesystem::path& path);
@@ -28,12 +24,16 @@ class ImageWriter {
  public:
   /// @param largest  magnitude of the image, which full scale stands for; may be 0 unless `needs_largest`
   ImageWriter(const std::filesystem::path& path, ImageContent content, bool replace, double largest);
+  /// Keeps the image in memory.
+  explicit ImageWriter(ImageContent content);
   ~ImageWriter();
 
   /// Adds the next row, as long as the image is wide.
   void append(std::span<const std::complex<float>> row);
   /// Writes the header and gives the files their names; std::logic_error where rows are missing.
   void finish();
+  /// The image that was kept, once it is finished.
+  [[nodiscard]] KeptImage kept() &&;
 
  private:
   void write_npy_header(core::OutputFile& file) const;
@@ -44,6 +44,7 @@ class ImageWriter {
   simulate::RunReport report_;
   std::optional<raster::EnviWriter> envi_;
   std::optional<raster::RasterWriter> samples_;
+  std::vector<std::complex<float>> pixels_;  // of an image that is kept
 };
 
 }  // namespace sarsim::workflow

@@ -78,22 +78,6 @@ raster::FocusedPlaces places_of_product(const raster::EnviHeader& header) {
   return {doppler, range};
 }
 
-raster::FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& path) {
-  if (!header.field("image plane")) return places_of_product(header);
-  signal::FocusedImage image;
-  ImageOrigin origin;
-  read_header(header, raster::envi_header_of(path).string(), image, origin);
-  const bool turning = is_of_turning_target(origin);
-  const char* along = turning ? "Cross-range" : "Azimuth";
-  const char* range = turning                                                ? "Along the line of sight"
-                      : image.frame.plane == signal::ImagePlane::slant_range ? "Slant range"
-                                                                             : "Ground range";
-  return {{along, "m", image.azimuth.first_m, image.azimuth.step_m},
-          {range, "m", image.range.first_m, image.range.step_m},
-          image.azimuth.spectrum_centre_per_m,
-          image.range.spectrum_centre_per_m};
-}
-
 raster::RasterAxes axes_of(const simulate::Plan& plan) {
   raster::RasterAxes axes;
   for (std::size_t r = 0; r < plan.rows; ++r) {
@@ -114,6 +98,22 @@ void expect_no_hints(const PlacedImageRequest& request) {
 
 }  // namespace
 
+raster::FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& file) {
+  if (!header.field("image plane")) return places_of_product(header);
+  signal::FocusedImage image;
+  ImageOrigin origin;
+  read_header(header, file, image, origin);
+  const bool turning = is_of_turning_target(origin);
+  const char* along = turning ? "Cross-range" : "Azimuth";
+  const char* range = turning                                                ? "Along the line of sight"
+                      : image.frame.plane == signal::ImagePlane::slant_range ? "Slant range"
+                                                                             : "Ground range";
+  return {{along, "m", image.azimuth.first_m, image.azimuth.step_m},
+          {range, "m", image.range.first_m, image.range.step_m},
+          image.azimuth.spectrum_centre_per_m,
+          image.range.spectrum_centre_per_m};
+}
+
 PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Observer& observer) {
   PlacedImage input;
   const auto header = focused_header(request.path);
@@ -121,7 +121,8 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
   if (header) {
     expect_no_hints(request);
     hints.raw = raster::layout_of(*header);
-    input.focused = places_of(*header, request.path);
+    input.header = header;
+    input.focused = places_of(*header, raster::envi_header_of(request.path).string());
   } else {
     hints = hints_for(request.path, request.samples, request.simulation);
   }

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/task/observer.hpp"
+#include "raster/format/envi.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/image_places.hpp"
 #include "workflow/input/sample_input.hpp"
@@ -24,7 +25,8 @@ struct PlacedImageRequest {
 /// An open file and where its samples are, as far as that is known.
 struct PlacedImage {
   std::shared_ptr<raster::Raster> source;
-  std::optional<raster::FocusedPlaces> focused;  ///< Of images with a header.
+  std::optional<raster::EnviHeader> header{};    ///< Of images that have one,
+  std::optional<raster::FocusedPlaces> focused;  ///< and what it says of their places.
   std::optional<raster::RasterAxes> axes;  ///< Times, carriers and ranges of recordings; of the file or of its script.
   double sample_rate_hz = 0.0;             ///< Of recordings; 0 where unknown.
 
@@ -33,6 +35,10 @@ struct PlacedImage {
     return axes && std::ranges::all_of(axes->row_time_s, [](double time) { return std::isfinite(time); });
   }
 };
+
+/// Where the rows and columns of an image with a header are.
+/// @param file  the header's, for messages
+[[nodiscard]] raster::FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& file);
 
 /// Opens a file with the places of its samples: those of the header beside an image, otherwise those that the file
 /// carries, otherwise those of its script. Waits until all its rows are known.

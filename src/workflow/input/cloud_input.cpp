@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "core/report/refused.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/model/cloud_points.hpp"
@@ -224,6 +225,32 @@ core::Problems read_clouds(scene::Scene& scene, const fs::path& folder, const co
     }
   }
   return problems;
+}
+
+scene::Cloud cloud_of_points(const std::string& platform, const std::string& file, std::span<const double> positions_m,
+                             std::span<const double> rcs_m2, const core::WorkControl& control) {
+  const std::size_t count = positions_m.size() / 3;
+  if (count == 0) throw core::Refused("a cloud needs at least one point");
+  radar::PointArrays arrays;
+  for (const auto column :
+       {&radar::PointArrays::x_m, &radar::PointArrays::y_m, &radar::PointArrays::z_m, &radar::PointArrays::root_rcs_m})
+    (arrays.*column).resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    arrays.x_m[i] = positions_m[3 * i];
+    arrays.y_m[i] = positions_m[3 * i + 1];
+    arrays.z_m[i] = positions_m[3 * i + 2];
+    arrays.root_rcs_m[i] = rcs_m2.empty() ? 1.0 : rcs_m2[i];
+  }
+  const PointsFound found = take_points(arrays, control);
+  if (found.bad_row != PointsFound::none)
+    throw core::Refused(
+        {problem_of_file(file, fault_of_cell("point", found.bad_row + 1, found.bad_column, found.bad_value))});
+  scene::Cloud cloud;
+  cloud.platform = platform;
+  cloud.file = file;
+  cloud.points = std::make_shared<const scene::CloudPoints>(scene::CloudPoints{
+      std::move(arrays), !rcs_m2.empty(), 1.0, found.least_m, found.most_m, file, found.sum, std::nullopt});
+  return cloud;
 }
 
 std::size_t cloud_points(const scene::Scene& scene) {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,15 @@ inline constexpr std::size_t most_cloud_looks = 65'536;
 /// @param folder  of the script: where files are looked for first, as data files of functions are
 [[nodiscard]] core::Problems read_clouds(scene::Scene& scene, const std::filesystem::path& folder,
                                          const core::WorkControl& control = {});
+
+/// A cloud of points in memory, as reading its file makes it.
+/// @param file         that it names; it need not be there
+/// @param positions_m  x, y and z of each, in the platform's frame
+/// @param rcs_m2       of each; empty: 1 m2
+/// @throws core::Refused without points, and for numbers that cannot be computed with
+[[nodiscard]] scene::Cloud cloud_of_points(const std::string& platform, const std::string& file,
+                                           std::span<const double> positions_m, std::span<const double> rcs_m2,
+                                           const core::WorkControl& control = {core::thread_count(0)});
 
 /// Number of the points of all clouds that are read.
 [[nodiscard]] std::size_t cloud_points(const scene::Scene& scene);

@@ -202,6 +202,17 @@ bool is_usable(const std::complex<double>& value) {
   throw core::Refused({std::move(problem)});
 }
 
+// A row of a recording in memory, which is refused like one of a file.
+void expect_usable_row(const std::string& name, std::size_t row, std::span<const std::complex<double>> values) {
+  const auto bad = std::ranges::find_if_not(values, is_usable);
+  if (bad == values.end()) return;
+  throw core::Refused({core::problem_of(
+      core::Severity::error,
+      fmt::format("row {}, sample {} (from 0) of '{}' is not a number that can be computed with", row,
+                  bad - values.begin(), name),
+      fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, up to 1e28 V", "set it to 0")});
+}
+
 core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
   const std::size_t rows = file->rows();
   const std::size_t columns = file->columns();
@@ -211,6 +222,32 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
             for (std::complex<double>& value : out) usable &= is_usable(value *= scale);
             if (!usable) refuse_sample(*file, row, out);
           }};
+}
+
+// What is in memory was decided with its plan.
+StoredRecording held_recording(const RecordingArguments& arguments, const Suits& suits,
+                               const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
+  expect_no_overrides(arguments);
+  const SceneInput& input = arguments.held->input;
+  StoredRecording recording;
+  recording.scene = input.scene;
+  recording.sources = input.sources;
+  recording.simulation = simulation_of_scene(recording.scene, arguments.path, arguments.simulation, suits);
+  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
+  take(recording.problems, problems_of(*recording.plan));
+  expect_sound(recording.problems);
+  const core::SampleRows<double>& rows = *arguments.held->rows;
+  if (rows.rows != recording.plan->rows || rows.columns != recording.plan->columns)
+    throw core::Refused(
+        fmt::format("'{}' has {} rows of {} samples, but the scene's simulation makes {} of {}", arguments.path,
+                    rows.rows, rows.columns, recording.plan->rows, recording.plan->columns),
+        "give all rows of the recording that was planned");
+  recording.rows = {rows.rows, rows.columns,
+                    [rows, name = arguments.path](std::size_t row, std::span<std::complex<double>> out) {
+                      rows.read(row, out);
+                      expect_usable_row(name, row, out);
+                    }};
+  return recording;
 }
 
 // Whether the beginning of a file is format 2, or holds a command of the script language at the start of a line.
@@ -234,6 +271,7 @@ bool begins_like_script(const std::string& path) {
 }  // namespace
 
 std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
+  if (arguments.held) return arguments.held->input.sources;
   std::vector<fs::path> sources{arguments.path};
   if (!arguments.script.empty()) sources.emplace_back(arguments.script);
   const fs::path script = arguments.script.empty() ? arguments.path : arguments.script;
@@ -241,7 +279,9 @@ std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
   return sources;
 }
 
-bool names_script(const RecordingArguments& arguments) { return language_of_name(arguments.path).has_value(); }
+bool names_script(const RecordingArguments& arguments) {
+  return arguments.held ? !arguments.held->rows : language_of_name(arguments.path).has_value();
+}
 
 bool holds_script(const std::string& path) {
   const fs::path name(path);
@@ -259,7 +299,9 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
                               const core::WorkControl& control) {
   if (!arguments.script.empty())
     throw core::Refused("--script is for files of samples", "a script needs no other script");
-  ScriptedRecording recording{read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
+  ScriptedRecording recording{
+      arguments.held ? check_again(arguments.held->input, Scrutiny::echoes, control, {}, arguments.overrides)
+                     : read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
   expect_usable(recording.input);
   recording.simulation = simulation_of_scene(recording.input.scene, arguments.path, arguments.simulation, suits);
   return recording;
@@ -267,6 +309,7 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
                                const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
+  if (arguments.held) return held_recording(arguments, suits, problems_of);
   StoredRecording recording;
   recording.sources = {arguments.path};
   expect_no_image(arguments.path);

@@ -13,12 +13,20 @@
 
 namespace sarsim::workflow {
 
+/// A scene in memory, and perhaps a recording of it.
+struct HeldScene {
+  SceneInput input;
+  /// All rows of the simulation that the arguments name, in V; nothing: they are computed.
+  std::optional<core::SampleRows<double>> rows{};
+};
+
 /// Whose echoes a command works on: those of a script, or of a file of samples and of the script that wrote it.
 struct RecordingArguments {
   std::string path;
-  std::string script;                      ///< For a file that does not carry its script.
-  std::optional<std::int64_t> simulation;  ///< Its number in the script, from 1.
-  SceneOverrides overrides;                ///< Of a script that is read.
+  std::string script;                       ///< For a file that does not carry its script.
+  std::optional<std::int64_t> simulation;   ///< Its number in the script, from 1.
+  SceneOverrides overrides;                 ///< Of a script that is read.
+  std::shared_ptr<const HeldScene> held{};  ///< In place of the file `path`, which is then only a name; null: none.
 };
 
 /// The files that the arguments name: the input and its script. Which data files belong to them is known once they are

@@ -274,7 +274,9 @@ SceneInput read_scene_text(std::string_view text, const std::string& name, const
 }
 
 SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::WorkControl& control,
-                       const ChooseProducts& choose) {
+                       const ChooseProducts& choose, const SceneOverrides& overrides) {
+  if (!overrides.let.empty())
+    throw core::Refused("--let means nothing for a scene that was read already", "give the values when it is read");
   scene::ScriptReading reading;
   reading.scene = known.scene;
   reading.problems = known.problems;
@@ -282,7 +284,7 @@ SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::W
   reading.language = known.language;
   reading.json = known.json;
   reading.names = known.names;
-  SceneInput input = looked_at(std::move(reading), folder_of(known), {}, scrutiny, control, choose);
+  SceneInput input = looked_at(std::move(reading), folder_of(known), overrides, scrutiny, control, choose);
   input.sources = known.sources;
   append(input.sources, data_files_of(input.scene, folder_of(known)));
   return input;

@@ -81,8 +81,9 @@ using ChooseProducts = std::function<WantedProducts(const scene::Scene&)>;
                                          const core::WorkControl& control = {});
 
 /// Checks a scene that was read before and perhaps changed since, as reading it does. Remarks of its reader stay.
+/// @param overrides  but for values of [let], which only a text has
 [[nodiscard]] SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::WorkControl& control = {},
-                                     const ChooseProducts& choose = {});
+                                     const ChooseProducts& choose = {}, const SceneOverrides& overrides = {});
 
 /// The value of a field, as text, by the name that --set has for it; throws core::Refused where the name means nothing.
 [[nodiscard]] std::string field_value(const SceneInput& input, const std::string& name);

@@ -24,7 +24,8 @@ double bearing_deg(double azimuth_rad) {
 }
 
 DetectionTable::DetectionTable(const std::filesystem::path& path, bool replace, bool doppler, bool places)
-    : file_(path, replace), doppler_(doppler), places_(places) {
+    : doppler_(doppler), places_(places) {
+  if (!path.empty()) file_.emplace(path, replace);
   pending_ = "interval,time_s,azimuth_deg,range_m,doppler_hz,speed_mps,magnitude_v,snr_db,threshold_v,target";
   if (places_) pending_ += ",x_m,y_m";
   pending_ += '\n';
@@ -48,18 +49,19 @@ void DetectionTable::append(const SearchDetection& d, std::optional<std::size_t>
   }
   pending_ += line + '\n';
   constexpr std::size_t enough = std::size_t{1} << 16;
-  if (pending_.size() >= enough) write_pending();
+  if (file_ && pending_.size() >= enough) write_pending();
   ++count_;
 }
 
 void DetectionTable::write_pending() {
-  file_.write(std::as_bytes(std::span(pending_)));
+  file_->write(std::as_bytes(std::span(pending_)));
   pending_.clear();
 }
 
 void DetectionTable::finish() {
+  if (!file_) return;
   write_pending();
-  file_.commit();
+  file_->commit();
 }
 
 }  // namespace sarsim::workflow

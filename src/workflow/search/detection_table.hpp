@@ -23,6 +23,7 @@ struct GroundPlace {
 /// the script's. The file appears with `finish`.
 class DetectionTable {
  public:
+  /// @param path     empty: it stays in memory
   /// @param doppler  intervals have Doppler frequencies
   /// @param places   detections have places on the ground
   DetectionTable(const std::filesystem::path& path, bool replace, bool doppler, bool places);
@@ -33,11 +34,13 @@ class DetectionTable {
   /// Gives the file its name.
   void finish();
   [[nodiscard]] std::size_t count() const { return count_; }
+  /// All of a table that stays in memory.
+  [[nodiscard]] const std::string& text() const { return pending_; }
 
  private:
   void write_pending();
 
-  core::OutputFile file_;
+  std::optional<core::OutputFile> file_;
   std::string pending_;
   bool doppler_;
   bool places_;

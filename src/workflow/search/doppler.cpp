@@ -41,7 +41,12 @@ class DopplerImage {
     return report;
   }
 
-  void begin() { writer_.emplace(work_.output(), content(), replace_, largest()); }
+  void begin() {
+    if (work_.keeps_image())
+      writer_.emplace(content());
+    else
+      writer_.emplace(work_.output(), content(), replace_, largest());
+  }
 
   void append(const SearchInterval& interval) {
     if (!writer_) return;
@@ -50,8 +55,14 @@ class DopplerImage {
       writer_->append(values.subspan(row * interval.map.samples, interval.map.samples));
   }
 
-  void finish() {
-    if (writer_) writer_->finish();
+  /// Returns the maps where they are kept.
+  std::optional<KeptImage> finish() {
+    if (!writer_) return std::nullopt;
+    writer_->finish();
+    if (!work_.keeps_image()) return std::nullopt;
+    KeptImage kept = std::move(*writer_).kept();
+    kept.largest_if_needed = true;
+    return kept;
   }
 
  private:
@@ -146,9 +157,10 @@ DopplerReport doppler(const DopplerRequest& request, const core::Observer& obser
   DopplerImage image(work, request.replace);
   if (request.image) image.begin();
   work.detect({}, [&](const SearchInterval& interval) { image.append(interval); });
-  image.finish();
+  std::optional<KeptImage> kept = image.finish();
   DopplerReport report = image.axes();
   static_cast<PulseReport&>(report) = work.report();
+  report.kept = std::move(kept);
   return report;
 }
 

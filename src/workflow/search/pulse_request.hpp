@@ -39,6 +39,7 @@ struct PulseRequest {
   bool all_cells = false;               ///< Report every cell above its threshold, not only peaks.
   bool image = true;                    ///< Write the image, not only detections.
   bool replace = false;                 ///< Replace files that exist.
+  bool keep = false;                    ///< What no name is given for is kept, not written.
   unsigned threads = 0;                 ///< 0: one for each core; never changes a byte.
 };
 

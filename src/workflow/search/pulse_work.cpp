@@ -48,15 +48,16 @@ fs::path PulseWork::table() const {
 
 std::vector<fs::path> PulseWork::files() const {
   std::vector<fs::path> paths;
-  if (request_.image) paths = files_of_image(output());
-  if (options_.detect) paths.push_back(table());
+  if (request_.image && !keeps_image()) paths = files_of_image(output());
+  if (options_.detect && !keeps_table()) paths.push_back(table());
   return paths;
 }
 
 void PulseWork::expect_free_files(const std::vector<fs::path>& sources) const {
   const std::vector<fs::path> paths = files();
   if (request_.image) expect_no_picture(output(), "--out");
-  if (paths.empty()) throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");
+  if (!request_.image && !options_.detect)
+    throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");
   expect_free_outputs(paths, {sources, request_.replace, "--out or --detections"});
 }
 
@@ -107,7 +108,8 @@ void PulseWork::detect(const Placing& place, const std::function<void(const Sear
     options_.detector_known = true;
   }
   std::optional<DetectionTable> detections;
-  if (options_.detect) detections.emplace(table(), request_.replace, doppler(), static_cast<bool>(place));
+  if (options_.detect)
+    detections.emplace(keeps_table() ? fs::path() : table(), request_.replace, doppler(), static_cast<bool>(place));
   SearchTargets targets(rows(), options_);
   each((request_.image ? output() : table()).string(), options_, [&](const SearchInterval& interval) {
     const auto of = targets.take(interval);
@@ -121,6 +123,7 @@ void PulseWork::detect(const Placing& place, const std::function<void(const Sear
   if (!detections) return;
   detections->finish();
   detections_ = detections->count();
+  if (keeps_table()) kept_table_ = detections->text();
 }
 
 PulseReport PulseWork::report() const {
@@ -131,7 +134,8 @@ PulseReport PulseWork::report() const {
   report.options = options_;
   report.intervals = intervals();
   if (options_.detect) {
-    report.table = table();
+    if (!keeps_table()) report.table = table();
+    report.kept_table = kept_table_;
     report.reference_cells = signal::reference_cells(options_.cfar, options_.rows(), rows().samples());
     report.independent_cells = static_cast<double>(report.reference_cells) * detector_of(rows(), options_).independence;
     report.detections = detections_;

@@ -35,6 +35,8 @@ class PulseWork {
   [[nodiscard]] std::size_t intervals() const { return interval_count(options_, rows().pulses()); }
   /// Where the image goes: as asked for, or named after the input.
   [[nodiscard]] std::filesystem::path output() const;
+  /// Whether the image is kept, not written.
+  [[nodiscard]] bool keeps_image() const { return request_.keep && request_.output.empty(); }
   /// Whether there is more than a pulse in an interval.
   [[nodiscard]] bool doppler() const { return options_.pulses > 1; }
 
@@ -54,6 +56,7 @@ class PulseWork {
 
  private:
   [[nodiscard]] std::filesystem::path table() const;
+  [[nodiscard]] bool keeps_table() const { return request_.keep && request_.table.empty(); }
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
   void expect_free_files(const std::vector<std::filesystem::path>& sources) const;
   void find_problems(double more_bytes);
@@ -69,6 +72,7 @@ class PulseWork {
   SearchOptions options_;
   std::vector<TargetFinding> findings_;
   std::size_t detections_ = 0;
+  std::string kept_table_;
 };
 
 }  // namespace sarsim::workflow

@@ -69,12 +69,15 @@ ImageContent content_of_picture(const PulseWork& work, const PictureArguments& p
   return content;
 }
 
+// @param[out] kept  the picture, where it is not written
 PictureReport write_picture(const SearchPicture& picture, const PulseWork& work, const SearchRequest& request,
-                            const core::StopFlag* stop) {
+                            const core::StopFlag* stop, std::optional<KeptImage>& kept) {
   const signal::PpiGrid& grid = picture.picture().grid();
   const std::vector<float>& values = picture.picture().values();
   const double largest = static_cast<double>(*std::ranges::max_element(values));
-  ImageWriter image(work.output(), content_of_picture(work, request.picture, grid), request.replace, largest);
+  ImageContent content = content_of_picture(work, request.picture, grid);
+  ImageWriter image = work.keeps_image() ? ImageWriter(std::move(content))
+                                         : ImageWriter(work.output(), std::move(content), request.replace, largest);
   std::vector<std::complex<float>> row(grid.columns);
   for (std::size_t r = 0; r < grid.rows; ++r) {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
@@ -82,6 +85,7 @@ PictureReport write_picture(const SearchPicture& picture, const PulseWork& work,
     image.append(row);
   }
   image.finish();
+  if (work.keeps_image()) kept = std::move(image).kept();
   return {grid, picture.scans()};
 }
 
@@ -102,12 +106,14 @@ SearchReport search(const SearchRequest& request, const core::Observer& observer
                 if (picture) picture->take(interval);
               });
   SearchReport report;
+  std::optional<KeptImage> kept;
   if (picture) {
     picture->finish();
     expect_turn(request, static_cast<double>(picture->scans()));
-    report.picture = write_picture(*picture, work, request, observer.stop);
+    report.picture = write_picture(*picture, work, request, observer.stop, kept);
   }
   static_cast<PulseReport&>(report) = work.report();
+  report.kept = std::move(kept);
   return report;
 }
 

@@ -121,8 +121,11 @@ class IsarRun {
     return path.parent_path() / fmt::format("{}-{}{}", path.stem().string(), index + 1, path.extension().string());
   }
 
+  [[nodiscard]] bool keeps() const { return request_.keep && request_.output.empty(); }
+
   [[nodiscard]] std::vector<fs::path> outputs() const {
     std::vector<fs::path> paths;
+    if (keeps()) return paths;
     for (std::size_t i = 0; i < firsts_.size(); ++i) {
       std::ranges::copy(files_of_image(output(i)), std::back_inserter(paths));
       if (request_.magnitude) std::ranges::copy(files_of_image(magnitude_path(output(i))), std::back_inserter(paths));
@@ -142,34 +145,41 @@ class IsarRun {
     const fs::path path = output(index);
     IsarImage image =
         make_isar_image(input_.rows, firsts_[index], count_, options_, control_, observer_.stage(path.string()));
-    write(image, path);
-    image.image.values.clear();
-    image.image.values.shrink_to_fit();
-    return {path, firsts_[index], count_, std::move(image)};
-  }
-
-  void write(const IsarImage& made, const fs::path& path) const {
-    // Kept by whoever calls this.
-    signal::FocusedRows rows = signal::rows_of({std::shared_ptr<void>(), &made.image});
+    std::vector<std::complex<float>> values = std::exchange(image.image.values, {});
+    const auto pixels = std::make_shared<signal::FocusedImage>(image.image);
+    pixels->values = std::move(values);
+    signal::FocusedRows rows = signal::rows_of(pixels);
     // Rows of recordings have times: here, as many metres in a second.
     rows.image.frame.speed_mps = 1.0;
+    WrittenIsarImage written{path, firsts_[index], count_, std::move(image)};
+    if (keeps())
+      written.kept = kept_image(rows, origin());
+    else
+      write(rows, path);
+    return written;
+  }
+
+  [[nodiscard]] ImageOrigin origin() const {
     signal::FocusOptions focus;
     focus.range_window = options_.range_window;
     focus.azimuth_window = options_.azimuth_window;
     const simulate::Plan& plan = *input_.rows.plan;
-    const ImageOrigin origin{request_.input.path,
-                             request_.input.script,
-                             words_of_overrides(request_.input.overrides),
-                             input_.simulation,
-                             algorithm(),
-                             focus,
-                             "none",
-                             plan.radar.name,
-                             plan.scene->options,
-                             std::nullopt};
+    return {request_.input.path,
+            request_.input.script,
+            words_of_overrides(request_.input.overrides),
+            input_.simulation,
+            algorithm(),
+            focus,
+            "none",
+            plan.radar.name,
+            plan.scene->options,
+            std::nullopt};
+  }
+
+  void write(const signal::FocusedRows& rows, const fs::path& path) const {
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
-    write_image(rows, origin, path, request_.replace, false, observer_.stop);
-    if (request_.magnitude) write_image(rows, origin, magnitude_path(path), request_.replace, true, observer_.stop);
+    write_image(rows, origin(), path, request_.replace, false, observer_.stop);
+    if (request_.magnitude) write_image(rows, origin(), magnitude_path(path), request_.replace, true, observer_.stop);
   }
 
   const IsarRequest& request_;

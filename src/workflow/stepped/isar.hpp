@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/task/observer.hpp"
+#include "workflow/image/kept_image.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/stepped/isar_scene.hpp"
 
@@ -22,15 +23,17 @@ struct IsarRequest {
   std::size_t step = 0;                 ///< Bursts from one image to the next; 0: those of an image.
   bool magnitude = false;               ///< Also ENVI images of magnitudes.
   bool replace = false;                 ///< Replace files that exist.
+  bool keep = false;                    ///< Images that no name is given for are kept, not written.
   unsigned threads = 0;                 ///< 0: one for each core; never changes a byte.
 };
 
-/// An image that was written.
+/// An image that was written or kept.
 struct WrittenIsarImage {
-  std::filesystem::path file;
+  std::filesystem::path file;   ///< As it is, or would be, named.
   std::size_t first_burst = 0;  ///< Of the recording, from 0.
   std::size_t bursts = 0;
-  IsarImage image;  ///< Without values, which the file holds.
+  IsarImage image;                  ///< Without values, which the file holds.
+  std::optional<KeptImage> kept{};  ///< Where it was not written.
 };
 
 /// Images that were made of a turning target.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -144,6 +145,19 @@ void write_samples(const ProfileSeries& series, const ProfileOrigin& origin, sce
 }
 
 }  // namespace
+
+KeptImage kept_profiles(const ProfileSeries& series, const ProfileOrigin& origin) {
+  const auto held = std::make_shared<const ProfileSeries>(series);
+  KeptImage kept{{header_of(series, origin), product_of(series, origin)}, {}};
+  kept.rows = {series.rows.size(), series.axis.count, [held](std::size_t row, std::span<std::complex<float>> out) {
+                 std::ranges::transform(held->row(row), out.begin(),
+                                        [](const auto& value) { return std::complex<float>(value); });
+               }};
+  kept.write = [held, origin](const fs::path& path, bool replace, const core::StopFlag* stop) {
+    write_profiles(*held, origin, path, replace, stop);
+  };
+  return kept;
+}
 
 std::vector<fs::path> files_of_profiles(const fs::path& path) {
   workflow::expect_no_picture(path, "--out");

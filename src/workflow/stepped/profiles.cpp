@@ -111,8 +111,12 @@ std::string window_words_of(const ProfilesRequest& request) {
   return request.window_words.empty() ? signal::to_string(*request.window) : request.window_words;
 }
 
-void write_set(const ProfileSeries& series, const SteppedInput& input, const ProfilesRequest& request,
-               const fs::path& output, const core::StopFlag* stop) {
+// Nothing is written where it is kept.
+bool keeps(const ProfilesRequest& request) { return request.keep && request.output.empty(); }
+
+// Profiles as they are asked for, written or kept.
+std::optional<KeptImage> made_set(const ProfileSeries& series, const SteppedInput& input,
+                                  const ProfilesRequest& request, const fs::path& output, const core::StopFlag* stop) {
   ProfileOrigin origin{request.input.path,
                        request.input.script,
                        words_of_overrides(request.input.overrides),
@@ -124,21 +128,25 @@ void write_set(const ProfileSeries& series, const SteppedInput& input, const Pro
                        {},
                        input.rows.plan->radar.name,
                        input.rows.plan->scene->options};
-  if (output.has_parent_path()) fs::create_directories(output.parent_path());
-  const auto write = [&](const ProfileSeries& made) {
+  if (!keeps(request) && output.has_parent_path()) fs::create_directories(output.parent_path());
+  const auto write = [&](const ProfileSeries& made) -> std::optional<KeptImage> {
     origin.aspects_rad = aspects_rad(input.rows, made);
+    if (keeps(request)) return kept_profiles(made, origin);
     write_profiles(made, origin, output, request.replace, stop);
+    return std::nullopt;
   };
   switch (request.set) {
     case ProfileGrouping::bursts: return write(series);
     case ProfileGrouping::scans: return write(mean_of_scans(series));
     case ProfileGrouping::encounter: return write(mean_of_encounter(series));
   }
+  return std::nullopt;
 }
 
 SteppedInput input_of_profiles(const ProfilesRequest& request, const fs::path& output,
                                const core::WorkControl& control) {
   const auto expect_free = [&](const std::vector<fs::path>& sources) {
+    if (keeps(request)) return;
     expect_free_outputs(files_of_profiles(output), {sources, request.replace, "--out"});
   };
   expect_free(named_sources(request.input));
@@ -184,10 +192,10 @@ ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& ob
     throw core::Refused("no burst is illuminated: the targets give no echo",
                         "see sarsim check, and the beam of the script's radar");
   report.held_row = held_row_of(report.series, request.burst, input.rows.bursts);
-  write_set(report.series, input, request, report.output, observer.stop);
+  report.kept = made_set(report.series, input, request, report.output, observer.stop);
   report.source = request.input.path;
   report.simulation = input.simulation;
-  report.files = files_of_profiles(report.output);
+  if (!report.kept) report.files = files_of_profiles(report.output);
   report.set = request.set;
   report.velocity = options.velocity;
   report.bursts = input.rows.bursts;

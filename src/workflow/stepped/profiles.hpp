@@ -8,6 +8,7 @@
 
 #include "core/task/observer.hpp"
 #include "signal/sar/sar_window.hpp"
+#include "workflow/image/kept_image.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/stepped/profile_series.hpp"
 #include "workflow/stepped/velocity_choice.hpp"
@@ -36,6 +37,7 @@ struct ProfilesRequest {
   std::optional<std::size_t> burst{};  ///< From 0: held against the scene; nothing: the middle of the strongest scan.
   bool align = false;                  ///< Show targets where they are in the middle of their scan; means always do.
   bool replace = false;                ///< Replace files that exist.
+  bool keep = false;                   ///< Profiles that no name is given for are kept, not written.
   unsigned threads = 0;                ///< 0: one for each core; never changes a byte.
 };
 
@@ -45,6 +47,7 @@ struct ProfilesReport {
   std::size_t simulation = 0;  ///< Position in the script's list.
   std::filesystem::path output{};
   std::vector<std::filesystem::path> files{};  ///< That were written.
+  std::optional<KeptImage> kept{};             ///< What was not.
   ProfileGrouping set = ProfileGrouping::bursts;
   SeriesOptions::Velocity velocity = SeriesOptions::Velocity::none;
   std::size_t bursts = 0;                    ///< Whole ones of the recording.

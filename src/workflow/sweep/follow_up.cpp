@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <memory>
 
 #include <fmt/format.h>
 
@@ -113,6 +114,8 @@ FollowedUp followed_by_focus(const FollowUp& follow_up, const FollowedRecording&
   if (follow_up.measure) {
     MeasureRequest measured;
     measured.image = request.output;
+    if (recording.input.held)  // No file leads back to it.
+      measured.kept = std::make_shared<const KeptImage>(kept_image(image));
     measured.threads = recording.threads;
     const MeasureReport report = measure(measured, observer);
     add_measured(figures, report);

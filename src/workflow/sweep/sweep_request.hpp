@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "scene/model/scene.hpp"
 #include "scene/script/field_places.hpp"
 #include "simulate/plan/engine.hpp"
+#include "workflow/input/recording_input.hpp"
 #include "workflow/input/scene_input.hpp"
 #include "workflow/sweep/follow_up.hpp"
 #include "workflow/sweep/sweep_axes.hpp"
@@ -26,6 +28,7 @@ struct SweepRequest {
   scene::Scene scene;                          ///< As read; values that vary may be wrong in it.
   std::string script;                          ///< Its file, as tables and messages name it; follow-ups read it.
   SceneOverrides overrides;                    ///< That `scene` was read with, for follow-ups.
+  std::shared_ptr<const HeldScene> held{};     ///< The scene, where it is in no file: follow-ups work on it.
   scene::LetNames names;                       ///< Of its [let].
   scene::FieldPlaces places;                   ///< Where its values stand, for problems.
   std::vector<std::filesystem::path> sources;  ///< Script and data files, which no output may replace.

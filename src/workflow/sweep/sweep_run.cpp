@@ -94,7 +94,7 @@ class VariationRunner {
     FollowedRecording recording{swept_.source, rules_.follow_up_folder / fs::path(row.file).stem(), rules_.threads,
                                 rules_.jobs, rules_.replace || row.recorded};
     recording.input.simulation = static_cast<std::int64_t>(simulation) + 1;
-    if (!rules_.discard) {
+    if (!rules_.discard && !recording.input.held) {
       recording.input.script = std::exchange(recording.input.path, (rules_.folder / row.file).string());
       // Counts are volts again by the LSB that was found for them.
       const scene::FileFormat format = scene_.simulations.at(simulation).format;

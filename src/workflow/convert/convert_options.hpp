@@ -1,0 +1,14 @@
+#pragma once
+
+#include "workflow/convert/convert.hpp"
+#include "workflow/options/option_table.hpp"
+
+namespace sarsim::workflow {
+
+/// What is said of a file of samples that does not describe itself: --from, --columns, --bits, --lsb and --script.
+[[nodiscard]] OptionTable<SampleArguments> sample_option_table();
+
+/// How samples are written: --to, --counts, --header and --force.
+[[nodiscard]] OptionTable<ConvertRequest> convert_option_table();
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,138 @@
+#include "workflow/record/geometry.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/text/number_text.hpp"
+#include "scene/check/check.hpp"
+#include "workflow/input/motion_input.hpp"
+#include "workflow/input/recording_options.hpp"
+#include "workflow/input/scene_input.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+// The scene whose tables are wanted, and the simulation that a recording is of.
+struct GeometrySource {
+  scene::Scene scene;
+  std::optional<std::size_t> simulation;
+  std::vector<std::filesystem::path> files;
+
+  /// Where the data files of the script are looked for.
+  [[nodiscard]] std::filesystem::path folder() const {
+    return files.empty() ? std::filesystem::path() : files.front().parent_path();
+  }
+};
+
+constexpr double unlimited_m = 1e300;
+
+GeometrySource source_of(const GeometryRequest& request) {
+  const RecordingArguments& arguments = request.input;
+  if (arguments.held ? !arguments.held->rows : arguments.script.empty() && holds_script(arguments.path)) {
+    SceneInput input = arguments.held
+                           ? check_again(arguments.held->input, Scrutiny::values, {}, {}, arguments.overrides)
+                           : read_scene(arguments.path, arguments.overrides, Scrutiny::values);
+    expect_usable(input);
+    return {std::move(input.scene), {}, std::move(input.sources)};
+  }
+  StoredRecording recording =
+      open_recording(arguments, records_pulses, [](const simulate::Plan&) { return core::Problems(); });
+  return {std::move(recording.scene), recording.simulation, std::move(recording.sources)};
+}
+
+// Every target, wherever it is.
+scene::GeometryTable whole_table(const std::string& radar, double start_s, double end_s) {
+  scene::GeometryTable table;
+  table.radar = radar;
+  table.range_start_m = 0.0;
+  table.range_end_m = unlimited_m;
+  table.time_start_s = start_s;
+  table.time_end_s = end_s;
+  table.columns = 255;
+  return table;
+}
+
+// The table that --radar, --start and --end describe.
+scene::GeometryTable described_table(const GeometryRequest& request, const scene::Scene& scene) {
+  if (!request.start_s || !request.end_s)
+    throw core::Refused("a table of a radar needs --start and --end",
+                        "give the send times of its first and last pulse in s");
+  if (*request.end_s < *request.start_s)
+    throw core::Refused(fmt::format("--end {} lies before --start {}", core::format_number(*request.end_s),
+                                    core::format_number(*request.start_s)),
+                        "exchange them");
+  return whole_table(scene.radars[radar_named(scene, request.radar)].name, *request.start_s, *request.end_s);
+}
+
+std::vector<scene::GeometryTable> chosen_tables(const GeometryRequest& request, const GeometrySource& source) {
+  const scene::Scene& scene = source.scene;
+  if (!request.radar.empty()) return {described_table(request, scene)};
+  if (request.start_s || request.end_s)
+    throw core::Refused("--start and --end belong to a table of a radar", "name it with --radar");
+  if (source.simulation && request.numbers.empty()) {
+    const scene::Simulation& recorded = scene.simulations[*source.simulation];
+    return {whole_table(recorded.radar, recorded.time_start_s, recorded.time_end_s)};
+  }
+  if (scene.geometries.empty())
+    throw core::Refused(request.input.path + ": the scene has no geometry table",
+                        "choose pulses with --radar, --start and --end");
+  if (request.numbers.empty()) return scene.geometries;
+  std::vector<scene::GeometryTable> tables;
+  for (const std::string& word : request.numbers) {
+    const auto number = core::parse_integer(word);
+    if (!number || *number < 1 || *number > static_cast<std::int64_t>(scene.geometries.size()))
+      throw core::Refused(fmt::format("the script has no geometry table '{}'", word),
+                          fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
+    tables.push_back(scene.geometries[static_cast<std::size_t>(*number) - 1]);
+  }
+  return tables;
+}
+
+// Tables tell where platforms are whether or not anything is on them.
+void remove_targets(scene::Scene& scene) {
+  scene.targets.clear();
+  scene.clouds.clear();
+  scene.surfaces.clear();
+}
+
+// What the script does not say has not been checked with it: whether pulses leave at these times.
+void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene, const std::filesystem::path& folder) {
+  scene.geometries = {table};
+  scene.geometries[0].file = "table";
+  scene.geometries[0].range_end_m = 1.0;
+  core::Problems problems = read_motions(scene, folder);  // which may be needed for other times now
+  std::ranges::move(scene::check(scene), std::back_inserter(problems));
+  std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
+  if (!problems.empty()) throw core::Refused(std::move(problems));
+}
+
+}  // namespace
+
+OptionTable<GeometryRequest> geometry_option_table() {
+  OptionTable<GeometryRequest> table;
+  table.texts("--table", "NUMBER", "which table of the scene, from 1 (default: all); repeat",
+              [](GeometryRequest& request, const std::string& word) { request.numbers.push_back(word); });
+  table.text("--radar", "NAME", "make a table of this radar instead", &GeometryRequest::radar);
+  table.number("--start", "S", "send time of its first pulse", &GeometryRequest::start_s);
+  table.number("--end", "S", "send time of its last pulse", &GeometryRequest::end_s);
+  table.flag("--no-targets", "the platforms alone: tracks and attitudes", &GeometryRequest::no_targets);
+  table.include(recording_options(), &GeometryRequest::input);
+  return table;
+}
+
+GeometryTables geometry_tables(const GeometryRequest& request) {
+  GeometrySource source = source_of(request);
+  if (request.no_targets) remove_targets(source.scene);
+  std::vector<scene::GeometryTable> tables = chosen_tables(request, source);
+  if (!request.radar.empty()) expect_pulses(tables.front(), source.scene, source.folder());
+  if (request.columns)
+    for (scene::GeometryTable& table : tables) table.columns = *request.columns;
+  return {std::move(source.scene), std::move(tables), std::move(source.files)};
+}
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/task/observer.hpp"
+#include "workflow/input/recording_input.hpp"
+#include "workflow/options/option_table.hpp"
+
+namespace sarsim::workflow {
+
+/// Which geometry tables are wanted: those of a scene, of a recording's pulses, or one that is described.
+struct GeometryRequest {
+  RecordingArguments input;
+  std::vector<std::string> numbers;  ///< Of the scene's tables, from 1; none: all.
+  std::string radar;                 ///< Of a table that is described; empty: none is.
+  std::optional<double> start_s;     ///< Of it: send time of its first pulse,
+  std::optional<double> end_s;       ///< and of its last.
+  std::optional<int> columns;        ///< Sum of column bits, docs/formats/geometry-table.md; nothing: the scene's.
+  bool no_targets = false;           ///< Platforms alone.
+};
+
+/// The options of a request, for faces other than the command.
+[[nodiscard]] OptionTable<GeometryRequest> geometry_option_table();
+
+/// Tables and the scene that they are of.
+struct GeometryTables {
+  scene::Scene scene;
+  std::vector<scene::GeometryTable> tables;
+  std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
+};
+
+/// Finds the tables of a request; throws core::Refused where it cannot be met.
+[[nodiscard]] GeometryTables geometry_tables(const GeometryRequest& request);
+
+}  // namespace sarsim::workflow
