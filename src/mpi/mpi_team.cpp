@@ -74,12 +74,16 @@ MpiTeam::MpiTeam() {
 
 std::string MpiTeam::name() const { return "rank-" + std::to_string(rank_); }
 
-bool MpiTeam::all_well(bool well) {
-  const int mine = well ? size_ : rank_;
-  int first = size_;
+workflow::StepEnd MpiTeam::agree(workflow::StepEnd here) {
+  using workflow::StepEnd;
+  // The lowest rank that is not well, with its end in the last place.
+  constexpr int ends = 3;
+  const int mine = ends * (here == StepEnd::done ? size_ : rank_) + static_cast<int>(here);
+  int first = mine;
   MPI_Allreduce(&mine, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
-  if (first < size_) speaker_ = first;
-  return first == size_;
+  const auto end = static_cast<StepEnd>(first % ends);
+  if (end != StepEnd::done) speaker_ = first / ends;
+  return end;
 }
 
 std::string MpiTeam::from_leader(const std::string& text) {

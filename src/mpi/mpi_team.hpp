@@ -12,7 +12,7 @@ class MpiTeam final : public workflow::Team {
   [[nodiscard]] bool leads() const override { return rank_ == 0; }
   [[nodiscard]] std::string name() const override;
   [[nodiscard]] unsigned processes_here() const override { return processes_here_; }
-  [[nodiscard]] bool all_well(bool well) override;
+  [[nodiscard]] workflow::StepEnd agree(workflow::StepEnd here) override;
   [[nodiscard]] bool failure_is_known() const override { return speaker_ >= 0; }
   [[nodiscard]] bool speaks() const override { return speaker_ == rank_; }
   [[nodiscard]] std::string from_leader(const std::string& text) override;

@@ -33,6 +33,7 @@ class Fault:
     calls: tuple[str, ...]
     stays: bool = False  # All calls from that one on.
     harmless: bool = False  # The command has to go on and end well.
+    statuses: tuple[int, ...] = (1, 2)  # With which it may end otherwise.
 
 
 FAULTS = (
@@ -42,6 +43,7 @@ FAULTS = (
     Fault("no permission", errno.EACCES, CREATES + ("fchmod",)),
     Fault("interrupted", errno.EINTR, WRITES + SYNCS + SIZES + ("open",), harmless=True),
     Fault("cut short", 0, WRITES, harmless=True),
+    Fault("file server started anew", errno.ESTALE, WRITES + CREATES, statuses=(1, 2, 75)),
 )
 
 
@@ -187,9 +189,9 @@ def names_a_file(err, stage, path):
     return any(name and name.rstrip("*") in err for name in names)
 
 
-def faults_of_message(stage, end, path):
+def faults_of_message(stage, end, path, statuses):
     found = []
-    if end.status not in (1, 2):
+    if end.status not in statuses:
         found.append(f"ended with status {end.status}")
     if not names_a_file(end.err, stage, path):
         found.append(f"the message names no file: {end.err!r}")
@@ -225,7 +227,7 @@ def try_fault(stage, fault, at, earlier):
         if call not in ("rename", "renameat2"):
             found += faults_of_pairs(stage, before, after)
         if end.status != 0:
-            found += faults_of_message(stage, end, path)
+            found += faults_of_message(stage, end, path, fault.statuses)
         if fault.harmless and end.status != 0:
             found.append(f"did not go on: {end.err!r}")
         if end.status == 0 and call in WRITES + SYNCS and not fault.harmless and pathlib.Path(path).is_file():

@@ -73,6 +73,24 @@ def killed_and_resumed(folder):
     expect(json.loads(finished.stdout)["products"][0]["computed_rows"] == 0, "a finished run computes again")
 
 
+def taken(folder):
+    """The journal of a process that works on the first pulse: all processes of the job end so that it is tried again."""
+    write_scene(folder, 400_000)
+    part = [program(), "run", "scene.scr", "--out", "taken", "--part", "1/2", "--threads", "1", "--quiet"]
+    busy = subprocess.Popen([str(w) for w in part], cwd=folder)
+    try:
+        for _ in range(500):
+            if (folder / "taken" / "sim.bin.parts" / "part-1-of-2.journal").exists():
+                break
+            time.sleep(0.01)
+        refused = run(mpi(3, "run", "scene.scr", "--out", "taken", "--resume"), cwd=folder, timeout=60)
+    finally:
+        busy.kill()
+        busy.wait()
+    expect(refused.returncode == 75, f"status {refused.returncode}: {refused.stderr}")
+    expect(refused.stderr.count("which is being made") == 1, f"not told once: {refused.stderr}")
+
+
 def refusals(folder):
     alone = run([os.environ["SARSIM_BUILT_MPI_PROGRAM"], "run", "scene.scr"], cwd=folder)
     expect(alone.returncode == 2 and "was not started by MPI" in alone.stderr, f"started alone: {alone.stderr}")
@@ -98,6 +116,7 @@ def main():
         refusals_folder = folder / "refusals"
         same_bytes(folder)
         killed_and_resumed(folder)
+        taken(folder)
         refusals_folder.mkdir()
         (refusals_folder / "whole").mkdir()
         shutil.copy(folder / "whole" / "sim.bin", refusals_folder / "whole")

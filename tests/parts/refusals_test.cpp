@@ -21,8 +21,8 @@ class PartRefusals : public PartsTest {
     write_shaking_scene(40, "3e-5");
   }
 
-  static void expect_refusal(const Finished& finished, const std::string& sentence) {
-    EXPECT_EQ(finished.status, 2) << finished.err;
+  static void expect_refusal(const Finished& finished, const std::string& sentence, int status = 2) {
+    EXPECT_EQ(finished.status, status) << finished.err;
     EXPECT_THAT(finished.err, HasSubstr(sentence));
   }
 
@@ -224,10 +224,14 @@ TEST_F(PartRefusals, TwoRunsOnOneFileAtOnce) {
   start.folder = folder_;
   Program busy({"run", "scene.scr", "--part", "1/2", "--threads", "1"}, start);
   ASSERT_TRUE(busy.wait_for("10 %", 60.0)) << busy.err();
-  expect_refusal(run({"--part", "1/2", "--resume"}), "part 1/2 is being made by another process");
-  expect_refusal(run({"--part", "1/2", "--force"}), "part 1/2 is being made by another process");
-  expect_refusal(run({"--resume"}), "overlaps part 1/2, which is being made");
-  expect_refusal(sarsim({"merge", "sim.bin.parts"}), "is still being made");
+  // Nobody's mistake: whoever starts parts shall try again.
+  expect_refusal(run({"--part", "1/2", "--resume"}), "part 1/2 is being made by another process", 75);
+  expect_refusal(run({"--part", "1/2", "--force"}), "part 1/2 is being made by another process", 75);
+  expect_refusal(run({"--resume"}), "overlaps part 1/2, which is being made", 75);
+  const Finished merged = sarsim({"merge", "sim.bin.parts", "--json"});
+  expect_refusal(merged, "is still being made", 75);
+  for (const Finished& told : {merged, run({"--resume", "--json"})})
+    EXPECT_THAT(told.out, HasSubstr("\"status\": \"try again\""));
   busy.send(SIGKILL);
   EXPECT_EQ(busy.finish().status, -SIGKILL);
 }

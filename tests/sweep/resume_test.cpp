@@ -196,6 +196,34 @@ TEST_F(SweepResume, ControlCLeavesFinishedVariationsForTheNextTime) {
   EXPECT_THAT(rest.err, HasSubstr(std::to_string(whole) + " done before"));
 }
 
+// Whoever starts the same part twice, as engines do after a machine was lost, is told to try again.
+TEST_F(SweepResume, IsLeftToTheProcessThatMakesIt) {
+  SceneText scene;
+  scene.pulses = 1500;
+  scene.lsb_mv = "1e-6";
+  write_scene(scene);
+  Start start;
+  start.folder = folder_;
+  const std::vector<std::string> words{"--set", "seed=1..400", "--out", "o", "--jobs", "1", "--resume"};
+  std::vector<std::string> part = words;
+  part.insert(part.end(), {"--part", "1/2"});
+  part.insert(part.begin(), {"sweep", "scene.scr"});
+  Program busy(part, start);
+  ASSERT_TRUE(busy.wait_for("sweep: 10 %", 60.0)) << busy.err();
+  part.emplace_back("--json");
+  const Finished twice = sarsim(part);
+  EXPECT_EQ(twice.status, 75) << twice.err;
+  EXPECT_THAT(twice.err, HasSubstr("part 1/2 of this sweep is being made by another process"));
+  EXPECT_THAT(twice.out, HasSubstr("\"status\": \"try again\""));
+  const Finished whole = sweep(words);
+  EXPECT_EQ(whole.status, 75) << whole.err;
+  part.back() = "--dry-run";
+  EXPECT_EQ(sarsim(part).status, 0) << "looking is free";
+  busy.send(SIGKILL);
+  EXPECT_EQ(busy.finish().status, -SIGKILL);
+  EXPECT_EQ(sweep({"--set", "seed=2,4", "--out", "o", "--resume"}).status, 0) << "the lock has gone with its process";
+}
+
 TEST_F(SweepResume, SuddenDeathLosesNoFinishedVariation) {
   SceneText scene;
   scene.pulses = 1500;

@@ -242,6 +242,10 @@ TEST_F(SweepValuesCommand, CommandsDoWhatTheSweepDoes) {
     ASSERT_EQ(std::system(shell.c_str()), 0) << shell;
   }
   EXPECT_EQ(commands, 2);
+  // With --resume each of them can be given again, and those that are done are not told.
+  dry.push_back("--resume");
+  const Finished again = sarsim(dry);
+  EXPECT_THAT(again.out, HasSubstr(" --resume\n"));
   const std::vector<std::string> made = entries("it's out");
   EXPECT_THAT(made, ElementsAre("sim_Target1.rcs=1_seed=3.npy", "sim_Target1.rcs=4_seed=3.npy",
                                 "table_Target1.rcs=1_seed=3.txt", "table_Target1.rcs=4_seed=3.txt"));

@@ -2,6 +2,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
@@ -77,8 +78,8 @@ class RunPrinter {
   }
 
   /// Ends the report of a run that was refused; errors that were found say why, where there are any.
-  void finish_refused(const core::Problems& reasons) {
-    finish("bad input", core::has_errors(found_) ? shown(found_) : reasons);
+  void finish_refused(const core::Refused& refused) {
+    finish(word_of(status_of(refused)), core::has_errors(found_) ? shown(found_) : refused.problems);
   }
   void finish(const char* status) { finish(status, found_); }
 
@@ -117,18 +118,21 @@ ExitStatus run(const RunArguments& arguments, Streams& streams, workflow::Team* 
   RunPrinter printer(arguments, streams);
   try {
     static_cast<void>(workflow::record(request_of(arguments, team), printer.observer(), printer.events()));
-  } catch (const core::Refused& error) {
-    const core::Problems reasons = printer.shown(error.problems);
-    printer.finish_refused(reasons);
-    throw core::Refused(reasons);
+  } catch (core::Refused& error) {
+    error.problems = printer.shown(std::move(error.problems));
+    printer.finish_refused(error);
+    throw;
   } catch (const core::Interrupted&) {
     printer.finish("interrupted");
     throw;
+  } catch (const std::system_error& error) {
+    printer.finish(word_of(status_of(error.code())));
+    throw;
   } catch (const std::exception&) {
-    printer.finish("failed");
+    printer.finish(word_of(exit_failed));
     throw;
   }
-  printer.finish("done");
+  printer.finish(word_of(exit_done));
   return exit_done;
 }
 

@@ -27,7 +27,7 @@ std::string options_of(const SweepArguments& arguments) {
   for (const auto& [option, given] :
        {std::pair{" --counts", arguments.counts}, std::pair{" --header", arguments.header},
         std::pair{" --discard", arguments.discard}, std::pair{" --force", arguments.force},
-        std::pair{" --strict", arguments.strict}})
+        std::pair{" --resume", arguments.resume}, std::pair{" --strict", arguments.strict}})
     if (given) text += option;
   return text;
 }

@@ -25,6 +25,7 @@
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
 #include "core/os/standard_streams.hpp"
+#include "core/report/for_now.hpp"
 #include "core/task/kept_interruption.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
@@ -251,6 +252,7 @@ std::string remedy(const std::error_code& failure) {
       failure == std::errc::file_exists)
     return "write into a folder that can be written, with another --out or output name";
   if (failure == std::errc::filename_too_long) return "give the output a shorter name";
+  if (core::may_pass(failure)) return "this may pass: try again later";
   return {};
 }
 
@@ -270,10 +272,11 @@ void write_failure(Streams& streams, const char* status, const core::Problems& p
 
 int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
   const bool json = asks_for_json(words);
-  const auto say = [&](const std::string& text, const std::string& hint = {}) {
+  const auto fail = [&](ExitStatus status, const std::string& text, const std::string& hint = {}) {
     streams.err << "sarsim: error: " << text << '\n';
     if (!hint.empty()) streams.err << "    " << hint << '\n';
-    if (json) write_failure(streams, "failed", {core::problem_of(core::Severity::error, text, {}, {}, hint)});
+    if (json) write_failure(streams, word_of(status), {core::problem_of(core::Severity::error, text, {}, {}, hint)});
+    return status;
   };
   try {
     const ExitStatus status = dispatch(program, std::move(words), streams);
@@ -281,8 +284,9 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     return status;
   } catch (const core::Refused& error) {
     print_problems(streams, error.problems);
-    if (json) write_failure(streams, "bad input", error.problems);
-    return exit_bad_input;
+    const ExitStatus status = status_of(error);
+    if (json) write_failure(streams, word_of(status), error.problems);
+    return status;
   } catch (const OutputClosed&) {
     return exit_failed;
   } catch (const core::Interrupted& interrupted) {
@@ -295,13 +299,12 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     if (json) write_failure(streams, "interrupted", {});
     return 128 + (number != 0 ? number : SIGINT);
   } catch (const std::bad_alloc&) {
-    say("not enough memory", "record less at once, or with fewer --threads");
+    return fail(exit_failed, "not enough memory", "record less at once, or with fewer --threads");
   } catch (const std::system_error& error) {
-    say(error.what(), remedy(error.code()));
+    return fail(status_of(error.code()), error.what(), remedy(error.code()));
   } catch (const std::exception& error) {
-    say(error.what());
+    return fail(exit_failed, error.what());
   }
-  return exit_failed;
 }
 
 }  // namespace
@@ -336,7 +339,7 @@ int team_program(int argc, const char* const* argv, workflow::Team* team) {
   const int status = guarded(program, words, team->leads() ? own : others);
   if (status == exit_done) return status;
   // Words that one of them does not understand are understood by none.
-  if (!program.begun) static_cast<void>(team->all_well(false));
+  if (!program.begun) static_cast<void>(team->agree(workflow::StepEnd::failed));
   const bool tells = !team->leads() && (!team->failure_is_known() || team->speaks()) && received_signal() == 0;
   if (tells) std::cerr << team->name() + ": " + messages.str() << std::flush;
   return status;

@@ -8,8 +8,8 @@ class Team;
 
 namespace sarsim::cli {
 
-/// Runs one command line of the program `sarsim` and returns its exit status: 0 done, 1 failed, 2 bad input, 128 + the
-/// signal when interrupted. `sarsim SCENE ...` means `sarsim run SCENE ...`. Throws nothing.
+/// Runs one command line of the program `sarsim` and returns its exit status: 0 done, 1 failed, 2 bad input, 75 try
+/// again, 128 + the signal when interrupted. `sarsim SCENE ...` means `sarsim run SCENE ...`. Throws nothing.
 int run_command_line(int argc, const char* const* argv, Streams streams);
 
 /// The program: signals, standard streams, `run_command_line`.

@@ -4,6 +4,8 @@
 #include <ostream>
 #include <system_error>
 
+#include "core/report/for_now.hpp"
+
 namespace sarsim::cli {
 
 namespace {
@@ -15,6 +17,20 @@ void expect_good(const std::ostream& out) {
 }
 
 }  // namespace
+
+ExitStatus status_of(const core::Refused& refused) { return core::may_pass(refused) ? exit_try_again : exit_bad_input; }
+
+ExitStatus status_of(const std::error_code& failure) { return core::may_pass(failure) ? exit_try_again : exit_failed; }
+
+const char* word_of(ExitStatus status) {
+  switch (status) {
+    case exit_done: return "done";
+    case exit_bad_input: return "bad input";
+    case exit_try_again: return "try again";
+    case exit_failed: break;
+  }
+  return "failed";
+}
 
 void write_out(Streams& streams, std::string_view text) {
   errno = 0;

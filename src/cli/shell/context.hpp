@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <system_error>
 
 #include "core/report/refused.hpp"
 #include "core/task/stop.hpp"
@@ -13,9 +14,17 @@ namespace sarsim::cli {
 /// What the process answers to its caller. A command that ends after a signal answers 128 + its number.
 enum ExitStatus : int {
   exit_done = 0,
-  exit_failed = 1,     ///< The world's failures: disk, memory.
-  exit_bad_input = 2,  ///< A mistake in a script, a data file or the arguments.
+  exit_failed = 1,      ///< The world's failures: disk, memory.
+  exit_bad_input = 2,   ///< A mistake in a script, a data file or the arguments.
+  exit_try_again = 75,  ///< Nobody's mistake: the same command may succeed later (EX_TEMPFAIL of sysexits.h).
 };
+
+/// How a command ends that was refused, or for which the system failed: whoever starts it may try again, or not.
+[[nodiscard]] ExitStatus status_of(const core::Refused& refused);
+[[nodiscard]] ExitStatus status_of(const std::error_code& failure);
+
+/// How reports in JSON call an exit status: "done", "failed", "bad input", "try again".
+[[nodiscard]] const char* word_of(ExitStatus status);
 
 /// What a command works with.
 struct Streams {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/for_now.hpp"
 
 namespace sarsim::core {
 
@@ -24,6 +24,12 @@ std::uint64_t size_of_journal(const RawFile& file) {
                                "delete this journal: what it lists is then computed again");
   problem.place.file = file.path().string();
   throw Refused(Problems{std::move(problem)});
+}
+
+[[noreturn]] void throw_in_use(const std::filesystem::path& path) {
+  Problem problem = problem_of(Severity::error, "another process is adding to this journal", {}, {}, "wait for it");
+  problem.place.file = path.string();
+  throw RefusedForNow(Problems{std::move(problem)});
 }
 
 }  // namespace
@@ -62,8 +68,10 @@ std::string read_journal_file(const std::filesystem::path& path) {
 JournalFile::JournalFile(RawFile file) : file_(std::move(file)), end_(file_.size()) {}
 
 JournalFile JournalFile::open(const std::filesystem::path& path, bool keep, std::string_view heading) {
-  JournalFile journal(RawFile(path, RawFile::Mode::append));
-  journal.shared_ = true;
+  RawFile file(path, RawFile::Mode::append);
+  if (!file.try_lock()) throw_in_use(path);
+  JournalFile journal(std::move(file));
+  journal.appends_ = true;
   if (!keep && journal.end_ > 0) journal.cut(0);
   // A line that was cut off must not swallow the next one.
   journal.add(journal.end_ > 0 ? "\n" : heading);
@@ -76,7 +84,7 @@ void JournalFile::cut(std::uint64_t whole_bytes) {
 }
 
 void JournalFile::add(std::string_view lines) {
-  if (shared_) return file_.append(bytes_of(lines));
+  if (appends_) return file_.append(bytes_of(lines));
   file_.write_at(end_, bytes_of(lines));
   file_.sync();
   end_ += lines.size();

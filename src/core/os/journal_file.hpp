@@ -41,7 +41,8 @@ class JournalFile {
   /// it. The file belongs to this process alone (`RawFile::try_lock`).
   explicit JournalFile(RawFile file);
 
-  /// Opens a journal for lines that outlast their process but not a loss of power. Several processes may add lines.
+  /// Opens a journal for lines that outlast their process but not a loss of power.
+  /// @throws RefusedForNow where another process has it open so; it is left as it is then
   /// @param keep     what is there; else the journal begins anew
   /// @param heading  the first line, with its end, of a journal that has none
   [[nodiscard]] static JournalFile open(const std::filesystem::path& path, bool keep, std::string_view heading);
@@ -56,7 +57,7 @@ class JournalFile {
  private:
   RawFile file_;
   std::uint64_t end_ = 0;
-  bool shared_ = false;
+  bool appends_ = false;
 };
 
 }  // namespace sarsim::core

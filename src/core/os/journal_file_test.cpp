@@ -4,7 +4,7 @@
 
 #include <system_error>
 
-#include "core/report/refused.hpp"
+#include "core/report/for_now.hpp"
 #include "support/test_folder.hpp"
 
 namespace sarsim::core {
@@ -74,14 +74,18 @@ TEST(JournalFile, EndsALineThatWasCutOff) {
   EXPECT_EQ(contents(folder / "j"), "heading\non\ntwo\n");
 }
 
-TEST(JournalFile, TakesLinesOfSeveralProcesses) {
+TEST(JournalFile, BelongsToWhoOpensItFirst) {
   const TestFolder folder;
-  JournalFile a = JournalFile::open(folder / "j", true, "heading\n");
-  JournalFile b = JournalFile::open(folder / "j", true, "heading\n");
-  a.add("a\n");
-  b.add("b\n");
-  a.add("a\n");
-  EXPECT_EQ(contents(folder / "j"), "heading\n\na\nb\na\n");
+  {
+    JournalFile first = JournalFile::open(folder / "j", true, "heading\n");
+    first.add("a\n");
+    for (const bool keep : {true, false})
+      EXPECT_THROW(static_cast<void>(JournalFile::open(folder / "j", keep, "heading\n")), RefusedForNow);
+    first.add("b\n");
+    EXPECT_EQ(contents(folder / "j"), "heading\na\nb\n");
+  }
+  JournalFile::open(folder / "j", true, "heading\n").add("c\n");
+  EXPECT_EQ(contents(folder / "j"), "heading\na\nb\n\nc\n");
 }
 
 TEST(JournalFile, IsRefusedByItsSizeBeforeAnyMemoryIsTaken) {

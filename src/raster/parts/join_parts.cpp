@@ -69,10 +69,10 @@ bool each_piece(const core::RawFile& file, const Claim& claim, std::size_t step,
       file_problem(file_of(*piece.journal).string(),
                    fmt::format("{} are not what part {} wrote", rows_text(piece.claim.rows), piece.journal->head.part));
   problem.hint = "compute them again: run that part with --resume, or delete its journal and run it anew";
-  throw UnfitParts({problem});
+  throw core::Refused({problem});
 }
 
-// Throws UnfitParts for a piece whose bytes are not there.
+// Throws core::Refused for a piece whose bytes are not there.
 void verify(const std::vector<Piece>& pieces, const simulate::RunControl& control) {
   core::parallel_ranges(pieces.size(), 1, {core::thread_count(control.threads), control.stop},
                         [&](std::size_t begin, std::size_t end) {
@@ -123,7 +123,7 @@ class Joiner {
     if (!fs::exists(status) || fs::is_regular_file(status)) return;
     core::Problem problem = file_problem(task_.output.string(), "parts can only become a file");
     problem.hint = "give the output another name";
-    throw UnfitParts({problem});
+    throw core::Refused({problem});
   }
 
   // Takes away what a join that fails has made; the parts stay.
@@ -345,7 +345,7 @@ std::vector<Journal> read_journals(const fs::path& folder) {
     else
       journals.push_back(std::move(std::get<Journal>(read)));
   }
-  if (!problems.empty()) throw UnfitParts(std::move(problems));
+  if (!problems.empty()) throw core::Refused(std::move(problems));
   return journals;
 }
 

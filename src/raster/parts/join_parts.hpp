@@ -3,24 +3,16 @@
 #include <filesystem>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "core/report/problem.hpp"
+#include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/parts/journal.hpp"
 #include "raster/parts/stored_product.hpp"
 #include "simulate/run/run.hpp"
 
 namespace sarsim::raster {
-
-/// Thrown where parts cannot be begun, continued or joined because of what is there already.
-struct UnfitParts : std::runtime_error {
-  explicit UnfitParts(core::Problems all) : std::runtime_error("unfit parts"), problems(std::move(all)) {}
-  core::Problems problems;
-};
 
 /// The folder beside an output in which its parts come together; where the output is a link, beside what it means, so
 /// that both are on one disk.
@@ -33,7 +25,7 @@ struct UnfitParts : std::runtime_error {
 [[nodiscard]] std::filesystem::path shared_rows_of(const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path product_file_of(const std::filesystem::path& folder);
 
-/// All journals of a folder, by name. @throws UnfitParts with everything that is damaged
+/// All journals of a folder, by name. @throws core::Refused with everything that is damaged
 [[nodiscard]] std::vector<Journal> read_journals(const std::filesystem::path& folder);
 
 /// Removes what parts have left in a folder, and the folder where it is empty then.
@@ -68,7 +60,7 @@ struct Joined {
 /// receipt ".journal" by which a later `--resume` knows it. The parts stay where they are, but for the shared file,
 /// which becomes the output where all rows stand in it.
 /// Where it fails, the parts are all that is left.
-/// @throws UnfitParts where rows are not what their journal says, and where the output is there but no file
+/// @throws core::Refused where rows are not what their journal says, and where the output is there but no file
 Joined join_parts(const JoinTask& task, const simulate::RunControl& control);
 
 /// A finished recording's receipt.

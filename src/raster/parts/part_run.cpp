@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/for_now.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -72,7 +73,7 @@ core::Problem not_shared(const fs::path& folder) {
 
 Journal read_again(const Journal& journal) {
   auto read = read_journal(journal.path);
-  if (auto* problem = std::get_if<core::Problem>(&read)) throw UnfitParts({std::move(*problem)});
+  if (auto* problem = std::get_if<core::Problem>(&read)) throw core::Refused({std::move(*problem)});
   return std::move(std::get<Journal>(read));
 }
 
@@ -105,7 +106,7 @@ void PartRun::enter() {
   if (task_.anew && !task_.resume) forget_own(journals_);
   expect_same_run(journals_);
   const bool first = journals_.empty();
-  if (task_.dealt && first) throw UnfitParts({not_shared(folder_)});
+  if (task_.dealt && first) throw core::Refused({not_shared(folder_)});
   std::erase_if(journals_,
                 [&](const Journal& journal) { return journal.path != journal_path() && !meets(journal, task_.range); });
   for (const Journal& journal : journals_) expect_free(journal);
@@ -139,7 +140,7 @@ void PartRun::expect_same_run(const std::vector<Journal>& journals) const {
     if (problems.empty()) continue;
     problems.back().hint =
         fmt::format("run it as it was begun, or delete the folder {} to begin anew", folder_.string());
-    throw UnfitParts(std::move(problems));
+    throw core::Refused(std::move(problems));
   }
 }
 
@@ -154,8 +155,9 @@ void PartRun::expect_free(const Journal& journal) {
     problem.message =
         own ? fmt::format("part {} is being made by another process ({})", part, journal.head.maker)
             : fmt::format("part {} overlaps part {}, which is being made ({})", task_.words, part, journal.head.maker);
-    problem.hint = own ? "wait for it, or end it and go on with --resume" : "choose parts that do not share pulses";
-    throw UnfitParts({problem});
+    problem.hint = own ? "wait for it, or end it and go on with --resume"
+                       : "wait for it, or choose parts that do not share pulses";
+    throw core::RefusedForNow({problem});
   }
   if (!task_.resume) {
     const std::size_t rows = journal.claimed_rows();
@@ -163,7 +165,7 @@ void PartRun::expect_free(const Journal& journal) {
         own ? fmt::format("part {} was begun already: {} of its pulses are there", part, rows)
             : fmt::format("part {} overlaps part {}, of which {} pulses are there", task_.words, part, rows);
     problem.hint = fmt::format("go on with --resume, or delete the folder {} to begin anew", folder_.string());
-    throw UnfitParts({problem});
+    throw core::Refused({problem});
   }
   if (own) journal_ = core::JournalFile(std::move(file));
 }
@@ -186,7 +188,7 @@ void PartRun::begin_rows(bool anew) {
   if (earlier != nullptr && earlier->head.store != store_) {
     core::Problem problem = file_problem(journal_path().string(), "use of --part-file differs from the first run");
     problem.hint = fmt::format("go on as it was begun, or delete the folder {}", folder_.string());
-    throw UnfitParts({problem});
+    throw core::Refused({problem});
   }
   if (store_ != RowStore::placed) {
     rows_ = core::RawFile(rows_file_of(journal_path()), core::RawFile::Mode::write);
@@ -263,7 +265,7 @@ PartOutcome PartRun::finish(bool replace, const simulate::RunControl& control) {
   for (const simulate::RowRange& missing : missing_rows({0, rows}, join.journals)) outcome.rows_there -= missing.count;
   if (outcome.rows_there < rows || task_.apart) return outcome;
   if (core::Problems problems = join_problems(join.journals, rows); !problems.empty())
-    throw UnfitParts(std::move(problems));
+    throw core::Refused(std::move(problems));
   outcome.joined = join_parts(join, control);
   remove_parts(folder_);
   return outcome;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "core/report/refused.hpp"
+#include "core/report/for_now.hpp"
 #include "raster/format/data_test_support.hpp"
 
 namespace sarsim::raster {
@@ -100,7 +100,7 @@ TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
     early.writer().take(encoded(stored, {0, 2}));
     early.writer().take(encoded(stored, {5, 3}));
   }
-  EXPECT_THROW(PartRun(task, {}), UnfitParts);
+  EXPECT_THROW(PartRun(task, {}), core::Refused);
   task.resume = true;
   PartRun late(task, {});
   EXPECT_THAT(late.missing(), ElementsAre(simulate::RowRange{2, 3}, simulate::RowRange{8, 4}));
@@ -118,7 +118,7 @@ TEST(PartRun, IsRefusedWhileItsRowsAreBeingMade) {
   try {
     const PartRun other(task, {});
     FAIL() << "two parts share row 6";
-  } catch (const UnfitParts& unfit) {
+  } catch (const core::RefusedForNow& unfit) {
     EXPECT_THAT(unfit.problems.at(0).message, HasSubstr("part b overlaps part a, which is being made"));
   }
   task.range = {7, 5};
@@ -130,7 +130,7 @@ TEST(PartRun, ThatIsDealtRowsNeedsTheJournalOfWhoDealsThem) {
   const StoredProduct stored = stored_as(scene::FileFormat::binary);
   PartTask dealt = task_for(folder / "out", stored, "rank-1", {});
   dealt.dealt = true;
-  EXPECT_THROW(PartRun(dealt, {}), UnfitParts);
+  EXPECT_THROW(PartRun(dealt, {}), core::Refused);
   PartRun leader(task_for(folder / "out", stored, "all", {0, rows}), {});
   PartRun follower(dealt, {});
   EXPECT_TRUE(follower.missing().empty());
@@ -166,7 +166,7 @@ void expect_refused(PartRun& last, const StoredProduct& stored, const TestFolder
   try {
     static_cast<void>(make(last, stored));
     FAIL() << "rows that are not there were published";
-  } catch (const UnfitParts& unfit) {
+  } catch (const core::Refused& unfit) {
     EXPECT_THAT(unfit.problems.at(0).message, HasSubstr("are not what part a wrote"));
   }
   EXPECT_FALSE(fs::exists(folder / "out"));

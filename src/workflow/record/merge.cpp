@@ -7,7 +7,7 @@
 
 #include "core/os/output_file.hpp"
 #include "core/os/raw_file.hpp"
-#include "core/report/refused.hpp"
+#include "core/report/for_now.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/parts/join_parts.hpp"
 #include "raster/table/formats.hpp"
@@ -28,22 +28,18 @@ class Merger {
   Merger(const MergeRequest& request, const core::Observer& observer) : request_(request), observer_(observer) {}
 
   MergeReport run() {
-    try {
-      raster::JoinTask task;
-      task.output = output();
-      task.replace = request_.force;
-      for (const std::string& folder : request_.folders) expect_outside(task.output, folder);
-      expect_free_outputs({task.output}, {{}, request_.force, "-o"});
-      if (core::Problems problems = problems_of_side_files(task.output); !problems.empty())
-        throw core::Refused(std::move(problems));
-      for (const std::string& folder : request_.folders) collect(folder, task.journals);
-      task.product = raster::load_product(raster::product_file_of(request_.folders.front()));
-      if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
-        throw core::Refused(std::move(problems));
-      return {joined(task)};
-    } catch (const raster::UnfitParts& unfit) {
-      throw core::Refused(unfit.problems);
-    }
+    raster::JoinTask task;
+    task.output = output();
+    task.replace = request_.force;
+    for (const std::string& folder : request_.folders) expect_outside(task.output, folder);
+    expect_free_outputs({task.output}, {{}, request_.force, "-o"});
+    if (core::Problems problems = problems_of_side_files(task.output); !problems.empty())
+      throw core::Refused(std::move(problems));
+    for (const std::string& folder : request_.folders) collect(folder, task.journals);
+    task.product = raster::load_product(raster::product_file_of(request_.folders.front()));
+    if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
+      throw core::Refused(std::move(problems));
+    return {joined(task)};
   }
 
  private:
@@ -78,8 +74,9 @@ class Merger {
     if (found.empty()) throw core::Refused("the folder '" + folder + "' holds no parts", "it has no journals");
     for (raster::Journal& journal : found) {
       if (!opened(journal.path).try_lock())
-        throw core::Refused(fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
-                            "wait for it: the last part to finish completes the file");
+        throw core::RefusedForNow(
+            fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
+            "wait for it: the last part to finish completes the file");
       journals.push_back(std::move(journal));
     }
   }

@@ -68,22 +68,10 @@ class PartMaker {
  private:
   [[nodiscard]] bool leads() const { return workshop_.team == nullptr || workshop_.team->leads(); }
 
-  // A step that all processes take, or none.
   template <class Step>
   void together(const Step& step) {
-    try {
-      step();
-    } catch (const raster::UnfitParts& unfit) {
-      static_cast<void>(tell_others(false));
-      throw core::Refused(unfit.problems);
-    } catch (...) {
-      static_cast<void>(tell_others(false));
-      throw;
-    }
-    if (!tell_others(true)) throw core::Refused(core::Problems());  // Who is not well says why.
+    take_together(workshop_.team, step);
   }
-
-  [[nodiscard]] bool tell_others(bool well) { return workshop_.team == nullptr || workshop_.team->all_well(well); }
 
   [[nodiscard]] std::string from_leader(const std::string& text) {
     return workshop_.team == nullptr ? text : workshop_.team->from_leader(text);

@@ -67,16 +67,11 @@ class Recorder {
  private:
   // Where processes run together, all of them are ready, or none goes on.
   void prepare_together() {
-    Team* const team = request_.team;
-    try {
+    take_together(request_.team, [this] {
       choose_simd(request_.simd);
       expect_partable();
       prepare();
-    } catch (...) {
-      if (team != nullptr) static_cast<void>(team->all_well(false));
-      throw;
-    }
-    if (team != nullptr && !team->all_well(true)) throw core::Refused(core::Problems());
+    });
   }
 
   void expect_partable() const {

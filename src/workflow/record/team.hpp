@@ -5,10 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "core/report/for_now.hpp"
 #include "core/task/progress.hpp"
 #include "simulate/run/run.hpp"
 
 namespace sarsim::workflow {
+
+/// How a step ended.
+enum class StepEnd {
+  done,
+  refused_for_now,  ///< `core::RefusedForNow`.
+  failed,
+};
 
 /// Processes that make recordings together; every function is called by all of them, in the same order.
 class Team {
@@ -24,8 +32,9 @@ class Team {
   [[nodiscard]] virtual std::string name() const = 0;
   /// How many of the processes share this machine.
   [[nodiscard]] virtual unsigned processes_here() const = 0;
-  /// Waits for all; whether all are well.
-  [[nodiscard]] virtual bool all_well(bool well) = 0;
+  /// Waits for all, and tells them how a step ended here.
+  /// @returns how it ended for all: as on the first of the processes on which it did not end well
+  [[nodiscard]] virtual StepEnd agree(StepEnd here) = 0;
   /// Whether all know that one of them has failed; and whether it is this one, who says why.
   [[nodiscard]] virtual bool failure_is_known() const = 0;
   /// Whether this process is the one that says why they failed.
@@ -40,5 +49,24 @@ class Team {
   virtual void deal(const std::vector<simulate::RowRange>& todo, const std::function<void(simulate::RowRange)>& work,
                     const core::ProgressReport& progress) = 0;
 };
+
+/// A step that all processes of a team take, or none; a process of its own has no team. Throws what the step throws,
+/// and where it fails on another process, which says why, a core::Refused without problems.
+template <class Step>
+void take_together(Team* team, const Step& step) {
+  const auto tell = [team](StepEnd here) { return team == nullptr ? here : team->agree(here); };
+  try {
+    step();
+  } catch (const core::RefusedForNow&) {
+    static_cast<void>(tell(StepEnd::refused_for_now));
+    throw;
+  } catch (...) {
+    static_cast<void>(tell(StepEnd::failed));
+    throw;
+  }
+  const StepEnd end = tell(StepEnd::done);
+  if (end == StepEnd::refused_for_now) throw core::RefusedForNow(core::Problems());
+  if (end == StepEnd::failed) throw core::Refused(core::Problems());
+}
 
 }  // namespace sarsim::workflow

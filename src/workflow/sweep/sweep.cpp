@@ -210,6 +210,8 @@ core::Problems failures_of(const SweepPlan& plan) {
 }  // namespace
 
 SweepReport run_sweep(const SweepRequest& request, SweepPlan plan, const core::Observer& observer) {
+  expect_nobody_at_work(request.folder, SweepFiles(request).stem(), request.part);
+  take_finished(request, plan.rows);  // Another process may have made some since the plan was made.
   expect_free_files(request, plan.sweep, plan.rows);
   if (!request.discard)
     core::expect_room(request.folder, sum_of(plan.checks, &ProductSize::least_bytes),

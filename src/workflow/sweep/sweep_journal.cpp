@@ -4,14 +4,18 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <fstream>
 #include <limits>
+#include <numeric>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "core/os/raw_file.hpp"
+#include "core/report/for_now.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::workflow {
@@ -103,6 +107,44 @@ std::string text_of_journal(const fs::path& path) try {
   return {};
 }
 
+// Those of all parts of a sweep.
+std::vector<fs::directory_entry> journals_of(const fs::path& folder, const std::string& stem) {
+  std::vector<fs::directory_entry> journals;
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name == stem + ".journal" || (name.starts_with(stem + "-") && name.ends_with(".journal"));
+    std::error_code gone;
+    if (ours && entry.is_regular_file(gone)) journals.push_back(entry);
+  }
+  return journals;
+}
+
+// The part that a journal is of, "sweep-2-of-4.journal"; the whole where its name speaks of none.
+SweepPart part_of_journal(const fs::path& journal, const std::string& stem) {
+  SweepPart part;
+  const std::string name = journal.stem().string();
+  std::size_t number = 0;
+  std::size_t count = 0;
+  if (std::sscanf(name.c_str() + std::min(stem.size(), name.size()), "-%zu-of-%zu", &number, &count) == 2 &&
+      number >= 1 && number <= count)
+    part = {number - 1, count};
+  return part;
+}
+
+// Whether two parts have a variation in common, where the sweep is long enough.
+bool meet(const SweepPart& a, const SweepPart& b) {
+  const std::size_t step = std::gcd(a.count, b.count);
+  return a.index % step == b.index % step;
+}
+
+// Whether a process holds a journal; not of one that we may not write, which tells us nothing.
+bool is_held(const fs::path& journal) try {
+  return !core::RawFile(journal, core::RawFile::Mode::append).try_lock();
+} catch (const std::exception&) {
+  return false;
+}
+
 }  // namespace
 
 std::string journal_line(const SweepRow& row) {
@@ -176,15 +218,27 @@ bool takes_journal_lines(const fs::path& path) {
   return line.starts_with(name) && line.find(": stamp, file, ") == name.size() + 1 && line.ends_with(", end");
 }
 
+void expect_nobody_at_work(const fs::path& folder, const std::string& stem, const SweepPart& part) {
+  for (const fs::directory_entry& entry : journals_of(folder, stem)) {
+    const SweepPart other = part_of_journal(entry.path(), stem);
+    if (!meet(part, other) || !is_held(entry.path())) continue;
+    core::Problem problem = core::problem_of(
+        core::Severity::error,
+        other.count == 1
+            ? "this sweep is being made by another process"
+            : fmt::format("part {}/{} of this sweep is being made by another process", other.index + 1, other.count),
+        {}, {}, "wait for it, or end it and go on with --resume");
+    problem.place.file = entry.path().string();
+    throw core::RefusedForNow(core::Problems{std::move(problem)});
+  }
+}
+
 std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std::string& stem) {
   std::map<std::string, SweepRow> rows;
-  std::error_code none;
   std::vector<std::pair<fs::file_time_type, fs::path>> journals;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, none)) {
-    const std::string name = entry.path().filename().string();
-    const bool ours = name == stem + ".journal" || (name.starts_with(stem + "-") && name.ends_with(".journal"));
+  for (const fs::directory_entry& entry : journals_of(folder, stem)) {
     std::error_code gone;
-    if (ours && entry.is_regular_file(gone)) journals.emplace_back(entry.last_write_time(gone), entry.path());
+    journals.emplace_back(entry.last_write_time(gone), entry.path());
   }
   std::ranges::sort(journals);
   const auto take = [&](std::string_view line) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/os/journal_file.hpp"
+#include "workflow/sweep/sweep_request.hpp"
 #include "workflow/sweep/sweep_row.hpp"
 
 namespace sarsim::workflow {
@@ -17,7 +18,7 @@ namespace sarsim::workflow {
 class SweepJournal {
  public:
   /// Opens the journal for additions, or begins it anew.
-  /// @throws std::system_error "cannot write FILE"
+  /// @throws std::system_error "cannot write FILE"; core::RefusedForNow where another process has it
   SweepJournal(const std::filesystem::path& path, bool keep);
 
   /// Notes a product; from any thread.
@@ -30,6 +31,11 @@ class SweepJournal {
 
 /// Whether a sweep may add lines to a file: it is missing or empty, or its first line is that of a journal of a sweep.
 [[nodiscard]] bool takes_journal_lines(const std::filesystem::path& path);
+
+/// Looks whether other processes are making variations of a part of a sweep, which shows in the journals of
+/// `read_journals`.
+/// @throws core::RefusedForNow where one does
+void expect_nobody_at_work(const std::filesystem::path& folder, const std::string& stem, const SweepPart& part);
 
 /// What the journals of a sweep say, by the name of the product: those of all its parts, which are `stem`.journal and
 /// `stem`-....journal in its folder. Of several lines about a product the latest is kept, but one without a file does

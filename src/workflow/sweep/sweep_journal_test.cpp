@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/report/for_now.hpp"
+
 namespace sarsim::workflow {
 namespace sweep_journal_test {
 
@@ -125,6 +127,33 @@ TEST_F(SweepJournals, TakeALineWithAFileForMoreThanOneWithout) {
   { SweepJournal(folder_ / "sweep.journal", true).add(example("a.bin", 2)); }
   rows = read_journals(folder_, "sweep");
   EXPECT_FALSE(rows.at("a.bin").written);  // Of another scene: only the latest can fit.
+}
+
+TEST_F(SweepJournals, TellWhoMakesVariationsOfAPart) {
+  const auto refusal_of = [this](SweepPart part) -> std::string {
+    try {
+      expect_nobody_at_work(folder_, "sweep", part);
+    } catch (const core::RefusedForNow& refused) {
+      return refused.problems.at(0).message;
+    }
+    return {};
+  };
+  EXPECT_EQ(refusal_of({}), "");
+  {
+    const SweepJournal other(folder_ / "other.journal", false);
+    const SweepJournal second(folder_ / "sweep-2-of-4.journal", false);
+    const std::string sentence = "part 2/4 of this sweep is being made by another process";
+    EXPECT_EQ(refusal_of({}), sentence);
+    EXPECT_EQ(refusal_of({1, 4}), sentence);
+    EXPECT_EQ(refusal_of({1, 2}), sentence) << "2, 4, 6, ... has 6 as well";
+    EXPECT_EQ(refusal_of({0, 3}), sentence) << "1, 4, 7, 10 has 10 as well";
+    EXPECT_EQ(refusal_of({0, 4}), "");
+    EXPECT_EQ(refusal_of({0, 2}), "");
+    EXPECT_THROW(SweepJournal(folder_ / "sweep-2-of-4.journal", true), core::RefusedForNow);
+  }
+  EXPECT_EQ(refusal_of({1, 4}), "") << "the process has ended";
+  const SweepJournal whole(folder_ / "sweep.journal", false);
+  EXPECT_EQ(refusal_of({1, 4}), "this sweep is being made by another process");
 }
 
 TEST_F(SweepJournals, BeginAnewWhereNothingIsKept) {

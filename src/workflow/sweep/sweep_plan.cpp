@@ -67,27 +67,6 @@ bool is_followed(const SweepRequest& request, const SweepRow& row) {
   });
 }
 
-// Completes the rows of products that are there already, from the same scene.
-void take_journals(const SweepRequest& request, std::vector<SweepRow>& rows) {
-  const std::map<std::string, SweepRow> known = read_journals(request.folder, SweepFiles(request).stem());
-  for (SweepRow& row : rows) {
-    const auto found = known.find(row.file);
-    if (found == known.end() || found->second.stamp != row.stamp) continue;
-    if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second)) continue;
-    SweepRow done = found->second;
-    done.variation = row.variation;
-    done.product = row.product;
-    if (!is_followed(request, done)) {
-      if (request.discard) continue;
-      done.done = false;
-      done.recorded = true;
-      done.figures.clear();
-      done.followed.clear();
-    }
-    row = std::move(done);
-  }
-}
-
 std::vector<std::size_t> open_variations(const SweepPlan& plan) {
   std::vector<std::size_t> open;
   for (const SweepRow& row : plan.rows)  // In the order of their variations.
@@ -109,6 +88,27 @@ void share_threads(const SweepRequest& request, unsigned threads, SweepPlan& pla
 
 }  // namespace
 
+void take_finished(const SweepRequest& request, std::vector<SweepRow>& rows) {
+  if (!request.resume) return;
+  const std::map<std::string, SweepRow> known = read_journals(request.folder, SweepFiles(request).stem());
+  for (SweepRow& row : rows) {
+    const auto found = known.find(row.file);
+    if (found == known.end() || found->second.stamp != row.stamp) continue;
+    if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second)) continue;
+    SweepRow done = found->second;
+    done.variation = row.variation;
+    done.product = row.product;
+    if (!is_followed(request, done)) {
+      if (request.discard) continue;
+      done.done = false;
+      done.recorded = true;
+      done.figures.clear();
+      done.followed.clear();
+    }
+    row = std::move(done);
+  }
+}
+
 SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer) {
   const unsigned threads = core::thread_count(request.threads);
   expect_sense(request.follow_up);
@@ -119,7 +119,7 @@ SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer
         fmt::format("--{}: no recording is made that could be followed up", word_of(request.follow_up.kind)),
         "choose a recording");
   name_rows(request, plan);
-  if (request.resume) take_journals(request, plan.rows);
+  take_finished(request, plan.rows);
   plan.open = open_variations(plan);
   share_threads(request, threads, plan);
   plan.checks =

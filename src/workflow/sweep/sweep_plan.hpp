@@ -33,6 +33,9 @@ struct SweepPlan {
 /// @throws core::Refused for settings, products and parts that do not exist
 [[nodiscard]] SweepPlan plan_sweep(const SweepRequest& request, const core::Observer& observer);
 
+/// Completes the rows of products that are there already, from the same scene, where the sweep is resumed.
+void take_finished(const SweepRequest& request, std::vector<SweepRow>& rows);
+
 /// Throws core::Refused with the first of the problems of a plan that is refused.
 void expect_sound(const SweepPlan& plan);
 

@@ -1,0 +1,17 @@
+#include "core/report/for_now.hpp"
+
+#include <algorithm>
+#include <cerrno>
+
+namespace sarsim::core {
+
+bool may_pass(const Refused& refused) { return dynamic_cast<const RefusedForNow*>(&refused) != nullptr; }
+
+bool may_pass(const std::error_code& failure) {
+  // EAGAIN: no room for another thread or process. ESTALE: a file server has been started anew.
+  constexpr int passing[] = {EAGAIN, EBUSY, ETXTBSY, ENFILE, ENOLCK, ESTALE, ETIMEDOUT, EHOSTDOWN, EHOSTUNREACH};
+  const bool of_system = failure.category() == std::generic_category() || failure.category() == std::system_category();
+  return of_system && std::ranges::find(passing, failure.value()) != std::end(passing);
+}
+
+}  // namespace sarsim::core

@@ -1,0 +1,31 @@
+#include "core/report/for_now.hpp"
+
+#include <cerrno>
+#include <future>
+
+#include <gtest/gtest.h>
+
+namespace sarsim::core {
+namespace for_now_test {
+
+std::error_code code(int error) { return {error, std::generic_category()}; }
+
+TEST(MayPass, IsSoOfWhatIsRefusedForNow) {
+  const RefusedForNow busy("somebody else has it", "wait");
+  EXPECT_TRUE(may_pass(busy));
+  EXPECT_EQ(busy.problems.at(0).hint, "wait");
+  EXPECT_FALSE(may_pass(Refused("a mistake")));
+  EXPECT_TRUE(may_pass(RefusedForNow(Problems()))) << "of a process whose leader says why";
+}
+
+TEST(MayPass, IsSoOfFailuresThatNobodyHasToMend) {
+  for (const int error : {EAGAIN, EBUSY, ETXTBSY, ENFILE, ENOLCK, ESTALE, ETIMEDOUT, EHOSTDOWN, EHOSTUNREACH})
+    EXPECT_TRUE(may_pass(code(error))) << code(error).message();
+  for (const int error : {0, ENOSPC, EDQUOT, EFBIG, EACCES, EPERM, EROFS, ENOENT, EEXIST, EIO, ENOMEM, EMFILE})
+    EXPECT_FALSE(may_pass(code(error))) << code(error).message();
+  EXPECT_TRUE(may_pass(std::error_code(EBUSY, std::system_category())));
+  EXPECT_FALSE(may_pass(std::make_error_code(std::future_errc::no_state))) << "another kind of number";
+}
+
+}  // namespace for_now_test
+}  // namespace sarsim::core
