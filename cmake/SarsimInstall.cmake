@@ -37,8 +37,7 @@ if(NOT CMAKE_CROSSCOMPILING)
   endforeach()
   install(FILES ${completion}/fish DESTINATION share/fish/vendor_completions.d RENAME sarsim.fish COMPONENT program)
 endif()
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION share/sarsim COMPONENT program
-        FILES_MATCHING PATTERN "*.scr" PATTERN "*.toml")
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION share/sarsim COMPONENT program)
 install(FILES ${CMAKE_SOURCE_DIR}/docs/formats/sarsim-2.schema.json DESTINATION share/sarsim COMPONENT program)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION share/doc/sarsim COMPONENT program
         FILES_MATCHING PATTERN "*.md" PATTERN "*.png" PATTERN "*.svg" PATTERN developer EXCLUDE)

@@ -5,7 +5,7 @@ usage: command_examples.py PROJECT BIN_FOLDER [--show]     --show prints how lon
 
 Commands are the lines that begin with "sarsim" in fences without a language. The files they name (scene.toml, sim1.h5
 ...) are stand-ins, small ones of the kind that the section is about; a thousand seeds are twenty here. What needs a
-cluster is left out here, told, and tested in tests/parts.
+cluster is left out here, told, and tested in tests/parts and tests/engines.
 """
 
 import concurrent.futures
@@ -22,7 +22,7 @@ PAGES = ["commands.md", "sweeps.md", "many-machines.md", "verify.md"]
 FEWEST = 75  # Commands on these pages.
 SECONDS = 300  # With sanitizers; a second or two otherwise.
 ELSEWHERE = {
-    r"\$SLURM|mpirun|srun |ssh |parallel |rsync ": "needs other machines: tests/parts",
+    r"\$SLURM|mpirun|srun |ssh |parallel |rsync ": "needs other machines: tests/parts, tests/engines",
     r"^sarsim (SCENE|COMMAND)|^sarsim  ": "is no command but a form of one",
     r"seed=1\.\.100000": "takes long",
     r"^sarsim verify$|^sarsim verify --html": "takes long: tests/verify, and --quick here",
