@@ -34,13 +34,20 @@ class Curve:
 
     def _piece(self, x):
         """Number of the piece that x lies in; a point belongs to the right one, what is outside to the outer ones."""
-        return np.clip(np.searchsorted(self.knots, x, side="right") - 1, 0, len(self.points) - 2)
+        # Much sooner for a single number than np.clip.
+        return np.minimum(np.maximum(self.knots.searchsorted(x, side="right") - 1, 0), len(self.points) - 2)
+
+    @functools.cache
+    def _in_precision(self, kind):
+        """Knots, heights, widths and slopes of the pieces as numbers of a kind."""
+        heights, knots = self.heights.astype(kind), self.knots.astype(kind)
+        return knots, heights, np.diff(knots), np.diff(heights) / np.diff(knots)
 
     def _linear(self, x, order):
         i = self._piece(x + 4e-16 * np.maximum(np.abs(x), np.abs(self.knots[-1])))
-        heights, knots = self.heights.astype(x.dtype), self.knots.astype(x.dtype)
-        slope = (np.diff(heights) / np.diff(knots))[i]
-        return (heights[i] + slope * (x - knots[i]), slope, 0 * slope, 0 * slope)[order]
+        knots, heights, _, slopes = self._in_precision(x.dtype)
+        slope = slopes[i]
+        return heights[i] + slope * (x - knots[i]) if order == 0 else slope if order == 1 else 0 * slope
 
     @functools.cached_property
     def _knot_slopes(self):
@@ -59,10 +66,10 @@ class Curve:
         return right
 
     def _cubic(self, x, order):
-        heights, knots = self.heights.astype(x.dtype), self.knots.astype(x.dtype)
+        knots, heights, widths, chords = self._in_precision(x.dtype)
         slopes, i = self._knot_slopes.astype(x.dtype), self._piece(x)
-        width, begin, end = np.diff(knots)[i], slopes[i], slopes[i + 1]
-        chord, u = (np.diff(heights) / np.diff(knots))[i], x - knots[i]
+        width, begin, end = widths[i], slopes[i], slopes[i + 1]
+        chord, u = chords[i], x - knots[i]
         square = (3 * chord - 2 * begin - end) / width
         cube = (begin + end - 2 * chord) / width**2
         inside = (

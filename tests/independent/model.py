@@ -46,6 +46,7 @@ class Model(Kinematics):
         self.sampling_hz = self.recording.sampling_ghz * 1e9
         self.shape = Shape(self.radar.pulse, self.sampling_hz, self.classic)
         self.lead_s = self.shape.width_s / 2 if self.recording.pulse_position == "CENTRE" else 0.0  # thesis 6.19
+        self.known_echoes = {}
         self.burst_size = self.radar.carrier.steps * self.radar.carrier.pulses_per_step
 
     # ---- Which pulses, when, on which carrier: docs/theory/echo-model.md, 1 ----
@@ -167,8 +168,10 @@ class Model(Kinematics):
         return strength if self.classic and radar.stc else strength / distance**2
 
     def echoes(self, number):
-        """Of all targets to one pulse."""
-        return [self.echo(target, number) for target in self.scene.targets]
+        """Of all targets to one pulse, worked out once."""
+        if number not in self.known_echoes:
+            self.known_echoes[number] = [self.echo(target, number) for target in self.scene.targets]
+        return self.known_echoes[number]
 
     def echo(self, target, number):
         time = self.send_time(number)

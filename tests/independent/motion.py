@@ -52,14 +52,24 @@ def length_of(x, y):
     return [length, rate, (x[1] ** 2 + x[0] * x[2] + y[1] ** 2 + y[0] * y[2] - rate**2) / length]
 
 
-def turn(axis, angle):
-    """Right-handed rotation about axis 0, 1 or 2 with its first two derivatives, from those of the angle."""
+def cross_matrix(axis):
+    """What a vector product with the unit vector of axis 0, 1 or 2 does."""
     cross = np.zeros((3, 3))
     cross[(axis + 2) % 3, (axis + 1) % 3], cross[(axis + 1) % 3, (axis + 2) % 3] = 1.0, -1.0
-    across, sine, cosine = -cross @ cross, np.sin(angle[0]), np.cos(angle[0])
+    return cross
+
+
+CROSS = [cross_matrix(axis) for axis in range(3)]
+ACROSS = [-cross @ cross for cross in CROSS]
+IDENTITY = np.eye(3)
+
+
+def turn(axis, angle):
+    """Right-handed rotation about axis 0, 1 or 2 with its first two derivatives, from those of the angle."""
+    cross, across, sine, cosine = CROSS[axis], ACROSS[axis], np.sin(angle[0]), np.cos(angle[0])
     by_angle = cosine * cross - sine * across
     return [
-        np.eye(3) + sine * cross - (1 - cosine) * across,
+        IDENTITY + sine * cross - (1 - cosine) * across,
         by_angle * angle[1],
         by_angle * angle[2] - (sine * cross + cosine * across) * angle[1] ** 2,
     ]
