@@ -6,10 +6,10 @@
 
 #include <fmt/format.h>
 
-#include "raster/hdf5/hdf5_axes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
-#include "raster/hdf5/hdf5_poses.hpp"
+#include "raster/table/axis_words.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/pose_axes.hpp"
 
 namespace sarsim::raster {
 

@@ -16,11 +16,12 @@
 #include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/hdf5/hdf5_attributes.hpp"
-#include "raster/hdf5/hdf5_axes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
-#include "raster/hdf5/hdf5_poses.hpp"
+#include "raster/table/axis_words.hpp"
+#include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/pose_axes.hpp"
 
 namespace sarsim::raster {
 
@@ -82,13 +83,9 @@ class Hdf5Raster final : public Raster {
   [[nodiscard]] std::optional<RasterAxes> axes() const override {
     if (old_layout_) return std::nullopt;
     const Hdf5Use use;
-    auto time = read_axis("/pulse_time_s", rows());
-    auto carrier = read_axis("/carrier_hz", rows());
-    if (!time || !carrier) return std::nullopt;
-    RasterAxes axes{std::move(*time), std::move(*carrier), {}, read_poses()};
-    find_axis(AxisOf::image_rows, rows(), axes.row_axis, axes.row_m);
-    if (!find_axis(AxisOf::columns, columns(), axes.column_axis, axes.column_range_m)) return std::nullopt;
-    return axes;
+    return raster::read_axes(rows(), columns(), [this](const std::string& name, std::size_t length, std::size_t width) {
+      return read_axis("/" + name, length, width);
+    });
   }
 
   // From here on rows are read from the file itself, where they stand in it as they are wanted: the library lets one
@@ -181,37 +178,12 @@ class Hdf5Raster final : public Raster {
   }
 
   [[nodiscard]] std::optional<std::vector<double>> read_axis(const std::string& path, std::size_t length,
-                                                             std::size_t width = 1) const {
+                                                             std::size_t width) const {
     const auto axis = open_axis(path, length, width);
     if (!axis) return std::nullopt;
     std::vector<double> values(length * width);
     read_axis_part(*axis, path, 0, length, values);
     return values;
-  }
-
-  // The first axis of a kind that the file has.
-  bool find_axis(AxisOf kind, std::size_t length, std::string& name, std::vector<double>& values) const {
-    for (const AxisWords& axis : axis_words) {
-      if (axis.of != kind) continue;
-      auto found = read_axis(std::string("/") + axis.name, length);
-      if (!found) continue;
-      name = axis.name;
-      values = std::move(*found);
-      return true;
-    }
-    return false;
-  }
-
-  // Empty where the file lacks one of the datasets, as those of older versions do.
-  [[nodiscard]] std::vector<simulate::RowPose> read_poses() const {
-    std::vector<simulate::RowPose> poses(rows());
-    for (const PoseAxis& axis : pose_axes) {
-      const auto values = read_axis(axis.name, rows(), 3);
-      if (!values) return {};
-      for (std::size_t i = 0; i < poses.size(); ++i)
-        std::copy_n(values->data() + 3 * i, 3, (poses[i].*axis.part).begin());
-    }
-    return poses;
   }
 
   void try_axis(const std::string& path, std::size_t length, std::size_t width = 1) const {
@@ -256,15 +228,6 @@ std::optional<bool> complex_of_integers(hid_t type) {
 std::optional<double> number_attribute(const AttributeTexts& attributes, std::string_view name, int shift = 0) {
   const auto text = find_attribute(attributes, name);
   return text ? core::parse_number(*text, shift) : std::nullopt;
-}
-
-void take_known_attributes(RasterInfo& info) {
-  const auto bits = number_attribute(info.attributes, "bits");
-  if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
-  info.lsb_v = number_attribute(info.attributes, "lsb_v");
-  if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
-  info.sample_rate_hz = number_attribute(info.attributes, "sample_rate_hz");
-  if (info.sample_rate_hz && !(*info.sample_rate_hz > 0.0)) info.sample_rate_hz.reset();
 }
 
 // The old program named its attributes after the comments of the script and kept the script's units.

@@ -62,7 +62,7 @@ bool Hdf5Scales::add_words(const std::string& name, const std::vector<const char
          add(dataset.get(), name);
 }
 
-bool Hdf5Scales::attach(hid_t dataset, const std::string& name, std::initializer_list<std::string> scales) {
+bool Hdf5Scales::attach(hid_t dataset, const std::string& name, const std::vector<std::string>& scales) {
   hobj_ref_t self = 0;
   if (!refer_to(file_, name, self)) return false;
   std::vector<hvl_t> lists;

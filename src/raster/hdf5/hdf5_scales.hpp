@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -24,7 +23,7 @@ class Hdf5Scales {
   /// Adds a dimension whose places are words.
   [[nodiscard]] bool add_words(const std::string& name, const std::vector<const char*>& words);
   /// Names the dimensions of a dataset after scales that were added, one for each.
-  [[nodiscard]] bool attach(hid_t dataset, const std::string& name, std::initializer_list<std::string> scales);
+  [[nodiscard]] bool attach(hid_t dataset, const std::string& name, const std::vector<std::string>& scales);
   /// Notes at each scale which datasets it was attached to; the last call.
   [[nodiscard]] bool finish();
 

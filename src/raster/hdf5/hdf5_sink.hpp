@@ -1,33 +1,27 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
-#include <functional>
 #include <span>
-#include <string>
+#include <vector>
 
 #include "core/os/output_file.hpp"
 #include "raster/format/encoder.hpp"
 #include "raster/hdf5/hdf5_library.hpp"
 #include "raster/hdf5/hdf5_output.hpp"
-#include "raster/table/product_attributes.hpp"
+#include "raster/table/described_product.hpp"
 #include "raster/table/row_order.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
 
-class Hdf5Scales;
-
-/// Writes a recording as HDF5 (docs/formats/samples.md): root attributes, `/samples`, `/pulse_time_s`, `/carrier_hz`,
-/// `/slant_range_m` and the poses of the radar's platform, but for what is not known, with scales that name their
-/// dimensions. Contiguous datasets of known
-/// size; rows and their axes are written as they come. No time stamps, and a fixed version of the format: the same
-/// input gives the same bytes.
+/// Writes a product as HDF5 (docs/formats/samples.md): what `describe` says of it, and `/samples`, with scales that
+/// name the dimensions. Contiguous datasets of known size; rows and their axes are written as they come. No time
+/// stamps, and a fixed version of the format: the same input gives the same bytes.
 class Hdf5Sink final : public simulate::Sink {
  public:
   /// Begins the file; an existing one is refused unless `replace`.
   /// @param option_words  of the product's options, each a root attribute
-  Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, FileAttributes option_words,
+  Hdf5Sink(const std::filesystem::path& path, const simulate::Product& product, const FileAttributes& option_words,
            const Encoding& encoding, bool replace);
   ~Hdf5Sink() override;
 
@@ -47,19 +41,13 @@ class Hdf5Sink final : public simulate::Sink {
   void expect(bool done) const;
   void create_file();
   void create_sample_type();
-  void create_datasets();
-  void create_axis(const std::string& name, const std::function<double(std::size_t)>& axis,
-                   std::span<const hsize_t> size, Hdf5Handle& dataset);
-  [[nodiscard]] std::string add_scale(Hdf5Scales& scales, const Hdf5Handle& axis, const std::string& name,
-                                      const std::string& word, std::size_t length) const;
-  void create_map();
-  void create_poses(Hdf5Scales& scales, const std::string& rows);
-  void write_attributes();
-  void write_column_axis();
+  void create_arrays();
+  void write_columns();
   void write_row_axes(std::size_t end, std::size_t least_rows);
 
-  simulate::Product product_;
-  FileAttributes option_words_;
+  std::size_t rows_;
+  std::size_t columns_;
+  DescribedProduct described_;
   Encoding encoding_;
   core::OutputFile file_;
   RowOrder order_;
@@ -68,11 +56,7 @@ class Hdf5Sink final : public simulate::Sink {
   Hdf5Handle hdf5_;
   Hdf5Handle sample_type_;
   Hdf5Handle samples_;
-  Hdf5Handle pulse_time_;
-  Hdf5Handle carrier_;
-  std::array<Hdf5Handle, 3> pose_;  // Position, velocity, rotation.
-  Hdf5Handle slant_range_;          // Of images the axis of their columns.
-  Hdf5Handle image_rows_;
+  std::vector<Hdf5Handle> arrays_;  // Of the description; those of words are closed already.
 };
 
 }  // namespace sarsim::raster

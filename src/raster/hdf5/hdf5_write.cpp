@@ -39,6 +39,10 @@ bool write_attribute(hid_t object, const char* name, std::int32_t value) {
   return write_attribute(object, name, H5T_STD_I32LE, &value);
 }
 
+bool write_attribute(hid_t object, const char* name, std::uint64_t value) {
+  return write_attribute(object, name, H5T_STD_U64LE, &value);
+}
+
 bool replace_attribute(hid_t object, const char* name, double value) {
   const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
   return attribute && H5Awrite(attribute.get(), H5T_IEEE_F64LE, &value) >= 0;

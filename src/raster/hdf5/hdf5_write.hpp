@@ -16,6 +16,8 @@ bool write_attribute(hid_t object, const char* name, const std::string& text);
 bool write_attribute(hid_t object, const char* name, double value);
 /// The same of a whole number.
 bool write_attribute(hid_t object, const char* name, std::int32_t value);
+/// The same.
+bool write_attribute(hid_t object, const char* name, std::uint64_t value);
 /// Writes another number into an attribute that is there.
 bool replace_attribute(hid_t object, const char* name, double value);
 

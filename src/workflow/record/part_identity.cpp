@@ -13,7 +13,7 @@ namespace {
 
 // Counts up where the same recording gives another file, so that parts of both are never joined: versions of
 // development share a number.
-constexpr const char* file_layout = "2";
+constexpr const char* file_layout = "3";
 
 }  // namespace
 
