@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 
 #include "program.hpp"
@@ -23,7 +24,7 @@ class Convert : public CommandTest {
     scene.format = "ASCII";
     scene.files = {"sim.asc"};
     write_scene(scene);
-    for (const char* format : {"ascii", "binary", "bracket", "csv", "hdf5", "npy"})
+    for (const char* format : {"ascii", "binary", "bracket", "csv", "hdf5", "npy", "zarr"})
       ASSERT_EQ(sarsim({"run", "scene.scr", "--format", format}).status, 0) << format;
   }
 };
@@ -50,6 +51,32 @@ TEST_F(Convert, VoltsBecomeTheCountsThatARunGives) {
 TEST_F(Convert, Hdf5KeepsAxesAndAttributes) {
   ASSERT_EQ(sarsim({"convert", "sim.h5", "made.h5"}).status, 0);
   EXPECT_EQ(text_of(folder_ / "made.h5"), text_of(folder_ / "sim.h5"));
+}
+
+TEST_F(Convert, ZarrKeepsAxesAndAttributes) {
+  ASSERT_EQ(sarsim({"convert", "sim.h5", "made.zarr/"}).status, 0);
+  EXPECT_TRUE(text_of(folder_ / "made.zarr" / "samples") == text_of(folder_ / "sim.zarr" / "samples"));
+  ASSERT_EQ(sarsim({"convert", "made.zarr", "back.h5"}).status, 0);
+  EXPECT_TRUE(text_of(folder_ / "back.h5") == text_of(folder_ / "sim.h5"));
+  ASSERT_EQ(sarsim({"convert", "sim.zarr/", "made.bin"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "made.bin"), text_of(folder_ / "sim.bin"));
+}
+
+TEST_F(Convert, OnlyOwnZarrStoresAreReplaced) {
+  const Finished again = sarsim({"convert", "sim.h5", "sim.zarr"});
+  EXPECT_EQ(again.status, 2);
+  EXPECT_THAT(again.err, HasSubstr("exists already"));
+  EXPECT_EQ(sarsim({"convert", "sim.h5", "sim.zarr", "--force"}).status, 0);
+  EXPECT_THAT(sarsim({"convert", "sim.zarr", "sim.zarr", "--force"}).err, HasSubstr("would replace the file"));
+  std::ofstream(folder_ / "sim.zarr" / "notes.txt") << "mine";
+  const std::string before = text_of(folder_ / "sim.zarr");
+  const Finished theirs = sarsim({"convert", "sim.h5", "sim.zarr", "--force"});
+  EXPECT_EQ(theirs.status, 2);
+  EXPECT_THAT(theirs.err, HasSubstr("not a Zarr store of this program"));
+  EXPECT_EQ(text_of(folder_ / "sim.zarr"), before);
+  const Finished file = sarsim({"convert", "sim.h5", "sim.npy", "--to", "zarr", "--force"});
+  EXPECT_NE(file.status, 0);
+  EXPECT_THAT(sarsim({"convert", "sim.zarr", "--references", "r.json"}).err, HasSubstr("which readers of Zarr open"));
 }
 
 TEST_F(Convert, Hdf5SaysNothingThatNobodyKnows) {

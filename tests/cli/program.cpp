@@ -13,6 +13,8 @@
 #include <sstream>
 #include <thread>
 
+#include "support/test_folder.hpp"
+
 namespace sarsim::test {
 
 namespace fs = std::filesystem;
@@ -103,12 +105,7 @@ Finished Program::finish(double seconds) {
   return result;
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
+std::string text_of(const fs::path& path) { return contents(path); }
 
 void write_text(const fs::path& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 

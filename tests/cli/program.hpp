@@ -53,6 +53,7 @@ class Program {
   std::filesystem::path err_path_;
 };
 
+/// The bytes of a file; of a folder the names and bytes of all files in it.
 [[nodiscard]] std::string text_of(const std::filesystem::path& path);
 void write_text(const std::filesystem::path& path, const std::string& text);
 

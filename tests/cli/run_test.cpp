@@ -89,9 +89,9 @@ TEST_F(RunCommand, NumbersRepeatedNamesWithAWarning) {
 
 TEST_F(RunCommand, FormatChangesTheExtension) {
   write_scene({});
-  for (const char* format : {"ascii", "binary", "bracket", "hdf5", "csv", "npy"})
+  for (const char* format : {"ascii", "binary", "bracket", "hdf5", "csv", "npy", "zarr"})
     EXPECT_EQ(sarsim({"run", "scene.scr", "--out", "o", "--format", format}).status, 0) << format;
-  EXPECT_THAT(entries("o"), ElementsAre("sim.asc", "sim.bin", "sim.brk", "sim.csv", "sim.h5", "sim.npy"));
+  EXPECT_THAT(entries("o"), ElementsAre("sim.asc", "sim.bin", "sim.brk", "sim.csv", "sim.h5", "sim.npy", "sim.zarr"));
 }
 
 TEST_F(RunCommand, BytesDoNotDependOnThreads) {
@@ -101,10 +101,11 @@ TEST_F(RunCommand, BytesDoNotDependOnThreads) {
   scene.files = {"sim.asc"};
   write_scene(scene);
   for (const char* threads : {"1", "2", "3", "8"}) {
-    for (const char* format : {"ascii", "hdf5"})
+    for (const char* format : {"ascii", "hdf5", "zarr"})
       ASSERT_EQ(sarsim({"run", "scene.scr", "--threads", threads, "--out", threads, "--format", format}).status, 0);
     EXPECT_EQ(text_of(folder_ / threads / "sim.asc"), text_of(folder_ / "1" / "sim.asc")) << threads;
     EXPECT_EQ(text_of(folder_ / threads / "sim.h5"), text_of(folder_ / "1" / "sim.h5")) << threads;
+    EXPECT_EQ(text_of(folder_ / threads / "sim.zarr"), text_of(folder_ / "1" / "sim.zarr")) << threads;
   }
 }
 

@@ -116,7 +116,7 @@ TEST_F(Profiles, AreReadFromFilesThatCarryNoScript) {
 }
 
 TEST_F(Profiles, HaveTheSameBytesOnAnyNumberOfThreadsInEveryFormat) {
-  for (const char* extension : {"img", "npy", "h5", "csv", "asc", "bin", "brk"}) {
+  for (const char* extension : {"img", "npy", "h5", "zarr", "csv", "asc", "bin", "brk"}) {
     const std::string one = std::string("one.") + extension, three = std::string("three.") + extension;
     ASSERT_EQ(profiles({"--out", one, "--threads", "1", "--quiet"}).status, 0) << extension;
     ASSERT_EQ(profiles({"--out", three, "--threads", "3", "--quiet"}).status, 0) << extension;

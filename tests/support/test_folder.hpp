@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -60,7 +61,16 @@ class SmallDisk {
   bool mounted_ = false;
 };
 
+/// The bytes of a file; of a folder the names and bytes of all files in it.
 inline std::string contents(const fs::path& path) {
+  if (fs::is_directory(path)) {
+    std::map<std::string, std::string> files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path))
+      if (!entry.is_directory()) files[fs::relative(entry.path(), path).string()] = contents(entry.path());
+    std::string all;
+    for (const auto& [name, bytes] : files) all += name + '\n' + bytes + '\n';
+    return all;
+  }
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -20,6 +20,8 @@ NEEDS = {
     "netcdf_reads_recordings": ("numpy", "netCDF4"),
     "images_have_named_axes": ("numpy", "xarray", "h5netcdf"),
     "references_are_zarr": ("numpy", "xarray", "zarr", "fsspec"),
+    "zarr_stores": ("numpy", "xarray", "zarr", "h5netcdf"),
+    "zarr_stores_by_newest_packages": ("numpy", "xarray", "zarr", "h5netcdf"),
 }
 SCENE = """$TARGET Earth 1000 0 0 0 0 0 1 0 ISOTROPIC
 $RADAR Radar1 Earth CHIRP 0.03 500 RECT CONSTANT 1000 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC
@@ -30,10 +32,13 @@ $SIMULATION Radar1 900 1200 0 0.0199 8 0.05 1E-6 HDF5 RAW sim.h5 BEGIN 1 1
 def skip_without(modules):
     """Ends the test where a package is missing, after another interpreter has been tried."""
     missing = [name for name in modules if importlib.util.find_spec(name) is None]
+    if sys.argv[1].endswith("_newest_packages") and "SARSIM_NEWEST" not in os.environ:
+        missing.append("newest packages")
     if not missing:
         return
     other = os.environ.pop("SARSIM_TEST_PYTHON", "")
     if other:
+        os.environ["SARSIM_NEWEST"] = "yes"
         os.execv(other, [other, "-B", *sys.argv])
     print(f"{sys.executable} has no {', '.join(missing)}; SARSIM_TEST_PYTHON may name an interpreter that has")
     sys.exit(SKIPPED)
@@ -44,6 +49,13 @@ def sarsim(*words):
     done = subprocess.run([program, *map(str, words)], capture_output=True, text=True, check=False)
     assert done.returncode == 0, f"{words}: {done.stderr}"
     return done.stdout
+
+
+def refused(*words):
+    program = os.environ.get("SARSIM_PROGRAM") or os.environ["SARSIM_BUILT_PROGRAM"]
+    done = subprocess.run([program, *map(str, words)], capture_output=True, text=True, check=False)
+    assert done.returncode == 2, f"{words}: status {done.returncode}"
+    return done.stderr
 
 
 def recorded(folder, *words, end="0.0199"):
@@ -244,6 +256,82 @@ def references_are_zarr(folder):
         assert data.samples.dims == ("pulse_time_s", "slant_range_m", "iq") and list(data.iq.values) == ["I", "Q"]
         sarsim("convert", folder / "sim.h5", folder / "counts.npy", "--counts")
         numpy.testing.assert_array_equal(data.samples.values, numpy.load(folder / "counts.npy"))
+
+
+def check_same(store, file):
+    """A store and an HDF5 file of one product hold the same."""
+    import numpy
+    import xarray
+    import zarr
+
+    with xarray.open_zarr(store) as data, xarray.open_dataset(file, engine="h5netcdf") as expected:
+        assert data.samples.dims[:2] == expected.samples.dims, data.samples.dims
+        assert data.samples.dtype in (expected.samples.dtype, numpy.int32), data.samples.dtype
+        assert set(data.coords) - {"iq"} == set(expected.coords), (list(data.coords), list(expected.coords))
+        assert set(data.variables) - {"iq"} == set(expected.variables)
+        for name, variable in expected.variables.items():
+            values = data[name].values
+            if "iq" in data[name].dims:
+                values = values.copy().view([("r", "<i4"), ("i", "<i4")])[..., 0]
+            numpy.testing.assert_array_equal(values, variable.values, err_msg=name)
+            said = {key: value for key, value in variable.attrs.items() if key not in ("_FillValue", "coordinates")}
+            assert said == data[name].attrs, (name, said, data[name].attrs)
+        assert set(data.attrs) == set(expected.attrs)
+        for name, value in expected.attrs.items():
+            # The script of a recording says in which format it is.
+            assert data.attrs[name] == value or name == "script", (name, value, data.attrs[name])
+    group = zarr.open(str(store), mode="r")
+    plain = group["samples"][...]
+    with xarray.open_zarr(store) as data:
+        numpy.testing.assert_array_equal(plain, data.samples.values)
+
+
+def zarr_stores(folder):
+    import numpy
+    import xarray
+    import zarr
+
+    scene = folder / "scene.toml"
+    # The second has so many pulses that there are several chunks, of which the last one is not full.
+    for end, words in (("0.0199", ()), ("30.0064", ()), ("0.0199", ("--double",)), ("0.0199", ("--counts",))):
+        file = recorded(folder, *words, end=end)
+        sarsim("run", folder / "scene.scr", "--out", folder, "--quiet", "--force", "--format", "zarr", *words)
+        check_same(folder / "sim.zarr", file)
+        if end != "0.0199":
+            assert (folder / "sim.zarr" / "samples" / "2.0").exists(), "one chunk"
+    # An image, its map included, and back to HDF5.
+    scene.write_text(EARTH_SCENE.replace("sim.h5", "sim.zarr").replace('"hdf5"', '"zarr"'))
+    sarsim("run", scene, "--out", folder, "--quiet", "--force")
+    grid = ("--algorithm", "back-projection", "--grid", "ground", "--quiet")
+    for name in ("ground.zarr", "ground.h5"):
+        sarsim("focus", folder / "sim.zarr", "--out", folder / name, *grid)
+    check_same(folder / "ground.zarr", folder / "ground.h5")
+    sarsim("convert", folder / "sim.zarr", folder / "back.h5")
+    sarsim("convert", folder / "back.h5", folder / "again.zarr")
+    check_same(folder / "again.zarr", folder / "back.h5")
+    for name in (".zattrs", "samples/0.0", "platform_position_m/0.0"):
+        assert (folder / "again.zarr" / name).read_bytes() == (folder / "sim.zarr" / name).read_bytes(), name
+    # Arrays of others.
+    numbers = (numpy.arange(70) + 1j * numpy.arange(70)[::-1]).astype("<c8").reshape(7, 10)
+    extra = {"zarr_format": 2} if zarr.__version__[0] != "2" else {}
+    for chunks in ((3, 4), (7, 10), (20, 20)):
+        array = zarr.open(str(folder / "other.zarr"), mode="w", shape=(7, 10), chunks=chunks, dtype="<c8", compressor=None, **extra)
+        array[...] = numbers
+        sarsim("convert", folder / "other.zarr", folder / "other.npy", "--force")
+        numpy.testing.assert_array_equal(numpy.load(folder / "other.npy"), numbers)
+    data = xarray.Dataset({"image": (("y", "x"), numbers), "mask": (("y", "x"), numbers.real > 3)})
+    data.to_zarr(folder / "set.zarr", encoding={"image": {"compressors" if extra else "compressor": None}}, **extra)
+    sarsim("convert", folder / "set.zarr", folder / "set.npy")
+    numpy.testing.assert_array_equal(numpy.load(folder / "set.npy"), numbers)
+    data.to_zarr(folder / "packed.zarr", **extra)
+    assert "compressed" in refused("info", folder / "packed.zarr" / "image")
+    if extra:
+        zarr.create_array(str(folder / "three.zarr"), shape=(7, 10), dtype="<c8")[...] = numbers
+        assert "version 3" in refused("info", folder / "three.zarr")
+
+
+def zarr_stores_by_newest_packages(folder):
+    zarr_stores(folder)
 
 
 def main():

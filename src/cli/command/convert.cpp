@@ -83,7 +83,7 @@ Action add_convert(CLI::App& app) {
   add_integer(app, "--simulation", request->simulation, 1, 1'000'000,
               "which simulation of the script wrote the file (default: the one that names it)");
   add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
-  app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5 and NPY");
+  app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5, NPY and Zarr");
   app.add_flag("--header", request->header, "a header line in CSV");
   add_text(app, "--references", arguments->references, "JSON",
            "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");

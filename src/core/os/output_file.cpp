@@ -47,14 +47,6 @@ int rename_without_replacing(const fs::path& from, const fs::path& to) {
   return error;
 }
 
-fs::path temporary_name(const fs::path& target) {
-  static std::atomic<unsigned> serial{0};
-  const std::string tail = fmt::format(".partial-{}-{}", ::getpid(), serial.fetch_add(1));
-  std::string name = target.filename().string();
-  name.resize(std::min(name.size(), longest_name - 1 - tail.size()));
-  return target.parent_path() / ("." + name + tail);
-}
-
 }  // namespace
 
 fs::path end_of_links(const fs::path& path) {
@@ -66,6 +58,14 @@ fs::path end_of_links(const fs::path& path) {
     place = next.is_absolute() ? next : place.parent_path() / next;
   }
   throw_error(ELOOP, fmt::format("cannot create {}", path.string()));
+}
+
+fs::path temporary_name(const fs::path& target) {
+  static std::atomic<unsigned> serial{0};
+  const std::string tail = fmt::format(".partial-{}-{}", ::getpid(), serial.fetch_add(1));
+  std::string name = target.filename().string();
+  name.resize(std::min(name.size(), longest_name - 1 - tail.size()));
+  return target.parent_path() / ("." + name + tail);
 }
 
 OutputFile::OutputFile(fs::path path, bool replace) : path_(std::move(path)), replace_(replace) {

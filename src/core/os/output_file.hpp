@@ -75,6 +75,9 @@ class OutputFile {
 /// @throws std::system_error where links lead in a circle
 [[nodiscard]] std::filesystem::path end_of_links(const std::filesystem::path& path);
 
+/// A name beside a file or folder for what is not complete yet: ".NAME.partial-PID-N", another one at each call.
+[[nodiscard]] std::filesystem::path temporary_name(const std::filesystem::path& target);
+
 /// Makes changes of names in a file's folder last over a loss of power, where the file system can.
 void sync_folder_of(const std::filesystem::path& path) noexcept;
 

@@ -6,8 +6,9 @@
 
 namespace sarsim::core {
 
-/// The name of a file that means nothing until it is complete, for as long as it is not: a process that is ended at
-/// once removes all of them first (`remove_temporary_files`). Take the name before the file is made.
+/// The name of a file, or of a folder of files, that means nothing until it is complete, for as long as it is not: a
+/// process that is ended at once removes all of them first (`remove_temporary_files`). Take the name before the file is
+/// made.
 class TemporaryName {
  public:
   TemporaryName() = default;
@@ -37,8 +38,12 @@ struct TemporaryNames;
 /// has to take the program's, which is the one that a signal handler there knows.
 void use_temporary_names(TemporaryNames& list) noexcept;
 
-/// Removes the files whose names are known to be temporary, at most 256 at a time. May be called by a signal handler,
-/// on any thread; the process has to end then.
+/// Removes a file, or a folder with everything in it: links themselves and not what they lead to. May be called by a
+/// signal handler. What cannot be removed stays.
+void remove_folder(const std::filesystem::path& folder) noexcept;
+
+/// Removes the files and folders whose names are known to be temporary, at most 256 at a time. May be called by a
+/// signal handler, on any thread; the process has to end then.
 void remove_temporary_files() noexcept;
 
 }  // namespace sarsim::core

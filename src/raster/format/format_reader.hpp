@@ -33,6 +33,17 @@ namespace sarsim::raster {
 [[nodiscard]] OpenedRaster open_hdf5_file(core::InputFile file, const Format& format, const RasterHints& hints,
                                           Integrity integrity);
 
+/// A Zarr store of samples (docs/formats/samples.md) or one array of it: ours, and others of version 2 that are not
+/// compressed. Of several arrays `samples` counts, otherwise the only one that may hold samples. Every size is compared
+/// with the files that are there. Chunks that are nowhere are refused in our own stores; in others they are what the
+/// array says, with a warning.
+[[nodiscard]] OpenedRaster open_zarr(const std::filesystem::path& folder, const Format& format,
+                                     const RasterHints& hints, Integrity integrity);
+
+/// A file where a store was expected, which is a problem.
+[[nodiscard]] OpenedRaster open_zarr_file(core::InputFile file, const Format& format, const RasterHints& hints,
+                                          Integrity integrity);
+
 /// Where the arrays of an HDF5 file that could be opened stand, see `hdf5_arrays`.
 [[nodiscard]] StoredArrays arrays_of_hdf5(const core::InputFile& file);
 

@@ -34,6 +34,9 @@ struct FormatWriter {
   /// Writes all but the samples; null where that is the preamble.
   void (*write_frame)(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
                       const Encoding& encoding, const simulate::RunReport& report) = nullptr;
+  /// Of folders, in place of the former: completes one whose pieces hold all rows.
+  void (*complete_folder)(const std::filesystem::path& folder, const simulate::Product& product,
+                          const Encoding& encoding, const simulate::RunReport& report) = nullptr;
 };
 
 extern const FormatWriter ascii_writer;
@@ -42,6 +45,7 @@ extern const FormatWriter bracket_writer;
 extern const FormatWriter csv_writer;
 extern const FormatWriter hdf5_file_writer;
 extern const FormatWriter npy_writer;
+extern const FormatWriter zarr_writer;
 
 /// Bytes of a component (I or Q) in the formats of fixed size: BINARY ceil(bits/8); HDF5 and NPY 4 (float32 or int32)
 /// or, for counts of more than 31 bits, 8. Zero for text.

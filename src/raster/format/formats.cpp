@@ -33,7 +33,7 @@ constexpr std::array<Format, recording_count + 3> table{
       .text = TextStyle::lines,
       .script_like = true,
       .needs_bits = false,
-      .places = {.saved = 2, .exported = 5, .described = 2, .image = 4},
+      .places = {.saved = 2, .exported = 5, .described = 2, .image = 5},
       .most_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 2.0); },
       .open = open_text,
       .writer = &ascii_writer},
@@ -43,7 +43,7 @@ constexpr std::array<Format, recording_count + 3> table{
       .title = "Sarsim BINARY",
       .choice = "Binary",
       .extensions = {".bin"},
-      .places = {.saved = 1, .exported = 4, .described = 1, .image = 5},
+      .places = {.saved = 1, .exported = 4, .described = 1, .image = 6},
       .most_sample_bytes = [](int bits) { return 2.0 * ((bits + 7) / 8); },
       .open = open_binary,
       .writer = &binary_writer},
@@ -55,7 +55,7 @@ constexpr std::array<Format, recording_count + 3> table{
       .extensions = {".brk"},
       .text = TextStyle::brackets,
       .needs_bits = false,
-      .places = {.saved = 4, .exported = 6, .described = 3, .image = 6},
+      .places = {.saved = 4, .exported = 6, .described = 3, .image = 7},
       .most_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 1.0) + 4.0; },
       .open = open_text,
       .writer = &bracket_writer},
@@ -81,7 +81,7 @@ constexpr std::array<Format, recording_count + 3> table{
       .extensions = {".csv"},
       .text = TextStyle::commas,
       .spreadsheet = true,
-      .places = {.saved = 3, .exported = 3, .described = 4, .image = 3},
+      .places = {.saved = 3, .exported = 3, .described = 4, .image = 4},
       .most_sample_bytes = [](int bits) { return 2.0 * (offset_digits(bits) + 1.0); },
       .open = open_text,
       .writer = &csv_writer},
@@ -98,6 +98,20 @@ constexpr std::array<Format, recording_count + 3> table{
       .open = open_npy,
       .writer = &npy_writer,
       .arrays = arrays_of_npy},
+     {.recording = scene::FileFormat::zarr,
+      .word = "ZARR",
+      .name = "Zarr",
+      .title = "Zarr store",
+      .choice = "Zarr: volts with axes and script",
+      .extensions = {".zarr"},
+      .carries_axes = true,
+      .carries_script = true,
+      .folder = true,
+      .places = {.image = 3},
+      .most_sample_bytes = volts_bytes,
+      .open = open_zarr_file,
+      .open_folder = open_zarr,
+      .writer = &zarr_writer},
      {.word = "ENVI",
       .name = "ENVI",
       .title = "ENVI image",
@@ -179,7 +193,8 @@ std::optional<scene::FileFormat> format_from_name(std::string_view name) {
 }
 
 const Format* row_from_path(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
+  // A shell puts a slash behind the name of a folder.
+  const std::string extension = (path.has_filename() ? path : path.parent_path()).extension().string();
   const auto found = std::ranges::find_if(table, [&](const Format& row) { return has_extension(row, extension); });
   return found == table.end() ? nullptr : &*found;
 }

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <variant>
 
 #include "core/os/input_file.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/text_start.hpp"
+#include "raster/format/zarr_store.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
 
@@ -61,9 +65,31 @@ const Format* format_of_file(const core::InputFile& file, const RasterHints& hin
   return detect_format(file, hints, !whole);
 }
 
+// The format of a folder; null where it is none of any.
+const Format* format_of_folder(const std::filesystem::path& path) {
+  if (!looks_like_zarr(path)) return nullptr;
+  return &*std::ranges::find_if(formats(), [](const Format& row) { return row.open_folder != nullptr; });
+}
+
+// The folder that a path means: a file of it means all of it, as dialogs offer files. Without the slash that a shell
+// puts behind its name.
+std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) return path.has_filename() ? path : path.parent_path();
+  const std::string name = path.filename().string();
+  if (name != ".zgroup" && name != ".zattrs" && name != ".zmetadata" && name != ".zarray") return std::nullopt;
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
 }  // namespace
 
 OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path, const RasterHints& hints) {
+  if (const auto folder = folder_of(path))
+    if (const Format* const format = format_of_folder(*folder)) {
+      OpenedRaster result = format->open_folder(*folder, *format, hints, integrity);
+      if (result.raster) result.raster->set_format(*format);
+      return result;
+    }
   const bool whole = integrity == Integrity::whole;
   auto opened = core::InputFile::open(path);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return {nullptr, {std::move(*problem)}};

@@ -7,6 +7,7 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,13 +33,12 @@ class MemoryFile {
   int descriptor_;
 };
 
-/// For fuzz targets: opens bytes as a file of samples and reads what it claims to hold: its rows in parts, its last row
-/// again, its axes. Throws std::logic_error where a promise of Raster is broken; a reading that fails
-/// (std::runtime_error) is an answer like any other.
-inline void probe_raster(const std::uint8_t* data, std::size_t size, const RasterHints& hints) {
+/// For fuzz targets: opens a file of samples and reads what it claims to hold: its rows in parts, its last row again,
+/// its axes. Throws std::logic_error where a promise of Raster is broken; a reading that fails (std::runtime_error) is
+/// an answer like any other.
+inline void probe_raster_at(const std::filesystem::path& path, const RasterHints& hints) {
   constexpr std::size_t most_samples = std::size_t{1} << 20;  // Enough of a file that claims more, for speed.
-  const MemoryFile memory(data, size);
-  const auto opened = open_raster(Integrity::whole, memory.path(), hints);
+  const auto opened = open_raster(Integrity::whole, path, hints);
   if ((opened.raster != nullptr) == core::has_errors(opened.problems))
     throw std::logic_error("a file without errors or errors without a file are promised");
   if (!opened.raster) return;
@@ -56,6 +56,12 @@ inline void probe_raster(const std::uint8_t* data, std::size_t size, const Raste
   } catch (const std::runtime_error&) {
     return;
   }
+}
+
+/// The same of bytes as a file.
+inline void probe_raster(const std::uint8_t* data, std::size_t size, const RasterHints& hints) {
+  const MemoryFile memory(data, size);
+  probe_raster_at(memory.path(), hints);
 }
 
 }  // namespace sarsim::raster

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include <fmt/format.h>
@@ -108,6 +109,10 @@ std::optional<RowPlaces> row_places(const std::filesystem::path& scratch, const 
   return RowPlaces{preamble(product, encoding, options.header).size(), 2 * product.columns * component};
 }
 
+std::size_t piece_rows(const simulate::Product& product, const SinkOptions& options) {
+  return format_of(options.format).folder ? row_places({}, product, options).value().piece_rows() : 1;
+}
+
 void write_frame(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
                  const SinkOptions& options, const simulate::RunReport& report) {
   const Encoding encoding = encoding_of(product, options);
@@ -116,6 +121,25 @@ void write_frame(core::RawFile& file, const std::filesystem::path& scratch, cons
   const std::string begin = preamble(product, encoding, options.header);
   file.write_at(0, std::as_bytes(std::span(begin)));
   file.resize(row_places(scratch, product, options).value().of(product.rows));
+}
+
+void complete_folder(const std::filesystem::path& folder, const simulate::Product& product, const SinkOptions& options,
+                     const simulate::RunReport& report) {
+  const Encoding encoding = encoding_of(product, options);
+  writer_of(encoding).complete_folder(folder, product, encoding, report);
+}
+
+std::uint64_t stored_bytes(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  if (!fs::is_directory(path, failure)) {
+    const std::uint64_t bytes = fs::file_size(path, failure);
+    return failure ? 0 : bytes;
+  }
+  std::uint64_t bytes = 0;
+  for (fs::recursive_directory_iterator entry(path, failure), end; !failure && entry != end; entry.increment(failure))
+    if (std::error_code gone; entry->is_regular_file(gone)) bytes += entry->file_size(gone);
+  return bytes;
 }
 
 }  // namespace sarsim::raster

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -14,9 +15,9 @@ namespace sarsim::raster {
 struct SinkOptions {
   scene::FileFormat format = scene::FileFormat::binary;
   bool replace = false;  ///< Replace an existing file.
-  bool counts = false;   ///< Integer counts rather than volts in HDF5 and NPY; the other formats always hold counts.
-  bool header = false;   ///< A header line in CSV.
-  bool doubles = false;  ///< Volts of HDF5 and NPY in double precision.
+  bool counts = false;  ///< Integer counts rather than volts in HDF5, NPY and Zarr; text and BINARY always hold counts.
+  bool header = false;  ///< A header line in CSV.
+  bool doubles = false;  ///< Volts of HDF5, NPY and Zarr in double precision.
 };
 
 /// A sink that makes the file `path` of a product (docs/formats/samples.md). The file appears under its name with
@@ -33,6 +34,9 @@ struct SinkOptions {
 /// spread evenly over the range) and HDF5.
 [[nodiscard]] double expected_bytes(const simulate::Product& product, const SinkOptions& options);
 
+/// Bytes of an output that is there, the files of a folder together; 0 where there is none.
+[[nodiscard]] std::uint64_t stored_bytes(const std::filesystem::path& path);
+
 /// A sink that encodes like the file's and throws the bytes away, for measuring. Same rules for the order of rows.
 [[nodiscard]] std::unique_ptr<simulate::Sink> make_discarding_sink(const simulate::Product& product,
                                                                    const SinkOptions& options);
@@ -42,10 +46,17 @@ struct SinkOptions {
 [[nodiscard]] std::optional<RowPlaces> row_places(const std::filesystem::path& scratch,
                                                   const simulate::Product& product, const SinkOptions& options);
 
+/// Rows of a piece of its file, without looking for their places; 1 where it is of one piece.
+[[nodiscard]] std::size_t piece_rows(const simulate::Product& product, const SinkOptions& options);
+
 /// Completes a file whose rows somebody has written at their places: writes what stands before and behind them. The
 /// bytes are then those that `make_sink` gives.
 /// @param scratch  name of a file that is made for a moment; HDF5 only
 void write_frame(core::RawFile& file, const std::filesystem::path& scratch, const simulate::Product& product,
                  const SinkOptions& options, const simulate::RunReport& report);
+
+/// The same of a folder whose pieces hold all rows.
+void complete_folder(const std::filesystem::path& folder, const simulate::Product& product, const SinkOptions& options,
+                     const simulate::RunReport& report);
 
 }  // namespace sarsim::raster

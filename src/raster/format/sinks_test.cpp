@@ -38,13 +38,12 @@ std::string name_of_case(const testing::TestParamInfo<Case>& info) {
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
-  for (const scene::FileFormat format : {scene::FileFormat::ascii, scene::FileFormat::csv, scene::FileFormat::bracket,
-                                         scene::FileFormat::binary, scene::FileFormat::hdf5, scene::FileFormat::npy})
+  for (const scene::FileFormat format :
+       {scene::FileFormat::ascii, scene::FileFormat::csv, scene::FileFormat::bracket, scene::FileFormat::binary,
+        scene::FileFormat::hdf5, scene::FileFormat::npy, scene::FileFormat::zarr})
     for (const int bits : {1, 8, 12, 16, 31, 32, 53, 64}) cases.push_back({format, true, bits});
-  cases.push_back({scene::FileFormat::hdf5, false, 8});
-  cases.push_back({scene::FileFormat::npy, false, 8});
-  cases.push_back({scene::FileFormat::hdf5, false, 8, true});
-  cases.push_back({scene::FileFormat::npy, false, 8, true});
+  for (const scene::FileFormat format : {scene::FileFormat::hdf5, scene::FileFormat::npy, scene::FileFormat::zarr})
+    for (const bool doubles : {false, true}) cases.push_back({format, false, 8, doubles});
   return cases;
 }
 
@@ -97,7 +96,7 @@ TEST_P(EveryFormat, ReadsBackTheSameNumbers) {
 
 // A third has no float that is it.
 TEST(Sinks, DoublesKeepWhatFloatsLose) {
-  for (const scene::FileFormat format : {scene::FileFormat::hdf5, scene::FileFormat::npy}) {
+  for (const scene::FileFormat format : {scene::FileFormat::hdf5, scene::FileFormat::npy, scene::FileFormat::zarr}) {
     const TestFolder folder;
     const fs::path path = folder / ("a" + std::string(extension_of(format)));
     const std::vector<std::complex<double>> third{{1.0 / 3.0, -1.0 / 7.0}};
@@ -160,7 +159,7 @@ TEST_P(EveryFormat, SizeIsAsExpected) {
   const TestFolder folder;
   const simulate::Product product = test_product(200, 20, GetParam().bits);
   write_test_file(file(folder), product, options());
-  const double size = static_cast<double>(fs::file_size(file(folder)));
+  const double size = static_cast<double>(stored_bytes(file(folder)));
   const bool exact = GetParam().format == scene::FileFormat::binary || GetParam().format == scene::FileFormat::npy;
   // The counts of the test are spread evenly, as the estimate for text supposes.
   EXPECT_NEAR(expected_bytes(product, options()), size, exact ? 0.0 : 0.05 * size);
@@ -219,7 +218,16 @@ TEST_P(EveryDisk, AFullDeviceIsOneCleanError) {
   EXPECT_THAT(what, HasSubstr("/dev/full"));
 }
 
-TEST_P(EveryDisk, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
+// Formats of folders, too.
+class EveryStore : public testing::TestWithParam<scene::FileFormat> {};
+
+INSTANTIATE_TEST_SUITE_P(Sinks, EveryStore,
+                         testing::Values(scene::FileFormat::ascii, scene::FileFormat::csv, scene::FileFormat::bracket,
+                                         scene::FileFormat::binary, scene::FileFormat::hdf5, scene::FileFormat::npy,
+                                         scene::FileFormat::zarr),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+TEST_P(EveryStore, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
   const TestFolder folder;
   const simulate::Product product = test_product(400, 50, 8);
   for (const char* size : {"size=4k", "size=8k", "size=16k", "size=64k"}) {
@@ -238,7 +246,7 @@ TEST_P(EveryDisk, AFullDiskIsOneCleanErrorAtWhateverByteItFills) {
   }
 }
 
-TEST_P(EveryDisk, RowsMustComeInOrderAndCompletely) {
+TEST_P(EveryStore, RowsMustComeInOrderAndCompletely) {
   const TestFolder folder;
   const simulate::Product product = test_product(3, 2, 8);
   const auto counts = test_counts(6, 8);
@@ -259,7 +267,7 @@ TEST_P(EveryDisk, RowsMustComeInOrderAndCompletely) {
   EXPECT_EQ(folder.entries(), 0U);
 }
 
-TEST_P(EveryDisk, EmptyProductsMakeAFile) {
+TEST_P(EveryStore, EmptyProductsMakeAFile) {
   const TestFolder folder;
   std::string what;
   EXPECT_EQ(error_of_writing(folder / "a", test_product(0, 5, 8), {GetParam()}, what), 0) << what;
@@ -291,14 +299,19 @@ TEST(Sinks, CsvHasAHeaderOnlyWhenAsked) {
   EXPECT_EQ(contents(folder / "b"), "I0,Q0,I1,Q1\n0,255,127,126\n");
 }
 
-TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
+class DescribedFile : public testing::TestWithParam<scene::FileFormat> {};
+
+INSTANTIATE_TEST_SUITE_P(Sinks, DescribedFile, testing::Values(scene::FileFormat::hdf5, scene::FileFormat::zarr),
+                         [](const auto& test) { return std::string(name_of(test.param)); });
+
+TEST_P(DescribedFile, CarriesEverythingThatIsKnown) {
   const TestFolder folder;
   simulate::Product product = test_product(20000, 2, 12);
   product.processing = scene::Processing::matched_filter;
   product.options.profile = scene::Profile::classic;
   product.script = std::string(100000, 'x') + "\xC3\xA9";
-  write_test_file(folder / "a.h5", product, {scene::FileFormat::hdf5});
-  const auto opened = open_raster(Integrity::whole, folder / "a.h5");
+  write_test_file(folder / "a", product, {GetParam()});
+  const auto opened = open_raster(Integrity::whole, folder / "a");
   ASSERT_TRUE(opened.raster) << text_of(opened.problems);
   const RasterInfo& info = opened.raster->info();
   EXPECT_EQ(info.bits, 12);
@@ -321,6 +334,8 @@ TEST(Sinks, Hdf5CarriesEverythingThatIsKnown) {
   for (std::size_t row = 0; row < product.rows; ++row) {
     ASSERT_EQ(axes->row_time_s[row], product.row_time_s(row));
     ASSERT_EQ(axes->row_carrier_hz[row], product.row_carrier_hz(row));
+    ASSERT_EQ(axes->row_pose.at(row).position_m, product.row_pose(row).position_m);
+    ASSERT_EQ(axes->row_pose.at(row).rotation_rad, product.row_pose(row).rotation_rad);
   }
   EXPECT_EQ(axes->column_range_m, (std::vector<double>{1000.0, 1001.5}));
 }

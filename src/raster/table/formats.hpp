@@ -60,6 +60,7 @@ struct Format {
   bool carries_script = false;  ///< The script stands in the file.
   bool envi_header = false;     ///< An ENVI header beside the file makes it an image with axes.
   bool picture = false;         ///< Levels and colours made for the eye.
+  bool folder = false;          ///< It is a folder of files.
   bool by_hand = false;         ///< Somebody says how it is stored: it does not say itself what its numbers are.
   FormatPlaces places = {};
   /// The most bytes of a sample of so many A/D bits, where nothing else is asked for; exact but for text.
@@ -67,6 +68,9 @@ struct Format {
   /// Opens a file of it (raster/format/format_reader.hpp).
   OpenedRaster (*open)(core::InputFile file, const Format& format, const RasterHints& hints,
                        Integrity integrity) = nullptr;
+  /// Opens a folder of it, where it is one.
+  OpenedRaster (*open_folder)(const std::filesystem::path& folder, const Format& format, const RasterHints& hints,
+                              Integrity integrity) = nullptr;
   const FormatWriter* writer = nullptr;  ///< Null where no sink writes it.
   /// Where the arrays of a file of it stand; null where its numbers are no arrays, or are stored with an offset.
   StoredArrays (*arrays)(const core::InputFile& file) = nullptr;
@@ -92,7 +96,7 @@ struct Format {
 [[nodiscard]] std::span<const Format> recording_formats();
 /// The formats that a list offers, in its order.
 [[nodiscard]] std::vector<const Format*> offered_formats(int FormatPlaces::*place);
-/// The words of all formats of recordings: "ascii, binary, bracket, hdf5, csv or npy".
+/// The words of all formats of recordings: "ascii, binary, bracket, hdf5, csv, npy or zarr".
 [[nodiscard]] std::string format_words();
 /// The extensions of images that are no ENVI images: ".npy, .h5, .csv, .asc, .bin, .brk".
 /// @param without_spreadsheets  leave out those that become tables of their own
@@ -100,10 +104,10 @@ struct Format {
 /// The word of a format in commands and reports: "hdf5", "envi".
 [[nodiscard]] std::string word_of(const Format& format);
 
-/// The usual extension of a format, with its point: ".asc", ".bin", ".brk", ".h5", ".csv", ".npy".
+/// The usual extension of a format, with its point: ".asc", ".bin", ".brk", ".h5", ".csv", ".npy", ".zarr".
 [[nodiscard]] std::string_view extension_of(scene::FileFormat format);
 
-/// The keyword of a format in scripts: "ASCII", "BINARY", "BRACKET", "HDF5", "CSV", "NPY".
+/// The keyword of a format in scripts: "ASCII", "BINARY", "BRACKET", "HDF5", "CSV", "NPY", "ZARR".
 [[nodiscard]] std::string_view name_of(scene::FileFormat format);
 
 /// The format that a keyword means, ignoring case; nothing for another word.
@@ -115,7 +119,8 @@ struct Format {
 /// The same of all rows, those of images and pictures too.
 [[nodiscard]] const Format* row_from_path(const std::filesystem::path& path);
 
-/// Whether a file of that format holds counts of the converter: HDF5 and NPY hold volts unless counts are asked for.
+/// Whether a file of that format holds counts of the converter: HDF5, NPY and Zarr hold volts unless counts are asked
+/// for.
 [[nodiscard]] constexpr bool holds_counts(scene::FileFormat format, bool counts_asked = false) {
   return counts_asked || scene::values_of(format) == scene::SampleValues::counts;
 }

@@ -62,8 +62,9 @@ void add_product(FieldTable<Simulation>& table) {
                    {"BRACKET", FileFormat::bracket, "ASCII, (I,Q)", "text, a line for each pulse: (I,Q)"},
                    {"HDF5", FileFormat::hdf5, "HDF5", "HDF5 file"},
                    {"CSV", FileFormat::csv, "CSV", "text, a line for each pulse: I,Q"},
-                   {"NPY", FileFormat::npy, "NumPy", "NumPy array"}},
-       .tip = "How the file of samples is laid out; HDF5 carries its axes and the script."});
+                   {"NPY", FileFormat::npy, "NumPy", "NumPy array"},
+                   {"ZARR", FileFormat::zarr, "Zarr", "Zarr store: a folder of files"}},
+       .tip = "How the file of samples is laid out; HDF5 and Zarr carry their axes and the script."});
 }
 
 void add_pulse_choices(FieldTable<Simulation>& table) {

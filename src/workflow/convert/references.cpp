@@ -15,6 +15,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/format/zarr_store.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/stored_array.hpp"
 #include "workflow/input/output_names.hpp"
@@ -149,10 +150,7 @@ class ReferenceWriter {
     std::vector<std::uint64_t> chunks = array.shape;
     chunks.front() = cut.rows;
     core::JsonWriter json;
-    json.begin_object().member("zarr_format", 2).member("dtype", array.type).member("order", "C");
-    put_sizes(json, "shape", array.shape);
-    put_sizes(json, "chunks", chunks);
-    json.key("compressor").null().key("fill_value").null().key("filters").null();
+    raster::write_zarr_array(json.begin_object(), array.type, array.shape, chunks);
     return compact(json.end_object());
   }
 
@@ -207,6 +205,10 @@ ArrayCut cut_of_array(std::uint64_t rows, std::uint64_t row_bytes) {
 void write_references(const ReferencesRequest& request, const core::Observer& observer) {
   const raster::RasterHints hints = hints_for(request.input, request.sample);
   const std::shared_ptr<const raster::Raster> raster = open_samples(request.input, hints, observer);
+  if (raster->info().format->folder)
+    throw core::Refused(
+        fmt::format("--references: '{}' is a Zarr store, which readers of Zarr open as it is", request.input),
+        "name the store itself to them");
   const core::InputFile file = opened(request.input);
   const std::vector<raster::StoredArray> arrays = arrays_of(*raster, file);
   expect_free_outputs({request.output}, {{request.input}, request.force, "--references"});

@@ -12,6 +12,7 @@
 #include "core/report/refused.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/recording_hints.hpp"
+#include "raster/format/zarr_store.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::workflow {
@@ -214,8 +215,13 @@ core::Problems problems_of_output(const fs::path& path, const OutputCare& care) 
   problem.found = path.string();
   problem.hint =
       care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);
-  if (fs::is_directory(status)) {
-    problem.message = "the output's name belongs to a folder";
+  const auto format = raster::format_from_path(path);
+  const bool to_folder = format && raster::format_of(*format).folder;
+  if (fs::is_directory(status) && !raster::is_own_zarr_store(path)) {
+    problem.message = to_folder ? "the output's name belongs to a folder that is not a Zarr store of this program"
+                                : "the output's name belongs to a folder";
+  } else if (to_folder && !fs::is_directory(status)) {
+    problem.message = "the output's name belongs to a file, and a Zarr store is a folder";
   } else if (std::ranges::any_of(care.sources, [&](const fs::path& s) { return fs::equivalent(path, s, ignored); })) {
     problem.message = "the output would replace the file that it is made from";
   } else if (!care.force) {

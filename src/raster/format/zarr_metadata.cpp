@@ -1,0 +1,186 @@
+#include "raster/format/zarr_metadata.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "core/os/input_file.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/table/file_problem.hpp"
+
+namespace sarsim::raster {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::uint64_t longest_array_text = std::uint64_t{1} << 20U;
+constexpr std::uint64_t longest_attributes_text = std::uint64_t{1} << 30U;
+constexpr std::size_t most_dimensions = 32;
+constexpr std::size_t longest_found = 80;
+
+core::Problem zarr_problem(std::string message, std::string found = {}, std::string expected = {},
+                           std::string hint = {}) {
+  return file_problem({}, std::move(message), std::move(found), std::move(expected), std::move(hint));
+}
+
+bool is_simple(const Json& value) { return !value.is_structured(); }
+
+// A value as it stands in the file, shortened. Deep ones are not written: that takes a call for each level.
+std::string found_text(const Json& value) {
+  if (!is_simple(value) && !std::ranges::all_of(value, is_simple)) return value.is_array() ? "[ ... ]" : "{ ... }";
+  std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
+  if (text.size() > longest_found) text = text.substr(0, longest_found) + "...";
+  return text;
+}
+
+// An object, or why it is none.
+std::variant<Json, core::Problem> object_in(std::string_view text) {
+  try {
+    Json tree = Json::parse(text);
+    if (!tree.is_object()) return zarr_problem("this is not a JSON object", found_text(tree), "{ ... }");
+    return tree;
+  } catch (const Json::exception& error) {
+    return zarr_problem("this is not JSON", error.what());
+  }
+}
+
+const Json& member_of(const Json& object, const char* name) {
+  static const Json none;
+  const auto found = object.find(name);
+  return found == object.end() ? none : *found;
+}
+
+std::optional<std::vector<std::uint64_t>> sizes_of(const Json& list, std::uint64_t least) {
+  constexpr std::uint64_t most = std::uint64_t{1} << 62U;
+  if (!list.is_array() || list.size() > most_dimensions) return std::nullopt;
+  std::vector<std::uint64_t> sizes;
+  std::uint64_t product = 1;
+  for (const Json& size : list) {
+    if (!size.is_number_unsigned()) return std::nullopt;
+    sizes.push_back(size.get<std::uint64_t>());
+    if (sizes.back() < least || sizes.back() > most) return std::nullopt;
+    if (__builtin_mul_overflow(product, sizes.back(), &product) || product > most) return std::nullopt;
+  }
+  return sizes;
+}
+
+// A number as NumPy's users of Zarr write it; nothing where it is none.
+std::optional<double> fill_number(const Json& value) {
+  if (value.is_number()) return value.get<double>();
+  if (!value.is_string()) return std::nullopt;
+  const std::string& word = value.get_ref<const std::string&>();
+  if (word == "NaN") return std::numeric_limits<double>::quiet_NaN();
+  if (word == "Infinity") return std::numeric_limits<double>::infinity();
+  if (word == "-Infinity") return -std::numeric_limits<double>::infinity();
+  return std::nullopt;
+}
+
+std::optional<std::complex<double>> fill_value(const Json& value) {
+  if (!value.is_array()) {
+    const auto number = fill_number(value);
+    return number ? std::optional<std::complex<double>>(*number) : std::nullopt;
+  }
+  const auto real = value.size() == 2 ? fill_number(value[0]) : std::nullopt;
+  const auto imaginary = value.size() == 2 ? fill_number(value[1]) : std::nullopt;
+  return real && imaginary ? std::optional<std::complex<double>>({*real, *imaginary}) : std::nullopt;
+}
+
+std::optional<core::Problem> storage_problem(const Json& tree) {
+  if (const Json& version = member_of(tree, "zarr_format"); version != 2)
+    return zarr_problem("the array is of another version of Zarr", found_text(version), "2",
+                        "store it with zarr_format=2");
+  if (const Json& compressor = member_of(tree, "compressor"); !compressor.is_null()) {
+    const Json& id = compressor.is_object() ? member_of(compressor, "id") : compressor;
+    return zarr_problem("the array is compressed", found_text(id), "no compressor",
+                        "store it with compressor=None: zarr.array(array, compressor=None)");
+  }
+  if (const Json& filters = member_of(tree, "filters"); !filters.is_null() && !filters.empty())
+    return zarr_problem("the numbers of the array are filtered", found_text(filters), "no filters",
+                        "store it with filters=None");
+  if (const Json& order = member_of(tree, "order"); order != "C")
+    return zarr_problem("the array is not in C order", found_text(order), "C", "store it with order='C'");
+  return std::nullopt;
+}
+
+// The whole of a file of text, or why not; nothing where it is missing.
+std::variant<std::monostate, std::string, core::Problem> text_in(const std::filesystem::path& path,
+                                                                 std::uint64_t longest) {
+  std::error_code ignored;
+  const auto status = std::filesystem::symlink_status(path, ignored);
+  if (!std::filesystem::exists(status)) return {};
+  auto opened = core::InputFile::open(path);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
+  const auto& file = std::get<core::InputFile>(opened);
+  if (file.size() > longest)
+    return file_problem(path.string(), "the file is too long", core::bytes_text(static_cast<double>(file.size())),
+                        fmt::format("at most {}", core::bytes_text(static_cast<double>(longest))));
+  std::string text(static_cast<std::size_t>(file.size()), '\0');
+  file.read_all_at(0, std::as_writable_bytes(std::span(text)));
+  return text;
+}
+
+}  // namespace
+
+std::variant<ZarrArray, core::Problem> parse_zarr_array(std::string_view text) {
+  auto read = object_in(text);
+  if (auto* problem = std::get_if<core::Problem>(&read)) return std::move(*problem);
+  const Json& tree = std::get<Json>(read);
+  if (auto problem = storage_problem(tree)) return std::move(*problem);
+  ZarrArray array;
+  const Json& type = member_of(tree, "dtype");
+  if (!type.is_string()) return zarr_problem("the array holds structures", found_text(type), "numbers, such as <c8");
+  array.type = type.get<std::string>();
+  auto shape = sizes_of(member_of(tree, "shape"), 0);
+  auto chunks = sizes_of(member_of(tree, "chunks"), 1);
+  if (!shape) return zarr_problem("the array has no possible shape", found_text(member_of(tree, "shape")));
+  if (!chunks || chunks->size() != shape->size())
+    return zarr_problem("the array has no possible chunks", found_text(member_of(tree, "chunks")),
+                        fmt::format("{} sizes from 1 on", shape->size()));
+  array.shape = std::move(*shape);
+  array.chunks = std::move(*chunks);
+  const Json& separator = member_of(tree, "dimension_separator");
+  if (!separator.is_null() && separator != "." && separator != "/")
+    return zarr_problem("chunks are named in an unknown way", found_text(separator), R"("." or "/")");
+  if (separator == "/") array.separator = '/';
+  array.fill = fill_value(member_of(tree, "fill_value"));
+  return array;
+}
+
+std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text) {
+  auto read = object_in(text);
+  if (auto* problem = std::get_if<core::Problem>(&read)) return std::move(*problem);
+  FileAttributes attributes;
+  for (const auto& [name, value] : std::get<Json>(read).items()) {
+    if (value.is_string()) attributes.emplace_back(name, value.get<std::string>());
+    if (value.is_number_integer()) attributes.emplace_back(name, value.dump());
+    if (value.is_number_float()) attributes.emplace_back(name, core::format_number(value.get<double>()));
+  }
+  return attributes;
+}
+
+std::variant<ZarrArray, core::Problem> read_zarr_array(const std::filesystem::path& file) {
+  auto text = text_in(file, longest_array_text);
+  if (auto* problem = std::get_if<core::Problem>(&text)) return std::move(*problem);
+  if (std::holds_alternative<std::monostate>(text))
+    return file_problem(file.string(), "the file is missing that describes the array");
+  auto array = parse_zarr_array(std::get<std::string>(text));
+  if (auto* problem = std::get_if<core::Problem>(&array)) problem->place.file = file.string();
+  return array;
+}
+
+std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file) {
+  auto text = text_in(file, longest_attributes_text);
+  if (auto* problem = std::get_if<core::Problem>(&text)) return std::move(*problem);
+  if (std::holds_alternative<std::monostate>(text)) return FileAttributes();
+  auto attributes = parse_zarr_attributes(std::get<std::string>(text));
+  if (auto* problem = std::get_if<core::Problem>(&attributes)) problem->place.file = file.string();
+  return attributes;
+}
+
+}  // namespace sarsim::raster
