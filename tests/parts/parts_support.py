@@ -18,7 +18,7 @@ $RADAR Radar1 Earth CHIRP 0.05 1000 RECT CONSTANT 1000 SINGLE 1 100 0 300
 $SIMULATION Radar1 900 1400 0 {end} 8 0.1 {lsb} BINARY RAW sim.bin BEGIN 1 1
 """
 
-FILES = {"binary": "sim.bin", "hdf5": "sim.h5", "npy": "sim.npy", "csv": "sim.csv", "ascii": "sim.asc"}
+FILES = {"binary": "sim.bin", "hdf5": "sim.h5", "npy": "sim.npy", "csv": "sim.csv", "ascii": "sim.asc", "zarr": "sim.zarr"}
 
 
 def program():
@@ -47,7 +47,15 @@ def expect_done(finished):
 
 
 def expect_same(a, b):
-    expect(pathlib.Path(b).exists(), f"{b} is missing")
+    a, b = pathlib.Path(a), pathlib.Path(b)
+    expect(b.exists(), f"{b} is missing")
+    if a.is_dir():
+        names = [sorted(path.relative_to(folder) for path in folder.rglob("*")) for folder in (a, b)]
+        expect(names[0] == names[1], f"{a} and {b} hold other files")
+        for name in names[0]:
+            if (a / name).is_file():
+                expect_same(a / name, b / name)
+        return
     expect(filecmp.cmp(a, b, shallow=False), f"{a} and {b} differ")
 
 

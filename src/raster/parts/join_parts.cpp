@@ -14,8 +14,13 @@
 
 #include "core/hash/checksum.hpp"
 #include "core/os/output_file.hpp"
+#include "core/os/output_folder.hpp"
 #include "core/os/raw_file.hpp"
+#include "core/os/temporary_files.hpp"
+#include "raster/format/zarr_store.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/formats.hpp"
+#include "raster/table/placed_rows.hpp"
 
 namespace sarsim::raster {
 
@@ -29,6 +34,12 @@ constexpr std::string_view finished_name = "finished";
 fs::path file_of(const Journal& journal) {
   return journal.head.store == RowStore::placed ? shared_rows_of(journal.path.parent_path())
                                                 : rows_file_of(journal.path);
+}
+
+// What a journal speaks of, to be read.
+PlacedRows rows_of(const Journal& journal, const RowPlaces& places) {
+  const bool placed = journal.head.store == RowStore::placed;
+  return {file_of(journal), placed ? places : RowPlaces(), core::RawFile::Mode::read};
 }
 
 // A claim and whose it is.
@@ -51,7 +62,7 @@ std::string rows_text(simulate::RowRange rows) {
 }
 
 // Calls take(bytes) for the bytes of a claim, at most `step` at a time; whether they are as vouched for.
-bool each_piece(const core::RawFile& file, const Claim& claim, std::size_t step,
+bool each_piece(const PlacedRows& file, const Claim& claim, std::size_t step,
                 const std::function<void(std::span<const std::byte>)>& take) {
   core::Checksum sum;
   std::vector<std::byte> bytes;
@@ -73,11 +84,11 @@ bool each_piece(const core::RawFile& file, const Claim& claim, std::size_t step,
 }
 
 // Throws core::Refused for a piece whose bytes are not there.
-void verify(const std::vector<Piece>& pieces, const simulate::RunControl& control) {
+void verify(const std::vector<Piece>& pieces, const RowPlaces& places, const simulate::RunControl& control) {
   core::parallel_ranges(pieces.size(), 1, {core::thread_count(control.threads), control.stop},
                         [&](std::size_t begin, std::size_t end) {
                           for (std::size_t i = begin; i < end; ++i)
-                            if (!holds(*pieces[i].journal, pieces[i].claim)) throw_damaged(pieces[i]);
+                            if (!holds(*pieces[i].journal, pieces[i].claim, places)) throw_damaged(pieces[i]);
                         });
 }
 
@@ -101,11 +112,13 @@ class Joiner {
         control_(control),
         pieces_(pieces_of(task.journals)),
         folder_(parts_folder_of(task.output)),
-        recorded_{task.product.product.rows, task.product.product.columns, task.product.product.bits} {}
+        recorded_{task.product.product.rows, task.product.product.columns, task.product.product.bits},
+        is_folder_(format_of(task.product.options.format).folder) {}
 
   Joined join() {
     expect_place();
     const bool made_here = fs::create_directories(folder_);
+    if (is_folder_) places_ = row_places(frame_path(), task_.product.product, task_.product.options).value();
     fs::path complete;
     try {
       return join_into(complete);
@@ -120,8 +133,11 @@ class Joiner {
   void expect_place() const {
     std::error_code ignored;
     const fs::file_status status = fs::status(task_.output, ignored);
-    if (!fs::exists(status) || fs::is_regular_file(status)) return;
-    core::Problem problem = file_problem(task_.output.string(), "parts can only become a file");
+    if (!fs::exists(status)) return;
+    if (is_folder_ ? is_own_zarr_store(core::end_of_links(task_.output)) : fs::is_regular_file(status)) return;
+    core::Problem problem = file_problem(
+        task_.output.string(), is_folder_ ? "something that is not a Zarr store of this program has the output's name"
+                                          : "parts can only become a file");
     problem.hint = "give the output another name";
     throw core::Refused({problem});
   }
@@ -129,7 +145,7 @@ class Joiner {
   // Takes away what a join that fails has made; the parts stay.
   void tidy(const fs::path& complete, bool made_here) const {
     std::error_code ignored;
-    if (complete == joined_path()) fs::remove(complete, ignored);
+    if (complete == joined_path()) core::remove_folder(complete);
     fs::remove(frame_path(), ignored);
     if (made_here) fs::remove(folder_, ignored);
   }
@@ -163,8 +179,13 @@ class Joiner {
   }
 
   fs::path frame(const simulate::RunReport& report) {
-    verify(unchecked(), control_);
+    verify(unchecked(), places_, control_);
     const fs::path path = shared_rows_of(folder_);
+    if (is_folder_) {
+      complete_folder(path, task_.product.product, task_.product.options, report);
+      core::sync_folder(path);
+      return path;
+    }
     core::RawFile file(path, core::RawFile::Mode::write);
     write_frame(file, frame_path(), task_.product.product, task_.product.options, report);
     file.sync();
@@ -175,8 +196,7 @@ class Joiner {
     SinkOptions options = task_.product.options;
     options.replace = true;
     // A link or a pipe of this name would lead the recording elsewhere.
-    std::error_code ignored;
-    fs::remove(path, ignored);
+    core::remove_folder(path);
     return make_sink(path, task_.product.product, options);
   }
 
@@ -195,8 +215,8 @@ class Joiner {
   }
 
   // Rows of a known size go on as whole rows; text in any pieces, of which the last one counts as the rows.
-  static void append(const Piece& piece, std::size_t row_bytes, simulate::Sink& sink) {
-    const core::RawFile file(file_of(*piece.journal), core::RawFile::Mode::read);
+  void append(const Piece& piece, std::size_t row_bytes, simulate::Sink& sink) const {
+    const PlacedRows file = rows_of(*piece.journal, places_);
     const simulate::RowRange rows = piece.claim.rows;
     const std::size_t step =
         row_bytes > 0 ? std::max(piece_bytes / row_bytes, std::size_t{1}) * row_bytes : piece_bytes;
@@ -211,7 +231,7 @@ class Joiner {
   }
 
   fs::path convert(simulate::RunReport& report, double lsb_v) {
-    verify(pieces_, control_);
+    verify(pieces_, places_, control_);
     fs::path path = joined_path();
     const auto sink = sink_at(path);
     report = simulate::run_stored(
@@ -260,11 +280,16 @@ class Joiner {
   std::vector<Piece> pieces_;
   fs::path folder_;
   simulate::Recorded recorded_;
+  bool is_folder_;
+  RowPlaces places_;  // Of rows that stand in pieces.
 };
 
 void Joiner::publish(const fs::path& complete) const {
   try {
-    core::publish_file(complete, task_.output, task_.replace);
+    if (is_folder_)
+      core::publish_folder(complete, task_.output, task_.replace, is_own_zarr_store);
+    else
+      core::publish_file(complete, task_.output, task_.replace);
   } catch (...) {
     std::error_code ignored;
     fs::remove(receipt_of(task_.output), ignored);
@@ -272,10 +297,27 @@ void Joiner::publish(const fs::path& complete) const {
   }
 }
 
+// Size and latest time of what a folder holds, without the times of its folders, which change with names.
+std::string state_of_folder(const fs::path& path) {
+  std::uint64_t bytes = 0;
+  timespec latest{};
+  std::error_code failure;
+  for (fs::recursive_directory_iterator entry(path, failure), end; !failure && entry != end; entry.increment(failure)) {
+    struct stat status {};
+    if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
+    bytes += static_cast<std::uint64_t>(status.st_size);
+    latest = std::max(latest, status.st_mtim, [](const timespec& a, const timespec& b) {
+      return std::pair(a.tv_sec, a.tv_nsec) < std::pair(b.tv_sec, b.tv_nsec);
+    });
+  }
+  return fmt::format("{} bytes at {}.{:09d}", bytes, latest.tv_sec, latest.tv_nsec);
+}
+
 // Size and time of a file's content; both survive a change of its name.
 std::string state_of(const fs::path& path) {
   struct stat status {};
   if (::stat(path.c_str(), &status) != 0) return {};
+  if (S_ISDIR(status.st_mode)) return state_of_folder(path);
   return fmt::format("{} bytes at {}.{:09d}", status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
 }
 
@@ -360,7 +402,7 @@ void remove_parts(const fs::path& folder) noexcept {
   }
   // Last what tells a folder of parts.
   paths.push_back(folder / "lock");
-  for (const fs::path& path : paths) fs::remove(path, ignored);
+  for (const fs::path& path : paths) core::remove_folder(path);
   fs::remove(folder, ignored);
 }
 
@@ -403,11 +445,10 @@ core::Problems join_problems(const std::vector<Journal>& journals, std::size_t r
   return problems;
 }
 
-bool holds(const Journal& journal, const Claim& claim) {
+bool holds(const Journal& journal, const Claim& claim, const RowPlaces& places) {
   std::error_code missing;
-  const fs::path path = file_of(journal);
-  if (!fs::exists(path, missing)) return false;
-  return each_piece(core::RawFile(path, core::RawFile::Mode::read), claim, piece_bytes, {});
+  if (!fs::exists(file_of(journal), missing)) return false;
+  return each_piece(rows_of(journal, places), claim, piece_bytes, {});
 }
 
 Joined join_parts(const JoinTask& task, const simulate::RunControl& control) { return Joiner(task, control).join(); }

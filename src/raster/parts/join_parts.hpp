@@ -38,7 +38,8 @@ void remove_parts(const std::filesystem::path& folder) noexcept;
 [[nodiscard]] core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
 
 /// Whether the bytes that a claim speaks of are what it says.
-[[nodiscard]] bool holds(const Journal& journal, const Claim& claim);
+/// @param places  of rows that stand at their places
+[[nodiscard]] bool holds(const Journal& journal, const Claim& claim, const RowPlaces& places);
 
 /// What is joined, and into what.
 struct JoinTask {

@@ -14,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/temporary_files.hpp"
 #include "core/report/for_now.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -191,14 +192,17 @@ void PartRun::begin_rows(bool anew) {
     throw core::Refused({problem});
   }
   if (store_ != RowStore::placed) {
-    rows_ = core::RawFile(rows_file_of(journal_path()), core::RawFile::Mode::write);
-    rows_.resize(earlier != nullptr ? rows_end(*earlier) : 0);
+    rows_ = PlacedRows(rows_file_of(journal_path()), {}, core::RawFile::Mode::write);
+    rows_.file().resize(earlier != nullptr ? rows_end(*earlier) : 0);
     return;
   }
-  rows_ = core::RawFile(shared_rows_of(folder_), core::RawFile::Mode::write);
+  const fs::path shared = shared_rows_of(folder_);
+  if (anew && fs::is_directory(fs::symlink_status(shared))) core::remove_folder(shared);
+  rows_ = PlacedRows(shared, places_, core::RawFile::Mode::write);
+  if (places_.piece_bytes > 0) return;  // Pieces are made as they are needed.
   const std::uint64_t bytes = places_.of(task_.product.product.rows);
-  if (anew) rows_.resize(0);
-  if (rows_.size() < bytes) rows_.allocate(bytes);
+  if (anew) rows_.file().resize(0);
+  if (rows_.file().size() < bytes) rows_.file().allocate(bytes);
 }
 
 // What is vouched for must be there; entries that are not true are taken out.
@@ -209,7 +213,7 @@ void PartRun::verify(const core::WorkControl& control) {
                          [&](const Claim& claim) { return meet(claim.rows, task_.range); });
     std::vector<char> good(claims.size(), 1);
     core::parallel_ranges(claims.size(), 1, control, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) good[i] = holds(journal, claims[i]) ? 1 : 0;
+      for (std::size_t i = begin; i < end; ++i) good[i] = holds(journal, claims[i], places_) ? 1 : 0;
     });
     std::vector<Claim> bad;
     for (std::size_t i = 0; i < claims.size(); ++i)

@@ -81,7 +81,7 @@ class PartRun {
   std::vector<Journal> journals_;  // All that concern the part's rows.
   std::vector<Claim> checked_;     // Of these, what was found to be there.
   core::JournalFile journal_;      // The part's own, locked.
-  core::RawFile rows_;
+  PlacedRows rows_;
   std::vector<simulate::RowRange> missing_;
   std::size_t rejected_rows_ = 0;
   std::optional<PartWriter> writer_;

@@ -89,7 +89,8 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(std::pair(scene::FileFormat::binary, false), std::pair(scene::FileFormat::ascii, false),
                     std::pair(scene::FileFormat::csv, false), std::pair(scene::FileFormat::npy, false),
                     std::pair(scene::FileFormat::npy, true), std::pair(scene::FileFormat::hdf5, false),
-                    std::pair(scene::FileFormat::hdf5, true)));
+                    std::pair(scene::FileFormat::hdf5, true), std::pair(scene::FileFormat::zarr, false),
+                    std::pair(scene::FileFormat::zarr, true)));
 
 TEST(PartRun, GoesOnWithWhatItsJournalVouchesFor) {
   const TestFolder folder;

@@ -7,13 +7,12 @@
 
 namespace sarsim::raster {
 
-PartWriter::PartWriter(core::RawFile& rows, core::JournalFile& journal, const RowPlaces& places,
-                       const JournalPace& pace)
+PartWriter::PartWriter(PlacedRows& rows, core::JournalFile& journal, const RowPlaces& places, const JournalPace& pace)
     : rows_(rows),
       journal_(journal),
       places_(places),
       pace_(pace),
-      rows_end_(places.row_bytes > 0 ? 0 : rows.size()),
+      rows_end_(places.row_bytes > 0 ? 0 : rows.file().size()),
       settled_at_s_(core::now_s()),
       next_settling_s_(settled_at_s_ + pace.seconds) {}
 

@@ -5,9 +5,8 @@
 
 #include "core/hash/checksum.hpp"
 #include "core/os/journal_file.hpp"
-#include "core/os/raw_file.hpp"
 #include "raster/parts/journal.hpp"
-#include "raster/table/row_places.hpp"
+#include "raster/table/placed_rows.hpp"
 
 namespace sarsim::raster {
 
@@ -26,7 +25,7 @@ class PartWriter {
   /// @param rows     the shared file, or the part's own, which is continued at its end
   /// @param journal  to be continued at its end
   /// @param places   of the rows in the shared file; a row size of 0: in the part's own, one after the other
-  PartWriter(core::RawFile& rows, core::JournalFile& journal, const RowPlaces& places, const JournalPace& pace);
+  PartWriter(PlacedRows& rows, core::JournalFile& journal, const RowPlaces& places, const JournalPace& pace);
 
   /// Writes rows to the file; now and then vouches for what there is.
   void take(const simulate::EncodedRows& block);
@@ -43,7 +42,7 @@ class PartWriter {
     core::Checksum sum;
   };
 
-  core::RawFile& rows_;
+  PlacedRows& rows_;
   core::JournalFile& journal_;
   RowPlaces places_;
   JournalPace pace_;

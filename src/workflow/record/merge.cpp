@@ -9,6 +9,7 @@
 #include "core/os/raw_file.hpp"
 #include "core/report/for_now.hpp"
 #include "core/task/parallel.hpp"
+#include "raster/format/sinks.hpp"
 #include "raster/parts/join_parts.hpp"
 #include "raster/table/formats.hpp"
 #include "workflow/input/output_names.hpp"
@@ -119,7 +120,7 @@ class Merger {
     report.engine_reason = task.product.engine_reason;
     report.counts =
         task.product.estimate_lsb || raster::holds_counts(task.product.options.format, task.product.options.counts);
-    report.bytes = static_cast<double>(fs::file_size(task.output));
+    report.bytes = static_cast<double>(raster::stored_bytes(task.output));
     report.seconds = report.run.seconds;
     return report;
   }

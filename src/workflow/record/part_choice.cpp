@@ -30,12 +30,17 @@ std::optional<PartChoice::Span> span_from(const std::string& text) {
   return span;
 }
 
-simulate::RowRange rows_of(const PartChoice& choice, std::size_t rows) {
+simulate::RowRange rows_of(const PartChoice& choice, std::size_t rows, std::size_t piece_rows) {
   if (choice.share) {
     const auto number = static_cast<std::size_t>(choice.share->number);
     const auto count = static_cast<std::size_t>(choice.share->count);
-    // The first `rows % count` shares have one row more.
-    const auto begin = [&](std::size_t part) { return part * (rows / count) + std::min(part, rows % count); };
+    const std::size_t pieces = (rows + piece_rows - 1) / piece_rows;
+    const std::size_t grain = pieces >= count ? piece_rows : 1;
+    const std::size_t grains = grain == 1 ? rows : pieces;
+    // The first `grains % count` shares have one more.
+    const auto begin = [&](std::size_t part) {
+      return std::min(rows, grain * (part * (grains / count) + std::min(part, grains % count)));
+    };
     return {begin(number - 1), begin(number) - begin(number - 1)};
   }
   if (!choice.span) return {0, rows};

@@ -64,5 +64,23 @@ TEST(PartChoice, ReadsSharesAndRangesOfPulses) {
   for (const char* text : {"", "5", "0:3", "4:3", "a:3", "1:b"}) EXPECT_FALSE(span_from(text));
 }
 
+TEST(PartChoice, SharesOfPiecesHaveWholePieces) {
+  // 23 rows in pieces of 5: the last one is not full.
+  std::size_t next = 0;
+  for (std::int64_t number = 1; number <= 3; ++number) {
+    PartChoice choice;
+    choice.share = {number, 3};
+    const simulate::RowRange range = rows_of(choice, 23, 5);
+    EXPECT_EQ(range.first, next);
+    EXPECT_EQ(range.first % 5, 0U);
+    next = range.end();
+  }
+  EXPECT_EQ(next, 23U);
+  // More shares than pieces: nobody is left without rows.
+  PartChoice choice;
+  choice.share = {7, 8};
+  EXPECT_EQ(rows_of(choice, 23, 5).count, 3U);
+}
+
 }  // namespace part_choice_test
 }  // namespace sarsim::workflow

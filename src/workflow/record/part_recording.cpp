@@ -6,6 +6,7 @@
 #include "core/task/clock.hpp"
 #include "core/task/kept_interruption.hpp"
 #include "raster/format/sinks.hpp"
+#include "raster/format/zarr_store.hpp"
 #include "simulate/run/memory_sink.hpp"
 
 namespace sarsim::workflow {
@@ -40,7 +41,8 @@ class PartMaker {
     result_.part = words_of(job_.choice);
     result_.rows = job_.plan.rows;
     result_.own_file = job_.choice.own_file;
-    result_.range = rows_of(job_.choice, job_.plan.rows);
+    result_.range =
+        rows_of(job_.choice, job_.plan.rows, raster::piece_rows(job_.product.product, job_.product.options));
     if (result_.range.count == 0) return result_;
     together([&] { expect_alike(); });
     together([&] {
@@ -101,7 +103,7 @@ class PartMaker {
   void find_finished() {
     std::error_code ignored;
     if (!std::filesystem::exists(job_.output, ignored)) return;
-    if (!std::filesystem::is_regular_file(job_.output, ignored))
+    if (!std::filesystem::is_regular_file(job_.output, ignored) && !raster::is_own_zarr_store(job_.output))
       throw core::Refused({problem("parts can only become a file", "run without --part, --pulses and --resume")});
     const auto receipt = raster::read_receipt(job_.output, job_.product);
     if (!job_.choice.resume || !receipt) {

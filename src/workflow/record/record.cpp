@@ -250,20 +250,26 @@ class Recorder {
                                        words_of(request_.part), fmt::format("pulses 1 to {}", plan.rows), {}));
   }
 
+  // Rows of a recording that are to be made here.
+  [[nodiscard]] std::size_t shared_rows(const simulate::Plan& plan) const {
+    const std::size_t piece = raster::piece_rows(simulate::product_of(plan, {}), sink_options(plan.simulation));
+    return rows_of(request_.part, plan.rows, piece).count;
+  }
+
   // What a recording needs on the disk at least.
   [[nodiscard]] double room_bytes(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
     const double least = raster::least_bytes(plan.simulation.format, bytes);
     if (!journaled_) return least;
     if (fs::exists(raster::parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
     const double rows = static_cast<double>(plan.rows);
-    const double made = static_cast<double>(rows_of(request_.part, plan.rows).count);
+    const double made = static_cast<double>(shared_rows(plan));
     if (seeks_lsb(plan.simulation, request_.counts)) return 16.0 * made * static_cast<double>(plan.columns);
     return raster::format_of(plan.simulation.format).is_text() || request_.part.own_file ? least * made / rows : least;
   }
 
   [[nodiscard]] std::string announcement(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
     const double passes = journaled_ ? 1.0 : passes_of(plan.simulation, request_.counts);
-    const double made = static_cast<double>(rows_of(request_.part, plan.rows).count) / static_cast<double>(plan.rows);
+    const double made = static_cast<double>(shared_rows(plan)) / static_cast<double>(plan.rows);
     const double seconds = made * estimated_seconds(plan, threads_, passes);
     return fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}", job.path.string(), plan.radar.name,
                        processing_word(plan.simulation.processing), plan.rows, plan.columns, core::bytes_text(bytes),

@@ -1,9 +1,9 @@
 #include "workflow/record/recording.hpp"
 
 #include <memory>
-#include <system_error>
 
 #include "core/task/clock.hpp"
+#include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "simulate/run/run.hpp"
 
@@ -53,9 +53,7 @@ RecordingReport begun_report(const simulate::Plan& plan, const simulate::Product
 
 void take_file(const fs::path& path, RecordingReport& report) {
   report.file = path.string();
-  std::error_code failure;
-  const auto size = fs::file_size(path, failure);
-  if (!failure) report.bytes = static_cast<double>(size);
+  report.bytes = static_cast<double>(raster::stored_bytes(path));
 }
 
 core::ProgressReport begun_stage(const core::Observer& observer, const std::string& name, const simulate::Plan& plan) {
