@@ -326,12 +326,12 @@ SARSIM_API sarsim_status sarsim_record_double(const sarsim_plan* plan, uint64_t 
 /* How a recording is stored. NULL in place of it is the same as all zeros. */
 typedef struct sarsim_file_options {
   size_t struct_size;
-  const char* format; /* "ascii", "csv", "bracket", "binary", "npy", "hdf5". NULL: as the file's ending says, or, where
-                         that says nothing, as the scene does. */
+  const char* format; /* "ascii", "csv", "bracket", "binary", "npy", "hdf5", "zarr", "sigmf". NULL: as the file's ending
+                         says, or, where that says nothing, as the scene does. */
   int replace;        /* A file that exists is replaced; 0: it is an error. */
-  int counts;         /* Counts of the A/D converter in HDF5 and NPY, in place of volts. */
+  int counts;         /* Counts of the A/D converter in HDF5, NPY, Zarr and SigMF, in place of volts. */
   int header;         /* A header line in CSV. */
-  int doubles;        /* Volts of HDF5 and NPY in double precision. */
+  int doubles;        /* Volts of HDF5, NPY, Zarr and SigMF in double precision. */
 } sarsim_file_options;
 
 /* What a file turned out to be. */

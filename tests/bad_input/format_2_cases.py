@@ -214,7 +214,7 @@ def alternatives():
     return [
         instead('"chirp"', '@"chrip"', "A choice is misspelt.", 'did you mean "chirp"'),
         instead('"chirp"', '@"CHIRP"', "Choices are written in small letters.", 'did you mean "chirp"'),
-        instead('"hdf5"', '@"h5"', "There is no such choice.", "hdf5, csv, npy or zarr"),
+        instead('"hdf5"', '@"h5"', "There is no such choice.", "hdf5, csv, npy, zarr or sigmf"),
         instead(PULSE, '{ bandwidth = "100 MHz" }', "It is not said which kind of pulse it is.", "has no type"),
         instead(
             ends, 'azimuth = "0 deg", @rate = "3 rpm" }\n', "The field is one of another kind of beam.", "type rotating"

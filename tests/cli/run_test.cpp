@@ -1,5 +1,7 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "program.hpp"
 
 namespace sarsim::test {
@@ -89,9 +91,22 @@ TEST_F(RunCommand, NumbersRepeatedNamesWithAWarning) {
 
 TEST_F(RunCommand, FormatChangesTheExtension) {
   write_scene({});
-  for (const char* format : {"ascii", "binary", "bracket", "hdf5", "csv", "npy", "zarr"})
+  for (const char* format : {"ascii", "binary", "bracket", "hdf5", "csv", "npy", "zarr", "sigmf"})
     EXPECT_EQ(sarsim({"run", "scene.scr", "--out", "o", "--format", format}).status, 0) << format;
-  EXPECT_THAT(entries("o"), ElementsAre("sim.asc", "sim.bin", "sim.brk", "sim.csv", "sim.h5", "sim.npy", "sim.zarr"));
+  EXPECT_THAT(entries("o"), ElementsAre("sim.asc", "sim.bin", "sim.brk", "sim.csv", "sim.h5", "sim.npy",
+                                        "sim.sigmf-data", "sim.sigmf-meta", "sim.zarr"));
+}
+
+TEST_F(RunCommand, PartsMakeNoFormatOfSeveralFiles) {
+  write_scene({});
+  const Finished run = sarsim({"run", "scene.scr", "--format", "sigmf", "--part", "1/2"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("sigmf, which is several files"));
+  std::ofstream(folder_ / "sim.sigmf-data") << "theirs";
+  const Finished taken = sarsim({"run", "scene.scr", "--format", "sigmf"});
+  EXPECT_EQ(taken.status, 2);
+  EXPECT_THAT(taken.err, HasSubstr("exists already"));
+  EXPECT_EQ(text_of(folder_ / "sim.sigmf-data"), "theirs");
 }
 
 TEST_F(RunCommand, BytesDoNotDependOnThreads) {

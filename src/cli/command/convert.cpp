@@ -83,7 +83,7 @@ Action add_convert(CLI::App& app) {
   add_integer(app, "--simulation", request->simulation, 1, 1'000'000,
               "which simulation of the script wrote the file (default: the one that names it)");
   add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
-  app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5, NPY and Zarr");
+  app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5, NPY, Zarr and SigMF");
   app.add_flag("--header", request->header, "a header line in CSV");
   add_text(app, "--references", arguments->references, "JSON",
            "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");
@@ -91,6 +91,8 @@ Action add_convert(CLI::App& app) {
   add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                      {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
                      {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
+                     {"sarsim convert sim1.h5 sim1.zarr", "a folder of files, for object stores and xarray"},
+                     {"sarsim convert sim1.h5 sim1.sigmf-meta", "for programs of radio"},
                      {"sarsim convert sim1.h5 --references sim1.json", "to open the same bytes as Zarr"},
                      {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
                      {"sarsim convert old.scr new.toml", "a scene from the language of 1998 into format 2, or back"}});

@@ -147,9 +147,9 @@ void add_run_options(CLI::App& app, RunArguments& a) {
   add_scene_overrides(app, a.request.overrides);
   app.add_flag("--force", a.request.force, "replace files that exist");
   app.add_flag("--keep-paths", a.request.keep_paths, "keep the folders of output names");
-  app.add_flag("--double", a.request.doubles, "in HDF5, NPY and Zarr: volts in double precision (complex128)");
+  app.add_flag("--double", a.request.doubles, "in HDF5, NPY, Zarr and SigMF: volts in double precision (complex128)");
   app.add_flag("--quantise,--counts", a.request.counts,
-               "in HDF5, NPY and Zarr: counts of the A/D converter instead of volts");
+               "in HDF5, NPY, Zarr and SigMF: counts of the A/D converter instead of volts");
   app.add_flag("--header", a.request.header, "a header line in CSV");
   app.add_flag("--json", a.json, "a report as JSON on standard output");
   app.add_flag("--strict", a.request.strict, "warnings end the run before it begins (status 2)");

@@ -48,7 +48,7 @@ void add_sweep_arguments(CLI::App& app, SweepArguments& a) {
   add_text(app, "--simd", a.simd, "LEVEL", "instruction set to use, as for run");
   add_run_choices(app, a.overrides);
   app.add_flag("--force", a.force, "replace files that exist");
-  app.add_flag("--counts", a.counts, "converter counts instead of volts in HDF5, NPY and Zarr");
+  app.add_flag("--counts", a.counts, "converter counts instead of volts in HDF5, NPY, Zarr and SigMF");
   app.add_flag("--header", a.header, "a header line in CSV");
   app.add_flag("--discard", a.discard, "write the tables alone, no recordings");
   app.add_flag("--json", a.json, "the table as JSON on standard output, too");

@@ -33,6 +33,11 @@ namespace sarsim::raster {
 [[nodiscard]] OpenedRaster open_hdf5_file(core::InputFile file, const Format& format, const RasterHints& hints,
                                           Integrity integrity);
 
+/// A SigMF recording (docs/formats/samples.md), by either of its files: ours, and others of complex numbers whose
+/// captures are equally long or whose rows the hints say.
+[[nodiscard]] OpenedRaster open_sigmf(core::InputFile file, const Format& format, const RasterHints& hints,
+                                      Integrity integrity);
+
 /// A Zarr store of samples (docs/formats/samples.md) or one array of it: ours, and others of version 2 that are not
 /// compressed. Of several arrays `samples` counts, otherwise the only one that may hold samples. Every size is compared
 /// with the files that are there. Chunks that are nowhere are refused in our own stores; in others they are what the

@@ -45,6 +45,7 @@ extern const FormatWriter bracket_writer;
 extern const FormatWriter csv_writer;
 extern const FormatWriter hdf5_file_writer;
 extern const FormatWriter npy_writer;
+extern const FormatWriter sigmf_writer;
 extern const FormatWriter zarr_writer;
 
 /// Bytes of a component (I or Q) in the formats of fixed size: BINARY ceil(bits/8); HDF5 and NPY 4 (float32 or int32)

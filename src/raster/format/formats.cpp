@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/format_writer.hpp"
+#include "raster/format/sigmf.hpp"
 
 namespace sarsim::raster {
 
@@ -112,6 +113,18 @@ constexpr std::array<Format, recording_count + 3> table{
       .open = open_zarr_file,
       .open_folder = open_zarr,
       .writer = &zarr_writer},
+     {.recording = scene::FileFormat::sigmf,
+      .word = "SIGMF",
+      .name = "SigMF",
+      .title = "SigMF recording",
+      .choice = "SigMF: volts with captures",
+      .extensions = {".sigmf-meta", ".sigmf-data"},
+      .carries_axes = true,
+      .carries_script = true,
+      .in_files = sigmf_files,
+      .most_sample_bytes = volts_bytes,
+      .open = open_sigmf,
+      .writer = &sigmf_writer},
      {.word = "ENVI",
       .name = "ENVI",
       .title = "ENVI image",
@@ -173,6 +186,10 @@ std::string image_extensions(bool without_spreadsheets) {
     if (!without_spreadsheets || !row->spreadsheet)
       extensions += fmt::format("{}{}", extensions.empty() ? "" : ", ", row->extensions.front());
   return extensions;
+}
+
+std::vector<std::filesystem::path> files_of(const Format* format, const std::filesystem::path& path) {
+  return format == nullptr || format->in_files == nullptr ? std::vector{path} : format->in_files(path);
 }
 
 std::string word_of(const Format& format) {

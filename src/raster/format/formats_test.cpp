@@ -17,7 +17,7 @@ namespace formats_test {
 
 constexpr std::array all_formats{scene::FileFormat::ascii, scene::FileFormat::binary, scene::FileFormat::bracket,
                                  scene::FileFormat::hdf5,  scene::FileFormat::csv,    scene::FileFormat::npy,
-                                 scene::FileFormat::zarr};
+                                 scene::FileFormat::zarr,  scene::FileFormat::sigmf};
 
 TEST(Formats, NamesAndExtensionsLeadBackToTheFormat) {
   for (const scene::FileFormat format : all_formats) {
@@ -43,11 +43,11 @@ TEST(Formats, EveryFormatOfRecordingsCanBeReadAndWritten) {
 TEST(Formats, ListsForPeopleHoldEachFormatOnce) {
   for (const auto place : {&FormatPlaces::saved, &FormatPlaces::exported, &FormatPlaces::image}) {
     const auto offered = offered_formats(place);
-    // A dialog that saves a file offers no folder.
-    EXPECT_EQ(offered.size(), all_formats.size() - (place == &FormatPlaces::image ? 0 : 1));
+    // A dialog that saves one file offers no folder and no two files; images are not SigMF.
+    EXPECT_EQ(offered.size(), all_formats.size() - (place == &FormatPlaces::image ? 1 : 2));
     for (std::size_t i = 0; i < offered.size(); ++i) EXPECT_EQ(offered[i]->places.*place, static_cast<int>(i) + 1);
   }
-  EXPECT_EQ(format_words(), "ascii, binary, bracket, hdf5, csv, npy or zarr");
+  EXPECT_EQ(format_words(), "ascii, binary, bracket, hdf5, csv, npy, zarr or sigmf");
   EXPECT_EQ(image_extensions(), ".npy, .h5, .zarr, .csv, .asc, .bin, .brk");
   EXPECT_EQ(image_extensions(true), ".npy, .h5, .zarr, .asc, .bin, .brk");
 }

@@ -62,6 +62,8 @@ struct Format {
   bool picture = false;         ///< Levels and colours made for the eye.
   bool folder = false;          ///< It is a folder of files.
   bool by_hand = false;         ///< Somebody says how it is stored: it does not say itself what its numbers are.
+  /// The files that an output of that name becomes, where they are several: all of them, or none is there.
+  std::vector<std::filesystem::path> (*in_files)(const std::filesystem::path& path) = nullptr;
   FormatPlaces places = {};
   /// The most bytes of a sample of so many A/D bits, where nothing else is asked for; exact but for text.
   double (*most_sample_bytes)(int bits) = nullptr;
@@ -96,18 +98,21 @@ struct Format {
 [[nodiscard]] std::span<const Format> recording_formats();
 /// The formats that a list offers, in its order.
 [[nodiscard]] std::vector<const Format*> offered_formats(int FormatPlaces::*place);
-/// The words of all formats of recordings: "ascii, binary, bracket, hdf5, csv, npy or zarr".
+/// The words of all formats of recordings: "ascii, binary, bracket, hdf5, csv, npy, zarr or sigmf".
 [[nodiscard]] std::string format_words();
 /// The extensions of images that are no ENVI images: ".npy, .h5, .csv, .asc, .bin, .brk".
 /// @param without_spreadsheets  leave out those that become tables of their own
 [[nodiscard]] std::string image_extensions(bool without_spreadsheets = false);
+/// The files that an output becomes: that of its name, but for formats of several files.
+/// @param format  null for none of the table
+[[nodiscard]] std::vector<std::filesystem::path> files_of(const Format* format, const std::filesystem::path& path);
 /// The word of a format in commands and reports: "hdf5", "envi".
 [[nodiscard]] std::string word_of(const Format& format);
 
 /// The usual extension of a format, with its point: ".asc", ".bin", ".brk", ".h5", ".csv", ".npy", ".zarr".
 [[nodiscard]] std::string_view extension_of(scene::FileFormat format);
 
-/// The keyword of a format in scripts: "ASCII", "BINARY", "BRACKET", "HDF5", "CSV", "NPY", "ZARR".
+/// The keyword of a format in scripts: "ASCII", "BINARY", "BRACKET", "HDF5", "CSV", "NPY", "ZARR", "SIGMF".
 [[nodiscard]] std::string_view name_of(scene::FileFormat format);
 
 /// The format that a keyword means, ignoring case; nothing for another word.

@@ -164,10 +164,11 @@ void check_single_precision(Findings& findings, const Simulation& simulation, co
                              .expected = fmt::format("{:.0e} or more", of_a_float),
                              .hint = "'sarsim run --double' writes double precision."});
   if (simulation.bits < 8)
-    findings.note("bits", {.message = "volts are not quantised: this format does not use the A/D converter",
-                           .found = fmt::format("{} bits", simulation.bits),
-                           .expected = "a format of counts (BINARY, ASCII, BRACKET, CSV)",
-                           .hint = "'sarsim run --quantise' writes the converter's counts into HDF5, NPY and Zarr."});
+    findings.note("bits",
+                  {.message = "volts are not quantised: this format does not use the A/D converter",
+                   .found = fmt::format("{} bits", simulation.bits),
+                   .expected = "a format of counts (BINARY, ASCII, BRACKET, CSV)",
+                   .hint = "'sarsim run --quantise' writes the converter's counts into HDF5, NPY, Zarr and SigMF."});
 }
 
 void check_single_pulse(Findings& findings, const Simulation& simulation, const radar::Repetition& repetition,
@@ -211,11 +212,9 @@ struct Extension {
 };
 
 void check_extension(Findings& findings, const Simulation& simulation) {
-  static constexpr Extension extensions[] = {{".npy", FileFormat::npy},
-                                             {".h5", FileFormat::hdf5},
-                                             {".hdf5", FileFormat::hdf5},
-                                             {".csv", FileFormat::csv},
-                                             {".zarr", FileFormat::zarr}};
+  static constexpr Extension extensions[] = {{".npy", FileFormat::npy},   {".h5", FileFormat::hdf5},
+                                             {".hdf5", FileFormat::hdf5}, {".csv", FileFormat::csv},
+                                             {".zarr", FileFormat::zarr}, {".sigmf-meta", FileFormat::sigmf}};
   const std::string extension = std::filesystem::path(simulation.file).extension().string();
   for (const Extension& known : extensions) {
     if (!core::equal_ignoring_case(extension, known.extension) || known.format == simulation.format) continue;

@@ -14,14 +14,15 @@ enum class SampleValues {
 };
 
 /// The values of every format of recordings.
-inline constexpr std::array<std::pair<FileFormat, SampleValues>, 7> format_values{
+inline constexpr std::array<std::pair<FileFormat, SampleValues>, 8> format_values{
     {{FileFormat::ascii, SampleValues::counts},
      {FileFormat::binary, SampleValues::counts},
      {FileFormat::bracket, SampleValues::counts},
      {FileFormat::hdf5, SampleValues::volts},
      {FileFormat::csv, SampleValues::counts},
      {FileFormat::npy, SampleValues::volts},
-     {FileFormat::zarr, SampleValues::volts}}};
+     {FileFormat::zarr, SampleValues::volts},
+     {FileFormat::sigmf, SampleValues::volts}}};
 
 /// The values of one format; counts for a number that is none of a format.
 [[nodiscard]] constexpr SampleValues values_of(FileFormat format) {

@@ -321,7 +321,7 @@ struct Radar {
 };
 
 /// How a file of samples is laid out (docs/formats).
-enum class FileFormat { ascii, binary, bracket, hdf5, csv, npy, zarr };
+enum class FileFormat { ascii, binary, bracket, hdf5, csv, npy, zarr, sigmf };
 
 /// What is done to the received samples before the A/D converter.
 enum class Processing { raw, matched_filter, srp };

@@ -63,8 +63,9 @@ void add_product(FieldTable<Simulation>& table) {
                    {"HDF5", FileFormat::hdf5, "HDF5", "HDF5 file"},
                    {"CSV", FileFormat::csv, "CSV", "text, a line for each pulse: I,Q"},
                    {"NPY", FileFormat::npy, "NumPy", "NumPy array"},
-                   {"ZARR", FileFormat::zarr, "Zarr", "Zarr store: a folder of files"}},
-       .tip = "How the file of samples is laid out; HDF5 and Zarr carry their axes and the script."});
+                   {"ZARR", FileFormat::zarr, "Zarr", "Zarr store: a folder of files"},
+                   {"SIGMF", FileFormat::sigmf, "SigMF", "SigMF recording: samples, and JSON about them"}},
+       .tip = "How the file of samples is laid out; HDF5, Zarr and SigMF carry their axes and the script."});
 }
 
 void add_pulse_choices(FieldTable<Simulation>& table) {

@@ -119,8 +119,8 @@ class Conversion {
 
   // Of the new file and, for images, its header.
   [[nodiscard]] std::vector<std::filesystem::path> outputs() const {
-    if (!header_.copy) return {request_.output};
-    return {request_.output, header_.file};
+    if (header_.copy) return {request_.output, header_.file};
+    return raster::files_of(envi_ ? nullptr : &raster::format_of(options_.format), request_.output);
   }
 
   ConvertReport carry_out() {

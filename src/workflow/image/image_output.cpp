@@ -86,7 +86,7 @@ fs::path magnitude_path(const fs::path& path) {
 
 std::vector<fs::path> files_of_image(const fs::path& path) {
   const auto format = raster::format_from_path(path);
-  if (format && !raster::format_of(*format).envi_header) return {path};
+  if (format && !raster::format_of(*format).envi_header) return raster::files_of(&raster::format_of(*format), path);
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 

@@ -196,10 +196,18 @@ class Recorder {
     // Whether a recording that is made in parts is finished is looked at when its turn comes.
     for (const ProductJob& job : jobs_) {
       const bool later = journaled_ && (!job.table || request_.part.resume || !makes_tables());
-      std::ranges::move(
-          problems_of_output(job.path, {input_.sources, request_.force || later, "", chosen_folder(request_.folder)}),
-          std::back_inserter(problems));
-      files.push_back(job.path);
+      const raster::Format* const format =
+          job.table ? nullptr : &raster::format_of(input_.scene.simulations[job.index].format);
+      for (const fs::path& file : raster::files_of(format, job.path)) {
+        std::ranges::move(
+            problems_of_output(file, {input_.sources, request_.force || later, "", chosen_folder(request_.folder)}),
+            std::back_inserter(problems));
+        files.push_back(file);
+      }
+      if (journaled_ && format != nullptr && format->in_files != nullptr)
+        problems.push_back(core::problem_of(core::Severity::error, "parts and runs that can be resumed make one file",
+                                            fmt::format("{}, which is several files", raster::word_of(*format)), {},
+                                            "record HDF5 in this way, and convert it: sarsim convert"));
       if (!journaled_ || job.table) continue;
       std::ranges::move(problems_of_side_files(job.path), std::back_inserter(problems));
       std::ranges::move(side_files_of(job.path), std::back_inserter(files));
