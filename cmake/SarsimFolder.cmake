@@ -136,6 +136,7 @@ function(sarsim_has_library_apart result)
   set(${result} ${apart} PARENT_SCOPE)
 endfunction()
 
+# A module that programs load. That of HDF5 is installed with the library for C, which needs it as the programs do.
 function(sarsim_module name sources libraries)
   sarsim_has_library_apart(apart ${HDF5_C_LIBRARIES})
   add_library(sarsim_${name} MODULE ${sources})
@@ -146,7 +147,11 @@ function(sarsim_module name sources libraries)
   if(NOT SARSIM_SANITIZE)
     target_link_options(sarsim_${name} PRIVATE LINKER:-z,defs)
   endif()
-  install(TARGETS sarsim_${name} LIBRARY DESTINATION ${SARSIM_MODULE_FOLDER} COMPONENT program)
+  set(component program)
+  if(name STREQUAL hdf5)
+    set(component library)
+  endif()
+  install(TARGETS sarsim_${name} LIBRARY DESTINATION ${SARSIM_MODULE_FOLDER} COMPONENT ${component})
 endfunction()
 
 # A program that is installed.

@@ -1,6 +1,7 @@
 # What `cmake --install` puts where, beside the programs and the module. Included at the end of src/, where the targets are.
 #
-# Components, each a Debian package: program (sarsim), workbench (sarsim-gui), mpi (sarsim-mpi), development (sarsim-dev).
+# Components, each a Debian package: program (sarsim), library (libsarsim0), workbench (sarsim-gui), mpi (sarsim-mpi), header
+# (libsarsim-dev), development (sarsim-dev).
 # Three more: guide, pages of HTML that belong to sarsim where they were built; licence, which a distribution has elsewhere;
 # and libraries, which only the tarball has.
 include(CMakePackageConfigHelpers)
@@ -53,7 +54,13 @@ if(TARGET sarsim-mpi)
   sarsim_install_page(sarsim-mpi mpi)
 endif()
 
-# The library, for other programs: its folders from core to picture, with the headers that are not private to a layer.
+# The library for C, with its header and what pkg-config says of it.
+install(TARGETS sarsim_shared LIBRARY DESTINATION lib COMPONENT library NAMELINK_COMPONENT header)
+install(FILES ${CMAKE_CURRENT_SOURCE_DIR}/capi/sarsim.h DESTINATION include COMPONENT header)
+configure_file(${CMAKE_SOURCE_DIR}/cmake/sarsim.pc.in ${generated}/sarsim.pc @ONLY)
+install(FILES ${generated}/sarsim.pc DESTINATION lib/pkgconfig COMPONENT header)
+
+# The libraries for C++: the folders from core to picture, with the headers that are not private to a layer.
 set(libraries core radar signal scene simulate raster workflow picture)
 foreach(name IN LISTS libraries)
   set_target_properties(sarsim_${name} PROPERTIES EXPORT_NAME ${name})
@@ -81,6 +88,6 @@ if(TARGET sarsim-gui)
   list(APPEND bundled_programs $<TARGET_FILE:sarsim-gui>)
 endif()
 install(CODE "set(programs \"${bundled_programs}\")
-set(modules \"$<TARGET_FILE:sarsim_hdf5>;$<TARGET_FILE:sarsim_drawing>\")
+set(modules \"$<TARGET_FILE:sarsim_shared>;$<TARGET_FILE:sarsim_hdf5>;$<TARGET_FILE:sarsim_drawing>\")
 set(library_folder \"${SARSIM_MODULE_FOLDER}\")" COMPONENT libraries EXCLUDE_FROM_ALL)
 install(SCRIPT ${CMAKE_SOURCE_DIR}/cmake/BundleLibraries.cmake COMPONENT libraries EXCLUDE_FROM_ALL)

@@ -6,7 +6,7 @@ if(CPACK_GENERATOR STREQUAL "DEB")
   set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 else()
   # One archive with its libraries. Without sarsim-mpi, which has to be built with the MPI of its cluster, and without the
-  # library for other programs, which is linked against the libraries of the system.
+  # libraries for C++, which are linked against the libraries of the system.
   set(CPACK_ARCHIVE_COMPONENT_INSTALL ON)
   set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
   set(CPACK_COMPONENTS_ALL ${CPACK_SARSIM_PACKAGES} licence libraries)

@@ -31,9 +31,28 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME sarsim)
 set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "radar echo simulator
 ${sentence}
 .
-This is the command with its modules for HDF5 and pictures, examples and
+This is the command with its module for pictures, examples and
 documentation.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libsarsim0 ${same}")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "sarsim-gui ${same}")
+
+# The library has one interface of numbered functions: what was linked with an older one runs with it.
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libsarsim0)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/debian/triggers)
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "radar echo simulator: library
+${sentence}
+.
+This is the shared library for programs in C and for languages that call C,
+with the module for HDF5, which the command uses as well.")
+
+set(CPACK_DEBIAN_HEADER_PACKAGE_NAME libsarsim-dev)
+set(CPACK_DEBIAN_HEADER_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_HEADER_PACKAGE_DEPENDS "libsarsim0 ${same}")
+set(CPACK_DEBIAN_HEADER_DESCRIPTION "radar echo simulator: header for C
+${sentence}
+.
+This is the header of the shared library, and what pkg-config says of it.")
 
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME sarsim-gui)
 set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "radar echo simulator: workbench
@@ -52,7 +71,7 @@ set(CPACK_DEBIAN_MPI_PACKAGE_DEPENDS "sarsim ${same}")
 set(CPACK_DEBIAN_MPI_PACKAGE_RECOMMENDS "openmpi-bin")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME sarsim-dev)
-set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "radar echo simulator: library for other programs
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "radar echo simulator: libraries for C++
 ${sentence}
 .
 These are the headers, the static libraries and the CMake package.")
@@ -73,7 +92,7 @@ if(SARSIM_GZIP)
 endif()
 set(SARSIM_PACKAGES program)
 install(FILES ${debian_files} DESTINATION share/doc/sarsim COMPONENT program)
-foreach(pair sarsim-gui:workbench sarsim-mpi:mpi sarsim_core:development)
+foreach(pair sarsim_shared:library sarsim_shared:header sarsim-gui:workbench sarsim-mpi:mpi sarsim_core:development)
   string(REPLACE ":" ";" pair ${pair})
   list(POP_FRONT pair target component)
   if(TARGET ${target})

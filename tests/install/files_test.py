@@ -42,6 +42,12 @@ def everything(prefix, components):
         "share/doc/sarsim/guide/commands.md",
         "share/doc/sarsim/copyright",
         "share/doc/sarsim/LICENSE",
+        "lib/libsarsim.so.0",
+        "lib/libsarsim.so",
+        "lib/pkgconfig/sarsim.pc",
+        "include/sarsim.h",
+        "share/doc/libsarsim0/copyright",
+        "share/doc/libsarsim-dev/copyright",
         "lib/libsarsim_simulate.a",
         "lib/libsarsim_picture.a",
         "lib/cmake/Sarsim/SarsimConfig.cmake",
@@ -157,7 +163,7 @@ def main():
     check, cmake, build, *components = sys.argv[1:]
     with tempfile.TemporaryDirectory() as name:
         prefix = pathlib.Path(name) / "prefix"
-        needed = components if check == "everything" else [c for c in components if c != "development"]
+        needed = components if check == "everything" else [c for c in components if c not in ("development", "header")]
         install(cmake, build, prefix, *needed)
         globals()[check](prefix, components)
 

@@ -15,7 +15,7 @@ def main():
     example = SOURCE / "examples" / "sar_r.scr"
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        install(cmake, build, folder / "first", "program")
+        install(cmake, build, folder / "first", "program", "library")
         (folder / "first").rename(folder / "moved")
         program = folder / "moved" / "bin" / "sarsim"
         out = folder / "out"

@@ -32,7 +32,7 @@ def main():
     script = SOURCE / "examples" / "sar_r.scr"
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        install(cmake, build, folder / "first", "program", "development")
+        install(cmake, build, folder / "first", "program", "library", "development")
         prefix = folder / "moved"
         (folder / "first").rename(prefix)
 
