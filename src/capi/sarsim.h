@@ -216,9 +216,9 @@ SARSIM_API sarsim_status sarsim_scene_get_number(const sarsim_scene* scene, cons
 SARSIM_API sarsim_status sarsim_scene_set_number(sarsim_scene* scene, const char* field, double value,
                                                  sarsim_problems** problems);
 /* A field that is a function given by points: a pulse ("Radar1.pulse_iq"), a pattern ("Radar1.transmit_antenna.gain_db"), a
- * track ("Plane.trajectory_m"), an envelope. Sets it to `count` points: x ascending, and `parts` values of y for each, one
- * after the other, in the units that the field's name ends in. `method`: "linear", "cubic" or "mfilter". The choice that
- * the field belongs to has to be made before ("Radar1.pulse=user"). */
+ * track ("Plane.trajectory_m"), an envelope. Sets it to `count` points: x ascending, and y of all points for each of its
+ * `parts`, one part after the other, in the units that the field's name ends in. `method`: "linear", "cubic" or
+ * "mfilter". The choice that the field belongs to has to be made before ("Radar1.pulse=user"). */
 SARSIM_API sarsim_status sarsim_scene_set_points(sarsim_scene* scene, const char* field, size_t count, size_t parts,
                                                  const double* x, const double* y, const char* method,
                                                  sarsim_problems** problems);
@@ -250,8 +250,8 @@ SARSIM_API sarsim_status sarsim_scene_fields(const sarsim_scene* scene, const ch
  * array of objects with name, title, meaning, single (whether a scene has one of them: world, atmosphere, options) and
  * fields. Of a field: name (for sarsim_scene_set, behind that of the object and a point), id, path (in format 2), label,
  * group, type ("number", "choice", "check", "text", "platform", "radar", "function", "list"), unit, units, least, most,
- * default, default_number, choices (word, meaning), functions (how many values a point has), when (it applies: field and
- * among), tip. What does not apply is left out. */
+ * default, default_number, choices (word, shown as sarsim_scene_get shows it, meaning), functions (how many values a point
+ * has), when (it applies: field and among), tip. What does not apply is left out. */
 SARSIM_API sarsim_status sarsim_schema(sarsim_text** text, sarsim_problems** problems);
 
 typedef int sarsim_style;

@@ -95,7 +95,11 @@ void write_choices(core::JsonWriter& json, const scene::Field& field) {
   if (field.kind != scene::FieldKind::choice) return;
   json.key("choices").begin_array();
   for (const scene::Choice& choice : field.spec->choices)
-    json.begin_object().member("word", scene::type_word(choice)).member("meaning", choice.meaning).end_object();
+    json.begin_object()
+        .member("word", scene::type_word(choice))
+        .member("shown", choice.shown)
+        .member("meaning", choice.meaning)
+        .end_object();
   json.end_array();
 }
 
