@@ -7,7 +7,7 @@ usage: snippets.py PAGE BIN_FOLDER [--show]   BIN_FOLDER holds the program sarsi
 A page is read by its fences:
 
     ```sh           run by bash in an empty folder of the page's own, with sarsim on the path and a copy of examples/
-    ```python       run by Python (with NumPy and h5py), ```octave by Octave, ```gdl by GNU Data Language
+    ```python       run by Python (with NumPy, h5py and the package sarsim), ```octave by Octave, ```gdl by GNU Data Language
     ```python MODULE ...   by a Python that has these, too; SARSIM_TEST_PYTHON may name one
     ```toml NAME    written to the file NAME of that folder, as is ```scr NAME
     ```output       what the snippet before printed: these lines, in this order; "..." stands for any lines, and within a line
@@ -32,6 +32,7 @@ RUN = {"sh", "python", "octave", "gdl"}
 SCENES = {"toml", "scr"}
 UNRUNNABLE = {"matlab", "idl", "vba", "powershell"}
 QUIET = {"", "text", "json", "csv", "make", "c"}
+PROJECT = pathlib.Path(__file__).resolve().parents[2]
 WORKBENCH = re.compile(r"^sarsim-gui ", re.MULTILINE)
 SECONDS = 300  # With sanitizers; a second or two otherwise.
 
@@ -83,12 +84,15 @@ def misses(expected, printed):
 class Machine:
     """Runs snippets in one folder."""
 
-    def __init__(self, folder, programs):
+    def __init__(self, folder, programs, library=None):
         self.folder = folder
         self.programs = programs  # Of each language; None where it is missing.
         self.has_workbench = (folder.parent / "bin" / "sarsim-gui").exists()
         self.environment = dict(os.environ, MPLBACKEND="Agg", QT_QPA_PLATFORM="offscreen", HOME=str(folder.parent))
         self.environment["PATH"] = f"{folder.parent / 'bin'}:{os.environ['PATH']}"
+        self.environment.update(PYTHONPATH=str(PROJECT / "python"), PYTHONDONTWRITEBYTECODE="1")
+        if library is not None:
+            self.environment["SARSIM_LIBRARY"] = str(library)
 
     def program_for(self, fence):
         """What runs a snippet; None where it is missing."""
@@ -251,10 +255,10 @@ def main():
     if sys.argv[1:] == ["--self"]:
         unittest.main(argv=sys.argv[:1])
     page, programs = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2])
-    project = pathlib.Path(__file__).resolve().parents[2]
     with tempfile.TemporaryDirectory() as name:
-        folder = prepare(pathlib.Path(name), programs, project)
-        result = check_page(page.read_text(encoding="utf-8"), Machine(folder, find_programs()), "--show" in sys.argv)
+        folder = prepare(pathlib.Path(name), programs, PROJECT)
+        machine = Machine(folder, find_programs(), programs.resolve().parent / "lib" / "libsarsim.so.0")
+        result = check_page(page.read_text(encoding="utf-8"), machine, "--show" in sys.argv)
     for fault in result.faults:
         print(f"{page}: {fault}")
     missing = (

@@ -1,0 +1,71 @@
+"""mypy finds the package and a program that uses it without fault, and finds faults in one that has some.
+
+SARSIM_TEST_PYTHON may name a Python that has mypy.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+PACKAGE = pathlib.Path(__file__).resolve().parents[2] / "python"
+GOOD = """
+import numpy as np
+import sarsim
+scene: sarsim.Scene = sarsim.read("a.toml")
+radar = scene.radars["Radar1"]
+radar.bandwidth = "50 MHz"
+radar.carrier = 9.65e9
+radar.transmit_antenna.azimuth_beamwidth = 2
+width: float = radar.bandwidth * radar.pulse_width
+place: float = scene.targets[0].position[1]
+table = scene.record(dtype=np.complex64).samples
+image: sarsim.Image = sarsim.focus(scene.record(), window="hann")
+errors = sarsim.measure(image)["azimuth_error_m"].max()
+"""
+BAD = (
+    ("radar.bandwidth = [3]", "Incompatible types in assignment"),
+    ("radar.same_antenna = 3.5", "Incompatible types in assignment"),
+    ("text: str = radar.pulse_width", "Incompatible types in assignment"),
+    ("scene.recrod()", "has no attribute"),
+    ("sarsim.read()", "Missing positional argument"),
+)
+
+
+def python_with_mypy():
+    for program in (os.environ.get("SARSIM_TEST_PYTHON", ""), sys.executable, "/usr/bin/python3"):
+        if program and subprocess.run([program, "-c", "import mypy, numpy"], capture_output=True).returncode == 0:
+            return program
+    print("skipped: no Python with mypy and NumPy (Debian: mypy)")
+    sys.exit(77)
+
+
+def mypy(program, folder, *words):
+    environment = {**os.environ, "MYPYPATH": str(PACKAGE)}
+    command = [program, "-m", "mypy", "--cache-dir", str(folder / "cache"), *map(str, words)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=folder, env=environment, check=False)
+    return done.stdout + done.stderr
+
+
+def main():
+    program = python_with_mypy()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "good.py").write_text(GOOD)
+        (folder / "bad.py").write_text(GOOD + "\n".join(line for line, _ in BAD) + "\n")
+        told = mypy(program, folder, "--strict", "--ignore-missing-imports", "--allow-any-generics",
+                    "--no-warn-return-any", "--no-warn-unused-ignores", "-p", "sarsim")
+        if "Success" not in told:
+            sys.exit(told)
+        told = mypy(program, folder, "--strict", "--allow-any-generics", "good.py")
+        if "Success" not in told:
+            sys.exit(told)
+        told = mypy(program, folder, "bad.py")
+        first = GOOD.count("\n") + 1
+        for number, (line, fault) in enumerate(BAD, first):
+            if not any(f"bad.py:{number}:" in one and fault in one for one in told.splitlines()):
+                sys.exit(f"{line}: no '{fault}' in\n{told}")
+
+
+main()
