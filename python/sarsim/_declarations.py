@@ -2,6 +2,7 @@
 
 from ctypes import CFUNCTYPE, Structure, c_char_p, c_double, c_float, c_int, c_size_t, c_uint, c_uint64, c_void_p
 
+VERSION = "0.1.0"
 ABI_VERSION = 2
 
 SARSIM_OK = 0

@@ -57,9 +57,14 @@ def _shrunk(values: np.ndarray, length: int) -> np.ndarray:
     return np.maximum.reduceat(values, starts, axis=0)
 
 
+def _grown(values: np.ndarray, length: int) -> np.ndarray:
+    """As many copies of each row as fit."""
+    return np.repeat(values, max(1, length // max(1, len(values))), axis=0)
+
+
 def picture(samples: "Samples", span_db: float, width: int, height: int) -> Picture:
     magnitudes = np.abs(samples.samples)
-    small = _shrunk(_shrunk(magnitudes, height).T, width).T
+    small = _grown(_shrunk(_grown(_shrunk(magnitudes, height), height).T, width), width).T
     largest = float(small.max()) if small.size else 0.0
     if largest == 0.0:
         return Picture(np.zeros(small.shape))

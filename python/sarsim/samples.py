@@ -104,7 +104,7 @@ class Samples:
 
     def picture(self, *, span_db: float = 40.0, width: int = 720, height: int = 480) -> "Picture":
         """The magnitudes as a PNG picture: near range left, late rows at the top, span_db from black to white. Where a
-        pixel holds several samples it shows the largest."""
+        pixel holds several samples it shows the largest. It is about as large as said."""
         from .pictures import picture
 
         return picture(self, span_db, width, height)

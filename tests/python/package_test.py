@@ -227,7 +227,7 @@ class Recordings(Folder):
         class Ramp(sarsim.Samples):
             samples = np.outer([1.0, 0.1], [1.0, 0.01, 1.0])
 
-        png = Ramp([], {}).picture(span_db=40).png
+        png = Ramp([], {}).picture(span_db=40, width=3, height=2).png
         self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
         chunks, place = {}, 8
         while place < len(png):
@@ -240,6 +240,7 @@ class Recordings(Folder):
         self.assertEqual(list(zlib.decompress(chunks[b"IDAT"])), [0, 128, 0, 128, 0, 255, 0, 255])
         wide = Ramp([], {}).picture(width=2, height=1).levels
         self.assertEqual(wide.tolist(), [[255, 255]])
+        self.assertEqual(Ramp([], {}).picture(width=8, height=4).levels.shape, (4, 6))
 
     def test_own_arrays_are_what_the_scene_language_says(self):
         """A chirp, a track and targets as arrays give the echoes of those that the language has words for."""
