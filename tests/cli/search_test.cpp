@@ -328,7 +328,7 @@ TEST_F(Search, RefusesASecondTurnOfABeamThatStandsStill) {
 
 TEST_F(Search, EndsOnControlCWithoutLeavingAnything) {
   std::string text = text_of(examples + "search_radar.scr");
-  text.replace(text.find("1.9995 "), 7, "900.0  ");
+  text.replace(text.find("1.9995 "), 7, "150.0  ");
   write_text(folder_ / "long.scr", text);
   Start start;
   start.folder = folder_;

@@ -99,7 +99,7 @@ def locked():
     for word, file in (("binary", "sim.bin"), ("hdf5", "sim.h5"), ("ascii", "sim.asc")):
         with tempfile.TemporaryDirectory(prefix="sarsim-locked-") as name:
             folder = pathlib.Path(name)
-            (folder / "scene.scr").write_text(stories.moving(60000))
+            (folder / "scene.scr").write_text(stories.moving(20000))
             (folder / file).write_bytes(EARLIER)
             for path in (folder, *folder.iterdir()):
                 os.chown(path, NOBODY, NOBODY)
