@@ -19,6 +19,8 @@ from .scene import Scene
 from .table import Table, take_table
 
 if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
     from .scene import Path
 
 Source = Union[Recording, "Raster", Scene, str, "os.PathLike[str]"]
@@ -46,6 +48,40 @@ class Raster(Samples):
             for index in range(info.attributes)
         }
         super().__init__([_axis(handle, index) for index in range(info.axes)], attributes)
+
+    @classmethod
+    def of(
+        cls,
+        samples: "ArrayLike",
+        axes: "Mapping[str, ArrayLike] | None" = None,
+        attributes: "Mapping[str, str] | None" = None,
+    ) -> "Raster":
+        """An array of your own as samples that can be saved with their axes.
+
+        :param samples:    complex, in volts, or real: rows, columns. They are not copied where they are complex64 or float32
+        :param axes:       by name: pulse_time_s, carrier_hz, azimuth_m, cross_range_m, y_m of rows; slant_range_m,
+                           ground_range_m, x_m of columns
+        :param attributes: what a file says of them: script, radar, sample_rate_hz, bits, lsb_v
+        """
+        given = np.asarray(samples)
+        whole = np.ascontiguousarray(given, np.complex64 if np.iscomplexobj(given) else np.float32)
+        if whole.ndim != 2:
+            raise ValueError(f"samples have the shape {whole.shape}; expected rows and columns")
+        handle = made(
+            lib.sarsim_raster_free,
+            lib.sarsim_raster_of_floats,
+            whole.ctypes.data,
+            *whole.shape,
+            int(np.iscomplexobj(whole)),
+        )
+        for name, values in (axes or {}).items():
+            places = np.ascontiguousarray(values, np.float64)
+            call(lib.sarsim_raster_set_axis, handle, name.encode(), places.ctypes.data, places.size)
+        for name, value in (attributes or {}).items():
+            call(lib.sarsim_raster_set_attribute, handle, name.encode(), value.encode())
+        raster = cls(handle)
+        raster._whole = whole  # Which the handle looks at.
+        return raster
 
     @property
     def shape(self) -> "Tuple[int, int]":

@@ -138,6 +138,16 @@ class Recording(Samples):
         """What is worth knowing of it."""
         return self.plan.remarks
 
+    def save(self, path: "Path", **options: Any) -> None:
+        """Writes the samples as they are now, in single precision, to a file in the format of its ending, with their axes, the scene and
+        the radar as far as it has place for them. `Scene.record_file` writes the file that `sarsim run` does."""
+        from .products import Raster
+
+        axes = {name: axis.values for name, axis in self.axes.items() if axis.values.ndim == 1}
+        attributes = {"script": self.scene.text(), "radar": self.plan.radar, "bits": str(self.plan.bits)}
+        attributes["sample_rate_hz"] = repr(self.plan.sample_rate_hz)
+        Raster.of(self.samples, axes, attributes).save(path, **options)
+
 
 def record(scene: "Scene", number: "int | str", *, dtype: Any, threads: int, progress: Progress) -> Recording:
     plan = Plan(scene, number, threads=threads)

@@ -326,6 +326,22 @@ class Images(Folder):
         np.testing.assert_array_equal(file, whole)
         self.assertEqual(file.attributes["radar"], "Radar1")
 
+    def test_arrays_become_files(self):
+        recording = sar_r().record()
+        recording.samples[:] *= 2
+        recording.save(self.folder / "own.h5")
+        again = sarsim.open(self.folder / "own.h5")
+        np.testing.assert_array_equal(again, recording)
+        np.testing.assert_array_equal(again.slant_range_m, recording.slant_range_m)
+        np.testing.assert_array_equal(again.pulse_time_s, recording.pulse_time_s)
+        image, twice = sarsim.focus(sar_r().record()), sarsim.focus(again)
+        np.testing.assert_allclose(twice.samples, 2 * image.samples, atol=1e-6 * np.abs(image.samples).max())
+        own = sarsim.Raster.of(np.arange(6.0).reshape(2, 3), {"x_m": [0, 2, 4], "y_m": [1, 2]})
+        self.assertEqual((own.dims, own.dtype), (("y_m", "x_m"), np.float32))
+        own.save(self.folder / "own.npy")
+        with self.assertRaises(sarsim.ProblemError):
+            sarsim.Raster.of(np.zeros((2, 3)), {"x_m": [1, 2]})
+
     def test_options_that_mean_nothing_are_told(self):
         with self.assertRaises(sarsim.ProblemError):
             sarsim.focus(sar_r(), algorithm="omega")
