@@ -1,7 +1,7 @@
 # What `cmake --install` puts where, beside the programs and the module. Included at the end of src/, where the targets are.
 #
 # Components, each a Debian package: program (sarsim), library (libsarsim0), workbench (sarsim-gui), mpi (sarsim-mpi), header
-# (libsarsim-dev), development (sarsim-dev).
+# (libsarsim-dev), python (python3-sarsim), development (sarsim-dev).
 # Three more: guide, pages of HTML that belong to sarsim where they were built; licence, which a distribution has elsewhere;
 # and libraries, which only the tarball has.
 include(CMakePackageConfigHelpers)
@@ -59,6 +59,12 @@ install(TARGETS sarsim_shared LIBRARY DESTINATION lib COMPONENT library NAMELINK
 install(FILES ${CMAKE_CURRENT_SOURCE_DIR}/capi/sarsim.h DESTINATION include COMPONENT header)
 configure_file(${CMAKE_SOURCE_DIR}/cmake/sarsim.pc.in ${generated}/sarsim.pc @ONLY)
 install(FILES ${generated}/sarsim.pc DESTINATION lib/pkgconfig COMPONENT header)
+
+# The package for Python, which finds the library as programs do.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/python/sarsim DESTINATION lib/python3/dist-packages COMPONENT python
+        FILES_MATCHING PATTERN "*.py" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/guide/notebooks DESTINATION share/doc/python3-sarsim COMPONENT python
+        FILES_MATCHING PATTERN "*.ipynb")
 
 # The libraries for C++: the folders from core to picture, with the headers that are not private to a layer.
 set(libraries core radar signal scene simulate raster workflow picture)

@@ -54,6 +54,19 @@ ${sentence}
 .
 This is the header of the shared library, and what pkg-config says of it.")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-sarsim)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "libsarsim0 ${same}, python3 (>= 3.9), python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "python3-matplotlib")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-xarray, python3-tqdm, python3-distributed, jupyter-notebook")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/debian/python/postinst
+    ${CMAKE_SOURCE_DIR}/packaging/debian/python/prerm)
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "radar echo simulator: Python package
+${sentence}
+.
+This is the package for Python, with ten lessons as notebooks.")
+
 set(CPACK_DEBIAN_WORKBENCH_PACKAGE_NAME sarsim-gui)
 set(CPACK_DEBIAN_WORKBENCH_DESCRIPTION "radar echo simulator: workbench
 ${sentence}
@@ -92,7 +105,7 @@ if(SARSIM_GZIP)
 endif()
 set(SARSIM_PACKAGES program)
 install(FILES ${debian_files} DESTINATION share/doc/sarsim COMPONENT program)
-foreach(pair sarsim_shared:library sarsim_shared:header sarsim-gui:workbench sarsim-mpi:mpi sarsim_core:development)
+foreach(pair sarsim_shared:library sarsim_shared:header sarsim_shared:python sarsim-gui:workbench sarsim-mpi:mpi sarsim_core:development)
   string(REPLACE ":" ";" pair ${pair})
   list(POP_FRONT pair target component)
   if(TARGET ${target})
