@@ -12,6 +12,8 @@
 #include "gui/image/open_image_dialog.hpp"
 #include "image_viewer_bench.hpp"
 #include "raster/format/envi.hpp"
+#include "raster/sicd/sicd_test_value.hpp"
+#include "raster/sicd/sicd_writer.hpp"
 
 // Several image viewers, and how files come to them.
 
@@ -83,6 +85,25 @@ class ImageViewersTest : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
     QVERIFY(dialog.hints().raw.has_value());
     QCOMPARE(dialog.hints().raw->width, std::size_t{30});
+  }
+
+  void a_sicd_file_is_opened_with_its_places() {
+    QTemporaryDir folder;
+    const fs::path path = folder.filePath("focused.nitf").toStdString();
+    raster::SicdWriter writer(path, raster::sicd_test_value(20, 30), false, false);
+    for (int column = 0; column < 30; ++column) writer.append(std::vector<std::complex<float>>(20, {1.0F, 2.0F}));
+    writer.finish();
+    gui::MainWindow main;
+    QVERIFY(main.open_any(QString::fromStdString(path.string())));
+    QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
+    gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
+    QVERIFY(wait_until_open(viewer));
+    QCOMPARE(viewer.plot().view().rows(), 20.0);
+    QCOMPARE(viewer.plot().view().columns(), 30.0);
+    gui::OpenImageDialog dialog;
+    dialog.show_file(QString::fromStdString(path.string()), {});
+    QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
+    QVERIFY(!dialog.hints().raw.has_value());
   }
 
   void a_file_that_does_not_describe_itself_is_guessed() {

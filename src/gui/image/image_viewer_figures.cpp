@@ -108,6 +108,13 @@ QString ImageViewer::words_at(SamplePlace place) const {
   const std::size_t column = part->window.column(*index % part->window.cols);
   const std::complex<double> s = part->samples[*index];
   QStringList words{tr("Row %1").arg(row), tr("Sample %1").arg(column)};
+  if (const auto& places = source_->info().places) {
+    const auto said = [](const raster::ImagePlaces& axis, std::size_t number) {
+      const double at = axis.first + axis.step * static_cast<double>(number);
+      return QString::fromStdString(axis.label) + " " + number_text(at, axis.unit.c_str());
+    };
+    words << said(places->azimuth, row) << said(places->range, column);
+  }
   if (axes_ && row < axes_->row_time_s.size() && std::isfinite(axes_->row_time_s[row]))
     words << tr("Time %1").arg(number_text(axes_->row_time_s[row], "s"));
   if (axes_ && column < axes_->column_range_m.size() && std::isfinite(axes_->column_range_m[column]))

@@ -19,6 +19,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/formats.hpp"
 
 namespace sarsim::raster {
 
@@ -277,6 +278,7 @@ void EnviWriter::finish() {
 }
 
 bool has_envi_header(const std::filesystem::path& data) {
+  if (row_from_path(data) == &sicd_format()) return false;  // A header of that name is that of another image.
   const std::filesystem::path header_file = envi_header_of(data);
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(header_file, ignored)) return false;

@@ -61,6 +61,11 @@ namespace sarsim::raster {
 [[nodiscard]] OpenedRaster open_envi(core::InputFile file, const Format& format, const RasterHints& hints,
                                      Integrity integrity);
 
+/// A SICD file: rows of ranges, columns along the track, in volts or what the file's maker took for them; integers and
+/// amplitudes with phases become I and Q. Whole or not at all: it is refused where a segment is missing.
+[[nodiscard]] OpenedRaster open_sicd(core::InputFile file, const Format& format, const RasterHints& hints,
+                                     Integrity integrity);
+
 /// A Sun raster. Rows that are missing are never an error.
 [[nodiscard]] OpenedRaster open_sun(core::InputFile file, const Format& format, const RasterHints& hints,
                                     Integrity integrity);

@@ -11,6 +11,7 @@
 #include "raster/format/format_reader.hpp"
 #include "raster/format/format_writer.hpp"
 #include "raster/format/sigmf.hpp"
+#include "raster/sicd/nitf.hpp"
 
 namespace sarsim::raster {
 
@@ -24,7 +25,7 @@ double volts_bytes(int) { return 8.0; }
 
 constexpr std::size_t recording_count = scene::format_values.size();
 
-constexpr std::array<Format, recording_count + 3> table{
+constexpr std::array<Format, recording_count + 4> table{
     {{.recording = scene::FileFormat::ascii,
       .word = "ASCII",
       .name = "Sarsim ASCII",
@@ -138,6 +139,12 @@ constexpr std::array<Format, recording_count + 3> table{
       .signature = "\x59\xa6\x6a\x95",
       .picture = true,
       .open = open_sun},
+     {.word = "SICD",
+      .name = "SICD",
+      .title = "SICD image",
+      .extensions = {".nitf", ".ntf", ".sicd"},
+      .signature = nitf_begin,
+      .open = open_sicd},
      {.word = "CUSTOM",
       .name = "Custom",
       .title = "custom",
@@ -163,7 +170,8 @@ const Format& format_of(scene::FileFormat format) {
 
 const Format& envi_format() { return table[recording_count]; }
 const Format& sun_raster_format() { return table[recording_count + 1]; }
-const Format& custom_format() { return table[recording_count + 2]; }
+const Format& sicd_format() { return table[recording_count + 2]; }
+const Format& custom_format() { return table[recording_count + 3]; }
 
 std::vector<const Format*> offered_formats(int FormatPlaces::*place) {
   std::vector<const Format*> offered;

@@ -40,14 +40,15 @@ const Format* bare_numbers() {
 }
 
 // The format of a file: that of the hints, otherwise that of its first bytes, otherwise that of its extension where
-// this means no text, otherwise the text that it looks like, otherwise BINARY where its shape is known, otherwise that
-// of its extension. Null where nothing tells. `pictures`: look for pictures, too.
+// this means samples or SICD and no text, otherwise the text that it looks like, otherwise BINARY where its shape is
+// known, otherwise that of its extension. Null where nothing tells. `pictures`: look for pictures, too.
 const Format* detect_format(const core::InputFile& file, const RasterHints& hints, bool pictures) {
   if (hints.format) return &format_of(*hints.format);
   if (const Format* const row = with_signature(file, pictures)) return row;
   const auto recording = format_from_path(file.path());
   const Format* const named = recording ? &format_of(*recording) : nullptr;
   if (named != nullptr && !named->is_text()) return named;
+  if (row_from_path(file.path()) == &sicd_format()) return &sicd_format();
   if (const TextStyle style = style_of_text(file); style != TextStyle::none) return in_style(style);
   if (hints.columns > 0 && hints.bits > 0) return bare_numbers();
   return named;

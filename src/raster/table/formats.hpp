@@ -81,8 +81,8 @@ struct Format {
   [[nodiscard]] bool is_text() const { return text != TextStyle::none; }
 };
 
-/// All rows: first the formats of recordings in the order of scene::FileFormat, then ENVI, pictures and files that are
-/// described by hand.
+/// All rows: first the formats of recordings in the order of scene::FileFormat, then ENVI, pictures, SICD and files
+/// that are described by hand.
 [[nodiscard]] std::span<const Format> formats();
 
 /// The row of a format of recordings.
@@ -91,6 +91,8 @@ struct Format {
 [[nodiscard]] const Format& envi_format();
 /// The row of Sun rasters.
 [[nodiscard]] const Format& sun_raster_format();
+/// The row of complex images with their place on the Earth.
+[[nodiscard]] const Format& sicd_format();
 /// The row of files that a RawLayout describes.
 [[nodiscard]] const Format& custom_format();
 

@@ -14,6 +14,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/table/formats.hpp"
+#include "raster/table/image_places.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
 #include "simulate/plan/sink.hpp"
@@ -30,6 +31,7 @@ struct RasterInfo {
   int bits = 0;                                                 ///< 0 where unknown.
   std::optional<double> lsb_v;                                  ///< Volts of a count, where known.
   std::optional<double> sample_rate_hz;                         ///< Where it is known.
+  std::optional<FocusedPlaces> places;                          ///< Of images whose file says where their pixels are.
   std::vector<std::pair<std::string, std::string>> attributes;  ///< Everything else it says of itself: name, value.
 };
 

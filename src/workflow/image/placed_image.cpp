@@ -138,6 +138,8 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
     throw core::Refused(request.path + " holds no samples");
   input.source = std::move(opened.raster);
   if (header) return input;
+  input.focused = input.source->info().places;
+  if (input.focused) return input;
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
   if (!input.axes && !request.samples.script.empty()) {
