@@ -18,6 +18,10 @@ struct ResponseFigures {
   double islr_db = 0.0;
 };
 
+/// Width of the response of an even spectrum between its half powers, in units of the inverse bandwidth: the w at which
+/// sin(pi w/2)/(pi w/2) is 1/sqrt(2).
+inline constexpr double even_response_width = 0.8858929413789;
+
 /// Null distances beyond the first nulls, on each side, that the integrated sidelobes are counted over.
 inline constexpr double islr_null_widths = 10.0;
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "workflow/focus/air_remarks.hpp"
 #include "workflow/focus/back_projection.hpp"
 #include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/image_collection.hpp"
 #include "workflow/focus/motion_residual.hpp"
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
@@ -253,6 +255,16 @@ void write_outputs(const FocusReport& report, const FocusRequest& request, const
     write_phase(*report.autofocus, request.autofocus_phase, request.force);
 }
 
+// Where on the Earth a SICD file is; said before the work begins. An image that is kept may become one later, where
+// its place is known.
+std::optional<EarthPlace> wanted_place(const FocusRequest& request, FocusInput& input) {
+  const bool kept = request.output.empty() && (request.anchor || scene::earth_of(input.world));
+  if (!kept && !is_sicd(request.output)) return std::nullopt;
+  EarthPlace place = earth_place(input.world, request.anchor, "SICD");
+  if (!kept) std::ranges::copy(place.remarks, std::back_inserter(input.problems));
+  return place;
+}
+
 }  // namespace
 
 core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& control) {
@@ -295,7 +307,10 @@ FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   expect_sense(asked);
   FocusRequest request = asked;
   const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  FocusWork work = work_on(open_focus_input(request.input, control, request.navigation), request, control);
+  FocusInput input = open_focus_input(request.input, control, request.navigation);
+  const auto place = wanted_place(request, input);
+  FocusWork work = work_on(std::move(input), request, control);
+  const FocusInput recorded = place ? work.input : FocusInput{};  // Before its motion is compensated.
   const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
   std::vector<SarTarget> targets;
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
@@ -327,6 +342,12 @@ FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
     const core::Problems failed = remarks_on_autofocus(*report.autofocus);
     observer.remarks(failed);
     report.problems.insert(report.problems.end(), failed.begin(), failed.end());
+  }
+  if (place) {
+    const bool refocused = report.autofocus && report.autofocus->applied;
+    const ImageMaking making{report.image.image, work.options, in_time(request), refocused};
+    report.origin.collection =
+        std::make_shared<const ImageCollection>(collection_of(recorded, making, *place, control));
   }
   write_outputs(report, request, observer.stop);
   report.seconds = core::now_s() - begin_s;

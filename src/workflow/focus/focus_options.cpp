@@ -10,6 +10,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/input/earth_place.hpp"
 #include "workflow/input/recording_options.hpp"
 #include "workflow/options/window_option.hpp"
 
@@ -130,6 +131,11 @@ void add_work(OptionTable<FocusRequest>& table) {
              [](FocusRequest& request, const std::string& word) { request.memory_bytes = memory_of(word); });
   table.text("--scratch", "DIR", "where on disk (default: the system's folder for temporary files)",
              &FocusRequest::scratch_folder);
+  table.text(
+      "--anchor", "LAT,LON,HEIGHT[,HEADING]",
+      "of SICD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, and the direction "
+      "of +y from north",
+      [](FocusRequest& request, const std::string& word) { request.anchor = anchor_from_text(word, "--anchor"); });
   table.flag("--magnitude", "also an ENVI image of magnitudes, NAME-magnitude.img", &FocusRequest::magnitude);
   table.flag("--force", "replace files that exist", &FocusRequest::force);
 }
@@ -138,10 +144,10 @@ void add_work(OptionTable<FocusRequest>& table) {
 
 OptionTable<FocusRequest> focus_option_table() {
   OptionTable<FocusRequest> table;
-  table.text(
-      "--out", "OUT",
-      fmt::format("image to write: ENVI (.img, default), or {}; default: the input's name", raster::image_extensions()),
-      &FocusRequest::output);
+  table.text("--out", "OUT",
+             fmt::format("image to write: ENVI (.img, default), {} or SICD (.nitf); default: the input's name",
+                         raster::image_extensions()),
+             &FocusRequest::output);
   table.choice<FocusAlgorithm>(
       "--algorithm",
       {{"auto", FocusAlgorithm::automatic},

@@ -31,6 +31,8 @@ void expect_options_that_agree(const FocusRequest& request) {
     throw core::Refused("--autofocus needs an image of slant range", "leave out --grid ground");
   if (!request.autofocus && (request.autofocus_piece_m || !request.autofocus_phase.empty()))
     throw core::Refused("--autofocus-piece and --autofocus-phase say how --autofocus works", "add --autofocus");
+  if (request.anchor && !request.output.empty() && !is_sicd(request.output))
+    throw core::Refused("--anchor says where a SICD file lies on the Earth", "name the output .nitf, or leave it out");
   if (request.autofocus_piece_m && !(*request.autofocus_piece_m > 0.0))
     throw core::Refused("--autofocus-piece must be above 0", "give metres along the track");
 }

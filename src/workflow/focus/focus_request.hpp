@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "radar/earth/earth_frame.hpp"
 #include "signal/sar/image_area.hpp"
 #include "signal/sar/sar_window.hpp"
 #include "workflow/focus/motion.hpp"
@@ -60,6 +61,7 @@ struct FocusRequest {
   unsigned threads = 0;                     ///< 0: one for each core.
   std::optional<std::size_t> memory_bytes;  ///< To work in; nothing: half of what is free; 0: no limit.
   std::filesystem::path scratch_folder;     ///< For what needs more; empty: the system's for temporary files.
+  std::optional<radar::Anchor> anchor;      ///< Of a flat world, for SICD: where its origin is on the Earth.
   bool magnitude = false;                   ///< Also an ENVI image of magnitudes beside the output.
   bool force = false;                       ///< Files that exist are replaced.
 };

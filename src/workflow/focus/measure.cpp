@@ -13,6 +13,7 @@
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/envi.hpp"
+#include "raster/format/open_raster.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/measure/noise_floor.hpp"
 #include "signal/sar/ground_grid.hpp"
@@ -20,7 +21,9 @@
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/image/image_output.hpp"
 #include "workflow/image/image_script.hpp"
+#include "workflow/image/sicd_image.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/override_words.hpp"
 
@@ -55,9 +58,28 @@ MeasuredImage kept_image_to_measure(const MeasureRequest& request) {
   return opened;
 }
 
+// The columns of the file are the rows of the image.
+MeasuredImage opened_sicd(const std::string& path) {
+  raster::OpenedRaster file = raster::open_raster(raster::Integrity::whole, path);
+  if (!file.raster) throw core::Refused(core::ranked(std::move(file.problems)));
+  auto source = sicd_source(*file.raster);
+  if (!source)
+    throw core::Refused(fmt::format("'{}' says nothing of a script: it is of another program", path),
+                        "measure images of sarsim focus; the image viewer measures points of any image");
+  MeasuredImage opened{std::move(source->header), {}, {}, {}};
+  opened.reader = [raster = file.raster, backwards = source->backwards](std::size_t row, std::size_t first,
+                                                                        std::span<std::complex<float>> out) {
+    const std::size_t column = backwards ? raster->columns() - 1 - row : row;
+    raster->read_window({first, out.size(), column, 1, 1, 1}, out);
+  };
+  read_header(opened.header, path, opened.image, opened.origin);
+  return opened;
+}
+
 MeasuredImage opened_image(const std::string& path) {
   if (!fs::exists(path))
     throw core::Refused(fmt::format("there is no file '{}'", path), "name an image of sarsim focus");
+  if (is_sicd(path)) return opened_sicd(path);
   auto [file, problems] = raster::EnviImage::open(path);
   if (!file) throw core::Refused(std::move(problems));
   if (file->header().pixel != raster::EnviHeader::Pixel::complex_float)

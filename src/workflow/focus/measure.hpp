@@ -18,7 +18,7 @@ namespace sarsim::workflow {
 
 /// What of an image is to be measured.
 struct MeasureRequest {
-  std::filesystem::path image;  ///< Complex image of `focus`, ENVI or NPY.
+  std::filesystem::path image;  ///< Complex image of `focus`, ENVI, NPY or SICD.
   /// In place of that file, which is then only a name: an image that was kept, with its origin and input. Null: none.
   std::shared_ptr<const KeptImage> kept{};
   /// The script that it was made from and its simulation, where they are others than the image's header says; no path.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -13,6 +14,8 @@
 
 namespace sarsim::workflow {
 
+struct ImageCollection;
+
 /// How an image came to be, as its header tells it.
 struct ImageOrigin {
   std::string source;    ///< What was focused: a path.
@@ -25,6 +28,7 @@ struct ImageOrigin {
   std::string radar;            ///< This and what follows stand in HDF5 files alone.
   scene::RunOptions run;
   std::optional<radar::EarthFrame> earth;  ///< Under the world; of ground grids it stands in headers (map_fields.hpp).
+  std::shared_ptr<const ImageCollection> collection = nullptr;  ///< For SICD alone (sicd_image.hpp).
 };
 
 /// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.

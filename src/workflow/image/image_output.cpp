@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -11,9 +12,11 @@
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/image/image_facts.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/image_writer.hpp"
 #include "workflow/image/map_fields.hpp"
+#include "workflow/image/sicd_image.hpp"
 
 namespace sarsim::workflow {
 
@@ -64,6 +67,24 @@ double largest_of(const core::SampleRows<float>& image, const core::StopFlag* st
   return static_cast<double>(largest);
 }
 
+bool carries_axes(const fs::path& path) {
+  const auto format = raster::format_from_path(path);
+  return format && raster::format_of(*format).carries_axes;
+}
+
+void expect_place(const KeptImage& image, const fs::path& path) {
+  if (image.origin && image.origin->collection) return;
+  throw core::Refused(fmt::format("'{}': SICD is for focused images whose place on the Earth is known", path.string()),
+                      "focus a scene over the Earth, or with an anchor; or name it .img");
+}
+
+SicdImage sicd_of(const KeptImage& image, const raster::EnviHeader& header, const fs::path& path) {
+  signal::FocusedImage axes;
+  ImageOrigin ignored;
+  read_header(header, path.string(), axes, ignored);
+  return sicd_of(axes, *image.origin, *image.origin->collection, header, path.stem().string());
+}
+
 }  // namespace
 
 void expect_no_picture(const fs::path& path, std::string_view option) {
@@ -78,7 +99,16 @@ void expect_no_picture(const fs::path& path, std::string_view option) {
                       fs::path(path).replace_extension(".img").string(), path.string()));
 }
 
-bool is_envi(const fs::path& path) { return !raster::format_from_path(path); }
+bool is_sicd(const fs::path& path) { return raster::row_from_path(path) == &raster::sicd_format(); }
+
+bool is_envi(const fs::path& path) { return !raster::format_from_path(path) && !is_sicd(path); }
+
+void expect_no_sicd(const fs::path& path, std::string_view option) {
+  if (is_sicd(path))
+    throw core::Refused(fmt::format("{} '{}' is the name of a SICD file, which only images of sarsim focus become",
+                                    option, path.string()),
+                        fmt::format("name it {}", fs::path(path).replace_extension(".img").string()));
+}
 
 fs::path magnitude_path(const fs::path& path) {
   return path.parent_path() / (path.stem().string() + "-magnitude" + path.extension().string());
@@ -86,19 +116,25 @@ fs::path magnitude_path(const fs::path& path) {
 
 std::vector<fs::path> files_of_image(const fs::path& path) {
   const auto format = raster::format_from_path(path);
+  if (is_sicd(path)) return {path};
   if (format && !raster::format_of(*format).envi_header) return raster::files_of(&raster::format_of(*format), path);
   return {path, fs::path(path).replace_extension(".hdr")};
 }
 
 KeptImage kept_image(const signal::FocusedRows& image, const ImageOrigin& origin) {
-  return {{header_of(image.image, origin), product_of(image.image, origin)}, image, origin};
+  return {{header_of(image.image, origin), product_of(image.image, origin), {}}, image, origin};
 }
 
 void write_image(const KeptImage& image, const fs::path& path, bool replace, const core::StopFlag* stop) {
+  if (is_sicd(path)) expect_place(image, path);
   if (image.write) return image.write(path, replace, stop);
   ImageContent content = image.content;
-  if (image.origin && files_of_image(path).size() > 1) add_way_back(content.header, *image.origin, path);
-  const bool look = image.largest_if_needed ? needs_largest(path) : !is_envi(path);
+  if (image.origin && (files_of_image(path).size() > 1 || is_sicd(path) || carries_axes(path)))
+    add_way_back(content.header, *image.origin, path);
+  if (is_sicd(path)) content.sicd = sicd_of(image, content.header, path);
+  if (image.origin && carries_axes(path))
+    std::ranges::move(facts_of_header(content.header), std::back_inserter(content.product.image.facts));
+  const bool look = image.largest_if_needed ? needs_largest(path) : !is_envi(path) && !is_sicd(path);
   ImageWriter writer(path, std::move(content), replace, look ? largest_of(image.rows, stop) : 0.0);
   each_row(image.rows, stop, [&](std::span<const std::complex<float>> row) { writer.append(row); });
   writer.finish();

@@ -19,6 +19,12 @@ namespace sarsim::workflow {
 /// message begins with `option`.
 void expect_no_picture(const std::filesystem::path& path, std::string_view option);
 
+/// Whether a path names a SICD file: .nitf, .ntf or .sicd.
+[[nodiscard]] bool is_sicd(const std::filesystem::path& path);
+
+/// Refuses the name of a SICD file for what is no image of `focus`. The message begins with `option`.
+void expect_no_sicd(const std::filesystem::path& path, std::string_view option);
+
 /// The image of magnitudes that goes with a complex one: "name-magnitude.img" for "name.img".
 [[nodiscard]] std::filesystem::path magnitude_path(const std::filesystem::path& path);
 
@@ -29,8 +35,8 @@ void expect_no_picture(const std::filesystem::path& path, std::string_view optio
 [[nodiscard]] KeptImage kept_image(const signal::FocusedRows& image, const ImageOrigin& origin);
 
 /// Writes an image in the format that the path's extension says (docs/formats/focused-images.md): ENVI or NPY with a
-/// header, HDF5 as complex samples, the others as counts of 16 bits whose largest is the largest magnitude. Throws
-/// Interrupted, and like the sinks.
+/// header, HDF5 as complex samples, SICD where the origin has a collection, the others as counts of 16 bits whose
+/// largest is the largest magnitude. Throws Interrupted, and like the sinks and SicdWriter.
 /// @param magnitude  ENVI: magnitudes instead of complex numbers
 void write_image(const signal::FocusedRows& image, const ImageOrigin& origin, const std::filesystem::path& path,
                  bool replace, bool magnitude, const core::StopFlag* stop);

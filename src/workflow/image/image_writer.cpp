@@ -26,6 +26,10 @@ bool needs_largest(const std::filesystem::path& path) {
 
 ImageWriter::ImageWriter(const std::filesystem::path& path, ImageContent content, bool replace, double largest)
     : path_(path), content_(std::move(content)), replace_(replace) {
+  if (content_.sicd) {
+    sicd_.emplace(path, content_.sicd->description, content_.sicd->backwards, replace);
+    return;
+  }
   const auto format = raster::format_from_path(path);
   if (!format) {
     envi_.emplace(path, content_.header, replace);
@@ -53,6 +57,8 @@ ImageWriter::~ImageWriter() = default;
 void ImageWriter::append(std::span<const std::complex<float>> row) {
   if (envi_)
     envi_->append(row);
+  else if (sicd_)
+    sicd_->append(row);
   else if (samples_)
     samples_->append(row);
   else
@@ -62,6 +68,10 @@ void ImageWriter::append(std::span<const std::complex<float>> row) {
 void ImageWriter::finish() {
   if (envi_) {
     envi_->finish();
+    return;
+  }
+  if (sicd_) {
+    sicd_->finish();
     return;
   }
   if (!samples_) {

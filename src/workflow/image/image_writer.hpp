@@ -8,6 +8,7 @@
 
 #include "core/os/output_file.hpp"
 #include "raster/format/envi.hpp"
+#include "raster/sicd/sicd_writer.hpp"
 #include "raster/table/raster_writer.hpp"
 #include "simulate/plan/sink.hpp"
 #include "workflow/image/kept_image.hpp"
@@ -18,8 +19,8 @@ namespace sarsim::workflow {
 [[nodiscard]] bool needs_largest(const std::filesystem::path& path);
 
 /// Writes an image row by row, in the format that its path's extension says (docs/formats/images.md): ENVI or NPY with
-/// a header, HDF5 as complex samples, the others as counts of 16 bits. Files appear with `finish`; destroyed before,
-/// nothing stays behind. Throws like the sinks.
+/// a header, HDF5 as complex samples, SICD, the others as counts of 16 bits. Files appear with `finish`; destroyed
+/// before, nothing stays behind. Throws like the sinks.
 class ImageWriter {
  public:
   /// @param largest  magnitude of the image, which full scale stands for; may be 0 unless `needs_largest`
@@ -43,6 +44,7 @@ class ImageWriter {
   bool replace_;
   simulate::RunReport report_;
   std::optional<raster::EnviWriter> envi_;
+  std::optional<raster::SicdWriter> sicd_;
   std::optional<raster::RasterWriter> samples_;
   std::vector<std::complex<float>> pixels_;  // of an image that is kept
 };

@@ -9,6 +9,7 @@
 #include "raster/format/envi.hpp"
 #include "simulate/plan/sink.hpp"
 #include "workflow/image/image_fields.hpp"
+#include "workflow/image/sicd_image.hpp"
 #include "workflow/input/recording_input.hpp"
 
 namespace sarsim::workflow {
@@ -17,6 +18,7 @@ namespace sarsim::workflow {
 struct ImageContent {
   raster::EnviHeader header;  ///< Shape, description and fields: the header of ENVI and, of complex pixels, of NPY.
   simulate::Product product;  ///< Axes for HDF5; shape, bits and LSB are filled in.
+  std::optional<SicdImage> sicd{};  ///< Of the image of a SICD file.
 };
 
 /// An image that was made and not written.

@@ -55,7 +55,10 @@ std::vector<fs::path> PulseWork::files() const {
 
 void PulseWork::expect_free_files(const std::vector<fs::path>& sources) const {
   const std::vector<fs::path> paths = files();
-  if (request_.image) expect_no_picture(output(), "--out");
+  if (request_.image) {
+    expect_no_picture(output(), "--out");
+    expect_no_sicd(output(), "--out");
+  }
   if (!request_.image && !options_.detect)
     throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");
   expect_free_outputs(paths, {sources, request_.replace, "--out or --detections"});
