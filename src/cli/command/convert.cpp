@@ -12,6 +12,7 @@
 #include "workflow/convert/convert.hpp"
 #include "workflow/convert/convert_scene.hpp"
 #include "workflow/convert/references.hpp"
+#include "workflow/input/earth_place.hpp"
 #include "workflow/input/override_words.hpp"
 #include "workflow/input/recording_input.hpp"
 
@@ -22,6 +23,7 @@ namespace {
 struct ConvertArguments {
   workflow::ConvertRequest samples;
   std::string references;
+  std::string anchor;
   workflow::SceneOverrides overrides;
 };
 
@@ -67,7 +69,9 @@ ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
   Watch watch(streams, false);
   core::Observer observer = watch.observer();
   observer.progress = {};  // A copy is soon done.
-  print_problems(streams, workflow::convert(request, observer).remarks);
+  workflow::ConvertRequest placed = request;
+  if (!arguments.anchor.empty()) placed.anchor = workflow::anchor_from_text(arguments.anchor, "--anchor");
+  print_problems(streams, workflow::convert(placed, observer).remarks);
   return exit_done;
 }
 
@@ -85,6 +89,10 @@ Action add_convert(CLI::App& app) {
   add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
   app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5, NPY, Zarr and SigMF");
   app.add_flag("--header", request->header, "a header line in CSV");
+  add_text(
+      app, "--anchor", arguments->anchor, "LAT,LON,HEIGHT[,HEADING]",
+      "of SICD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, and the direction of "
+      "+y from north");
   add_text(app, "--references", arguments->references, "JSON",
            "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");
   app.add_flag("--force", request->force, "replace the new file where it exists");
@@ -95,6 +103,7 @@ Action add_convert(CLI::App& app) {
                      {"sarsim convert sim1.h5 sim1.sigmf-meta", "for programs of radio"},
                      {"sarsim convert sim1.h5 --references sim1.json", "to open the same bytes as Zarr"},
                      {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
+                     {"sarsim convert sar_r.img sar_r.nitf --anchor -33.9,18.4,120", "an image as SICD"},
                      {"sarsim convert old.scr new.toml", "a scene from the language of 1998 into format 2, or back"}});
   return [arguments](Streams& streams) { return run_convert(*arguments, streams); };
 }

@@ -15,6 +15,8 @@
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "workflow/convert/copied_image.hpp"
+#include "workflow/convert/sicd_copy.hpp"
+#include "workflow/image/image_output.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/input/scene_input.hpp"
 #include "workflow/input/scene_words.hpp"
@@ -269,6 +271,9 @@ class Conversion {
 }  // namespace
 
 ConvertReport convert(const ConvertRequest& request, const core::Observer& observer) {
+  if (is_sicd(request.output) && !request.to) return convert_to_sicd(request, observer);
+  if (request.anchor)
+    throw core::Refused("--anchor says where a SICD file lies on the Earth", "name the output .nitf, or leave it out");
   if (request.simulation && request.sample.script.empty())
     throw core::Refused("--simulation is a number in a script", "name it with --script");
   const raster::RasterHints hints =

@@ -10,6 +10,7 @@
 
 #include "core/report/problem.hpp"
 #include "core/task/observer.hpp"
+#include "radar/earth/earth_frame.hpp"
 #include "radar/receiver/converter.hpp"
 #include "workflow/input/sample_input.hpp"
 
@@ -23,6 +24,7 @@ struct ConvertRequest {
   SampleArguments sample;                  ///< What is said of an input that does not describe itself.
   std::optional<std::int64_t> simulation;  ///< The one of `sample.script` that wrote the input, from 1.
   std::optional<scene::FileFormat> to;     ///< Otherwise what the extension of the output says.
+  std::optional<radar::Anchor> anchor;     ///< Of a flat world, for SICD: where its origin is on the Earth.
   bool counts = false;                     ///< Converter counts instead of volts in HDF5 and NPY.
   bool header = false;                     ///< A header line in CSV.
   bool force = false;                      ///< Replace the output where it exists.

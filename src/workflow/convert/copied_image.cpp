@@ -11,6 +11,7 @@
 #include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
 #include "raster/format/npy_header.hpp"
+#include "workflow/image/image_facts.hpp"
 
 namespace sarsim::workflow {
 
@@ -58,6 +59,7 @@ fs::path folder_of(const fs::path& file) { return file.has_parent_path() ? file.
 }  // namespace
 
 std::optional<raster::EnviHeader> header_beside(const fs::path& path, const raster::Raster& file) {
+  if (auto header = header_of_facts(file)) return header;
   if (!file.info().format->envi_header || (file.info().format->recording && !raster::has_envi_header(path)))
     return std::nullopt;
   auto [image, problems] = raster::EnviImage::open(path);
