@@ -174,7 +174,7 @@ class SigmfSink final : public simulate::Sink {
 // About: the samples, and a line or six for each of captures and ranges.
 double sigmf_bytes(const simulate::Product& product, const Encoding& encoding, bool) {
   constexpr double text = 1500.0;
-  constexpr double capture = 130.0;
+  constexpr double capture = 114.0;
   constexpr double range = 26.0;
   const auto rows = static_cast<double>(product.rows);
   const auto columns = static_cast<double>(product.columns);
