@@ -19,7 +19,7 @@ SCENE = """$TARGET Earth 1000 0 0 0 0 0 1 0 ISOTROPIC
 $RADAR Radar1 Earth CHIRP 0.03 500 RECT CONSTANT 1000 SINGLE 1 1 0 0 ISOTROPIC SAME FIXED 0 0 RECT NO_STC
 $SIMULATION Radar1 900 1200 0 {end} 8 0.05 1E-6 HDF5 RAW sim.h5 BEGIN 1 1
 """
-SIZES = {"<c8": 8, "<c16": 16, "<f8": 8, "<i4": 4, "<U1": 4}
+SIZES = {"|u1": 1, "<u2": 2, "<f4": 4, "<i2": 2, "<c8": 8, "<c16": 16, "<f8": 8, "<i4": 4, "<U1": 4}
 
 
 def sarsim(*words, status=0):
@@ -123,11 +123,43 @@ def main():
         (folder / "sim.h5").unlink()
         check(folder, recorded(folder, 20, "--format", "npy"), "<c8", [20, 100])
         check(folder, recorded(folder, 20, "--format", "npy", "--counts"), "<i4", [20, 100, 2])
+        # BINARY, by its script: counts with their offset, and the axes of the recording.
+        for bits, kind in ((8, "|u1"), (12, "<u2")):
+            scene = folder / "counts.scr"
+            scene.write_text(SCENE.format(end="0.0194").replace(" 8 0.05", f" {bits} 0.05").replace("HDF5 RAW sim.h5", "BINARY RAW sim.bin"))
+            sarsim("run", scene, "--out", folder, "--quiet", "--force")
+            sarsim("convert", folder / "sim.bin", "--references", folder / "r.json", "--force", "--script", scene)
+            references = References(folder / "r.json")
+            found_kind, shape, found = references.array("samples")
+            assert (found_kind, shape) == (kind, [20, 100, 2]), (found_kind, shape)
+            assert found == (folder / "sim.bin").read_bytes()
+            assert references.attributes("samples")["add_offset"] == -(2 ** (bits - 1) - 1)
+            assert references.attributes("samples")["_ARRAY_DIMENSIONS"] == ["pulse_time_s", "slant_range_m", "iq"]
+            times = struct.unpack("<20d", references.array("pulse_time_s")[2])
+            assert all(abs(time - 0.001 * i) < 1e-9 for i, time in enumerate(times)), times
+            assert struct.unpack("<100d", references.array("slant_range_m")[2])[0] == 900.0
+        # SigMF, and an image with a header of ENVI.
+        sarsim("run", folder / "scene.scr", "--out", folder, "--quiet", "--format", "sigmf", "--force")
+        sarsim("convert", folder / "sim.sigmf-meta", "--references", folder / "r.json", "--force")
+        references = References(folder / "r.json")
+        assert references.array("samples") == ("<c8", [20, 100], (folder / "sim.sigmf-data").read_bytes())
+        assert len(references.array("slant_range_m")[2]) == 800
+        (folder / "a.img").write_bytes(struct.pack("<12f", *range(12)))
+        header = "ENVI\nsamples = 3\nlines = 2\nbands = 1\nheader offset = 0\ndata type = 6\ninterleave = bsq\nbyte order = 0\n"
+        header += "image plane = {ground grid}\nazimuth first m = {-5}\nazimuth step m = {2.5}\n"
+        header += "range first m = {100}\nrange step m = {0.5}\n"
+        (folder / "a.hdr").write_text(header)
+        sarsim("convert", folder / "a.img", "--references", folder / "r.json", "--force")
+        references = References(folder / "r.json")
+        assert references.array("samples") == ("<c8", [2, 3], (folder / "a.img").read_bytes())
+        assert references.attributes("samples")["_ARRAY_DIMENSIONS"] == ["azimuth_m", "ground_range_m"]
+        assert struct.unpack("<2d", references.array("azimuth_m")[2]) == (-5.0, -2.5)
+        assert struct.unpack("<3d", references.array("ground_range_m")[2]) == (100.0, 100.5, 101.0)
         # What is refused.
         assert "exists" in sarsim("convert", folder / "sim.npy", "--references", folder / "r.json", status=2)
         sarsim("convert", folder / "sim.npy", folder / "sim.asc", "--bits", "8", "--lsb", "1e-6", "--counts")
         message = sarsim("convert", folder / "sim.asc", "--references", folder / "t.json", status=2)
-        assert "(ascii)" in message and "convert it to .h5 or .npy first" in message, message
+        assert "(ascii)" in message and "convert it to .h5, .npy or .zarr" in message, message
         message = sarsim("convert", folder / "scene.scr", "--references", folder / "t.json", status=2)
         assert "is a scene" in message, message
         message = sarsim("convert", folder / "sim.npy", folder / "x.h5", "--references", folder / "t.json", status=2)

@@ -129,4 +129,23 @@ OpenedRaster open_binary(core::InputFile file, const Format&, const RasterHints&
   return {make_grid_raster(std::move(info), std::move(file), grid, any_rows), std::move(problems)};
 }
 
+StoredArrays arrays_of_binary(const core::InputFile& file, const RasterHints& hints) {
+  const CountRange range{hints.bits};
+  const std::size_t bytes = range.component_bytes();
+  if (!std::has_single_bit(bytes))
+    return file_problem({}, "counts of this width are no numbers that programs have in memory",
+                        fmt::format("{} bits in {} bytes", hints.bits, bytes), "1, 2, 4 or 8 bytes",
+                        "convert the file to .npy, .h5 or .zarr");
+  StoredArray samples{.name = "samples",
+                      .type = bytes == 1 ? std::string("|u1") : fmt::format("<u{}", bytes),
+                      .item_bytes = bytes,
+                      .shape = {file.size() / (2 * hints.columns * bytes), hints.columns, 2},
+                      .dimensions = {"pulse", "sample", "iq"}};
+  samples.facts = {{"units", "count"},
+                   {"long_name", "complex envelope"},
+                   {"scale_factor", 1.0},
+                   {"add_offset", -static_cast<double>(range.offset())}};
+  return std::vector{std::move(samples), pair_names()};
+}
+
 }  // namespace sarsim::raster

@@ -50,10 +50,19 @@ namespace sarsim::raster {
                                           Integrity integrity);
 
 /// Where the arrays of an HDF5 file that could be opened stand, see `hdf5_arrays`.
-[[nodiscard]] StoredArrays arrays_of_hdf5(const core::InputFile& file);
+[[nodiscard]] StoredArrays arrays_of_hdf5(const core::InputFile& file, const RasterHints& hints);
 
 /// Where the array of a NumPy file of samples stands.
-[[nodiscard]] StoredArrays arrays_of_npy(const core::InputFile& file);
+[[nodiscard]] StoredArrays arrays_of_npy(const core::InputFile& file, const RasterHints& hints);
+
+/// Where the numbers of a BINARY file that could be opened stand: with the offset of its counts, which a fact says.
+[[nodiscard]] StoredArrays arrays_of_binary(const core::InputFile& file, const RasterHints& hints);
+
+/// Where the samples of a SigMF recording stand in its file of samples, which must be the one that is named.
+[[nodiscard]] StoredArrays arrays_of_sigmf(const core::InputFile& file, const RasterHints& hints);
+
+/// Where the pixels of an image with an ENVI header stand, with the axes of the header.
+[[nodiscard]] StoredArrays arrays_of_envi(const core::InputFile& file, const RasterHints& hints);
 
 /// An image with its ENVI header beside it (docs/formats/focused-images.md), always whole: samples in volts, lines for
 /// rows; real pixels have no imaginary part. Its fields become attributes; that of the script is named "script file",

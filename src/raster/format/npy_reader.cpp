@@ -130,7 +130,7 @@ OpenedRaster open_npy(core::InputFile file, const Format&, const RasterHints& hi
   return {make_grid_raster(std::move(info), std::move(file), layout->grid, layout->plane.rows), std::move(problems)};
 }
 
-StoredArrays arrays_of_npy(const core::InputFile& file) {
+StoredArrays arrays_of_npy(const core::InputFile& file, const RasterHints&) {
   auto parsed = read_npy_header(file);
   if (auto* problem = std::get_if<core::Problem>(&parsed)) return std::move(*problem);
   const NpyHeader& header = std::get<NpyHeader>(parsed);
@@ -145,10 +145,7 @@ StoredArrays arrays_of_npy(const core::InputFile& file) {
   if (type->pair) return std::vector{std::move(samples)};
   samples.shape.push_back(2);
   samples.dimensions.emplace_back("iq");
-  return std::vector{
-      std::move(samples),
-      StoredArray{
-          .name = "iq", .type = "<U1", .item_bytes = 4, .shape = {2}, .dimensions = {"iq"}, .words = {"I", "Q"}}};
+  return std::vector{std::move(samples), pair_names()};
 }
 
 }  // namespace sarsim::raster

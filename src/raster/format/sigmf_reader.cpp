@@ -191,4 +191,38 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   return {std::make_shared<SigmfRaster>(std::move(info), std::move(samples), std::move(meta)), {}};
 }
 
+StoredArrays arrays_of_sigmf(const core::InputFile& file, const RasterHints& hints) {
+  const auto name = sigmf_files(file.path()).front();
+  auto read = read_meta(name);
+  if (auto* problem = std::get_if<core::Problem>(&read)) return std::move(*problem);
+  auto& meta = std::get<SigmfMeta>(read);
+  auto placed = grid_of(file, meta, name, hints);
+  if (auto* problem = std::get_if<core::Problem>(&placed)) return std::move(*problem);
+  const auto& grid = std::get<StoredGrid>(placed);
+  const bool pairs = meta.datatype.starts_with("ci");
+  const std::uint64_t rows = file.size() / grid.row_bytes();
+  std::string type = numpy_type(meta.datatype);
+  if (type == "<i1") type = "|i1";
+  std::vector<StoredArray> arrays{{.name = "samples",
+                                   .type = std::move(type),
+                                   .item_bytes = pairs ? grid.sample_bytes / 2 : grid.sample_bytes,
+                                   .shape = {rows, grid.columns},
+                                   .dimensions = {"pulse", "sample"},
+                                   .facts = {{"units", pairs ? "count" : "V"}, {"long_name", "complex envelope"}}}};
+  if (pairs) {
+    arrays.front().shape.push_back(2);
+    arrays.front().dimensions.emplace_back("iq");
+    arrays.push_back(pair_names());
+  }
+  if (meta.time_s.size() == rows) {
+    arrays.front().dimensions[0] = "pulse_time_s";
+    arrays.push_back(axis_here("pulse_time_s", std::move(meta.time_s), "s", "send time"));
+  }
+  if (meta.range_m.size() == grid.columns) {
+    arrays.front().dimensions[1] = "slant_range_m";
+    arrays.push_back(axis_here("slant_range_m", std::move(meta.range_m), "m", "one-way slant range"));
+  }
+  return arrays;
+}
+
 }  // namespace sarsim::raster

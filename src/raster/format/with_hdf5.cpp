@@ -111,7 +111,7 @@ OpenedRaster open_hdf5_file(core::InputFile file, const Format&, const RasterHin
   return opened;
 }
 
-StoredArrays arrays_of_hdf5(const core::InputFile& file) {
+StoredArrays arrays_of_hdf5(const core::InputFile& file, const RasterHints&) {
   return hdf5_module(file.path()).arrays(file.path(), file.size());
 }
 

@@ -138,7 +138,7 @@ class ArrayFinder {
     if (!pairs) return;
     samples.shape.push_back(2);
     samples.dimensions.emplace_back("iq");
-    arrays_.push_back({"iq", "<U1", 4, {2}, {"iq"}, 0, {}, {"I", "Q"}});
+    arrays_.push_back(pair_names());
   }
 
   Hdf5Handle file_;

@@ -74,8 +74,8 @@ struct Format {
   OpenedRaster (*open_folder)(const std::filesystem::path& folder, const Format& format, const RasterHints& hints,
                               Integrity integrity) = nullptr;
   const FormatWriter* writer = nullptr;  ///< Null where no sink writes it.
-  /// Where the arrays of a file of it stand; null where its numbers are no arrays, or are stored with an offset.
-  StoredArrays (*arrays)(const core::InputFile& file) = nullptr;
+  /// Where the arrays of a file of it stand; null where its numbers are no arrays.
+  StoredArrays (*arrays)(const core::InputFile& file, const RasterHints& hints) = nullptr;
 
   /// Whether it is text, whose size is only estimated and whose rows have no places of their own.
   [[nodiscard]] bool is_text() const { return text != TextStyle::none; }

@@ -110,9 +110,12 @@ class ReferenceWriter {
 
   void put(const raster::StoredArray& array) {
     const std::uint64_t row_bytes = row_bytes_of(array);
-    const ArrayCut cut = array.words.empty() ? cut_of_array(array.shape[0], row_bytes) : ArrayCut{array.shape[0], 1, 0};
+    const ArrayCut cut = array.is_here() ? ArrayCut{array.shape[0], 1, 0} : cut_of_array(array.shape[0], row_bytes);
     json_.member(array.name + "/.zarray", description(array, cut)).member(array.name + "/.zattrs", attributes(array));
     if (!array.words.empty()) return put_words(array);
+    if (array.is_here())
+      return static_cast<void>(
+          json_.member(piece_name(array, 0), "base64:" + base64(std::as_bytes(std::span(array.numbers)))));
     const std::uint64_t piece_bytes = cut.rows * row_bytes;
     for (std::uint64_t i = 0; i < cut.whole; ++i) {
       json_.key(piece_name(array, i)).begin_array();
@@ -173,14 +176,34 @@ core::InputFile opened(const std::string& path) {
   return std::move(std::get<core::InputFile>(file));
 }
 
-std::vector<raster::StoredArray> arrays_of(const raster::Raster& raster, const core::InputFile& file) {
+// Times, carriers and ranges, which the file does not say, by the script that wrote it.
+void add_axes(std::vector<raster::StoredArray>& arrays, const simulate::Plan& plan) {
+  std::vector<double> times;
+  std::vector<double> carriers;
+  const simulate::Product product = simulate::product_of(plan, {});
+  for (std::size_t row = 0; row < plan.rows; ++row) {
+    times.push_back(product.row_time_s(row));
+    carriers.push_back(product.row_carrier_hz(row));
+  }
+  raster::StoredArray& samples = arrays.front();
+  samples.dimensions[0] = "pulse_time_s";
+  samples.dimensions[1] = "slant_range_m";
+  samples.facts.emplace_back("coordinates", "carrier_hz");
+  arrays.push_back(raster::axis_here("pulse_time_s", std::move(times), "s", "send time"));
+  arrays.push_back(raster::axis_here("slant_range_m", plan.column_range_m, "m", "one-way slant range"));
+  arrays.push_back(raster::axis_here("carrier_hz", std::move(carriers), "Hz", "carrier frequency"));
+  arrays.back().dimensions = {"pulse_time_s"};
+}
+
+std::vector<raster::StoredArray> arrays_of(const raster::Raster& raster, const core::InputFile& file,
+                                           const raster::RasterHints& hints) {
   const raster::Format& format = *raster.info().format;
   if (format.arrays == nullptr)
     throw core::Refused(
         fmt::format("--references: the numbers of '{}' ({}) do not stand in the file as programs have them in memory",
                     file.path().string(), raster::word_of(format)),
-        "convert it to .h5 or .npy first, and refer to that");
-  auto arrays = format.arrays(file);
+        "convert it to .h5, .npy or .zarr first");
+  auto arrays = format.arrays(file, hints);
   if (auto* problem = std::get_if<core::Problem>(&arrays)) {
     problem->place.file = file.path().string();
     throw core::Refused({std::move(*problem)});
@@ -209,8 +232,14 @@ void write_references(const ReferencesRequest& request, const core::Observer& ob
     throw core::Refused(
         fmt::format("--references: '{}' is a Zarr store, which readers of Zarr open as it is", request.input),
         "name the store itself to them");
-  const core::InputFile file = opened(request.input);
-  const std::vector<raster::StoredArray> arrays = arrays_of(*raster, file);
+  // The last of several files has the samples.
+  const core::InputFile file = opened(raster::files_of(raster->info().format, request.input).back().string());
+  std::vector<raster::StoredArray> arrays = arrays_of(*raster, file, hints);
+  const bool bare = arrays.front().dimensions.front() == "pulse";
+  if (bare && !request.sample.script.empty()) {
+    const simulate::Plan plan = plan_of_file(request.input, request.sample.script);
+    if (plan.rows == raster->rows() && plan.columns == raster->columns()) add_axes(arrays, plan);
+  }
   expect_free_outputs({request.output}, {{request.input}, request.force, "--references"});
   core::OutputFile output(request.output, request.force);
   const std::string text = ReferenceWriter(*raster, file).text(arrays);
