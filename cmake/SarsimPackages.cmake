@@ -39,7 +39,6 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "sarsim-gui ${same}")
 # The library has one interface of numbered functions: what was linked with an older one runs with it.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libsarsim0)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_SOURCE_DIR}/packaging/debian/triggers)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION "radar echo simulator: library
 ${sentence}
 .

@@ -247,8 +247,8 @@ SARSIM_API sarsim_status sarsim_scene_add_cloud(sarsim_scene* scene, const char*
 SARSIM_API sarsim_status sarsim_scene_fields(const sarsim_scene* scene, const char* kind, size_t index,
                                              sarsim_text** text, sarsim_problems** problems);
 /* The table of all fields of all kinds of objects as JSON, from which bindings are made: an object with a member "kinds", an
- * array of objects with name, title, meaning, single (whether a scene has one of them: world, atmosphere, options) and
- * fields. Of a field: name (for sarsim_scene_set, behind that of the object and a point), id, path (in format 2), label,
+ * array of objects with name, title, meaning, single (whether a scene has one of them: options, and world and atmosphere,
+ * which a text alone can say) and fields. Of a field: name (for sarsim_scene_set, behind that of the object and a point), id, path (in format 2), label,
  * group, type ("number", "choice", "check", "text", "platform", "radar", "function", "list"), unit, units, least, most,
  * default, default_number, choices (word, shown as sarsim_scene_get shows it, meaning), functions (how many values a point
  * has), when (it applies: field and among), tip. What does not apply is left out. */

@@ -294,7 +294,7 @@ sarsim_source* source_of_memory(const sarsim_plan& plan, const Real* samples) {
                                           std::copy_n(memory + row * columns, columns, out.begin());
                                         }};
   auto made = std::make_unique<sarsim_source>();
-  made->input.path = plan.file;
+  made->input.path = plan.file.empty() ? "memory" : plan.file;
   made->input.simulation = static_cast<std::int64_t>(plan.number);
   made->input.held = held;
   return made.release();

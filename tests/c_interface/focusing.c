@@ -230,6 +230,23 @@ static void expect_stopped(const sarsim_source* source) {
   sarsim_stop_free(stop);
 }
 
+/* A sweep of a scene in memory makes and measures its images there. */
+static void a_sweep_measures_its_images(sarsim_scene* scene) {
+  const char* const options[] = {"set=Radar1.bandwidth=80MHz,100MHz", "discard", "force", "focus", "measure", "out=focusing-sweep"};
+  sarsim_result* result = NULL;
+  sarsim_table* table = NULL;
+  sarsim_problems* problems = NULL;
+  double width[2];
+  const sarsim_status status = sarsim_sweep(scene, options, 6, NULL, &result, &problems);
+  EXPECT_STATUS(status, SARSIM_OK, problems);
+  EXPECT_STATUS(sarsim_result_table(result, 0, &table, NULL), SARSIM_OK, NULL);
+  EXPECT(sarsim_table_rows(table) == 2);
+  numbers_called(table, "found", width);
+  EXPECT(width[0] == 24.0 && width[1] == 24.0);
+  sarsim_table_free(table);
+  sarsim_result_free(result);
+}
+
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   sarsim_scene* scene = sar_scene(argv[1]);
@@ -241,6 +258,7 @@ int main(int argc, char** argv) {
   expect_written(image);
   expect_windows(image);
   EXPECT_STATUS(sarsim_source_scene(scene, 0, &source, NULL), SARSIM_OK, NULL);
+  a_sweep_measures_its_images(scene);
   sarsim_scene_free(scene);
   expect_theory(source, targets);
   expect_refused_options(source);

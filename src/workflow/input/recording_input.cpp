@@ -228,6 +228,8 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
 StoredRecording held_recording(const RecordingArguments& arguments, const Suits& suits,
                                const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
   expect_no_overrides(arguments);
+  if (!arguments.script.empty())
+    throw core::Refused("--script is for files of samples", "a recording in memory has its scene with it");
   const SceneInput& input = arguments.held->input;
   StoredRecording recording;
   recording.scene = input.scene;
