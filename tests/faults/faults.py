@@ -189,7 +189,7 @@ def names_a_file(err, stage, path):
     return any(name and name.rstrip("*") in err for name in names)
 
 
-def faults_of_message(stage, end, path, statuses):
+def faults_of_message(stage, end, path, statuses=(1, 2)):
     found = []
     if end.status not in statuses:
         found.append(f"ended with status {end.status}")
