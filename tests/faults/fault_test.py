@@ -16,7 +16,7 @@ import random
 import shutil
 import sys
 
-from faults import FAULTS, count_calls, program, stages, try_fault
+from faults import ALL_CALLS, FAULTS, Fault, count_calls, program, stages, try_fault
 from stories import all_stories
 
 
@@ -39,10 +39,10 @@ _counts = {}
 def draw(stage, chance):
     fault = chance.choice(FAULTS)
     earlier = bool(stage.story.force) and chance.random() < 0.7
-    key = (stage.story.name, fault.name, earlier)
+    key = (stage.story.name, earlier)
     if key not in _counts:
-        _counts[key] = count_calls(stage, fault, earlier)
-    calls = _counts[key]
+        _counts[key] = count_calls(stage, Fault("any", 0, ALL_CALLS), earlier)
+    calls = [call for call in _counts[key] if call[0] in fault.calls]
     # Of many writes alike, the first, the last and any between; others are rare and more telling.
     kinds = sorted({call for call, _ in calls})
     if not kinds:
