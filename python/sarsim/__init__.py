@@ -20,7 +20,7 @@ from .samples import Axis, Samples
 from .scene import Scene, explain, read
 from .sweeps import Sweep, sweep
 from .table import Table
-from .products import Image, Raster, doppler, focus, geometry, isar, measure, open, options, profiles, search, theory
+from .products import Image, Raster, doppler, focus, geometry, isar, measure, open, options, profiles, search, sweep_table, theory
 
 __version__: str = _lib.sarsim_version().decode()
 
@@ -54,5 +54,6 @@ __all__ = [
     "read",
     "search",
     "sweep",
+    "sweep_table",
     "theory",
 ]

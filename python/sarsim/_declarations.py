@@ -1,6 +1,6 @@
 """What sarsim.h declares. Written by tools/python-sources from src/capi/sarsim.h."""
 
-from ctypes import CFUNCTYPE, Structure, c_char_p, c_double, c_float, c_int, c_size_t, c_uint, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, Structure, c_char_p, c_double, c_int, c_size_t, c_uint, c_uint64, c_void_p
 
 VERSION = "0.1.0"
 ABI_VERSION = 2

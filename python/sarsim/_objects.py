@@ -689,8 +689,8 @@ class Recording(SceneObject):
     file = TextField("file", "", "Name of the file of samples, beside the script or in the folder of the run.")
     format = ChoiceField(
         "format",
-        {"ascii": "ASCII, I Q", "binary": "Binary", "bracket": "ASCII, (I,Q)", "hdf5": "HDF5", "csv": "CSV", "npy": "NumPy"},
-        "How the file of samples is laid out; HDF5 carries its axes and the script. One of \"ascii\" (text, a line for each sample: I Q), \"binary\" (unsigned little-endian integers), \"bracket\" (text, a line for each pulse: (I,Q)), \"hdf5\" (HDF5 file), \"csv\" (text, a line for each pulse: I,Q), \"npy\" (NumPy array).",
+        {"ascii": "ASCII, I Q", "binary": "Binary", "bracket": "ASCII, (I,Q)", "hdf5": "HDF5", "csv": "CSV", "npy": "NumPy", "zarr": "Zarr", "sigmf": "SigMF"},
+        "How the file of samples is laid out; HDF5, Zarr and SigMF carry their axes and the script. One of \"ascii\" (text, a line for each sample: I Q), \"binary\" (unsigned little-endian integers), \"bracket\" (text, a line for each pulse: (I,Q)), \"hdf5\" (HDF5 file), \"csv\" (text, a line for each pulse: I,Q), \"npy\" (NumPy array), \"zarr\" (Zarr store: a folder of files), \"sigmf\" (SigMF recording: samples, and JSON about them).",
     )
     pulse_position = ChoiceField(
         "pulse_position",

@@ -207,9 +207,8 @@ class _Done:
     def __init__(self, function: Any, what: Any, given: "Dict[str, Any]") -> None:
         threads, progress = given.pop("threads", 0), given.pop("progress", None)
         number = given.pop("recording", None)
-        handle, kept = (what._handle, what) if isinstance(what, Raster) and function is lib.sarsim_measure else _source(
-            what, number
-        )
+        of_itself = function in (lib.sarsim_measure, lib.sarsim_sweep)  # Not of its echoes.
+        handle, kept = (what._handle, what) if of_itself else _source(what, number)
         words = _words(given)
         result = Handle(lib.sarsim_result_free)
         self.remarks = work(
@@ -272,3 +271,13 @@ def theory(what: Source, **options: Any) -> Table:
 def geometry(what: Source, **options: Any) -> Table:
     """Where platforms and targets are, pulse by pulse, as `sarsim geometry` says it."""
     return _Done(lib.sarsim_geometry, what, options).tables[0]
+
+
+def sweep_table(scene: Scene, **options: Any) -> Table:
+    """Runs a scene with many values as `sarsim sweep` does: a table with a row for each variation.
+
+    sweep_table(scene, set=["seed=1..100"], discard=True, focus=True, measure=True) measures a hundred images. Its table, its
+    journal and the recordings go to the folder `out`, by default the current one; `discard` leaves the recordings out.
+    `sarsim.sweep` calls a function of your own instead.
+    """
+    return _Done(lib.sarsim_sweep, scene, options).tables[0]

@@ -94,9 +94,7 @@ class Plan:
             raise ValueError(f"samples of {kind} are not computed; expected complex64 or complex128")
         samples = np.empty((count, self.columns), kind)
         recorder = getattr(lib, _RECORDERS[kind])
-        work(
-            recorder, self._handle, first, count, samples.ctypes.data, WORK, threads=threads, progress=progress
-        )
+        work(recorder, self._handle, first, count, samples.ctypes.data, WORK, threads=threads, progress=progress)
         return samples
 
     def __repr__(self) -> str:
@@ -139,8 +137,8 @@ class Recording(Samples):
         return self.plan.remarks
 
     def save(self, path: "Path", **options: Any) -> None:
-        """Writes the samples as they are now, in single precision, to a file in the format of its ending, with their axes, the scene and
-        the radar as far as it has place for them. `Scene.record_file` writes the file that `sarsim run` does."""
+        """Writes the samples as they are now, in single precision, to a file in the format of its ending, with their axes, the
+        scene and the radar as far as it has place for them. `Scene.record_file` writes the file that `sarsim run` does."""
         from .products import Raster
 
         axes = {name: axis.values for name, axis in self.axes.items() if axis.values.ndim == 1}

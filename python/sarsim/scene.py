@@ -14,12 +14,12 @@ import numpy as np
 from . import _declarations as c
 from ._fields import Part, Points
 from ._library import WORK, Handle, Progress, call, lib, made, text, text_of, texts, work
-from .problems import ProblemError, Problems, UnknownNameError
+from .problems import ProblemError, Problems
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ._objects import Cloud, Geometry, Options, Platform, Radar, Surface, Target
+    from ._objects import Cloud, Geometry, Options, Platform, Radar, Surface, Target  # noqa: F401
     from ._objects import Recording as RecordingFields
     from .recording import FileReport, Recording
 

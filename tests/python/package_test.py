@@ -404,8 +404,28 @@ class Interrupts(unittest.TestCase):
         self.assertLess(memory_kb() - before, 1000)
 
 
-class Together(unittest.TestCase):
+class Together(Folder):
     """Many at a time: threads, processes, sweeps."""
+
+    def test_dask_gives_the_same_numbers(self):
+        try:
+            from dask.distributed import Client
+        except ImportError:
+            self.skipTest("no Dask (Debian: python3-distributed)")
+        values = {"Radar1.power": [100.0, 400.0]}
+        with Client(processes=False, n_workers=1, threads_per_worker=2, dashboard_address=None) as client:
+            made = np.asarray(sarsim.sweep(sar_r(), values, power_at, executor=client))
+        np.testing.assert_array_equal(made, sarsim.sweep(sar_r(), values, power_at))
+
+    def test_a_table_of_a_sweep_is_that_of_the_command(self):
+        words = ("--set", "Radar1.power=1,2,4kW", "--discard", "--quiet")
+        command("sweep", EXAMPLES / "sar_r.toml", *words, "--out", self.folder / "command")
+        table = sarsim.sweep_table(sar_r(), set=["Radar1.power=1,2,4kW"], discard=True, out=self.folder / "own")
+        np.testing.assert_allclose(table["maximum_v"] / table["maximum_v"][0], np.sqrt([1, 2, 4]), rtol=1e-6)
+        with open(self.folder / "command" / "sweep.csv", encoding="utf-8") as file:
+            names, first = file.readline().strip().split(","), file.readline().strip().split(",")
+        self.assertEqual(table.names, names)
+        self.assertEqual(table["maximum_v"][0], float(first[names.index("maximum_v")]))
 
     def test_eight_threads_record_different_scenes(self):
         scenes = [sar_r().with_({"Radar1.power": 100.0 * (1 + number)}) for number in range(8)]

@@ -24,6 +24,8 @@ table = scene.record(dtype=np.complex64).samples
 image: sarsim.Image = sarsim.focus(scene.record(), window="hann")
 errors = sarsim.measure(image)["azimuth_error_m"].max()
 """
+# But that arrays need not say of what, and that two versions of NumPy know different things of them.
+STRICT = ("--strict", "--ignore-missing-imports", "--allow-any-generics", "--no-warn-return-any", "--no-warn-unused-ignores")
 BAD = (
     ("radar.bandwidth = [3]", "Incompatible types in assignment"),
     ("radar.same_antenna = 3.5", "Incompatible types in assignment"),
@@ -54,8 +56,7 @@ def main():
         folder = pathlib.Path(name)
         (folder / "good.py").write_text(GOOD)
         (folder / "bad.py").write_text(GOOD + "\n".join(line for line, _ in BAD) + "\n")
-        words = ("--strict", "--ignore-missing-imports", "--allow-any-generics", "--no-warn-return-any", "--no-warn-unused-ignores")
-        told = mypy(program, folder, *words, "good.py", "bad.py").splitlines()
+        told = mypy(program, folder, *STRICT, "good.py", "bad.py").splitlines()
         faults = [one for one in told if ": error:" in one]
         others = [one for one in faults if not one.startswith("bad.py:")]
         if others:

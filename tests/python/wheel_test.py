@@ -1,5 +1,5 @@
-"""The wheel: the tags that it names are true, and in an environment of its own it records, writes HDF5 and focuses without any library
-of the system but those that every system has.
+"""The wheel: the tags that it names are true, and in an environment of its own it records, writes HDF5 and focuses without any
+library of the system but those that every system has.
 
     wheel_test.py LIBRARY
 
