@@ -161,6 +161,12 @@ class Scenes(Folder):
         text = 'format = "sarsim 2"\n[let]\nup = "1 km"\n[[platform]]\nname = "P"\nposition = [0, 0, "2 * up"]\n'
         self.assertEqual(sarsim.Scene(text, let={"up": "3 km"}).platforms["P"].position[2], 6000)
 
+    def test_a_library_that_is_not_there_is_told(self):
+        environment = {**os.environ, "SARSIM_LIBRARY": str(self.folder / "libsarsim.so.0")}
+        done = subprocess.run([sys.executable, "-c", "import sarsim"], capture_output=True, text=True, env=environment)
+        self.assertRegex(done.stderr, "ImportError: sarsim needs its library: .*Install the package libsarsim0")
+        self.assertEqual(done.returncode, 1)
+
     def test_notebooks_show_things(self):
         scene = sar_r()
         self.assertIn("24", scene._repr_html_())
