@@ -37,6 +37,20 @@ TEST_F(SweepResume, LeavesOutWhatIsDoneAndSaysTheSame) {
   EXPECT_EQ(resumed, without_seconds(text_of(folder_ / "fresh/sweep.csv")));
 }
 
+TEST_F(SweepResume, KnowsFoldersAndSeveralFiles) {
+  write_scene({});
+  for (const char* format : {"zarr", "sigmf"}) {
+    ASSERT_EQ(sweep({"--set", "seed=1..2", "--format", format, "--out", format}).status, 0);
+    const Finished more = sweep({"--set", "seed=1..3", "--format", format, "--out", format, "--resume"});
+    EXPECT_EQ(more.status, 0) << more.err;
+    EXPECT_THAT(more.err, HasSubstr("2 done before, 1 to run")) << format;
+  }
+  fs::resize_file(folder_ / "zarr/sim_seed=1.zarr/samples/0.0", 100);
+  const Finished changed = sweep({"--set", "seed=1..3", "--format", "zarr", "--out", "zarr", "--resume"});
+  EXPECT_EQ(changed.status, 2);
+  EXPECT_THAT(changed.err, HasSubstr("was changed since"));
+}
+
 TEST_F(SweepResume, MakesAgainWhatIsMissingOrOfAnotherSize) {
   write_scene({});
   ASSERT_EQ(sweep({"--set", "seed=1..3"}).status, 0);

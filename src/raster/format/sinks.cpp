@@ -80,6 +80,20 @@ class DiscardingSink final : public simulate::Sink {
   RowOrder order_;
 };
 
+// Of a file, or of all files in a folder.
+std::uint64_t bytes_under(const std::filesystem::path& path) {
+  namespace fs = std::filesystem;
+  std::error_code failure;
+  if (!fs::is_directory(path, failure)) {
+    const std::uint64_t bytes = fs::file_size(path, failure);
+    return failure ? 0 : bytes;
+  }
+  std::uint64_t bytes = 0;
+  for (fs::recursive_directory_iterator entry(path, failure), end; !failure && entry != end; entry.increment(failure))
+    if (std::error_code gone; entry->is_regular_file(gone)) bytes += entry->file_size(gone);
+  return bytes;
+}
+
 }  // namespace
 
 std::unique_ptr<simulate::Sink> make_sink(const std::filesystem::path& path, const simulate::Product& product,
@@ -130,15 +144,8 @@ void complete_folder(const std::filesystem::path& folder, const simulate::Produc
 }
 
 std::uint64_t stored_bytes(const std::filesystem::path& path) {
-  namespace fs = std::filesystem;
-  std::error_code failure;
-  if (!fs::is_directory(path, failure)) {
-    const std::uint64_t bytes = fs::file_size(path, failure);
-    return failure ? 0 : bytes;
-  }
   std::uint64_t bytes = 0;
-  for (fs::recursive_directory_iterator entry(path, failure), end; !failure && entry != end; entry.increment(failure))
-    if (std::error_code gone; entry->is_regular_file(gone)) bytes += entry->file_size(gone);
+  for (const std::filesystem::path& file : files_of(row_from_path(path), path)) bytes += bytes_under(file);
   return bytes;
 }
 

@@ -34,7 +34,7 @@ struct SinkOptions {
 /// spread evenly over the range) and HDF5.
 [[nodiscard]] double expected_bytes(const simulate::Product& product, const SinkOptions& options);
 
-/// Bytes of an output that is there, the files of a folder together; 0 where there is none.
+/// Bytes of an output that is there, all of its files together; 0 where there is none.
 [[nodiscard]] std::uint64_t stored_bytes(const std::filesystem::path& path);
 
 /// A sink that encodes like the file's and throws the bytes away, for measuring. Same rules for the order of rows.

@@ -10,6 +10,7 @@
 #include "core/task/parallel.hpp"
 #include "core/text/counted.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/format/sinks.hpp"
 #include "workflow/input/output_names.hpp"
 #include "workflow/sweep/sweep_files.hpp"
 #include "workflow/sweep/sweep_journal.hpp"
@@ -50,9 +51,8 @@ void name_rows(const SweepRequest& request, SweepPlan& plan) {
 
 // Whether the file is there as it was written; of a sweep that discarded everything none is.
 bool holds(const fs::path& file, const SweepRow& row) {
-  std::error_code none;
-  const auto size = fs::file_size(file, none);
-  return !none && row.written && static_cast<double>(size) == row.bytes && modification_time(file) == row.written;
+  const auto bytes = static_cast<double>(raster::stored_bytes(file));
+  return row.written && bytes == row.bytes && modification_time(file) == row.written;
 }
 
 // Whether a recording was followed up as the request wants it, and what was made of it is there.
