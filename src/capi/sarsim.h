@@ -200,8 +200,8 @@ SARSIM_API sarsim_status sarsim_scene_name(const sarsim_scene* scene, const char
 SARSIM_API sarsim_status sarsim_scene_get(const sarsim_scene* scene, const char* field, sarsim_text** value,
                                           sarsim_problems** problems);
 /* Sets it, as --set does: of all objects that the name means ("Target*.rcs"), in any unit ("0.05 GHz"), numbers without a
- * unit in SI units. Where the value is refused the scene is unchanged. What only makes no sense together with other
- * fields, sarsim_scene_check says. */
+ * unit in SI units, degrees and decibels. Where the value is refused the scene is unchanged. What only makes no sense
+ * together with other fields, sarsim_scene_check says. */
 SARSIM_API sarsim_status sarsim_scene_set(sarsim_scene* scene, const char* field, const char* value,
                                           sarsim_problems** problems);
 
