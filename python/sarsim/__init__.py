@@ -14,7 +14,7 @@ in dB. Fields take texts with units, too: "50 MHz". What is wrong is a `ProblemE
 from ._fields import Points
 from ._library import lib as _lib
 from .pictures import Picture
-from .problems import FailedError, Problem, ProblemError, Problems, UnknownNameError
+from .problems import FailedError, Problem, ProblemError, Problems, TryAgainError, UnknownNameError
 from .recording import FileReport, Plan, Recording
 from .samples import Axis, Samples
 from .scene import Scene, explain, read
@@ -41,6 +41,7 @@ __all__ = [
     "Scene",
     "Sweep",
     "Table",
+    "TryAgainError",
     "UnknownNameError",
     "doppler",
     "explain",

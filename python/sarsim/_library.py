@@ -13,7 +13,7 @@ from ctypes import byref, c_void_p
 from typing import Any, Callable, Union
 
 from . import _declarations as c
-from .problems import FailedError, Problem, ProblemError, Problems
+from .problems import FailedError, Problem, ProblemError, Problems, TryAgainError
 
 SONAME = "libsarsim.so.0"
 
@@ -129,6 +129,8 @@ def _finished(status: int, found: Handle) -> Problems:
         raise MemoryError(str(problems) or "Sarsim has not enough memory for this")
     if status == c.SARSIM_FAILED:
         raise FailedError(problems)
+    if status == c.SARSIM_TRY_AGAIN:
+        raise TryAgainError(problems)
     if status == c.SARSIM_STOPPED:
         raise KeyboardInterrupt
     raise ProblemError(problems)

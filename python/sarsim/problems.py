@@ -99,3 +99,7 @@ class UnknownNameError(ProblemError, AttributeError):
 
 class FailedError(ProblemError, OSError):
     """A failure of the world: a disk that is full, a folder that cannot be written."""
+
+
+class TryAgainError(ProblemError, BlockingIOError):
+    """Nobody's mistake: another process holds what is needed, or the system failed in a way that may pass."""

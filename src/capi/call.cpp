@@ -1,7 +1,9 @@
 #include "capi/call.hpp"
 
 #include <new>
+#include <system_error>
 
+#include "core/report/for_now.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/json.hpp"
@@ -19,7 +21,7 @@ sarsim_status status_and_problems(core::Problems& problems) {
     throw;
   } catch (const core::Refused& refused) {
     problems = refused.problems;
-    return SARSIM_BAD_INPUT;
+    return core::may_pass(refused) ? SARSIM_TRY_AGAIN : SARSIM_BAD_INPUT;
   } catch (const core::Interrupted&) {
     problems = failure("stopped");
     return SARSIM_STOPPED;
@@ -32,6 +34,9 @@ sarsim_status status_and_problems(core::Problems& problems) {
   } catch (const std::logic_error& mistake) {
     problems = failure(mistake.what(), "this is a mistake in Sarsim; please report it with the scene");
     return SARSIM_FAILED;
+  } catch (const std::system_error& error) {
+    problems = failure(error.what());
+    return core::may_pass(error.code()) ? SARSIM_TRY_AGAIN : SARSIM_FAILED;
   } catch (const std::exception& error) {
     problems = failure(error.what());
     return SARSIM_FAILED;

@@ -16,6 +16,7 @@ const char* sarsim_status_word(sarsim_status status) {
     case SARSIM_NO_MEMORY: return "no memory";
     case SARSIM_FAILED: return "failed";
     case SARSIM_BAD_ARGUMENT: return "bad argument";
+    case SARSIM_TRY_AGAIN: return "try again";
     default: return "unknown status";
   }
 }

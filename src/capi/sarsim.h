@@ -72,10 +72,13 @@ enum {
   SARSIM_STOPPED = 2,      /* As a sarsim_stop asked. Nothing is left behind; memory of the caller's is half filled. */
   SARSIM_NO_MEMORY = 3,    /* The list may be NULL then. */
   SARSIM_FAILED = 4,       /* A failure of the world: a disk that is full, a folder that cannot be written. */
-  SARSIM_BAD_ARGUMENT = 5  /* A mistake in the calling program: NULL, an index out of range, an unknown structure. */
+  SARSIM_BAD_ARGUMENT = 5, /* A mistake in the calling program: NULL, an index out of range, an unknown structure. */
+  SARSIM_TRY_AGAIN = 6     /* Nobody's mistake: another process holds what is needed, or the system failed in a way that
+                              may pass. The same call may succeed later. */
 };
 
-/* A status in a word: "ok", "bad input", "stopped", "no memory", "failed", "bad argument". Lives for ever. */
+/* A status in a word: "ok", "bad input", "stopped", "no memory", "failed", "bad argument",
+ * "try again". Lives for ever. */
 SARSIM_API const char* sarsim_status_word(sarsim_status status);
 
 /* A text that a function made. */

@@ -354,6 +354,35 @@ static void a_scene_is_swept(void) {
   sarsim_scene_free(scene);
 }
 
+/* What a sweep is asked for while it goes on, by somebody else who wants the same. */
+static void sweep_at_the_same_time(void* user, const char* stage, uint64_t done, uint64_t total) {
+  sarsim_status* const seen = user;
+  const char* const options[] = {"set=seed=1..3", "discard", "force", "out=working-sweep-held"};
+  sarsim_scene* scene;
+  sarsim_result* result = NULL;
+  (void)stage, (void)done, (void)total;
+  if (*seen != SARSIM_OK) return;
+  scene = built_scene();
+  *seen = sarsim_sweep(scene, options, 4, NULL, &result, NULL);
+  sarsim_result_free(result);
+  sarsim_scene_free(scene);
+}
+
+static void a_sweep_that_somebody_makes_may_be_tried_again(void) {
+  const char* const options[] = {"set=seed=1..3", "discard", "force", "out=working-sweep-held"};
+  sarsim_status seen = SARSIM_OK;
+  sarsim_work work = SARSIM_INIT(sarsim_work);
+  sarsim_scene* scene = built_scene();
+  sarsim_result* result = NULL;
+  work.progress = sweep_at_the_same_time;
+  work.user = &seen;
+  EXPECT_STATUS(sarsim_sweep(scene, options, 4, &work, &result, NULL), SARSIM_OK, NULL);
+  EXPECT(seen == SARSIM_TRY_AGAIN);
+  EXPECT(strcmp(sarsim_status_word(seen), "try again") == 0);
+  sarsim_result_free(result);
+  sarsim_scene_free(scene);
+}
+
 static void options_are_listed(void) {
   static const char* const all[] = {"focus",   "profiles", "isar",  "doppler", "search", "measure",
                                     "geometry", "theory",   "sweep", "raster",  "write"};
@@ -379,6 +408,7 @@ int main(int argc, char** argv) {
   memory_becomes_files();
   all_work_is_done_in_memory(argv[1]);
   a_scene_is_swept();
+  a_sweep_that_somebody_makes_may_be_tried_again();
   options_are_listed();
   return 0;
 }
