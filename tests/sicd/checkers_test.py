@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """SICD files of the program under the checkers of sarkit and sarpy, and projected by both.
 
-    checkers_test.py NAME      a scene
+    checkers_test.py NAME...      scenes
 
 Where sarkit, sarpy and what they need are missing, SARSIM_TEST_PYTHON may name an interpreter that has them. Exit status:
 0 as it should be, 1 not, 77 packages are missing.
@@ -95,12 +95,12 @@ def check_projections(path, points):
 
 
 def main():
-    name = sys.argv[1]
     with tempfile.TemporaryDirectory() as folder:
-        path = pathlib.Path(folder) / f"{name}.nitf"
-        points = own.focused(pathlib.Path(folder), name, path)
-        check_by_both(path)
-        check_projections(path, points)
+        for name in sys.argv[1:]:
+            path = pathlib.Path(folder) / f"{name}.nitf"
+            points = own.focused(pathlib.Path(folder), name, path)
+            check_by_both(path)
+            check_projections(path, points)
 
 
 if __name__ == "__main__":

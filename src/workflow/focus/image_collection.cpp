@@ -38,6 +38,13 @@ simulate::Plan plan_with_points(const simulate::Plan& plan, const std::vector<co
   return other;
 }
 
+// The point at a place that lies in the direction of the scene: of ranges that do not reach the ground.
+core::Vec3 point_towards(const signal::ImageFrame& frame, const core::Vec3& scene_m, const signal::ImagePlace& at) {
+  const core::Vec3 foot_m = frame.origin_m + at.azimuth_m * frame.along;
+  const core::Vec3 across = scene_m - foot_m - core::dot(scene_m - foot_m, frame.along) * frame.along;
+  return foot_m + at.range_m / std::max(core::norm(across), 1.0) * across;
+}
+
 // What one place is to the pulses.
 struct PlaceView {
   double time_s = 0.0;  // mean, from the track's middle
@@ -143,7 +150,8 @@ ImageCollection collection_of(const FocusInput& input, const ImageMaking& making
   const std::vector<signal::ImagePlace> places = places_to_look_at(image);
   std::vector<core::Vec3> points;
   for (const signal::ImagePlace& at : places)
-    points.push_back(ground_point(image, collection.earth, collection.scene_m, at).value_or(collection.scene_m));
+    points.push_back(ground_point(image, collection.earth, collection.scene_m, at)
+                         .value_or(point_towards(image.frame, collection.scene_m, at)));
   const simulate::Plan plan = plan_with_points(*input.plan, points);
   signal::EchoRows echoes = input.echoes;
   echoes.compensated = image.frame.plane == signal::ImagePlane::slant_range;
