@@ -129,7 +129,7 @@ SCENES = {
             y="[[-2, -3000], [-1, -2999.4], [0, -3000.5], [1, -2999.7], [2, -3000]]",
             points=str([[0, 0, 0], [30, 40, 12], [-35, -30, 0]]),
         ),
-        ("--algorithm", "back-projection", "--grid", "ground", "--height", "0", "--doppler-bandwidth", 450, *PLACE),
+        ("--algorithm", "back-projection", "--grid", "ground", "--height", "0", "--doppler-bandwidth", 450, "--azimuth", "-100:100", *PLACE),
         laid([(0, 0, 0), (30, 40, 12), (-35, -30, 0)]),
     ),
     "orbit": (

@@ -61,8 +61,9 @@ PlaceView view_of(std::span<const SarLook> seen, const DopplerBand& band, double
     if (!(weight > 0.0) || !(std::abs(sine) < 1.0)) continue;
     if (!all && std::abs(look.doppler_hz - band.centroid_hz) > 0.5 * band.width_hz) continue;
     view.directions.push_back({sine, weight});
-    sum += weight;
-    moment += weight * look.time_s;
+    // By power, as the middle of a spectrum is measured: amplitudes have tails, which the ends of the record cut off.
+    sum += weight * weight;
+    moment += weight * weight * look.time_s;
   }
   if (sum > 0.0) view.time_s = moment / sum;
   // Nothing of it was recorded: all pulses count alike.

@@ -18,7 +18,7 @@ namespace sarsim::workflow {
 /// A place in an image and when it was seen.
 struct SeenPlace {
   signal::ImagePlace place;
-  double time_s = 0.0;  ///< Mean of the pulses that see it, weighted by the strength of its echoes; of the scene.
+  double time_s = 0.0;  ///< Mean of the pulses that see it, weighted by the power of its echoes; of the scene.
 };
 
 /// How the echoes of an image were collected: what SICD says besides its axes.
