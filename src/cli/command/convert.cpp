@@ -12,6 +12,7 @@
 #include "workflow/convert/convert.hpp"
 #include "workflow/convert/convert_scene.hpp"
 #include "workflow/convert/references.hpp"
+#include "workflow/exchange/export.hpp"
 #include "workflow/input/earth_place.hpp"
 #include "workflow/input/override_words.hpp"
 #include "workflow/input/recording_input.hpp"
@@ -25,7 +26,39 @@ struct ConvertArguments {
   std::string references;
   std::string anchor;
   workflow::SceneOverrides overrides;
+  std::optional<raster::SignalEncoding> encoding;
+  std::string reference_point;
 };
+
+// The options that only files of the standards CPHD and CRSD have.
+void expect_no_exchange_options(const ConvertArguments& arguments) {
+  const std::pair<const char*, bool> given[] = {{"--encoding", arguments.encoding.has_value()},
+                                                {"--reference-point", !arguments.reference_point.empty()}};
+  for (const auto& [option, there] : given)
+    if (there)
+      throw core::Refused(fmt::format("{} is for CPHD and CRSD files", option),
+                          "leave it out, or give OUT the extension .cphd or .crsd");
+}
+
+ExitStatus export_recording(const ConvertArguments& arguments, Streams& streams) {
+  const workflow::ConvertRequest& samples = arguments.samples;
+  if (samples.to || samples.counts || samples.header || samples.sample.format || samples.sample.columns ||
+      samples.sample.bits || samples.sample.lsb_v)
+    throw core::Refused(
+        fmt::format("'{}' is made of a recording with its scene: only --script and --simulation say something of it",
+                    samples.output),
+        "leave out --to, --counts, --header, --from, --columns, --bits and --lsb");
+  workflow::ExportRequest request;
+  request.input = {samples.input, samples.sample.script, samples.simulation, arguments.overrides};
+  request.output = samples.output;
+  request.encoding = arguments.encoding.value_or(raster::SignalEncoding::cf8);
+  if (!arguments.reference_point.empty()) request.reference = workflow::reference_point_from(arguments.reference_point);
+  if (!arguments.anchor.empty()) request.anchor = workflow::anchor_from_text(arguments.anchor, "--anchor");
+  request.force = samples.force;
+  Watch watch(streams, false);
+  workflow::export_recording(request, watch.observer());
+  return exit_done;
+}
 
 // Either OUT or --references, which writes no samples.
 void expect_one_output(const ConvertArguments& arguments) {
@@ -58,6 +91,8 @@ ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
   const workflow::ConvertRequest& request = arguments.samples;
   expect_one_output(arguments);
   if (!arguments.references.empty()) return write_references(arguments, streams);
+  if (workflow::is_exchange_file(request.output)) return export_recording(arguments, streams);
+  expect_no_exchange_options(arguments);
   if (workflow::holds_script(request.input)) {
     print_problems(streams,
                    workflow::convert_scene({request.input, request.output, arguments.overrides, request.force}));
@@ -89,22 +124,34 @@ Action add_convert(CLI::App& app) {
   add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
   app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5, NPY, Zarr and SigMF");
   app.add_flag("--header", request->header, "a header line in CSV");
-  add_text(
-      app, "--anchor", arguments->anchor, "LAT,LON,HEIGHT[,HEADING]",
-      "of SICD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, and the direction of "
-      "+y from north");
+  add_text(app, "--anchor", arguments->anchor, "LAT,LON,HEIGHT[,HEADING]",
+           "of SICD, CPHD and CRSD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, "
+           "and the direction of "
+           "+y from north");
   add_text(app, "--references", arguments->references, "JSON",
            "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");
+  add_choice(
+      app, "--encoding", arguments->encoding,
+      {{"cf8", raster::SignalEncoding::cf8},
+       {"ci4", raster::SignalEncoding::ci4},
+       {"ci2", raster::SignalEncoding::ci2}},
+      "of CPHD and CRSD: samples as floats (default), or as integers of 16 or 8 bits with a scale for each pulse");
+  add_text(app, "--reference-point", arguments->reference_point, "POINT",
+           "of CPHD and CRSD: what phases are relative to: fixed, the middle of the scene (default); moving, with the "
+           "flight; or "
+           "X,Y,Z in m");
   app.add_flag("--force", request->force, "replace the new file where it exists");
-  add_examples(app, {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
-                     {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
-                     {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
-                     {"sarsim convert sim1.h5 sim1.zarr", "a folder of files, for object stores and xarray"},
-                     {"sarsim convert sim1.h5 sim1.sigmf-meta", "for programs of radio"},
-                     {"sarsim convert sim1.h5 --references sim1.json", "to open the same bytes as Zarr"},
-                     {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
-                     {"sarsim convert sar_r.img sar_r.nitf --anchor -33.9,18.4,120", "an image as SICD"},
-                     {"sarsim convert old.scr new.toml", "a scene from the language of 1998 into format 2, or back"}});
+  add_examples(app,
+               {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
+                {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},
+                {"sarsim convert sim1.asc sim1.h5 --lsb 1e-9", "counts to volts"},
+                {"sarsim convert sim1.h5 sim1.zarr", "a folder of files, for object stores and xarray"},
+                {"sarsim convert sim1.h5 sim1.sigmf-meta", "for programs of radio"},
+                {"sarsim convert sim1.h5 --references sim1.json", "to open the same bytes as Zarr"},
+                {"sarsim convert sar_r.img copy.npy", "an image, with its header copy.hdr"},
+                {"sarsim convert sar_r.img sar_r.nitf --anchor -33.9,18.4,120", "an image as SICD"},
+                {"sarsim convert flight.toml flight.cphd --anchor -33.9,18.4,0", "simulate into the standard CPHD"},
+                {"sarsim convert old.scr new.toml", "a scene from the language of 1998 into format 2, or back"}});
   return [arguments](Streams& streams) { return run_convert(*arguments, streams); };
 }
 

@@ -79,6 +79,11 @@ namespace sarsim::raster {
 [[nodiscard]] OpenedRaster open_sun(core::InputFile file, const Format& format, const RasterHints& hints,
                                     Integrity integrity);
 
+/// A CPHD file (docs/formats/cphd.md), always whole: the samples of its reference channel, a row for each vector. What
+/// its XML says is in the attributes.
+[[nodiscard]] OpenedRaster open_cphd(core::InputFile file, const Format& format, const RasterHints& hints,
+                                     Integrity integrity);
+
 /// A file of numbers that lie as the layout of the hints says; errors where it says nothing sensible of this file, and
 /// where a whole one has fewer rows.
 [[nodiscard]] OpenedRaster open_custom(core::InputFile file, const Format& format, const RasterHints& hints,

@@ -25,7 +25,7 @@ double volts_bytes(int) { return 8.0; }
 
 constexpr std::size_t recording_count = scene::format_values.size();
 
-constexpr std::array<Format, recording_count + 4> table{
+constexpr std::array<Format, recording_count + 5> table{
     {{.recording = scene::FileFormat::ascii,
       .word = "ASCII",
       .name = "Sarsim ASCII",
@@ -149,6 +149,12 @@ constexpr std::array<Format, recording_count + 4> table{
       .extensions = {".nitf", ".ntf", ".sicd"},
       .signature = nitf_begin,
       .open = open_sicd},
+     {.word = "CPHD",
+      .name = "CPHD",
+      .title = "CPHD phase history",
+      .extensions = {".cphd"},
+      .signature = "CPHD/",
+      .open = open_cphd},
      {.word = "CUSTOM",
       .name = "Custom",
       .title = "custom",
@@ -175,7 +181,7 @@ const Format& format_of(scene::FileFormat format) {
 const Format& envi_format() { return table[recording_count]; }
 const Format& sun_raster_format() { return table[recording_count + 1]; }
 const Format& sicd_format() { return table[recording_count + 2]; }
-const Format& custom_format() { return table[recording_count + 3]; }
+const Format& custom_format() { return table[recording_count + 4]; }
 
 std::vector<const Format*> offered_formats(int FormatPlaces::*place) {
   std::vector<const Format*> offered;

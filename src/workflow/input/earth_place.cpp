@@ -38,10 +38,9 @@ EarthPlace earth_place(const scene::World& world, const std::optional<radar::Anc
   if (earth && anchor)
     throw core::Refused("--anchor: the scene says itself where on the Earth it is", "leave out --anchor");
   if (!earth && !anchor)
-    throw core::Refused(
-        fmt::format("{} says where on the Earth an image is, and the world of the scene is flat", format),
-        "give --anchor LATITUDE,LONGITUDE,HEIGHT[,HEADING] of its origin, or make its world the Earth "
-        "([world] frame = \"earth\")");
+    throw core::Refused(fmt::format("{} has places on the Earth, but the world of the scene is flat", format),
+                        "give --anchor LATITUDE,LONGITUDE,HEIGHT[,HEADING] of its origin, or make its world the Earth "
+                        "([world] frame = \"earth\")");
   if (!earth) earth.emplace(*anchor);
   const radar::InstantReading epoch = scene::epoch_of(world);
   if (epoch.instant) return {*earth, *epoch.instant, {}};

@@ -1,0 +1,329 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/text/number_text.hpp"
+#include "core/xml/xml.hpp"
+#include "raster/cphd/cphd_file.hpp"
+#include "raster/table/file_problem.hpp"
+
+namespace sarsim::raster {
+
+namespace {
+
+using pugi::xml_node;
+
+// The name of an element without the prefix of its namespace.
+std::string_view local_name(xml_node node) {
+  const std::string_view name = node.name();
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+xml_node child_of(xml_node parent, std::string_view name) {
+  for (xml_node node : parent.children())
+    if (node.type() == pugi::node_element && local_name(node) == name) return node;
+  return {};
+}
+
+std::string_view trimmed_text(xml_node node) {
+  constexpr std::string_view blanks = " \t\r\n";
+  std::string_view text = node.child_value();
+  const std::size_t begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
+}
+
+// Walks through the tree and notes what is missing or malformed.
+class XmlReading {
+ public:
+  XmlReading(xml_node root, std::string file, core::Problems& problems)
+      : root_(root), file_(std::move(file)), problems_(problems) {}
+
+  [[nodiscard]] bool failed() const { return failed_; }
+
+  void error(std::string message, std::string found, std::string expected, std::string hint = {}) {
+    failed_ = true;
+    problems_.push_back(
+        file_problem(file_, std::move(message), std::move(found), std::move(expected), std::move(hint)));
+  }
+  void remark(std::string message, std::string found, std::string expected) {
+    problems_.push_back(with_severity(file_problem(file_, std::move(message), std::move(found), std::move(expected)),
+                                      core::Severity::warning));
+  }
+
+  // An element below another one, by a path such as "Global/SGN"; an empty node where there is none.
+  static xml_node find(xml_node node, std::string_view path) {
+    while (node && !path.empty()) {
+      const std::size_t slash = std::min(path.find('/'), path.size());
+      node = child_of(node, path.substr(0, slash));
+      path.remove_prefix(std::min(slash + 1, path.size()));
+    }
+    return node;
+  }
+  [[nodiscard]] xml_node find(std::string_view path) const { return find(root_, path); }
+
+  // The text of an element that must be there.
+  std::string text(xml_node parent, std::string_view path) {
+    const std::string_view found = trimmed_text(find(parent, path));
+    if (found.empty()) error(fmt::format("the XML has no {}/{}", local_name(parent), path), {}, "a value");
+    return std::string(found.substr(0, longest));
+  }
+  // The text of one that may be missing.
+  static std::string text_if(xml_node parent, std::string_view path) {
+    return std::string(trimmed_text(find(parent, path)).substr(0, longest));
+  }
+
+  double number(xml_node parent, std::string_view path) {
+    const std::string found = text(parent, path);
+    if (found.empty()) return 0.0;
+    std::string_view digits = found;
+    if (digits.starts_with('+')) digits.remove_prefix(1);
+    const auto value = core::parse_number(digits);
+    if (!value || !std::isfinite(*value))
+      error(fmt::format("{}/{} is not a number", local_name(parent), path), found, "a number");
+    return value.value_or(0.0);
+  }
+
+  std::uint64_t count(xml_node parent, std::string_view path, std::uint64_t least, std::uint64_t most) {
+    const std::string found = text(parent, path);
+    if (found.empty()) return least;
+    const auto value = core::parse_integer(found.starts_with('+') ? found.substr(1) : found);
+    if (value && *value >= 0 && static_cast<std::uint64_t>(*value) >= least &&
+        static_cast<std::uint64_t>(*value) <= most)
+      return static_cast<std::uint64_t>(*value);
+    error(fmt::format("{}/{} is out of range", local_name(parent), path), found,
+          fmt::format("a whole number from {} to {}", least, most));
+    return least;
+  }
+
+  core::Vec3 place(xml_node parent, std::string_view path) {
+    const xml_node node = find(parent, path);
+    if (!node) {
+      error(fmt::format("the XML has no {}/{}", local_name(parent), path), {}, "X, Y and Z");
+      return {};
+    }
+    return {number(node, "X"), number(node, "Y"), number(node, "Z")};
+  }
+
+  static bool flag_if(xml_node parent, std::string_view path, bool otherwise) {
+    const std::string found = text_if(parent, path);
+    if (found.empty()) return otherwise;
+    return found == "true" || found == "1";
+  }
+
+ private:
+  static constexpr std::size_t longest = 4096;
+
+  xml_node root_;
+  std::string file_;
+  core::Problems& problems_;
+  bool failed_ = false;
+};
+
+constexpr std::uint64_t most = std::uint64_t{1} << 48U;
+
+void read_collection(XmlReading& xml, CphdDescription& d) {
+  const xml_node node = xml.find("CollectionID");
+  d.collector = XmlReading::text_if(node, "CollectorName");
+  d.illuminator = XmlReading::text_if(node, "IlluminatorName");
+  d.core_name = XmlReading::text_if(node, "CoreName");
+  d.bistatic = XmlReading::text_if(node, "CollectType") == "BISTATIC";
+  d.mode = XmlReading::text_if(node, "RadarMode/ModeType");
+  d.classification = XmlReading::text_if(node, "Classification");
+  d.release = XmlReading::text_if(node, "ReleaseInfo");
+  for (xml_node child : node.children())
+    if (local_name(child) == "Parameter")
+      d.parameters.emplace_back(child.attribute("name").value(), std::string(trimmed_text(child)));
+  const bool known = d.mode == "SPOTLIGHT" || d.mode == "STRIPMAP" || d.mode == "DYNAMIC STRIPMAP";
+  if (!known)
+    xml.remark("the mode of the radar is not one of the standard; it is taken as it is", d.mode,
+               "SPOTLIGHT, STRIPMAP or DYNAMIC STRIPMAP");
+}
+
+void read_global(XmlReading& xml, CphdDescription& d) {
+  const xml_node node = xml.find("Global");
+  if (!node) {
+    xml.error("the XML has no Global", {}, "an element CPHD with CollectionID, Global and so on");
+    return;
+  }
+  const std::string domain = xml.text(node, "DomainType");
+  if (!domain.empty() && domain != "FX" && domain != "TOA")
+    xml.error("the domain of the samples is not known", domain, "FX or TOA");
+  d.domain = domain == "TOA" ? PhaseDomain::toa : PhaseDomain::fx;
+  const std::string sign = xml.text(node, "SGN");
+  if (!sign.empty() && sign != "-1" && sign != "+1" && sign != "1")
+    xml.error("the sign of the phase (SGN) is not known", sign, "-1 or +1");
+  d.sign = sign == "-1" ? -1 : 1;
+  d.start = XmlReading::text_if(node, "Timeline/CollectionStart");
+  if (XmlReading::find(node, "Timeline/TxTime1")) d.tx_time1_s = xml.number(node, "Timeline/TxTime1");
+  if (XmlReading::find(node, "Timeline/TxTime2")) d.tx_time2_s = xml.number(node, "Timeline/TxTime2");
+  d.fx_min_hz = xml.number(node, "FxBand/FxMin");
+  d.fx_max_hz = xml.number(node, "FxBand/FxMax");
+  d.toa_min_s = xml.number(node, "TOASwath/TOAMin");
+  d.toa_max_s = xml.number(node, "TOASwath/TOAMax");
+}
+
+// The axes of a surface of constant height are given as changes of latitude and longitude in a metre.
+core::Vec3 axis_of_height(XmlReading& xml, xml_node node, std::string_view path, const core::Vec3& origin_m) {
+  const radar::Geodetic place = radar::geodetic_of(origin_m);
+  const radar::CurvatureRadii radii = radar::curvature_radii(place.latitude_rad);
+  const double sin_lat = std::sin(place.latitude_rad), cos_lat = std::cos(place.latitude_rad);
+  const double sin_lon = std::sin(place.longitude_rad), cos_lon = std::cos(place.longitude_rad);
+  const xml_node axis = XmlReading::find(node, path);
+  const double north = xml.number(axis ? axis : node, "Lat") * (radii.meridian_m + place.height_m);
+  const double east = xml.number(axis ? axis : node, "Lon") * (radii.prime_vertical_m + place.height_m) * cos_lat;
+  return east * core::Vec3{-sin_lon, cos_lon, 0.0} +
+         north * core::Vec3{-sin_lat * cos_lon, -sin_lat * sin_lon, cos_lat};
+}
+
+core::Vec3 unit(const core::Vec3& v) {
+  const double length = core::norm(v);
+  return length > 0.0 ? (1.0 / length) * v : v;
+}
+
+void read_scene(XmlReading& xml, CphdDescription& d) {
+  const xml_node node = xml.find("SceneCoordinates");
+  if (!node) {
+    xml.error("the XML has no SceneCoordinates", {}, "where the image area is");
+    return;
+  }
+  SceneCoordinates& scene = d.scene;
+  scene.origin_m = xml.place(node, "IARP/ECF");
+  const xml_node planar = XmlReading::find(node, "ReferenceSurface/Planar");
+  const xml_node height = XmlReading::find(node, "ReferenceSurface/HAE");
+  if (!planar && !height) {
+    xml.error("the reference surface is not known", {}, "ReferenceSurface/Planar or ReferenceSurface/HAE");
+    return;
+  }
+  scene.planar = static_cast<bool>(planar);
+  scene.x_axis = unit(planar ? xml.place(planar, "uIAX") : axis_of_height(xml, height, "uIAXLL", scene.origin_m));
+  scene.y_axis = unit(planar ? xml.place(planar, "uIAY") : axis_of_height(xml, height, "uIAYLL", scene.origin_m));
+  constexpr double square = 1e-3;
+  if (!xml.failed() && !(core::norm(core::cross(scene.x_axis, scene.y_axis)) > 1.0 - square))
+    xml.error("the axes of the image area are not at right angles", {}, "two axes of length above 0 at right angles");
+  const xml_node area = XmlReading::find(node, "ImageArea");
+  if (!area) {
+    xml.error("the XML has no SceneCoordinates/ImageArea", {}, "X1Y1 and X2Y2");
+    return;
+  }
+  scene.area = {xml.number(area, "X1Y1/X"), xml.number(area, "X1Y1/Y"), xml.number(area, "X2Y2/X"),
+                xml.number(area, "X2Y2/Y")};
+  if (!xml.failed() && !(scene.area.x1 < scene.area.x2 && scene.area.y1 < scene.area.y2))
+    xml.error(
+        "the image area is empty",
+        fmt::format("x {:g} to {:g} m, y {:g} to {:g} m", scene.area.x1, scene.area.x2, scene.area.y1, scene.area.y2),
+        "X1Y1 below X2Y2");
+}
+
+void read_data(XmlReading& xml, CphdDescription& d) {
+  const xml_node node = xml.find("Data");
+  if (!node) {
+    xml.error("the XML has no Data", {}, "the sizes of the arrays");
+    return;
+  }
+  const std::string encoding = xml.text(node, "SignalArrayFormat");
+  const auto known = std::ranges::find(signal_encodings, std::string_view(encoding), &SignalEncodingName::name);
+  if (known != signal_encodings.end())
+    d.encoding = known->encoding;
+  else if (!encoding.empty())
+    xml.error("the format of the samples is not known", encoding, "CF8, CI4 or CI2");
+  const std::string compressed = XmlReading::text_if(node, "SignalCompressionID");
+  if (!compressed.empty()) xml.error("compressed samples are not read", compressed, "no SignalCompressionID");
+  constexpr std::uint64_t word = 8;
+  constexpr std::uint64_t most_pvp_bytes = 1U << 20U;
+  d.pvp_bytes = static_cast<std::size_t>(xml.count(node, "NumBytesPVP", word, most_pvp_bytes));
+  std::set<std::string> names;
+  for (xml_node child : node.children()) {
+    if (local_name(child) != "Channel") continue;
+    PhaseChannel channel;
+    channel.id = xml.text(child, "Identifier");
+    channel.vectors = static_cast<std::size_t>(xml.count(child, "NumVectors", 1, most));
+    channel.samples = static_cast<std::size_t>(xml.count(child, "NumSamples", 1, most));
+    channel.signal_offset = xml.count(child, "SignalArrayByteOffset", 0, most * 1024);
+    channel.pvp_offset = xml.count(child, "PVPArrayByteOffset", 0, most * 1024);
+    if (!names.insert(channel.id).second) xml.error("two channels have one identifier", channel.id, "different ones");
+    d.channels.push_back(std::move(channel));
+    if (xml.failed()) return;
+  }
+  if (d.channels.empty()) xml.error("the file has no channel", {}, "at least one Data/Channel");
+}
+
+void read_channels(XmlReading& xml, CphdDescription& d) {
+  const xml_node node = xml.find("Channel");
+  const std::string reference = XmlReading::text_if(node, "RefChId");
+  const auto found = std::ranges::find(d.channels, reference, &PhaseChannel::id);
+  if (found != d.channels.end()) d.reference_channel = static_cast<std::size_t>(found - d.channels.begin());
+  for (xml_node child : node.children()) {
+    if (local_name(child) != "Parameters") continue;
+    const auto channel = std::ranges::find(d.channels, XmlReading::text_if(child, "Identifier"), &PhaseChannel::id);
+    if (channel == d.channels.end()) continue;
+    channel->reference = static_cast<std::size_t>(xml.count(child, "RefVectorIndex", 0, channel->vectors - 1));
+    channel->fx_fixed = XmlReading::flag_if(child, "FXFixed", true);
+    channel->toa_fixed = XmlReading::flag_if(child, "TOAFixed", true);
+    channel->srp_fixed = XmlReading::flag_if(child, "SRPFixed", true);
+    channel->transmitted = XmlReading::text_if(child, "Polarization/TxPol");
+    channel->received = XmlReading::text_if(child, "Polarization/RcvPol");
+    channel->centre_hz = xml.number(child, "FxC");
+    channel->band_hz = xml.number(child, "FxBW");
+    channel->toa_s = xml.number(child, "TOASaved");
+  }
+}
+
+// Where the parameters stand in a vector.
+std::vector<PvpSlot> read_slots(XmlReading& xml, const CphdDescription& d) {
+  constexpr std::uint64_t word = 8;
+  std::vector<PvpSlot> slots;
+  const xml_node node = xml.find("PVP");
+  for (const PvpField& field : pvp_fields()) {
+    const xml_node parameter = child_of(node, field.name);
+    if (!parameter) {
+      if (!field.optional)
+        xml.error(fmt::format("the XML has no PVP/{}", field.name), {}, "its Offset, Size and Format");
+      continue;
+    }
+    const std::uint64_t size = xml.count(parameter, "Size", field.words, field.words);
+    const std::uint64_t offset = xml.count(parameter, "Offset", 0, d.pvp_bytes / word);
+    if (!xml.failed() && word * (offset + size) > d.pvp_bytes)
+      xml.error(fmt::format("the parameter {} lies beyond the end of its vector", field.name),
+                fmt::format("words {} to {}", offset, offset + size - 1),
+                fmt::format("NumBytesPVP, {} bytes", d.pvp_bytes));
+    slots.push_back({&field, static_cast<std::size_t>(word * offset)});
+  }
+  return slots;
+}
+
+}  // namespace
+
+std::optional<std::pair<CphdDescription, std::vector<PvpSlot>>> read_cphd_xml(std::string_view text,
+                                                                              const std::string& file,
+                                                                              core::Problems& problems) {
+  pugi::xml_document document;
+  const std::string wrong = core::parse_xml(text, document);
+  if (!wrong.empty()) {
+    problems.push_back(file_problem(file, "the XML of the file cannot be read: " + wrong));
+    return std::nullopt;
+  }
+  const xml_node root = child_of(document, "CPHD");
+  XmlReading xml(root, file, problems);
+  if (!root) {
+    xml.error("the XML does not describe CPHD", {}, "an element CPHD");
+    return std::nullopt;
+  }
+  CphdDescription d;
+  read_collection(xml, d);
+  read_global(xml, d);
+  read_scene(xml, d);
+  read_data(xml, d);
+  if (xml.failed()) return std::nullopt;
+  read_channels(xml, d);
+  std::vector<PvpSlot> slots = read_slots(xml, d);
+  if (xml.failed()) return std::nullopt;
+  return std::pair{std::move(d), std::move(slots)};
+}
+
+}  // namespace sarsim::raster

@@ -1,0 +1,229 @@
+#include "workflow/exchange/collection.hpp"
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "core/report/refused.hpp"
+#include "core/task/worker_pool.hpp"
+#include "core/text/number_text.hpp"
+#include "simulate/plan/row_maker.hpp"
+#include "workflow/focus/sar_rows.hpp"
+#include "workflow/input/earth_place.hpp"
+
+namespace sarsim::workflow {
+
+namespace {
+
+std::vector<double> numbers_of(const std::string& text, std::size_t count, const char* option, const char* expected) {
+  std::vector<double> numbers;
+  std::string_view rest = text;
+  bool good = true;
+  for (bool more = true; more && good;) {
+    const std::size_t comma = rest.find(',');
+    more = comma != std::string_view::npos;
+    std::string_view word = rest.substr(0, comma);
+    while (word.starts_with(' ')) word.remove_prefix(1);
+    while (word.ends_with(' ')) word.remove_suffix(1);
+    const auto value = core::parse_number(word);
+    good = value.has_value();
+    numbers.push_back(value.value_or(0.0));
+    rest.remove_prefix(more ? comma + 1 : rest.size());
+  }
+  if (!good || numbers.size() != count)
+    throw core::Refused(
+        {core::problem_of(core::Severity::error, fmt::format("{} is malformed", option), text, expected, {})});
+  return numbers;
+}
+
+void expect_exchangeable(const simulate::Plan& plan, core::Problems& problems) {
+  const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
+    problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
+                                        std::move(expected), std::move(hint)));
+  };
+  if (plan.scene->options.profile != scene::Profile::physical)
+    refuse("the classic profile has another speed of light and other delays than the standard", "classic",
+           "the physical profile", "add --profile physical");
+  if (plan.simulation.processing != scene::Processing::raw)
+    refuse("CPHD and CRSD are made of raw pulses, but the recording is compressed", {}, "raw processing",
+           "name the scene, from which raw pulses are computed, or record with processing = \"raw\"");
+  if (plan.radar.stc != scene::Radar::Stc::none)
+    refuse("STC changes the amplitudes along a row, which the standard does not know", "STC", "no STC",
+           "leave out the STC of the radar");
+  if (plan.scene->options.eclipsing == scene::Eclipsing::blanked)
+    refuse("blanked samples have no place in a phase history", "eclipsing = \"blanked\"", "none", {});
+}
+
+// The rows of a plan, computed when they are asked for.
+core::SampleRows<double> rows_of_plan(const std::shared_ptr<const simulate::Plan>& plan) {
+  const auto pool = std::make_shared<core::WorkerPool<simulate::RowMaker>>(
+      [plan] { return std::make_unique<simulate::RowMaker>(*plan); });
+  return {plan->rows, plan->columns, [plan, pool](std::size_t row, std::span<std::complex<double>> out) {
+            pool->lend([&](simulate::RowMaker& maker) { maker.make_row(row, out); });
+          }};
+}
+
+// A plan with its rows and what the scene says of its world.
+struct OpenedPlan {
+  std::shared_ptr<const simulate::Plan> plan;
+  core::SampleRows<double> rows;
+  scene::World world;
+  std::size_t simulation = 0;
+  std::vector<std::filesystem::path> sources;
+};
+
+OpenedPlan plan_of_scene(RecordingArguments arguments, const core::WorkControl& control, core::Problems& remarks) {
+  if (!arguments.overrides.pulse) arguments.overrides.pulse = scene::PulseDefinition::band_limited;
+  auto [input, simulation] = open_script(arguments, records_pulses, control);
+  std::ranges::move(input.problems, std::back_inserter(remarks));
+  const simulate::Plan window = simulate::make_plan(input.scene, simulation, input.resolved);
+  scene::Simulation& recorded = input.scene.simulations[simulation];
+  recorded = recorded_for_sar(recorded, window);
+  auto plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(input.scene, simulation, input.resolved, simulate::Engine::automatic));
+  return {plan, rows_of_plan(plan), input.scene.world, simulation, std::move(input.sources)};
+}
+
+OpenedPlan plan_of_file(const RecordingArguments& arguments, core::Problems& remarks) {
+  StoredRecording stored = open_recording(arguments, records_pulses, [](const simulate::Plan& plan) {
+    core::Problems problems;
+    expect_exchangeable(plan, problems);
+    return problems;
+  });
+  std::ranges::move(stored.problems, std::back_inserter(remarks));
+  return {stored.plan, std::move(stored.rows), stored.scene.world, stored.simulation, std::move(stored.sources)};
+}
+
+// Time 0 of the file: the last whole second of slow time before the first pulse.
+void set_start(const radar::Instant& epoch, Collection& collection) {
+  const double first_s = collection.plan->radar.repetition.send_time_s(collection.plan->pulses.first);
+  collection.start_s = std::floor(first_s);
+  collection.start = radar::later(epoch, collection.start_s);
+}
+
+}  // namespace
+
+ReferencePoint reference_point_from(const std::string& text) {
+  if (text == "fixed") return {};
+  if (text == "moving") return {ReferencePoint::Kind::moving, {}};
+  const std::vector<double> xyz = numbers_of(text, 3, "--reference-point", "fixed, moving or X,Y,Z in m");
+  return {ReferencePoint::Kind::given, {xyz[0], xyz[1], xyz[2]}};
+}
+
+std::string Collection::start_text() const { return radar::format_instant(start, radar::TimeScale::utc); }
+
+Collection open_collection(const CollectionArguments& arguments, const core::WorkControl& control,
+                           core::Problems& remarks) {
+  OpenedPlan opened = names_script(arguments.input) ? plan_of_scene(arguments.input, control, remarks)
+                                                    : plan_of_file(arguments.input, remarks);
+  core::Problems problems = problems_of_sar(*opened.plan, true);
+  expect_exchangeable(*opened.plan, problems);
+  if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+  EarthPlace place = earth_place(opened.world, arguments.anchor, arguments.format);
+  std::ranges::move(place.remarks, std::back_inserter(remarks));
+  Collection collection{.plan = opened.plan,
+                        .rows = std::move(opened.rows),
+                        .earth = place.earth,
+                        .flat = opened.world.frame == scene::World::Frame::flat,
+                        .start = {},
+                        .reference = arguments.reference,
+                        .name = {},
+                        .simulation = opened.simulation,
+                        .sources = std::move(opened.sources)};
+  set_start(place.epoch, collection);
+  return collection;
+}
+
+struct CollectionGeometry::Reference {
+  simulate::ResolvedScene scene;
+  simulate::ResolvedRadar radar;
+  std::optional<simulate::PulseGeometry> geometry;
+};
+
+CollectionGeometry::CollectionGeometry(const Collection& collection)
+    : collection_(&collection), reference_(std::make_unique<Reference>()) {
+  const simulate::Plan& plan = *collection.plan;
+  simulate::ResolvedScene& scene = reference_->scene;
+  scene.conventions = plan.scene->conventions;
+  scene.options = plan.scene->options;
+  scene.turning = plan.scene->turning;
+  scene.platforms = plan.scene->platforms;
+  reference_->radar = plan.radar;
+  reference_->radar.air = nullptr;
+  const std::int64_t middle = plan.pulses.first + plan.pulses.count() / 2;
+  const radar::Track& track = scene.platforms[plan.radar.platform].track;
+  const radar::Pose pose = track.at(plan.radar.repetition.send_time_s(middle), middle);
+  middle_m_ = collection.reference.kind == ReferencePoint::Kind::given ? collection.reference.given_world_m
+                                                                       : scene_middle_m(plan);
+  antenna_m_ = pose.position_world_m;
+  core::Vec3 along = pose.velocity_world_mps;
+  if (collection.flat) along.z = 0.0;
+  along_ = (1.0 / core::norm(along)) * along;
+  height_m_ = collection.earth.geodetic_of(middle_m_).height_m;
+  simulate::Scatterer point;
+  point.platform = static_cast<std::uint32_t>(scene.platforms.size() - 1);  // The world itself.
+  point.position_m = middle_m_;
+  scene.scatterers.push_back(point);
+  scene.platforms.back().middle_m = middle_m_;
+  scene.platforms.back().radius_m = 0.0;
+  reference_->geometry.emplace(scene, reference_->radar);
+}
+
+CollectionGeometry::~CollectionGeometry() = default;
+
+core::Vec3 CollectionGeometry::reference_m(std::size_t row) {
+  if (collection_->reference.kind != ReferencePoint::Kind::moving) return middle_m_;
+  const simulate::Plan& plan = *collection_->plan;
+  const std::int64_t pulse = plan.first_pulse_of_row(row);
+  const radar::Pose pose =
+      plan.scene->platforms[plan.radar.platform].track.at(plan.radar.repetition.send_time_s(pulse), pulse);
+  core::Vec3 point_m = middle_m_ + core::dot(pose.position_world_m - antenna_m_, along_) * along_;
+  if (collection_->flat) return point_m;
+  radar::Geodetic place = collection_->earth.geodetic_of(point_m);
+  place.height_m = height_m_;
+  return collection_->earth.world_of(place);
+}
+
+CollectedPulse CollectionGeometry::pulse_of(std::size_t row) {
+  const simulate::Plan& plan = *collection_->plan;
+  simulate::ResolvedScene& scene = reference_->scene;
+  if (collection_->reference.kind == ReferencePoint::Kind::moving) {
+    simulate::Scatterer point = scene.scatterers.front();
+    point.position_m = reference_m(row);
+    scene.scatterers = {};
+    scene.scatterers.push_back(point);
+    scene.platforms.back().middle_m = point.position_m;
+  }
+  simulate::PulseGeometry& geometry = *reference_->geometry;
+  geometry.set_pulse(plan.first_pulse_of_row(row));
+  const simulate::ScattererView view = geometry.view(0);
+  const radar::Pose& sent = geometry.radar_pose();
+  const double time_s = geometry.send_time_s();
+  const radar::Pose received = scene.platforms[plan.radar.platform].track.at(time_s + view.delay_s, geometry.pulse());
+  const radar::EarthFrame& earth = collection_->earth;
+  CollectedPulse pulse{{}, view.delay_s, view.clock, geometry.carrier_hz()};
+  raster::PhaseVector& v = pulse.vector;
+  v.tx_time_s = time_s - collection_->start_s;
+  v.tx_m = earth.ecef_from_world(sent.position_world_m);
+  v.tx_mps = earth.ecef_axes_from_world(sent.velocity_world_mps);
+  v.rcv_time_s = v.tx_time_s + view.delay_s;
+  v.rcv_m = earth.ecef_from_world(received.position_world_m);
+  v.rcv_mps = earth.ecef_axes_from_world(received.velocity_world_mps);
+  v.srp_m = earth.ecef_from_world(scene.scatterers.front().position_m);
+  const auto rate = [&](const core::Vec3& from_m, const core::Vec3& velocity_mps) {
+    const core::Vec3 way = from_m - v.srp_m;
+    return core::dot(way, velocity_mps) / core::norm(way);
+  };
+  const double c = scene.conventions.light_speed_mps;
+  v.doppler = -(rate(v.tx_m, v.tx_mps) + rate(v.rcv_m, v.rcv_mps)) / c;
+  const radar::Pulse& sent_pulse = plan.radar.pulse;
+  if (sent_pulse.kind == radar::Pulse::Kind::chirp && sent_pulse.sweep_hz != 0.0) {
+    v.rate2 = 2.0 / c * sent_pulse.width_s / sent_pulse.sweep_hz;
+    v.rate1 = v.rate2 * pulse.carrier_hz;
+  }
+  return pulse;
+}
+
+}  // namespace sarsim::workflow

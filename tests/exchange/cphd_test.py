@@ -1,0 +1,57 @@
+"""Targets stand at their places, with the phase 0, in images that NumPy alone makes of CPHD files (cphd_image.py).
+
+    cphd_test.py SARSIM SCENE
+
+Exit status: 0 as it should be, 1 not, 77 NumPy is missing.
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+try:
+    import numpy as np
+except ImportError:
+    print("NumPy is missing")
+    sys.exit(77)
+
+import cphd_image
+
+TARGETS = np.array([[0, 0, 0], [31, 23, 0], [-27, -35, 2]], float)
+ANCHOR = [47.5, 8.25, 400.0, 30.0]
+
+
+def check(path, metres, radians):
+    file = cphd_image.Own(path)
+    places, x, y = cphd_image.ecf_of(TARGETS, ANCHOR)
+    at_places = cphd_image.spread(file, places)
+    worst_m = max(cphd_image.peak(file, place, x, y, 0.2, 5) for place in places)
+    worst_rad = np.abs(np.angle(at_places)).max()
+    print(f"{path.name}: peaks within {worst_m:.4f} m, phases within {worst_rad:.5f} rad")
+    assert worst_m <= metres and worst_rad <= radians, path.name
+
+
+def main(program, scene):
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        run = lambda *words: subprocess.run([program, *words], check=True, stderr=subprocess.DEVNULL)
+        anchor = "--anchor=" + ",".join(str(number) for number in ANCHOR)
+        for name, options in {
+            "fixed": [],
+            "moving": ["--reference-point", "moving"],
+            "given": ["--reference-point", "40,-30,5"],
+            "ci4": ["--encoding", "ci4"],
+            "ci2": ["--encoding", "ci2"],
+        }.items():
+            path = folder / f"{name}.cphd"
+            run("convert", scene, str(path), anchor, *options)
+            check(path, 0.05, 0.01)
+        # From a recording of raw pulses, whose scene it carries: of counts, too.
+        run("run", scene, "--pulse", "band-limited", "--out", str(folder), "--set", "Simulation1.range_end=3065m")
+        run("convert", str(folder / "small.h5"), str(folder / "recorded.cphd"), anchor)
+        check(folder / "recorded.cphd", 0.05, 0.01)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
