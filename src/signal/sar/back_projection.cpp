@@ -28,6 +28,11 @@ void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options)
                "back-projection: the number of samples is not pulses times samples of a pulse");
   core::expect(echoes.carriers_hz.empty() || echoes.carriers_hz.size() == echoes.track.size(),
                "back-projection: the number of carriers is not that of the pulses");
+  const std::size_t pulses = echoes.track.size();
+  core::expect(echoes.later_s.empty() || echoes.later_s.size() == pulses,
+               "back-projection: the number of first samples is not that of the pulses");
+  core::expect(echoes.receivers_m.empty() || echoes.receivers_m.size() == pulses,
+               "back-projection: the number of receivers is not that of the pulses");
   core::expect(echoes.waveform.sample_rate_hz > 0.0, "back-projection: the sampling rate is not above 0");
   core::expect(echoes.waveform.light_speed_mps > 0.0, "back-projection: the speed of light is not above 0");
   core::expect(echoes.waveform.carrier_hz > 0.0, "back-projection: the carrier is not above 0");
@@ -40,6 +45,15 @@ void expect_sound(const SarEchoes& echoes, const BackProjectionOptions& options)
   const double heading = core::norm(options.heading);
   core::expect(heading == 0.0 || std::abs(heading - 1.0) < 1e-6, "back-projection: the heading's length is not 1");
   core::expect(std::abs(options.squint_rad) < 0.5 * core::pi, "back-projection: the squint is a right angle or more");
+}
+
+ProjectionPulse pulse_of(const SarEchoes& echoes, std::size_t number, const float* records) {
+  ProjectionPulse pulse{echoes.track[number].position_m, echoes.track[number].velocity_mps, records};
+  if (!echoes.carriers_hz.empty()) pulse.carrier_hz = echoes.carriers_hz[number];
+  if (!echoes.later_s.empty()) pulse.later_s = echoes.later_s[number];
+  pulse.bistatic = !echoes.receivers_m.empty();
+  if (pulse.bistatic) pulse.receiver_m = echoes.receivers_m[number];
+  return pulse;
 }
 
 ProjectionConstants constants_of(const SarEchoes& echoes, const BackProjectionOptions& options) {
@@ -215,6 +229,8 @@ std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, c
       double nearest_m = 1e300;
       for (const TrackPoint& point : echoes.track)
         nearest_m = std::min(nearest_m, core::norm(middle - point.position_m));
+      for (const core::Vec3& receiver_m : echoes.receivers_m)
+        nearest_m = std::min(nearest_m, core::norm(middle - receiver_m));
       nearest_m -= core::norm(down) + core::norm(right);
       stretches[index] = stretch_for(nearest_m, core::norm(tile.column_step_m), wavelength_m);
     }
@@ -318,9 +334,7 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
     const std::size_t count = std::min(block, pulses - first);
     records.fill(first, count, control);
     together.clear();
-    for (std::size_t i = 0; i < count; ++i)
-      together.push_back({echoes.track[first + i].position_m, echoes.track[first + i].velocity_mps, records.at(i),
-                          echoes.carriers_hz.empty() ? 0.0 : echoes.carriers_hz[first + i]});
+    for (std::size_t i = 0; i < count; ++i) together.push_back(pulse_of(echoes, first + i, records.at(i)));
     core::parallel_ranges(tiles.count(), 1, control, [&](std::size_t begin, std::size_t end) {
       const auto tile = std::make_unique<ProjectionTile>();
       for (std::size_t index = begin; index < end; ++index) {
@@ -348,7 +362,14 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
   image.values = back_project(echoes, grid, options, control, progress);
   ReferenceTrack line = fitted_track(echoes.track);
   if (frame.plane == ImagePlane::slant_range) line = {0.0, frame.origin_m, frame.along};
-  const double turns_per_m = radar::turns_per_m(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
+  turn_to_baseband(image, grid, line, control);
+  return image;
+}
+
+void turn_to_baseband(FocusedImage& image, const PointGrid& grid, const ReferenceTrack& line,
+                      const core::WorkControl& control) {
+  CORE_EXPECT(image.values.size() == grid.rows * grid.columns);
+  const double turns_per_m = radar::turns_per_m(image.carrier_hz, image.light_speed_mps);
   core::parallel_ranges(grid.rows, 16, control, [&](std::size_t begin, std::size_t end) {
     std::vector<float> turns(grid.columns);
     for (std::size_t row = begin; row < end; ++row) {
@@ -359,7 +380,6 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
       turn_row(std::span(image.values).subspan(row * grid.columns, grid.columns), turns);
     }
   });
-  return image;
 }
 
 }  // namespace sarsim::signal

@@ -9,6 +9,7 @@
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 #include "signal/compress/range_compression.hpp"
+#include "signal/sar/reference_track.hpp"
 #include "signal/sar/sar_echoes.hpp"
 #include "signal/sar/sar_image.hpp"
 
@@ -77,5 +78,11 @@ struct BackProjectionOptions {
 [[nodiscard]] FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, const ImageAxis& azimuth,
                                         const ImageAxis& range, const BackProjectionOptions& options,
                                         const core::WorkControl& control, const core::ProgressReport& progress = {});
+
+/// Turns the values of an image, sums in the order of `grid`, by -4 pi f R0/c, R0 the distance of each point from
+/// `line`.
+/// @throw  Interrupted
+void turn_to_baseband(FocusedImage& image, const PointGrid& grid, const ReferenceTrack& line,
+                      const core::WorkControl& control);
 
 }  // namespace sarsim::signal

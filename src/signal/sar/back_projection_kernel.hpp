@@ -26,6 +26,9 @@ struct ProjectionPulse {
   core::Vec3 velocity_mps;
   const float* records = nullptr;  ///< signal/sar/echo_records.hpp.
   double carrier_hz = 0.0;         ///< 0: that of the constants.
+  double later_s = 0.0;            ///< By how much its first record is later than that of the constants.
+  bool bistatic = false;           ///< Received at `receiver_m`: the delay is the sum of both ways. At rest.
+  core::Vec3 receiver_m{};
 
   [[nodiscard]] double carrier_of(const ProjectionConstants& constants) const {
     return carrier_hz > 0.0 ? carrier_hz : constants.carrier_hz;

@@ -25,7 +25,7 @@ double slowness_of(const ProjectionPulse& pulse, const ProjectionConstants& cons
 void project_point(const ProjectionPulse& pulse, const ProjectionConstants& constants,
                    const ProjectionAperture& aperture, const core::Vec3& point_m, float& re, float& im, float& weight) {
   const core::Vec3 r = point_m - pulse.position_m;
-  const double d = core::norm(r);
+  const double d = pulse.bistatic ? 0.5 * (core::norm(r) + core::norm(point_m - pulse.receiver_m)) : core::norm(r);
   const double speed_mps = core::norm(pulse.velocity_mps);
   const double v = constants.moving && d > 0.0 ? -core::dot(r, pulse.velocity_mps) / d : 0.0;
   double w = 1.0;
@@ -49,7 +49,7 @@ void project_point(const ProjectionPulse& pulse, const ProjectionConstants& cons
   const double delay_s = slowness_of(pulse, constants) * (d - ahead_m);
   const double fd = radar::doppler_of(v, pulse.carrier_of(constants), constants.light_speed_mps);
   const double early_s = fd * constants.doppler_delay_s2;
-  const double record = (delay_s - early_s - constants.first_delay_s) * constants.records_per_s;
+  const double record = (delay_s - early_s - constants.first_delay_s - pulse.later_s) * constants.records_per_s;
   if (!(record >= 0.0 && record < static_cast<double>(constants.record_count) - 1.0)) return;
   const auto whole = static_cast<std::size_t>(record);
   const double fraction = record - static_cast<double>(whole);

@@ -39,6 +39,12 @@ struct SarEchoes {
   double first_delay_s = 0.0;
   std::vector<std::complex<float>> volts;  ///< track.size() rows of `samples`.
   std::vector<double> carriers_hz{};       ///< Of each pulse, where they differ; empty: all that of the waveform.
+  /// By how much the first sample of each pulse is later than `first_delay_s`; empty: not at all. This and the next are
+  /// for back projection alone.
+  std::vector<double> later_s{};
+  /// Where a receiver of its own is as each echo comes back, world; empty: it is the antenna that sent, flying on. The
+  /// velocities of the track are then 0: the delay is the sum of both ways.
+  std::vector<core::Vec3> receivers_m{};
 };
 
 /// Echoes that need not all be in memory: a row for each pulse.

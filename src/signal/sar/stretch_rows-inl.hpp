@@ -196,6 +196,14 @@ HWY_INLINE DistanceTerms distances_of(const Vec3Lanes& r, const ColumnShape& sha
   return {distance, u, bend, twist};
 }
 
+// Half the sum of both ways.
+HWY_INLINE DistanceTerms mean_of(const DistanceTerms& a, const DistanceTerms& b) {
+  const DoubleTag d;
+  const DoubleVec half = hn::Set(d, 0.5);
+  const auto mean = [&](DoubleVec x, DoubleVec y) { return hn::Mul(half, hn::Add(x, y)); };
+  return {mean(a.first, b.first), mean(a.step, b.step), mean(a.bend, b.bend), mean(a.twist, b.twist)};
+}
+
 HWY_INLINE MotionTerms motion_of(const Vec3Lanes& r, const DistanceTerms& distance, const core::Vec3& step_m,
                                  const ProjectionPulse& pulse, const ProjectionConstants& constants) {
   const DoubleTag d;
@@ -234,7 +242,7 @@ HWY_INLINE void store_terms(const DistanceTerms& distance, const MotionTerms& mo
   store_floats(half_turns2, out.phase2.data() + row);
   store_floats(half_turns3, out.phase3.data() + row);
   const DoubleVec rate = hn::Set(d, constants.records_per_s);
-  const DoubleVec from_first = hn::Sub(hn::Sub(delay, early), hn::Set(d, constants.first_delay_s));
+  const DoubleVec from_first = hn::Sub(hn::Sub(delay, early), hn::Set(d, constants.first_delay_s + pulse.later_s));
   const DoubleVec record1 = hn::Mul(hn::Sub(delay1, early1), rate);
   const DoubleVec bent_records = hn::MulAdd(hn::Abs(half_turns3), hn::Set(d, half), hn::Abs(half_turns2));
   const double scale = half * half * constants.records_per_s / (2.0 * carrier_hz);
@@ -259,7 +267,9 @@ void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& consta
   const core::Vec3 first = tile.point_m(0.0, middle) - pulse.position_m;
   for (std::size_t row = 0; row < ProjectionTile::rows; row += hn::Lanes(d)) {
     const Vec3Lanes r = row_points(hn::Iota(d, static_cast<double>(row)), first, tile);
-    const DistanceTerms distance = distances_of(r, shape);
+    DistanceTerms distance = distances_of(r, shape);
+    if (pulse.bistatic)
+      distance = mean_of(distance, distances_of(moved(r, pulse.position_m - pulse.receiver_m), shape));
     const MotionTerms motion = motion_of(r, distance, shape.step_m, pulse, constants);
     store_terms(distance, motion, shape, pulse, constants, row, half, out);
     if (aperture.kind == ProjectionAperture::Kind::all) continue;

@@ -17,6 +17,7 @@
 #include "workflow/focus/air_remarks.hpp"
 #include "workflow/focus/back_projection.hpp"
 #include "workflow/focus/focus_input.hpp"
+#include "workflow/focus/focus_phase_history.hpp"
 #include "workflow/focus/image_collection.hpp"
 #include "workflow/focus/motion_residual.hpp"
 #include "workflow/focus/movers.hpp"
@@ -304,6 +305,9 @@ std::vector<TargetTheory> theory_of_focus(const FocusRequest& asked, const core:
 
 FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
   const double begin_s = core::now_s();
+  if (is_phase_history(asked.input.path)) return focus_phase_history(asked, observer);
+  if (!asked.channel.empty() || asked.sign)
+    throw core::Refused("--channel and --sign are for phase histories (CPHD)", "leave them out");
   expect_sense(asked);
   FocusRequest request = asked;
   const core::WorkControl control = observer.control(core::thread_count(request.threads));

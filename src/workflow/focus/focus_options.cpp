@@ -106,6 +106,14 @@ void add_grid(OptionTable<FocusRequest>& table) {
              &FocusRequest::start_stop);
 }
 
+void add_history(OptionTable<FocusRequest>& table) {
+  table.text("--channel", "NAME", "of a phase history (CPHD): which channel (default: its reference channel)",
+             &FocusRequest::channel);
+  table.choice<int>("--sign", {{"-1", -1}, {"+1", 1}},
+                    "of a phase history (CPHD): sign of its phases, where what the file says is wrong",
+                    [](FocusRequest& request, int sign) { request.sign = sign; });
+}
+
 void add_phases(OptionTable<FocusRequest>& table) {
   table.choice<MotionOrder>(
       "--motion-compensation",
@@ -161,6 +169,7 @@ OptionTable<FocusRequest> focus_option_table() {
   add_area(table);
   add_grid(table);
   add_phases(table);
+  add_history(table);
   table.include(recording_options(), &FocusRequest::input);
   add_work(table);
   return table;

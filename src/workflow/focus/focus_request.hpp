@@ -58,6 +58,8 @@ struct FocusRequest {
   bool autofocus = false;
   std::optional<double> autofocus_piece_m;  ///< Nothing: a tenth of the synthetic aperture.
   std::filesystem::path autofocus_phase;    ///< CSV file of the phase that was found; empty: none.
+  std::string channel;                      ///< Of a phase history (CPHD); empty: its reference channel.
+  std::optional<int> sign;                  ///< Of its phases, -1 or 1, where what the file says is wrong.
   unsigned threads = 0;                     ///< 0: one for each core.
   std::optional<std::size_t> memory_bytes;  ///< To work in; nothing: half of what is free; 0: no limit.
   std::filesystem::path scratch_folder;     ///< For what needs more; empty: the system's for temporary files.
