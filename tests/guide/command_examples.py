@@ -159,6 +159,9 @@ class Stage:
             for form in ("npy", "img"):  # Both have the header sar_r.hdr, kept here under names of their own.
                 self.sarsim("focus", "sar_r.toml", "--out", f"sar_r.{form}")
                 (self.folder / "sar_r.hdr").rename(self.folder / f"sar_r.{form}.hdr")
+        if section == "focus":  # A file as satellites deliver them.
+            subprocess.run([self.programs / "sarsim", "convert", "sar_r.toml", "umbra.cphd", "--anchor", "47.5,8.25,400"],
+                           cwd=self.folder, check=True, capture_output=True)
         if section in ("run", "info", "geometry"):
             self.write("sar_r.toml", SCENE)
         if section == "check":
