@@ -1,12 +1,17 @@
 #include "capi/call.hpp"
 
 #include <new>
+#include <optional>
+#include <string>
 #include <system_error>
+
+#include <fmt/format.h>
 
 #include "core/report/for_now.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/json.hpp"
+#include "scene/model/object.hpp"
 
 namespace sarsim::capi {
 
@@ -14,6 +19,16 @@ namespace {
 
 core::Problems failure(const char* message, const char* hint = "") {
   return {core::problem_of(core::Severity::error, message, {}, {}, hint)};
+}
+
+// As the command prints it. An object that a program added stands in no file: its kind and number are its place.
+std::string words_of(const core::Problem& problem) {
+  const core::Subject& subject = problem.subject;
+  const std::optional<scene::ObjectKind> kind = scene::kind_called(subject.kind);
+  if (!problem.place.file.empty() || !kind) return core::to_string(problem);
+  core::Problem placed = problem;
+  placed.message = fmt::format("{} {}: {}", subject.kind, subject.index + 1, problem.message);
+  return core::to_string(placed);
 }
 
 sarsim_status status_and_problems(core::Problems& problems) {
@@ -70,7 +85,7 @@ void hand_over(core::Problems found, sarsim_problems** problems) noexcept {
     list->problems = core::ranked(std::move(found));
     for (core::Problem& problem : list->problems) {
       make_utf8(problem);
-      list->texts.push_back(core::to_string(problem));
+      list->texts.push_back(words_of(problem));
     }
     *problems = list.release();
   } catch (const std::bad_alloc&) {

@@ -60,12 +60,19 @@ class Folder(unittest.TestCase):
 
 
 class Scenes(Folder):
+    def test_a_problem_of_an_added_object_says_which(self):
+        scene = sar_r()
+        scene.targets.add_many([[0, 0, 0], [float("nan"), 0, 0]])
+        self.assertRegex(str(scene.check()), "error: target 26: the position is not made of finite numbers")
+
     def test_fields_are_numbers_in_base_units_and_take_texts(self):
         scene = sar_r()
         radar = scene.radars["Radar1"]
         radar.carrier = "9.65 GHz"
         self.assertEqual(radar.carrier, 9.65e9)
         self.assertEqual(scene.number("Radar1.carrier_hz"), 9.65e9)
+        with self.assertRaisesRegex(sarsim.ProblemError, "Radar1.carrier: nan is not a finite number"):
+            radar.carrier = float("nan")
         radar.power = 2000
         self.assertEqual(scene.get("Radar1.power"), "2 kW")
         radar.beam_elevation = "-0.2 rad"

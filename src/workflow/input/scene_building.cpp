@@ -219,6 +219,7 @@ double field_number(const SceneInput& input, const std::string& name) {
 
 void set_field_number(SceneInput& input, const std::string& name, double value) {
   const scene::NamedField field = named_field(input, name);
+  if (!std::isfinite(value)) throw core::Refused(fmt::format("{}: {} is not a finite number", name, value));
   if (field.field->kind == scene::FieldKind::check) {
     set_field_value(input, name, value != 0.0 ? "yes" : "no");
     return;
