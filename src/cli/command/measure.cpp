@@ -1,6 +1,5 @@
 #include <cmath>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <ostream>
 
@@ -9,15 +8,15 @@
 #include "cli/command/commands.hpp"
 #include "cli/command/measure_cuts.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/recording_options.hpp"
 #include "cli/shell/report.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/maths/constants.hpp"
 #include "core/maths/decibels.hpp"
 #include "picture/figure/picture_file.hpp"
 #include "workflow/focus/focus_report.hpp"
 #include "workflow/focus/measure.hpp"
-#include "workflow/input/recording_input.hpp"
+#include "workflow/focus/measure_options.hpp"
 
 namespace sarsim::cli {
 
@@ -25,14 +24,9 @@ namespace {
 
 struct MeasureArguments {
   std::string image;
-  workflow::RecordingArguments input;
-  std::optional<double> search_m;
-  std::optional<double> false_alarm;
-  std::optional<std::int64_t> target;
   std::string cuts;
-  std::optional<std::int64_t> threads;
+  workflow::MeasureRequest request;  ///< Without those two.
   bool dark = false;
-  bool force = false;
   bool json = false;
   bool csv = false;
 };
@@ -128,22 +122,12 @@ void draw_cuts(const MeasureArguments& arguments, const workflow::MeasureReport&
   }
 }
 
-workflow::MeasureRequest measure_request_of(const MeasureArguments& arguments) {
-  workflow::MeasureRequest request;
-  request.image = arguments.image;
-  request.input = arguments.input;
-  request.search_m = arguments.search_m;
-  if (arguments.false_alarm) request.false_alarm = *arguments.false_alarm;
-  if (arguments.target) request.target = static_cast<std::size_t>(*arguments.target);
-  request.pictures = arguments.cuts;
-  request.force = arguments.force;
-  request.threads = static_cast<unsigned>(arguments.threads.value_or(0));
-  return request;
-}
-
 ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
+  workflow::MeasureRequest request = arguments.request;
+  request.image = arguments.image;
+  request.pictures = arguments.cuts;
   Watch watch(streams, false);
-  const workflow::MeasureReport report = workflow::measure(measure_request_of(arguments), watch.observer());
+  const workflow::MeasureReport report = workflow::measure(request, watch.observer());
   write_out(streams, arguments.json  ? workflow::json_of(arguments.image, report)
                      : arguments.csv ? workflow::csv_of(report)
                                      : text_of_measure(arguments.image, report));
@@ -158,17 +142,10 @@ ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
 Action add_measure(CLI::App& app) {
   auto arguments = std::make_shared<MeasureArguments>();
   add_text(app, "image", arguments->image, "IMAGE", "complex image that sarsim focus wrote as ENVI or NPY")->required();
-  add_recording_arguments(app, arguments->input);
-  add_real(app, "--search", arguments->search_m, "M",
-           "how far from its place a target's peak may be (default: 3 cells, or half way to the next target)");
-  add_real(app, "--pfa", arguments->false_alarm, "P",
-           "probability that noise alone counts as a target (default: 1e-3)");
-  add_integer(app, "--target", arguments->target, 1, std::numeric_limits<std::int64_t>::max(),
-              "one target only, by its number in the script");
+  add_table_options(app, workflow::measure_option_table(), arguments->request);
   add_text(app, "--cuts", arguments->cuts, "DIR", "draw the cuts through each target: DIR/target-1.png and so on");
   app.add_flag("--dark", arguments->dark, "the pictures in dark colours");
-  app.add_flag("--force", arguments->force, "replace pictures that exist");
-  add_integer(app, "--threads", arguments->threads, 0, 4096, "threads; 0 for one per core (default)");
+  app.add_flag("--force", arguments->request.force, "replace pictures that exist");
   CLI::Option* const csv = app.add_flag("--csv", arguments->csv, "a table with commas, a line for each target");
   app.add_flag("--json", arguments->json, "as JSON")->excludes(csv);
   add_examples(app, {{"sarsim measure sar_r.img", "the targets of the script that was focused"},
