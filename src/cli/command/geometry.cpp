@@ -4,10 +4,12 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/input/recording_options.hpp"
 #include "workflow/record/geometry.hpp"
 
 namespace sarsim::cli {
@@ -53,18 +55,14 @@ Action add_geometry(CLI::App& app) {
   auto arguments = std::make_shared<GeometryArguments>();
   add_text(app, "input", arguments->request.input.path, "SCENE|DATA", "script, or a recording, whose pulses are shown")
       ->required();
-  add_text(app, "--script", arguments->request.input.script, "SCENE",
-           "script that wrote the recording, where it carries none");
+  add_table_options(app, workflow::script_file_option(), arguments->request.input);
   auto* numbers =
       app.add_option("numbers", arguments->request.numbers, "which tables of the script, from 1 (default: all)")
           ->type_name("NUMBER");
-  auto* radar = add_text(app, "--radar", arguments->request.radar, "NAME", "make a table of this radar instead");
-  numbers->excludes(radar);
-  add_real(app, "--start", arguments->request.start_s, "S", "send time of its first pulse, s");
-  add_real(app, "--end", arguments->request.end_s, "S", "send time of its last pulse, s");
+  add_table_options(app, workflow::geometry_choice_options(), arguments->request);
+  numbers->excludes(app.get_option("--radar"));
   add_integer(app, "--columns", arguments->columns, 0, 255, "sum of column bits, see docs/formats/geometry-table.md");
   app.add_flag("--csv", arguments->csv, "comma-separated values, all columns, exact numbers");
-  app.add_flag("--no-targets", arguments->request.no_targets, "the platforms alone: tracks and attitudes");
   add_text(app, "-o,--out,--output", arguments->output, "FILE", "file to write (default: standard output)");
   app.add_flag("--force", arguments->force, "replace the output file where it exists");
   add_scene_overrides(app, arguments->request.input.overrides);

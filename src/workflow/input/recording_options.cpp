@@ -29,10 +29,15 @@ OptionTable<SceneOverrides> scene_override_options() {
   return table;
 }
 
-OptionTable<RecordingArguments> script_options(const std::string& otherwise) {
+OptionTable<RecordingArguments> script_file_option() {
   OptionTable<RecordingArguments> table;
   table.text("--script", "SCENE", "script that wrote the file of samples, where it carries none",
              &RecordingArguments::script);
+  return table;
+}
+
+OptionTable<RecordingArguments> script_options(const std::string& otherwise) {
+  OptionTable<RecordingArguments> table = script_file_option();
   table.whole(
       "--simulation", 1, std::uint64_t{1} << 40,
       "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")",

@@ -113,14 +113,20 @@ void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene, const
 
 }  // namespace
 
+OptionTable<GeometryRequest> geometry_choice_options() {
+  OptionTable<GeometryRequest> table;
+  table.text("--radar", "NAME", "make a table of this radar instead", &GeometryRequest::radar);
+  table.number("--start", "S", "send time of its first pulse, s", &GeometryRequest::start_s);
+  table.number("--end", "S", "send time of its last pulse, s", &GeometryRequest::end_s);
+  table.flag("--no-targets", "the platforms alone: tracks and attitudes", &GeometryRequest::no_targets);
+  return table;
+}
+
 OptionTable<GeometryRequest> geometry_option_table() {
   OptionTable<GeometryRequest> table;
   table.texts("--table", "NUMBER", "which table of the scene, from 1 (default: all); repeat",
               [](GeometryRequest& request, const std::string& word) { request.numbers.push_back(word); });
-  table.text("--radar", "NAME", "make a table of this radar instead", &GeometryRequest::radar);
-  table.number("--start", "S", "send time of its first pulse", &GeometryRequest::start_s);
-  table.number("--end", "S", "send time of its last pulse", &GeometryRequest::end_s);
-  table.flag("--no-targets", "the platforms alone: tracks and attitudes", &GeometryRequest::no_targets);
+  table.include(geometry_choice_options(), [](GeometryRequest& request) -> GeometryRequest& { return request; });
   table.include(recording_options(), &GeometryRequest::input);
   return table;
 }

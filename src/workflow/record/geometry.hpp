@@ -24,7 +24,10 @@ struct GeometryRequest {
   bool no_targets = false;           ///< Platforms alone.
 };
 
-/// The options of a request, for faces other than the command.
+/// --radar, --start, --end and --no-targets.
+[[nodiscard]] OptionTable<GeometryRequest> geometry_choice_options();
+
+/// The options of a request, for faces other than the command, where tables are numbered without an option.
 [[nodiscard]] OptionTable<GeometryRequest> geometry_option_table();
 
 /// Tables and the scene that they are of.
