@@ -5,11 +5,12 @@
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/sample_options.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "cli/shell/watch.hpp"
 #include "core/report/refused.hpp"
 #include "workflow/convert/convert.hpp"
+#include "workflow/convert/convert_options.hpp"
 #include "workflow/convert/convert_scene.hpp"
 #include "workflow/convert/references.hpp"
 #include "workflow/exchange/export.hpp"
@@ -117,13 +118,11 @@ Action add_convert(CLI::App& app) {
   workflow::ConvertRequest* const request = &arguments->samples;
   add_text(app, "input", request->input, "IN", "file of samples, or a scene")->required();
   add_text(app, "output", request->output, "OUT", "file to write");
-  add_sample_arguments(app, request->sample);
+  add_table_options(app, workflow::sample_option_table(), request->sample);
   add_scene_overrides(app, arguments->overrides);
   add_integer(app, "--simulation", request->simulation, 1, 1'000'000,
               "which simulation of the script wrote the file (default: the one that names it)");
-  add_format(app, "--to", request->to, "format of the new file (default: from its extension)");
-  app.add_flag("--counts", request->counts, "converter counts instead of volts in HDF5, NPY, Zarr and SigMF");
-  app.add_flag("--header", request->header, "a header line in CSV");
+  add_table_options(app, workflow::convert_option_table(), *request);
   add_text(app, "--anchor", arguments->anchor, "LAT,LON,HEIGHT[,HEADING]",
            "of SICD, CPHD and CRSD, for a flat scene: its origin on the Earth, in degrees and m over the ellipsoid, "
            "and the direction of "
@@ -140,7 +139,6 @@ Action add_convert(CLI::App& app) {
            "of CPHD and CRSD: what phases are relative to: fixed, the middle of the scene (default); moving, with the "
            "flight; or "
            "X,Y,Z in m");
-  app.add_flag("--force", request->force, "replace the new file where it exists");
   add_examples(app,
                {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                 {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},

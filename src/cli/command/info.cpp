@@ -10,10 +10,11 @@
 #include "cli/command/info_plan.hpp"
 #include "cli/command/info_scene.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/sample_options.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/formats.hpp"
+#include "workflow/convert/convert_options.hpp"
 
 namespace sarsim::cli {
 
@@ -100,7 +101,7 @@ Action add_info(CLI::App& app) {
   add_integer(app, "--threads", arguments->threads, 0, 4096,
               "of --plan: threads of each; 0 for one per core (default)");
   add_scene_overrides(app, arguments->overrides);
-  add_sample_arguments(app, arguments->sample);
+  add_table_options(app, workflow::sample_option_table(), arguments->sample);
   add_examples(app, {{"sarsim info sar_r.toml", "resolution, ambiguities, SNR, size and time of a scene"},
                      {"sarsim info sar_r.toml --plan --workers 8", "what a run will take, and on eight machines"},
                      {"sarsim info sim1.h5", "shape, axes and attributes of a file of samples"},

@@ -9,12 +9,13 @@
 #include "cli/command/plot_arguments.hpp"
 #include "cli/command/plot_overlay.hpp"
 #include "cli/shell/options.hpp"
-#include "cli/shell/sample_options.hpp"
+#include "cli/shell/request_options.hpp"
 #include "cli/shell/scene_options.hpp"
 #include "core/os/output_file.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/colour/colour_map.hpp"
 #include "picture/figure/picture_file.hpp"
+#include "workflow/convert/convert_options.hpp"
 #include "workflow/input/output_names.hpp"
 
 namespace sarsim::cli {
@@ -390,7 +391,7 @@ Action add_plot(CLI::App& app) {
       ->allow_extra_args(false);
   add_text(app, "--csv", a->csv, "FILE", "the values as a table, beside the picture or instead of it");
   app.add_flag("--force", a->force, "replace files that exist");
-  add_sample_arguments(app, a->samples);
+  add_table_options(app, workflow::sample_option_table(), a->samples);
   add_scene_overrides(app, a->overrides);
   add_examples(
       app, {{"sarsim plot sar_r.toml -o echoes.png", "what its first recording holds"},

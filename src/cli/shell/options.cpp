@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
-#include "raster/table/formats.hpp"
+#include "workflow/convert/convert_options.hpp"
 
 namespace sarsim::cli {
 
@@ -75,10 +75,7 @@ void expect_word(const std::string& names, const std::string& word, const workfl
 
 CLI::Option* add_format(CLI::App& app, const std::string& names, std::optional<scene::FileFormat>& value,
                         const std::string& description) {
-  std::vector<std::pair<std::string, scene::FileFormat>> words;
-  for (const raster::Format& row : raster::recording_formats())
-    words.emplace_back(raster::word_of(row), *row.recording);
-  return add_choice<scene::FileFormat>(app, names, value, words, description);
+  return add_choice<scene::FileFormat>(app, names, value, workflow::format_choices(), description);
 }
 
 void add_examples(CLI::App& app, const std::vector<std::pair<std::string, std::string>>& commands_and_meanings) {

@@ -25,7 +25,7 @@ struct ConvertRequest {
   std::optional<std::int64_t> simulation;  ///< The one of `sample.script` that wrote the input, from 1.
   std::optional<scene::FileFormat> to;     ///< Otherwise what the extension of the output says.
   std::optional<radar::Anchor> anchor;     ///< Of a flat world, for SICD: where its origin is on the Earth.
-  bool counts = false;                     ///< Converter counts instead of volts in HDF5 and NPY.
+  bool counts = false;                     ///< Converter counts instead of volts, where a format has both.
   bool header = false;                     ///< A header line in CSV.
   bool force = false;                      ///< Replace the output where it exists.
 };

@@ -1,47 +1,34 @@
 #include "workflow/convert/convert_options.hpp"
 
-#include <limits>
-
-#include <fmt/format.h>
-
-#include "core/report/refused.hpp"
 #include "raster/table/formats.hpp"
 
 namespace sarsim::workflow {
 
-namespace {
-
-constexpr std::uint64_t most_columns = std::numeric_limits<std::int64_t>::max();
-
-scene::FileFormat format_of_word(const char* option, const std::string& word) {
-  if (const auto format = raster::format_from_name(word)) return *format;
-  throw core::Refused(fmt::format("{}: '{}' is not a format of samples", option, word),
-                      "formats are " + raster::format_words());
+std::vector<std::pair<std::string, scene::FileFormat>> format_choices() {
+  std::vector<std::pair<std::string, scene::FileFormat>> choices;
+  for (const raster::Format& row : raster::recording_formats())
+    choices.emplace_back(raster::word_of(row), *row.recording);
+  return choices;
 }
-
-}  // namespace
 
 OptionTable<SampleArguments> sample_option_table() {
   OptionTable<SampleArguments> table;
-  table.text("--from", "FORMAT", fmt::format("format of the file (default: found): {}", raster::format_words()),
-             [](SampleArguments& sample, const std::string& word) { sample.format = format_of_word("--from", word); });
-  table.whole("--columns", 1, most_columns, "samples of a row, of BINARY",
-              [](SampleArguments& sample, std::uint64_t n) { sample.columns = static_cast<std::int64_t>(n); });
-  table.whole("--bits", 1, 64, "A/D bits, of BINARY and CSV",
-              [](SampleArguments& sample, std::uint64_t n) { sample.bits = static_cast<std::int64_t>(n); });
+  table.choice("--from", format_choices(), "format of the file, where content and extension mislead",
+               &SampleArguments::format);
+  table.whole("--columns", 1, std::uint64_t{1} << 40, "samples of a row (BINARY)", &SampleArguments::columns);
+  table.whole("--bits", 1, 64, "A/D bits of its counts", &SampleArguments::bits);
   table.number("--lsb", "V", "volts of a count", &SampleArguments::lsb_v);
-  table.text("--script", "SCENE", "script that wrote the file, where it carries none", &SampleArguments::script);
+  table.text("--script", "SCENE", "script whose simulation wrote the file, instead of the above",
+             &SampleArguments::script);
   return table;
 }
 
 OptionTable<ConvertRequest> convert_option_table() {
   OptionTable<ConvertRequest> table;
-  table.text("--to", "FORMAT",
-             fmt::format("format to write (default: that of the name's ending): {}", raster::format_words()),
-             [](ConvertRequest& request, const std::string& word) { request.to = format_of_word("--to", word); });
-  table.flag("--counts", "counts of the A/D converter in HDF5 and NPY, in place of volts", &ConvertRequest::counts);
+  table.choice("--to", format_choices(), "format of the new file (default: from its extension)", &ConvertRequest::to);
+  table.flag("--counts", "converter counts instead of volts in HDF5, NPY, Zarr and SigMF", &ConvertRequest::counts);
   table.flag("--header", "a header line in CSV", &ConvertRequest::header);
-  table.flag("--force", "replace the file where it exists", &ConvertRequest::force);
+  table.flag("--force", "replace the new file where it exists", &ConvertRequest::force);
   return table;
 }
 
