@@ -354,6 +354,20 @@ static void a_scene_is_swept(void) {
   sarsim_scene_free(scene);
 }
 
+/* What --with names are options of the work that follows, not of the sweep. */
+static void a_sweep_hands_options_on(void) {
+  const char* const options[] = {"set=seed=1..3", "discard", "focus", "with=--widnow hann", "out=working-sweep"};
+  sarsim_scene* scene = built_scene();
+  sarsim_result* result = NULL;
+  sarsim_problems* problems = NULL;
+  sarsim_problem problem = SARSIM_INIT(sarsim_problem);
+  EXPECT(sarsim_sweep(scene, options, 5, NULL, &result, &problems) == SARSIM_BAD_INPUT && result == NULL);
+  EXPECT_STATUS(sarsim_problems_get(problems, 0, &problem), SARSIM_OK, NULL);
+  EXPECT(strstr(problem.text, "did you mean '--window'?") != NULL);
+  sarsim_problems_free(problems);
+  sarsim_scene_free(scene);
+}
+
 /* What a sweep is asked for while it goes on, by somebody else who wants the same. */
 static void sweep_at_the_same_time(void* user, const char* stage, uint64_t done, uint64_t total) {
   sarsim_status* const seen = user;
@@ -393,6 +407,11 @@ static void options_are_listed(void) {
       EXPECT(sarsim_text_length(text) > 100);
       sarsim_text_free(text);
     }
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_STATUS(sarsim_options(i == 0 ? "write" : "sweep", SARSIM_WORDS, &text, NULL), SARSIM_OK, NULL);
+    EXPECT(strstr(sarsim_text_chars(text), "converter counts instead of volts in HDF5, NPY, Zarr and SigMF") != NULL);
+    sarsim_text_free(text);
+  }
   EXPECT(sarsim_options("focussing", SARSIM_JSON, &text, NULL) == SARSIM_BAD_ARGUMENT && text == NULL);
   EXPECT(sarsim_options("focus", 7, &text, NULL) == SARSIM_BAD_ARGUMENT);
 }
@@ -408,6 +427,7 @@ int main(int argc, char** argv) {
   memory_becomes_files();
   all_work_is_done_in_memory(argv[1]);
   a_scene_is_swept();
+  a_sweep_hands_options_on();
   a_sweep_that_somebody_makes_may_be_tried_again();
   options_are_listed();
   return 0;

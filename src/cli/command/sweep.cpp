@@ -34,49 +34,34 @@ using workflow::SweepReport;
 using workflow::SweepRequest;
 using workflow::SweepRow;
 
-SweepRequest sweep_request(const SweepArguments& arguments, workflow::SweepPart part, workflow::SceneInput input) {
-  SweepRequest request;
+SweepRequest sweep_request(const SweepArguments& arguments, workflow::SceneInput input) {
+  SweepRequest request = arguments.words.request;
   request.scene = std::move(input.scene);
   request.script = arguments.scene;
   request.places = std::move(input.places);
   request.names = std::move(input.names);
   request.sources = std::move(input.sources);
-  request.values = arguments.values;
   for (const std::string& word : arguments.let)
     request.values.settings.push_back(std::string(workflow::let_prefix) + word);
-  request.values.table = arguments.table_of_values;
-  request.values.draws = static_cast<std::size_t>(arguments.draws.value_or(0));
   request.values.folder = std::filesystem::path(arguments.scene).parent_path();
-  request.products = arguments.products;
-  request.overrides = arguments.overrides;
-  request.follow_up = workflow::follow_up_of(arguments.follow_up);
-  request.format = arguments.overrides.format;
-  request.folder = arguments.folder;
-  request.table = arguments.table;
-  request.part = part;
+  request.follow_up = workflow::follow_up_of(arguments.words.follow_up);
+  request.format = request.overrides.format;
   request.engine = arguments.engine.value_or(simulate::Engine::automatic);
-  request.threads = static_cast<unsigned>(arguments.threads.value_or(0));
-  request.jobs = static_cast<unsigned>(arguments.jobs.value_or(0));
-  request.counts = arguments.counts;
-  request.header = arguments.header;
-  request.discard = arguments.discard;
-  request.force = arguments.force;
-  request.resume = arguments.resume;
-  request.strict = arguments.strict;
   return request;
 }
 
 workflow::SceneInput read_scene_to_vary(const SweepArguments& arguments, Streams& streams) {
-  const unsigned threads = core::thread_count(static_cast<unsigned>(arguments.threads.value_or(0)));
+  const SweepRequest& request = arguments.words.request;
+  const unsigned threads = core::thread_count(request.threads);
   workflow::SceneInput input =
-      read_scene(arguments.scene, arguments.overrides, workflow::Scrutiny::reading, {threads, streams.stop});
+      read_scene(arguments.scene, request.overrides, workflow::Scrutiny::reading, {threads, streams.stop});
   if (!core::has_errors(input.problems)) {
     const std::filesystem::path folder = std::filesystem::path(arguments.scene).parent_path();
     core::Problems of_clouds = workflow::read_files_of(input.scene, folder, {threads, streams.stop});
     scene::locate(of_clouds, input.places);
     std::ranges::move(of_clouds, std::back_inserter(input.problems));
   }
-  expect_usable(input, arguments.strict);
+  expect_usable(input, request.strict);
   if (!arguments.quiet && !arguments.fields) print_problems(streams, input.problems);
   return input;
 }
@@ -129,7 +114,6 @@ ExitStatus print_report(const SweepArguments& arguments, const SweepRequest& req
 }
 
 ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
-  const workflow::SweepPart part = workflow::read_part(arguments.part);
   if (arguments.commands && !arguments.dry_run)
     throw core::Refused("--commands prints what a sweep would run, and runs nothing", "add --dry-run");
   workflow::choose_simd(arguments.simd);
@@ -138,7 +122,7 @@ ExitStatus sweep_scene(const SweepArguments& arguments, Streams& streams) {
     write_out(streams, workflow::field_list({input.scene, input.names}));
     return exit_done;
   }
-  const SweepRequest request = sweep_request(arguments, part, std::move(input));
+  const SweepRequest request = sweep_request(arguments, std::move(input));
   Watch watch(streams, arguments.quiet);
   const core::Observer observer = watch.observer();
   SweepPlan plan = workflow::plan_sweep(request, observer);

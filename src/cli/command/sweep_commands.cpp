@@ -15,19 +15,19 @@ namespace {
 
 // What all lines have at their end.
 std::string options_of(const SweepArguments& arguments) {
+  const workflow::SweepRequest& request = arguments.words.request;
   std::string text;
   const auto add = [&text](const char* option, std::string_view word) {
     text += fmt::format(" {} {}", option, core::shell_word(word));
   };
-  if (arguments.overrides.format) add("--format", raster::word_of(raster::format_of(*arguments.overrides.format)));
-  if (const std::string words = workflow::words_of_overrides(arguments.overrides); !words.empty()) text += " " + words;
+  if (request.overrides.format) add("--format", raster::word_of(raster::format_of(*request.overrides.format)));
+  if (const std::string words = workflow::words_of_overrides(request.overrides); !words.empty()) text += " " + words;
   if (arguments.engine) add("--engine", simulate::name_of(*arguments.engine));
   if (!arguments.simd.empty()) add("--simd", arguments.simd);
-  if (arguments.folder != ".") add("--out", arguments.folder);
-  for (const auto& [option, given] :
-       {std::pair{" --counts", arguments.counts}, std::pair{" --header", arguments.header},
-        std::pair{" --discard", arguments.discard}, std::pair{" --force", arguments.force},
-        std::pair{" --resume", arguments.resume}, std::pair{" --strict", arguments.strict}})
+  if (request.folder != ".") add("--out", request.folder);
+  for (const auto& [option, given] : {std::pair{" --counts", request.counts}, std::pair{" --header", request.header},
+                                      std::pair{" --discard", request.discard}, std::pair{" --force", request.force},
+                                      std::pair{" --resume", request.resume}, std::pair{" --strict", request.strict}})
     if (given) text += option;
   return text;
 }
@@ -37,7 +37,7 @@ std::string options_of(const SweepArguments& arguments) {
 std::string run_commands(const SweepArguments& arguments, const workflow::SweepPlan& plan) {
   const std::string options = options_of(arguments);
   std::string chosen;
-  for (const std::string& product : arguments.products) chosen += " " + core::shell_word(product);
+  for (const std::string& product : arguments.words.request.products) chosen += " " + core::shell_word(product);
   std::string text;
   auto row = plan.rows.begin();
   for (const std::size_t variation : plan.open) {

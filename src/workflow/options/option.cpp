@@ -58,7 +58,7 @@ std::string mistake_in(const Option& option, const std::string& word) {
   switch (option.kind) {
     case OptionKind::flag: break;
     case OptionKind::text:
-    case OptionKind::texts: return mistake_in_text(word);
+    case OptionKind::texts: return option.takes_options ? std::string() : mistake_in_text(word);
     case OptionKind::number: return core::parse_number(word) ? std::string() : unlike(word, "a number");
     case OptionKind::whole: return mistake_in_whole(option, word);
     case OptionKind::choice: return mistake_in_choice(option.words, word);

@@ -29,7 +29,8 @@ struct Option {
   std::vector<std::string> words{};  ///< Of a choice.
   std::uint64_t low = 0;             ///< Of a whole number.
   std::uint64_t high = 0;
-  bool told_late = false;  ///< What is wrong with its word is told after what is wrong with the words of others.
+  bool takes_options = false;  ///< Its text is a line of options: anything may stand in it.
+  bool told_late = false;      ///< What is wrong with its word is told after what is wrong with the words of others.
 };
 
 /// The words that were given for options, by the names of the options; for a flag, any text. Several words of one

@@ -26,6 +26,13 @@ TEST(Option, TakesWordsOfItsKindAlone) {
   EXPECT_EQ(mistake_in(text_option, ""), "the name is empty");
 }
 
+TEST(Option, TakesALineOfOptionsWhereItIsOne) {
+  Option line{"--with", OptionKind::text, "OPTIONS", ""};
+  EXPECT_NE(mistake_in(line, "--window hamming"), "");
+  line.takes_options = true;
+  EXPECT_EQ(mistake_in(line, "--window hamming"), "");
+}
+
 TEST(Option, ReadsWholeNumbersBeyondThoseWithASign) {
   EXPECT_EQ(mistake_in(seed_option, "18446744073709551615"), "");
   EXPECT_EQ(whole_number_in("18446744073709551615"), UINT64_MAX);

@@ -39,14 +39,13 @@ OptionTable<FollowUpWords> follow_up_options() {
   table.flag("--search", "make a picture and detections of each recording: columns of the table",
              &FollowUpWords::search);
   table.flag("--profiles", "make range profiles of each recording: columns of the table", &FollowUpWords::profiles);
-  table.text("--with", "OPTIONS", "options of --focus, --search or --profiles, as in a line", &FollowUpWords::with);
+  table.text("--with", "OPTIONS", "options of --focus, --search or --profiles, in quotes", &FollowUpWords::with)
+      .takes_options = true;
   return table;
 }
 
 OptionTable<SweepRequest> output_options() {
   OptionTable<SweepRequest> table;
-  table.texts("--product", "NUMBER|NAME", "which products: numbers of simulations from 1, or output names; repeat",
-              [](SweepRequest& request, const std::string& word) { request.products.push_back(word); });
   table.text("--out", "DIR", "folder for all files; made when missing (default: the current one)",
              &SweepRequest::folder);
   table.text("--table", "NAME", "name of the tables and the journal (default: sweep)", &SweepRequest::table);
@@ -56,7 +55,7 @@ OptionTable<SweepRequest> output_options() {
   table.text("--part", "K/N", "only every Nth variation, from the Kth: a share for one machine of N",
              [](SweepRequest& request, const std::string& word) { request.part = read_part(word); });
   table.flag("--resume", "leave out what an earlier run completed", &SweepRequest::resume);
-  table.flag("--counts", "converter counts instead of volts in HDF5 and NPY", &SweepRequest::counts);
+  table.flag("--counts", "converter counts instead of volts in HDF5, NPY, Zarr and SigMF", &SweepRequest::counts);
   table.flag("--header", "a header line in CSV", &SweepRequest::header);
   table.flag("--discard", "write the tables alone, no recordings", &SweepRequest::discard);
   table.flag("--strict", "warnings end the sweep before it begins", &SweepRequest::strict);
@@ -97,13 +96,19 @@ FollowUp follow_up_of(const FollowUpWords& given) {
   return follow_up;
 }
 
-OptionTable<SweepWords> sweep_option_table() {
+OptionTable<SweepWords> common_sweep_options() {
   OptionTable<SweepWords> table;
-  const auto request = [](SweepWords& words) -> SweepRequest& { return words.request; };
   table.include(value_options(), [](SweepWords& words) -> SweepValues& { return words.request.values; });
-  table.include(output_options(), request);
   table.include(follow_up_options(), &SweepWords::follow_up);
+  table.include(output_options(), [](SweepWords& words) -> SweepRequest& { return words.request; });
   table.include(run_choice_options(), [](SweepWords& words) -> SceneOverrides& { return words.request.overrides; });
+  return table;
+}
+
+OptionTable<SweepWords> sweep_option_table() {
+  OptionTable<SweepWords> table = common_sweep_options();
+  table.texts("--product", "NUMBER|NAME", "which products: numbers of simulations from 1, or output names; repeat",
+              [](SweepWords& words, const std::string& word) { words.request.products.push_back(word); });
   return table;
 }
 

@@ -28,7 +28,10 @@ struct SweepWords {
   FollowUpWords follow_up;
 };
 
-/// The options of a sweep, for faces other than the command.
+/// The options that a sweep has in every face.
+[[nodiscard]] OptionTable<SweepWords> common_sweep_options();
+
+/// The same and --product, for faces other than the command, which names products without an option.
 [[nodiscard]] OptionTable<SweepWords> sweep_option_table();
 
 /// The sweep of a scene in memory that words ask for. Throws core::Refused with everything that is wrong with them.
