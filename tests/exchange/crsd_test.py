@@ -12,13 +12,12 @@ import sys
 import tempfile
 import xml.etree.ElementTree as ElementTree
 
-try:
-    import numpy as np
-except ImportError:
-    print("NumPy is missing")
-    sys.exit(77)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 
-import cphd_image
+import with_numpy  # noqa: E402, F401
+import numpy as np  # noqa: E402
+
+import cphd_image  # noqa: E402
 
 TARGETS = np.array([[0, 0, 0], [31, 23, 0], [-27, -35, 2]], float)
 ANCHOR = [47.5, 8.25, 400.0, 30.0]
