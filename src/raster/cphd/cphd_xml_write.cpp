@@ -106,18 +106,6 @@ void put_pvp_slots(xml_node root, const CphdDescription& d) {
   }
 }
 
-void put_dwell(xml_node root, const CphdDescription& d) {
-  xml_node node = root.append_child("Dwell");
-  append_count(node, "NumCODTimes", 1);
-  xml_node centre = node.append_child("CODTime");
-  append_text(centre, "Identifier", "COD");
-  put_plane(centre, "CODTimePoly", d.centre_time_s);
-  append_count(node, "NumDwellTimes", 1);
-  xml_node dwell = node.append_child("DwellTime");
-  append_text(dwell, "Identifier", "Dwell");
-  put_plane(dwell, "DwellTimePoly", {d.dwell_s, 0.0, 0.0});
-}
-
 void put_platform(xml_node node, const PlatformGeometry& g) {
   append_text(node, "SideOfTrack", std::string(1, g.side));
   append_number(node, "SlantRange", g.slant_range_m);
@@ -214,7 +202,7 @@ std::string cphd_xml(const CphdDescription& d) {
   put_data(root, d);
   put_channels(root, d);
   put_pvp_slots(root, d);
-  put_dwell(root, d);
+  put_dwell(root, "Dwell", d.centre_time_s, d.dwell_s);
   if (d.geometry) put_geometry(root, *d.geometry);
   if (d.pulse) put_pulse(root, d);
   return core::xml_text(document);

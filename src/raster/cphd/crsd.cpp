@@ -282,18 +282,6 @@ void put_crsd_geometry(xml_node root, const CrsdDescription& d) {
   put_one_way(node, "RcvParameters", g.receiver, d.rcv_squint_deg);
 }
 
-void put_dwell_polynomials(xml_node root, const CrsdDescription& d) {
-  xml_node node = root.append_child("DwellPolynomials");
-  append_count(node, "NumCODTimes", 1);
-  xml_node centre = node.append_child("CODTime");
-  append_text(centre, "Identifier", "COD");
-  put_plane(centre, "CODTimePoly", d.centre_time_s);
-  append_count(node, "NumDwellTimes", 1);
-  xml_node dwell = node.append_child("DwellTime");
-  append_text(dwell, "Identifier", "Dwell");
-  put_plane(dwell, "DwellTimePoly", {d.dwell_s, 0.0, 0.0});
-}
-
 void put_support(xml_node root, const CrsdDescription& d) {
   xml_node node = root.append_child("SupportArray");
   xml_node gain = node.append_child("GainPhaseArray");
@@ -371,7 +359,7 @@ std::string crsd_xml(const CrsdDescription& d) {
   put_sequence(root, d);
   put_crsd_channel(root, d);
   put_crsd_geometry(root, d);
-  put_dwell_polynomials(root, d);
+  put_dwell(root, "DwellPolynomials", d.centre_time_s, d.dwell_s);
   put_support(root, d);
   put_fields(root, "PPP", ppp_fields);
   put_fields(root, "PVP", row_fields);

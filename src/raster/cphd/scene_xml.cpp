@@ -124,4 +124,16 @@ void put_scene(xml_node root, const SceneCoordinates& scene, bool polygon) {
   if (scene.x_step_m > 0.0 && scene.y_step_m > 0.0) put_grid(node, scene);
 }
 
+void put_dwell(xml_node root, const char* name, const AreaPlane& centre_time_s, double dwell_s) {
+  xml_node node = root.append_child(name);
+  append_count(node, "NumCODTimes", 1);
+  xml_node centre = node.append_child("CODTime");
+  append_text(centre, "Identifier", "COD");
+  put_plane(centre, "CODTimePoly", centre_time_s);
+  append_count(node, "NumDwellTimes", 1);
+  xml_node dwell = node.append_child("DwellTime");
+  append_text(dwell, "Identifier", "Dwell");
+  put_plane(dwell, "DwellTimePoly", {dwell_s, 0.0, 0.0});
+}
+
 }  // namespace sarsim::raster

@@ -20,6 +20,8 @@ void put_plane(pugi::xml_node parent, const char* name, const AreaPlane& plane);
 /// SceneCoordinates with the proposed grid.
 /// @param polygon  the image area also as a polygon
 void put_scene(pugi::xml_node root, const SceneCoordinates& scene, bool polygon);
+/// When the points of the area are seen: the middle, as a polynomial, and how long.
+void put_dwell(pugi::xml_node root, const char* name, const AreaPlane& centre_time_s, double dwell_s);
 /// X1Y1, X2Y2 and, where wanted, the polygon of an area.
 void put_area(pugi::xml_node parent, const AreaRectangle& area, bool polygon);
 
