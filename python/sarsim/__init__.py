@@ -20,7 +20,22 @@ from .samples import Axis, Samples
 from .scene import Scene, explain, read
 from .sweeps import Sweep, sweep
 from .table import Table
-from .products import Image, Raster, doppler, focus, geometry, isar, measure, open, options, profiles, search, sweep_table, theory
+from .products import (
+    Image,
+    Raster,
+    doppler,
+    export,
+    focus,
+    geometry,
+    isar,
+    measure,
+    open,
+    options,
+    profiles,
+    search,
+    sweep_table,
+    theory,
+)
 
 __version__: str = _lib.sarsim_version().decode()
 
@@ -45,6 +60,7 @@ __all__ = [
     "UnknownNameError",
     "doppler",
     "explain",
+    "export",
     "focus",
     "geometry",
     "isar",

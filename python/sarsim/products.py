@@ -165,8 +165,8 @@ def open(path: "Path", **options: Any) -> Raster:  # noqa: A001  (sarsim.open)
 
 
 def options(work_name: str) -> str:
-    """What options "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "sweep", "raster" or
-    "write" take. In Python a hyphen in a name is an underscore, and an option without a value is True."""
+    """What options "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "export", "sweep",
+    "raster" or "write" take. In Python a hyphen in a name is an underscore, and an option without a value is True."""
     return text_of(lib.sarsim_options, work_name.encode(), c.SARSIM_WORDS)
 
 
@@ -236,6 +236,15 @@ def focus(what: Source, **options: Any) -> Image:
     options; besides there are `recording` (number of a scene's, from 1), `threads` and `progress`.
     """
     return _Done(lib.sarsim_focus, what, options).images()[0]
+
+
+def export(what: Source, path: Path, **options: Any) -> "Dict[str, Any]":
+    """Writes echoes as a file of a standard that programs of others read: CPHD or CRSD, as the ending of the path says.
+
+    export(scene, "flight.cphd", anchor="47.5,8.25,400", encoding="ci4"). `sarsim.options("export")` lists the options.
+    Gives the numbers of vectors and samples.
+    """
+    return _Done(lib.sarsim_export, what, {**options, "out": os.fspath(path)}).report
 
 
 def profiles(what: Source, **options: Any) -> Image:

@@ -517,8 +517,8 @@ SARSIM_API sarsim_status sarsim_result_table(const sarsim_result* result, size_t
  * "algorithm=back-projection", "autofocus". sarsim_options lists them. Names of files say that something is to be written;
  * what is not written stays in memory. Numbers of threads come from `work`. */
 
-/* The options of "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "sweep", "raster" or
- * "write": as lines for people, or as a JSON array of objects with the members name, kind ("flag", "text", "texts",
+/* The options of "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "export", "sweep",
+ * "raster" or "write": as lines for people, or as a JSON array of objects with the members name, kind ("flag", "text", "texts",
  * "number", "whole", "choice"), takes (what stands for its value), help, words (of a choice), least and most (of a whole
  * number). */
 SARSIM_API sarsim_status sarsim_options(const char* work, sarsim_style style, sarsim_text** text,
@@ -550,6 +550,10 @@ SARSIM_API sarsim_status sarsim_theory(const sarsim_source* source, const char* 
  * describe. */
 SARSIM_API sarsim_status sarsim_geometry(const sarsim_source* source, const char* const* options, size_t option_count,
                                          const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
+/* Writes echoes as a file of a standard that programs of others read: CPHD or CRSD, as the ending of the option "out" says.
+ * The report has its vectors and samples. The file appears when it is complete. */
+SARSIM_API sarsim_status sarsim_export(const sarsim_source* source, const char* const* options, size_t option_count,
+                                       const sarsim_work* work, sarsim_result** result, sarsim_problems** problems);
 /* Runs a scene with many values: table 0, a row for each product of each variation. Files go to the folder of the option
  * "out". */
 SARSIM_API sarsim_status sarsim_sweep(const sarsim_scene* scene, const char* const* options, size_t option_count,

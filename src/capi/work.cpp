@@ -18,6 +18,7 @@
 #include "core/text/json.hpp"
 #include "simulate/run/geometry_table.hpp"
 #include "workflow/convert/convert_options.hpp"
+#include "workflow/exchange/export_options.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/focus_options.hpp"
 #include "workflow/focus/focus_report.hpp"
@@ -223,6 +224,17 @@ void sweep(Job& job, const sarsim_scene* scene, const char* const* options, std:
   std::ranges::copy(workflow::shortened(report.failures), std::back_inserter(job.found));
 }
 
+void export_echoes(Job& job, const sarsim_source* source, const char* const* options, std::size_t count) {
+  const auto given = capi::words_of(workflow::export_option_table().options(), options, count);
+  workflow::ExportRequest request = workflow::export_request(input_of(source), given);
+  request.threads = job.how.threads;
+  const workflow::ExportReport report = workflow::export_recording(request, job.observer);
+  core::JsonWriter json;
+  json.begin_object().member("file", request.output.string());
+  json.member("vectors", report.vectors).member("samples", report.samples).end_object();
+  job.result.json = json.text();
+}
+
 std::vector<workflow::Option> options_of(const std::string& work) {
   if (work == "focus" || work == "theory") return workflow::focus_option_table().options();
   if (work == "profiles") return workflow::profiles_option_table().options();
@@ -232,6 +244,7 @@ std::vector<workflow::Option> options_of(const std::string& work) {
   if (work == "measure") return workflow::measure_option_table().options();
   if (work == "geometry") return workflow::geometry_option_table().options();
   if (work == "sweep") return workflow::sweep_option_table().options();
+  if (work == "export") return workflow::export_option_table().options();
   if (work == "raster") return workflow::sample_option_table().options();
   if (work == "write") return workflow::convert_option_table().options();
   throw capi::BadArgument("sarsim_options: there is no work '" + work + "'");
@@ -433,4 +446,10 @@ sarsim_status sarsim_sweep(const sarsim_scene* scene, const char* const* options
                            const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
   return do_work("sarsim_sweep: result", work, result, problems,
                  [&](Job& job) { sweep(job, scene, options, option_count); });
+}
+
+sarsim_status sarsim_export(const sarsim_source* source, const char* const* options, size_t option_count,
+                            const sarsim_work* work, sarsim_result** result, sarsim_problems** problems) {
+  return do_work("sarsim_export: result", work, result, problems,
+                 [&](Job& job) { export_echoes(job, source, options, option_count); });
 }

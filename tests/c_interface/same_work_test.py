@@ -10,6 +10,7 @@ import sys
 import tempfile
 
 sarsim, program, examples = sys.argv[1:]
+EXCHANGED = pathlib.Path(__file__).resolve().parent.parent / "exchange"
 
 # Work, scene, and the name that the command gives its table of detections: images' name with that ending.
 WORK = [("focus", "sar_r", None), ("profiles", "stepped_aircraft", None), ("isar", "turning_ship", None),
@@ -40,6 +41,13 @@ with tempfile.TemporaryDirectory() as name:
             if table:
                 expect_same(work, detections, folder / "command" / (work + table))
     scene = pathlib.Path(examples) / "sar_r.toml"
+    for ending in ("cphd", "crsd"):
+        own, other = folder / "memory" / f"e.{ending}", folder / "command" / f"e.{ending}"
+        options = [f"out={own}", "encoding=ci4", "reference-point=moving", "anchor=47.5,8.25,400"]
+        echoes = EXCHANGED / "small_scene.toml"
+        subprocess.run([program, "export", echoes, "none", "none", *options], check=True)
+        subprocess.run([sarsim, "convert", echoes, other, *(f"--{option}" for option in options[1:])], check=True)
+        expect_same("export", own, other)
     subprocess.run([program, "geometry", scene, "none", folder / "table.csv", "radar=Radar1", "start=0", "end=0.1"], check=True)
     told = subprocess.run([sarsim, "geometry", scene, "--radar", "Radar1", "--start", "0", "--end", "0.1", "--csv"],
                           check=True, capture_output=True).stdout

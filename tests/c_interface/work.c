@@ -13,7 +13,8 @@ static work_on_echoes work_called(const char* name) {
     const char* name;
     work_on_echoes function;
   } all[] = {{"focus", sarsim_focus},     {"profiles", sarsim_profiles}, {"isar", sarsim_isar},
-             {"doppler", sarsim_doppler}, {"search", sarsim_search},     {"geometry", sarsim_geometry}};
+             {"doppler", sarsim_doppler}, {"search", sarsim_search},     {"geometry", sarsim_geometry},
+             {"export", sarsim_export}};
   for (size_t i = 0; i < sizeof all / sizeof all[0]; ++i)
     if (strcmp(all[i].name, name) == 0) return all[i].function;
   fprintf(stderr, "there is no work '%s'\n", name);

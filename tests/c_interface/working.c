@@ -399,7 +399,7 @@ static void a_sweep_that_somebody_makes_may_be_tried_again(void) {
 
 static void options_are_listed(void) {
   static const char* const all[] = {"focus",   "profiles", "isar",  "doppler", "search", "measure",
-                                    "geometry", "theory",   "sweep", "raster",  "write"};
+                                    "geometry", "theory",   "sweep", "raster",  "write",  "export"};
   sarsim_text* text = NULL;
   for (size_t i = 0; i < sizeof all / sizeof all[0]; ++i)
     for (int style = SARSIM_WORDS; style <= SARSIM_JSON; ++style) {

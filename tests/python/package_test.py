@@ -305,6 +305,18 @@ class Recordings(Folder):
 
 
 class Images(Folder):
+    def test_a_file_of_a_standard_is_that_of_the_command(self):
+        scene = EXAMPLES.parent / "tests" / "exchange" / "small_scene.toml"
+        words = ("--anchor", "47.5,8.25,400", "--encoding", "ci2")
+        command("convert", scene, self.folder / "command.cphd", *words)
+        (self.folder / "python").mkdir()
+        path = self.folder / "python" / "command.cphd"
+        told = sarsim.export(sarsim.read(scene), path, anchor="47.5,8.25,400", encoding="ci2")
+        self.assertEqual(path.read_bytes(), (self.folder / "command.cphd").read_bytes())
+        self.assertEqual(told["vectors"], len(sarsim.read(scene).record().pulse_time_s))
+        with self.assertRaisesRegex(sarsim.ProblemError, "is not the name of a CPHD or CRSD file"):
+            sarsim.export(sarsim.read(scene), self.folder / "a.h5", anchor="47.5,8.25,400")
+
     def test_an_image_is_that_of_the_command(self):
         command("run", EXAMPLES / "sar_r.toml", "--quiet", "--out", self.folder)
         words = ("--algorithm", "omega-k", "--azimuth-window", "hann")

@@ -13,7 +13,7 @@
 #include "workflow/convert/convert_options.hpp"
 #include "workflow/convert/convert_scene.hpp"
 #include "workflow/convert/references.hpp"
-#include "workflow/exchange/export.hpp"
+#include "workflow/exchange/export_options.hpp"
 #include "workflow/input/earth_place.hpp"
 #include "workflow/input/override_words.hpp"
 #include "workflow/input/recording_input.hpp"
@@ -27,14 +27,13 @@ struct ConvertArguments {
   std::string references;
   std::string anchor;
   workflow::SceneOverrides overrides;
-  std::optional<raster::SignalEncoding> encoding;
-  std::string reference_point;
+  workflow::ExportRequest exchange;
 };
 
 // The options that only files of the standards CPHD and CRSD have.
 void expect_no_exchange_options(const ConvertArguments& arguments) {
-  const std::pair<const char*, bool> given[] = {{"--encoding", arguments.encoding.has_value()},
-                                                {"--reference-point", !arguments.reference_point.empty()}};
+  const std::pair<const char*, bool> given[] = {{"--encoding", arguments.exchange.encoding.has_value()},
+                                                {"--reference-point", arguments.exchange.reference.has_value()}};
   for (const auto& [option, there] : given)
     if (there)
       throw core::Refused(fmt::format("{} is for CPHD and CRSD files", option),
@@ -49,11 +48,9 @@ ExitStatus export_recording(const ConvertArguments& arguments, Streams& streams)
         fmt::format("'{}' is made of a recording with its scene: only --script and --simulation say something of it",
                     samples.output),
         "leave out --to, --counts, --header, --from, --columns, --bits and --lsb");
-  workflow::ExportRequest request;
+  workflow::ExportRequest request = arguments.exchange;
   request.input = {samples.input, samples.sample.script, samples.simulation, arguments.overrides};
   request.output = samples.output;
-  request.encoding = arguments.encoding.value_or(raster::SignalEncoding::cf8);
-  if (!arguments.reference_point.empty()) request.reference = workflow::reference_point_from(arguments.reference_point);
   if (!arguments.anchor.empty()) request.anchor = workflow::anchor_from_text(arguments.anchor, "--anchor");
   request.force = samples.force;
   Watch watch(streams, false);
@@ -129,16 +126,7 @@ Action add_convert(CLI::App& app) {
            "+y from north");
   add_text(app, "--references", arguments->references, "JSON",
            "instead of OUT: where the arrays of IN stand in it, as JSON for readers of Zarr (fsspec, xarray)");
-  add_choice(
-      app, "--encoding", arguments->encoding,
-      {{"cf8", raster::SignalEncoding::cf8},
-       {"ci4", raster::SignalEncoding::ci4},
-       {"ci2", raster::SignalEncoding::ci2}},
-      "of CPHD and CRSD: samples as floats (default), or as integers of 16 or 8 bits with a scale for each pulse");
-  add_text(app, "--reference-point", arguments->reference_point, "POINT",
-           "of CPHD and CRSD: what phases are relative to: fixed, the middle of the scene (default); moving, with the "
-           "flight; or "
-           "X,Y,Z in m");
+  add_table_options(app, workflow::exchange_option_table(), arguments->exchange);
   add_examples(app,
                {{"sarsim convert sim1.h5 sim1.csv", "volts to counts, with the bits and LSB of the file"},
                 {"sarsim convert sim1.bin sim1.npy --script scene.scr", "shape, bits and LSB from the script"},

@@ -120,11 +120,16 @@ bool is_crsd(const std::filesystem::path& path) {
   return core::equal_ignoring_case(path.extension().string(), ".crsd");
 }
 
+raster::SignalEncoding encoding_of(const ExportRequest& request) {
+  return request.encoding.value_or(raster::SignalEncoding::cf8);
+}
+
 void write_crsd(const Collection& collection, const CollectionExtent& extent, const ExportRequest& request,
                 core::Problems remarks, unsigned threads, const core::Observer& observer) {
   expect_receivable(*collection.plan);
   observer.remarks(core::ranked(std::move(remarks)));
-  const raster::CphdDescription cphd = cphd_of(collection, extent, history_shape(collection, extent), request.encoding);
+  const raster::CphdDescription cphd =
+      cphd_of(collection, extent, history_shape(collection, extent), encoding_of(request));
   raster::CrsdWriter writer(request.output, crsd_of(collection, extent, cphd), request.force);
   write_rows(collection, writer, threads, observer, observer.stage(request.output.string()));
   writer.finish();
@@ -142,8 +147,9 @@ ExportReport export_recording(const ExportRequest& request, const core::Observer
   OutputCare care{named_sources(request.input), request.force, "OUT"};
   expect_free_outputs({request.output}, care);
   core::Problems remarks;
-  Collection collection = open_collection(
-      {request.input, is_crsd(request.output) ? "CRSD" : "CPHD", request.reference, request.anchor}, control, remarks);
+  Collection collection = open_collection({request.input, is_crsd(request.output) ? "CRSD" : "CPHD",
+                                           request.reference.value_or(ReferencePoint{}), request.anchor},
+                                          control, remarks);
   collection.name = request.output.stem().string();
   care.sources = collection.sources;
   expect_free_outputs({request.output}, care);
@@ -155,8 +161,8 @@ ExportReport export_recording(const ExportRequest& request, const core::Observer
   const HistoryShape shape = history_shape(collection, extent);
   expect_divisible(collection, shape, remarks);
   observer.remarks(core::ranked(std::move(remarks)));
-  raster::CphdWriter writer(request.output, cphd_of(collection, extent, shape, request.encoding), request.force);
-  write_vectors(collection, shape, request.encoding, writer, threads, observer,
+  raster::CphdWriter writer(request.output, cphd_of(collection, extent, shape, encoding_of(request)), request.force);
+  write_vectors(collection, shape, encoding_of(request), writer, threads, observer,
                 observer.stage(request.output.string()));
   writer.finish();
   return {collection.plan->rows, shape.grid.samples};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/task/observer.hpp"
 #include "workflow/exchange/collection.hpp"
@@ -10,9 +11,9 @@ namespace sarsim::workflow {
 /// Which recording becomes which file of the standards CPHD and CRSD.
 struct ExportRequest {
   RecordingArguments input;
-  std::filesystem::path output;  ///< Its extension says which: .cphd or .crsd.
-  raster::SignalEncoding encoding = raster::SignalEncoding::cf8;
-  ReferencePoint reference;
+  std::filesystem::path output;                    ///< Its extension says which: .cphd or .crsd.
+  std::optional<raster::SignalEncoding> encoding;  ///< Floats where nothing is said.
+  std::optional<ReferencePoint> reference;         ///< The middle of the scene where nothing is said.
   std::optional<radar::Anchor> anchor;
   unsigned threads = 0;  ///< 0: one per core.
   bool force = false;    ///< Replace the output where it exists.

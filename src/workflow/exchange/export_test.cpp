@@ -113,7 +113,7 @@ TEST(ExportCphd, HasThePhasesOfTheStandard) {
   one_target.replace(one_target.find("[[0, 0, 0], [12, 9, 0], [-9, -15, 2]]"), 37, "[[12, 9, 0]]");
   scene.write(one_target);
   ExportRequest request = scene.request("one.cphd");
-  request.reference = {ReferencePoint::Kind::given, {-9.0, -15.0, 2.0}};
+  request.reference = ReferencePoint{ReferencePoint::Kind::given, {-9.0, -15.0, 2.0}};
   export_recording(request, {});
   const WholeFile file = whole_of(request.output);
   const radar::EarthFrame earth{radar::Anchor{}};
@@ -323,7 +323,7 @@ TEST(ExportCphd, KeepsTheRulesOfTheStandard) {
     for (const raster::SignalEncodingName& entry : raster::signal_encodings) {
       ExportRequest request = scene.request("rules.cphd");
       request.encoding = entry.encoding;
-      request.reference.kind = kind;
+      request.reference = ReferencePoint{kind, {}};
       export_recording(request, {});
       const WholeFile file = whole_of(request.output);
       for (const Rule& rule : rules()) {
