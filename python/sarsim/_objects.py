@@ -792,6 +792,66 @@ class Geometry(SceneObject):
     columns = PartField("columns", GeometryColumns)
 
 
+class Atmosphere(LoneObject):
+    """What lies between radars and what they see: air, rain, the ionosphere."""
+
+    __slots__ = ()
+    _kind = "atmosphere"
+
+    refraction = ChoiceField(
+        "refraction",
+        {"none": "None", "exponential": "Exponential", "linear": "Linear"},
+        "By how much air delays echoes: 2.3 m one way at the zenith. Rays stay straight. One of \"none\" (the air is as quick as vacuum), \"exponential\" (refractivity falls with exp(-h/H)), \"linear\" (refractivity falls evenly, by the factor k).",
+    )
+    refractivity = NumberField(
+        "refractivity",
+        "",
+        "N = (n - 1) 1e6 at height 0; 315 is the global mean. Takes 1 to 1000. Only where refraction is exponential or linear.",
+    )
+    scale_height = NumberField(
+        "scale_height",
+        "m",
+        "H in N = N0 exp(-h/H). Takes 100 to 50 km. Only where refraction is exponential.",
+    )
+    k_factor = NumberField(
+        "k_factor",
+        "",
+        "4/3 is a gradient of -39.24 N per km. Takes 1.001 to 100. Only where refraction is linear.",
+    )
+    gases = CheckField(
+        "gases",
+        "",
+        "Absorption by oxygen and water vapour, ITU-R P.676-13, in the reference atmosphere of P.835.",
+    )
+    vapour_g_per_m3 = NumberField("vapour_g_per_m3", "", "In g/m3; 7.5 is the global mean. Takes 0 to 50.")
+    rain_mm_per_h = NumberField(
+        "rain_mm_per_h",
+        "",
+        "In mm/h, the same everywhere below the rain height; loss by ITU-R P.838-3, 1 to 1000 GHz. Takes 0 to 500.",
+    )
+    rain_top = NumberField("rain_top", "m", "Up to which it rains. Takes 0 to 20 km.")
+    polarisation = NumberField(
+        "polarisation",
+        "deg",
+        "From the horizontal: 0 for H, 90 deg for V, 45 deg for circular. Takes -90 to 90 deg.",
+    )
+    tec_units = NumberField(
+        "tec_units",
+        "",
+        "In TEC units of 1e16 electrons per m2: 5 to 20 at night, up to 100 by day. Delays by 40.3 TEC/f^2, and advances the phase as much. Takes 0 to 1000.",
+    )
+    shell_height = NumberField(
+        "shell_height",
+        "m",
+        "Where all electrons are taken to be; a radar below sees none. Takes 100000 to 1000 km.",
+    )
+    field_ut = NumberField(
+        "field_ut",
+        "",
+        "In uT; rotates a linear polarisation (Faraday), which costs amplitude. Takes -100 to 100.",
+    )
+
+
 class Options(LoneObject):
     """What holds for everything that is made of the scene; the command line overrides it."""
 

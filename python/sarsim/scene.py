@@ -19,7 +19,7 @@ from .problems import ProblemError, Problems
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-    from ._objects import Cloud, Geometry, Options, Platform, Radar, Surface, Target  # noqa: F401
+    from ._objects import Atmosphere, Cloud, Geometry, Options, Platform, Radar, Surface, Target  # noqa: F401
     from ._objects import Recording as RecordingFields
     from .recording import FileReport, Recording
 
@@ -79,7 +79,7 @@ class SceneObject(Part):
 
 
 class LoneObject(SceneObject):
-    """What a scene has once: its options."""
+    """What a scene has once: its atmosphere, its options."""
 
     __slots__ = ()
 
@@ -88,7 +88,7 @@ class LoneObject(SceneObject):
         return self._kind
 
     def _name(self, field: str) -> str:
-        return field
+        return field if self._kind == "options" else f"{self._kind.title()}.{field}"
 
 
 T = TypeVar("T", bound=SceneObject)
@@ -231,7 +231,7 @@ class Scene:
     """What is simulated: platforms that move, targets and surfaces on them, radars, recordings.
 
     Without a text the scene is empty. A text is in format 2 (TOML) or in the script language. What has no attributes here, a
-    world on the turning Earth, an atmosphere, legs and waypoints of a path, is said in the text.
+    world on the turning Earth, legs and waypoints of a path, is said in the text.
 
     :param text: of the scene
     :param name: of a file that need not exist: problems have it as their place, and data files are looked for in its folder
@@ -311,6 +311,13 @@ class Scene:
     def geometries(self) -> "ObjectList[Geometry]":
         """Tables of delays, amplitudes and speeds to be made."""
         return self._list("Geometry")  # type: ignore[no-any-return]
+
+    @property
+    def atmosphere(self) -> "Atmosphere":
+        """What lies between radars and what they see: air, rain, the ionosphere."""
+        from ._objects import Atmosphere
+
+        return Atmosphere(self)
 
     @property
     def options(self) -> "Options":

@@ -127,9 +127,11 @@ sarsim_status sarsim_scene_fields(const sarsim_scene* scene, const char* kind, s
   return capi::call(problems, [&](core::Problems&) {
     sarsim_text*& result = capi::cleared(text, "sarsim_scene_fields: text");
     const workflow::SceneInput& input = capi::given(scene, "sarsim_scene_fields: scene").input;
-    const bool options = std::string(&capi::given(kind, "kind")) == "options";
-    result = capi::text_handle(options ? workflow::option_fields_json(input)
-                                       : workflow::fields_json(input, object_named(input.scene, kind, index)));
+    const std::string word = &capi::given(kind, "kind");
+    result = capi::text_handle(word == "options" ? workflow::option_fields_json(input)
+                               : word == "atmosphere"
+                                   ? workflow::atmosphere_fields_json(input)
+                                   : workflow::fields_json(input, object_named(input.scene, kind, index)));
   });
 }
 

@@ -246,7 +246,7 @@ SARSIM_API sarsim_status sarsim_scene_add_cloud(sarsim_scene* scene, const char*
 
 /* The fields of an object that mean something as it is, as a JSON array of objects: name (as sarsim_scene_get takes it),
  * id, value (a text), number (of fields that are numbers or a yes or no), unit (that the number is in). Kinds as in
- * sarsim_scene_count, and "options". */
+ * sarsim_scene_count, and "options" and "atmosphere". */
 SARSIM_API sarsim_status sarsim_scene_fields(const sarsim_scene* scene, const char* kind, size_t index,
                                              sarsim_text** text, sarsim_problems** problems);
 /* The table of all fields of all kinds of objects as JSON, from which bindings are made: an object with a member "kinds", an

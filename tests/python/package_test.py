@@ -60,6 +60,15 @@ class Folder(unittest.TestCase):
 
 
 class Scenes(Folder):
+    def test_the_atmosphere_has_attributes(self):
+        scene = sar_r()
+        dry = np.abs(scene.record()).max()
+        scene.atmosphere.rain_mm_per_h = 100
+        scene.atmosphere.rain_top = "5 km"
+        self.assertEqual(scene["Atmosphere.rain.rate"], 100.0)
+        self.assertLess(np.abs(scene.record()).max(), 0.99 * dry)
+        self.assertIn("rain", " ".join(scene.atmosphere.fields()))
+
     def test_a_problem_of_an_added_object_says_which(self):
         scene = sar_r()
         scene.targets.add_many([[0, 0, 0], [float("nan"), 0, 0]])

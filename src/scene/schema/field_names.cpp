@@ -59,6 +59,7 @@ bool starts_like_number(std::string_view text) {
 }
 
 const std::vector<Field>& fields_for(const NamedField& named) {
+  if (named.of_atmosphere) return atmosphere_fields();
   return named.objects.empty() ? option_fields() : fields_of(named.objects.front().kind);
 }
 
@@ -204,6 +205,7 @@ std::string no_object(const Scene& scene, std::string_view word) {
   for (const Platform& platform : scene.platforms) names.push_back(platform.name);
   for (const ObjectKind kind : all_object_kinds)
     if (count_of(scene, kind) > 0) names.push_back(capital(name_of(kind)) + "1");
+  names.emplace_back("Atmosphere");
   return fmt::format("the scene has no object '{}'; {}", word, meant_among(word, names));
 }
 
@@ -222,6 +224,18 @@ std::vector<NamedField> cut_at(const Scene& scene, std::string_view object, std:
     return named.field == nullptr ? std::vector<NamedField>{} : std::vector<NamedField>{named};
   }
   ObjectSearch search = objects_called(scene, object);
+  if (search.found.empty() && core::equal_ignoring_case(object, "atmosphere")) {
+    NamedField named;
+    named.of_atmosphere = true;
+    named.field = fitting(fields_called(fields_for(named), field), value);
+    if (named.field != nullptr) return {named};
+    failure = no_field("the atmosphere", fields_for(named), field);
+    return {};
+  }
+  if (search.found.empty() && core::equal_ignoring_case(object, "world")) {
+    failure = "places in the text of a scene are read with its world; change the world there, or by a name of [let]";
+    return {};
+  }
   if (failure.empty()) failure = search.failure;
   std::vector<NamedField> found;
   for (std::vector<ObjectId>& objects : search.found) {
@@ -252,6 +266,10 @@ std::string set_function(AnyObject& object, const Field& field, std::string_view
   for (std::size_t i = 0; i < function.parts.size(); ++i) function.parts[i].knots = std::move(points.functions.at(i));
   *function.file = file;
   return {};
+}
+
+std::string no_meaning(const Field& field) {
+  return field.label + " does not apply with the present choices; change those first";
 }
 
 // What forms show of the choice that a word stands for; the text itself where it is none.
@@ -304,12 +322,15 @@ std::string address_of(const Scene& scene, ObjectId id) {
 
 std::string set_named_field(Scene& scene, const NamedField& named, std::string_view text, const PointsLoader& load) {
   const std::string_view typed = choice_text(named, text);
+  if (named.of_atmosphere) {
+    if (!field_applies(scene.atmosphere, named.field->id)) return no_meaning(*named.field);
+    return set_field(scene.atmosphere, named.field->id, typed);
+  }
   if (named.objects.empty()) return set_field(scene.options, named.field->id, typed);
   for (const ObjectId id : named.objects) {
     AnyObject object = object_of(scene, id);
     // `set_field` takes the value that is there, whether it means something or not.
-    if (!field_applies(object, named.field->id))
-      return named.field->label + " does not apply with the present choices; change those first";
+    if (!field_applies(object, named.field->id)) return no_meaning(*named.field);
     std::string failure = named.field->kind == FieldKind::function ? set_function(object, *named.field, text, load)
                                                                    : set_field(object, named.field->id, typed);
     if (!failure.empty()) return failure;
@@ -321,6 +342,7 @@ std::string set_named_field(Scene& scene, const NamedField& named, std::string_v
 }
 
 std::string named_field_text(const Scene& scene, const NamedField& named) {
+  if (named.of_atmosphere) return field_text(scene.atmosphere, named.field->id);
   if (named.objects.empty()) return field_text(scene.options, named.field->id);
   return field_text(object_of(scene, named.objects.front()), named.field->id);
 }

@@ -11,11 +11,13 @@
 
 namespace sarsim::scene {
 
-/// A field that was named in words: one field of one or several objects of a kind, or of the options.
+/// A field that was named in words: one field of one or several objects of a kind, of the atmosphere or of the options.
 struct NamedField {
-  std::vector<ObjectId> objects;  ///< Of one kind; empty: the field is one of `option_fields`.
-  const Field* field = nullptr;   ///< An element of `fields_of` or `option_fields`; null: not found.
-  std::string failure;            ///< Why not, in words: "Radar1 has no field 'bandwith'; did you mean bandwidth?".
+  std::vector<ObjectId> objects;  ///< Of one kind; empty: the field is of the atmosphere or the options.
+  const Field* field =
+      nullptr;                 ///< An element of `fields_of`, `atmosphere_fields` or `option_fields`; null: not found.
+  std::string failure;         ///< Why not, in words: "Radar1 has no field 'bandwith'; did you mean bandwidth?".
+  bool of_atmosphere = false;  ///< Of a field without objects; else it is one of `option_fields`.
 };
 
 /// Finds the field that a name such as "Radar1.bandwidth", "Target3.position.x", "Simulation*.bits" or "seed" means.
@@ -25,7 +27,8 @@ struct NamedField {
 /// and with a star all of them. A field is called by its id, by its id without units ("bandwidth" for "bandwidth_hz",
 /// "corner2.x"), by its path in format 2 ("pulse.bandwidth"), by its label in the workbench, or, for the position of a
 /// platform or target, by "x", "y" or "z". Capitals, blanks and underscores do not matter. Words without an object are
-/// options.
+/// options. "Atmosphere.rain.rate" is a field of the atmosphere. Those of the world have no name: the places in a text
+/// are read with them.
 ///
 /// @param value  that is to be set; tells the number "carrier" (Hz) from the kind of carrier of the same name
 [[nodiscard]] NamedField find_named_field(const Scene& scene, std::string_view name, std::string_view value = {});

@@ -111,6 +111,20 @@ TEST(FieldNames, FindsOptionsWithAndWithoutTheirWord) {
   EXPECT_EQ(id_of(scene, "Profile", "Classic"), "profile");
 }
 
+TEST(FieldNames, ReachesTheAtmosphereButNotTheWorld) {
+  Scene scene = small_scene();
+  EXPECT_EQ(id_of(scene, "Atmosphere.rain.rate"), "rain_mm_per_h");
+  EXPECT_EQ(set(scene, "atmosphere.rain.rate", "20"), "");
+  EXPECT_EQ(scene.atmosphere.rain_mm_per_h, 20.0);
+  EXPECT_THAT(set(scene, "Atmosphere.scale_height", "8 km"), HasSubstr("does not apply"));
+  EXPECT_EQ(set(scene, "Atmosphere.refraction", "exponential"), "");
+  EXPECT_EQ(set(scene, "Atmosphere.scale_height", "8 km"), "");
+  EXPECT_EQ(scene.atmosphere.scale_height_m, 8000.0);
+  EXPECT_EQ(named_field_text(scene, find_named_field(scene, "Atmosphere.scale_height")), "8 km");
+  EXPECT_THAT(id_of(scene, "Atmosphere.refractivty"), HasSubstr("did you mean refractivity?"));
+  EXPECT_THAT(id_of(scene, "World.frame"), HasSubstr("change the world there"));
+}
+
 TEST(FieldNames, OfObjectsWithOneNameTakesTheOneThatHasTheField) {
   const Scene scene = small_scene();
   EXPECT_EQ(id_of(scene, "Earth.prf"), "prf_hz");

@@ -140,11 +140,19 @@ bool field_applies(const AnyObject& object, std::string_view id) {
   return std::visit([&](const auto& alternative) { return form_of(alternative).applies(alternative, id); }, object);
 }
 
+bool field_applies(const Atmosphere& atmosphere, std::string_view id) {
+  return form_of(atmosphere).applies(atmosphere, id);
+}
+
 std::string field_text(const AnyObject& object, std::string_view id) {
   return std::visit([&](const auto& alternative) { return form_of(alternative).text(alternative, id); }, object);
 }
 
 std::string field_text(const RunOptions& options, std::string_view id) { return form_of(options).text(options, id); }
+
+std::string field_text(const Atmosphere& atmosphere, std::string_view id) {
+  return form_of(atmosphere).text(atmosphere, id);
+}
 
 std::string set_field(AnyObject& object, std::string_view id, std::string_view text, const LetNames* names) {
   return std::visit([&](auto& alternative) { return form_of(alternative).set(alternative, id, text, names); }, object);
@@ -152,6 +160,10 @@ std::string set_field(AnyObject& object, std::string_view id, std::string_view t
 
 std::string set_field(RunOptions& options, std::string_view id, std::string_view text, const LetNames* names) {
   return form_of(options).set(options, id, text, names);
+}
+
+std::string set_field(Atmosphere& atmosphere, std::string_view id, std::string_view text, const LetNames* names) {
+  return form_of(atmosphere).set(atmosphere, id, text, names);
 }
 
 void reset_field(AnyObject& object, std::string_view id) {

@@ -43,7 +43,7 @@ struct Field {
 [[nodiscard]] const std::vector<Field>& fields_of(ObjectKind kind);
 /// The fields of `[world]`, which are edited in the text.
 [[nodiscard]] const std::vector<Field>& world_fields();
-/// The same of `[atmosphere]`.
+/// The fields of `[atmosphere]`.
 [[nodiscard]] const std::vector<Field>& atmosphere_fields();
 /// The fields of `$OPTIONS`.
 [[nodiscard]] const std::vector<Field>& option_fields();
@@ -57,11 +57,13 @@ struct Field {
 
 /// Whether a field means something for an object as it is: the bandwidth of a chirp but not of a monochrome pulse.
 [[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
+[[nodiscard]] bool field_applies(const Atmosphere& atmosphere, std::string_view id);
 
 /// The value as text: numbers with a unit, the shown name of a choice, "yes"/"no", a name; for functions a summary
 /// ("3 points, cubic" or the file's name).
 [[nodiscard]] std::string field_text(const AnyObject& object, std::string_view id);
 [[nodiscard]] std::string field_text(const RunOptions& options, std::string_view id);
+[[nodiscard]] std::string field_text(const Atmosphere& atmosphere, std::string_view id);
 
 /// Sets a field from what was typed. Choosing another alternative gives the members that become meaningless their
 /// initial values, as the script writer wants it, and a user-defined function that becomes meaningful one point to
@@ -73,6 +75,8 @@ struct Field {
 [[nodiscard]] std::string set_field(AnyObject& object, std::string_view id, std::string_view text,
                                     const LetNames* names = nullptr);
 [[nodiscard]] std::string set_field(RunOptions& options, std::string_view id, std::string_view text,
+                                    const LetNames* names = nullptr);
+[[nodiscard]] std::string set_field(Atmosphere& atmosphere, std::string_view id, std::string_view text,
                                     const LetNames* names = nullptr);
 
 /// Gives a field the value that a new object has, also one that `set_field` refuses; of flags all of them.

@@ -152,7 +152,7 @@ void write_schema_of_singles(core::JsonWriter& json) {
     json.member("single", true).key("fields").begin_array();
     for (const scene::Field& field : fields) {
       std::string initial;
-      if constexpr (std::is_same_v<Object, scene::RunOptions>) initial = scene::field_text(Object{}, field.id);
+      if constexpr (!std::is_same_v<Object, scene::World>) initial = scene::field_text(Object{}, field.id);
       write_schema_of_field<Object>(json, fields, field, initial);
     }
     json.end_array().end_object();
@@ -281,6 +281,18 @@ std::string option_fields_json(const SceneInput& input) {
   json.begin_array();
   for (const scene::Field& field : fields)
     write_field_now(json, scene::short_name(fields, field), field, scene::field_text(input.scene.options, field.id));
+  return json.end_array().text();
+}
+
+std::string atmosphere_fields_json(const SceneInput& input) {
+  const std::vector<scene::Field>& fields = scene::atmosphere_fields();
+  const scene::Atmosphere& atmosphere = input.scene.atmosphere;
+  core::JsonWriter json;
+  json.begin_array();
+  for (const scene::Field& field : fields)
+    if (scene::field_applies(atmosphere, field.id))
+      write_field_now(json, "Atmosphere." + scene::short_name(fields, field), field,
+                      scene::field_text(atmosphere, field.id));
   return json.end_array().text();
 }
 

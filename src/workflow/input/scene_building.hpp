@@ -56,6 +56,8 @@ void set_field_points(SceneInput& input, const std::string& name, std::span<cons
 [[nodiscard]] std::string fields_json(const SceneInput& input, scene::ObjectId id);
 /// The same of the options of the scene.
 [[nodiscard]] std::string option_fields_json(const SceneInput& input);
+/// The same of the atmosphere.
+[[nodiscard]] std::string atmosphere_fields_json(const SceneInput& input);
 
 /// All fields of all kinds of objects as JSON, from which bindings of other languages are made.
 [[nodiscard]] std::string schema_json();

@@ -144,7 +144,7 @@ bool sets(const SweepAxis& axis, const core::Subject& subject) {
   const std::string_view id = axis.field.field->id;
   const bool field = id == subject.field || (id.starts_with(subject.field) && id.size() > subject.field.size() &&
                                              id[subject.field.size()] == '.' && !subject.field.empty());
-  if (axis.field.objects.empty()) return field && subject.kind == "options";
+  if (axis.field.objects.empty()) return field && subject.kind == (axis.field.of_atmosphere ? "atmosphere" : "options");
   return field && std::ranges::any_of(axis.field.objects, [&](scene::ObjectId object) {
            return scene::name_of(object.kind) == subject.kind && object.index == subject.index;
          });

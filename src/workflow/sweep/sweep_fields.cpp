@@ -63,6 +63,10 @@ std::string field_list(const NamedThings& things) {
     for (std::size_t i = 0; i < listed; ++i) add_object(lines, scene, {kind, i});
     if (listed < count) lines.push_back({fmt::format("... and {} more", count - listed), "", ""});
   }
+  for (const scene::Field& field : scene::atmosphere_fields())
+    if (scene::field_applies(scene.atmosphere, field.id))
+      lines.push_back({"Atmosphere." + scene::short_name(scene::atmosphere_fields(), field),
+                       scene::field_text(scene.atmosphere, field.id), takes(field)});
   for (const scene::Field& field : scene::option_fields())
     lines.push_back(
         {scene::short_name(scene::option_fields(), field), scene::field_text(scene.options, field.id), takes(field)});
