@@ -6,6 +6,7 @@ Exit status: 0 as it should be, 1 not, 77 NumPy is missing.
 """
 
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -46,6 +47,14 @@ def main(program, scene):
             path = folder / f"{name}.cphd"
             run("convert", scene, str(path), anchor, *options)
             check(path, 0.05, 0.01)
+        # Points appear again after lambda R PRF/(2 v) in azimuth, which is said where the image is wider.
+        words = [program, "focus", str(folder / "fixed.cphd"), "--force", "--out", str(folder / "focused.img")]
+        said = subprocess.run(words, check=True, capture_output=True, text=True).stderr
+        repeats_m = float(re.search(r"appears again every ([0-9.]+) m", said).group(1))
+        expected_m = 299792458 / 9.6e9 * np.hypot(2500, 1500) * 120 / 200
+        assert abs(repeats_m / expected_m - 1) < 0.01, (repeats_m, expected_m)
+        said = subprocess.run([*words, "--azimuth", "-24:24"], check=True, capture_output=True, text=True).stderr
+        assert "appears again" not in said, said
         # From a recording of raw pulses, whose scene it carries: of counts, too.
         run("run", scene, "--pulse", "band-limited", "--out", str(folder), "--set", "Simulation1.range_end=3065m")
         run("convert", str(folder / "small.h5"), str(folder / "recorded.cphd"), anchor)

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <memory>
 #include <tuple>
 #include <utility>
@@ -113,6 +114,36 @@ Band band_along(const core::Vec3& axis, const Area& area, const std::vector<Phas
       }
     }
   return band;
+}
+
+// Metres in azimuth after which a point appears again: the phases of points so far apart differ by whole turns from
+// pulse to pulse. A mean over all pulses.
+double repeats_after_m(const signal::FocusedImage& image, const std::vector<PhaseVector>& vectors, std::size_t pulses,
+                       const PhaseHistoryRows& rows, const raster::CphdDescription& d, const radar::EarthFrame& earth) {
+  const core::Vec3& axis = image.frame.along;
+  const core::Vec3 middle_m = earth.world_from_ecef(d.scene.origin_m);
+  const auto turns_per_m = [&](const PhaseVector& v) {
+    const core::Vec3 out = middle_m - rows.track_point(v).position_m;
+    const core::Vec3 back = d.bistatic ? middle_m - earth.world_from_ecef(v.rcv_m) : out;
+    return image.carrier_hz / image.light_speed_mps *
+           (core::dot(out, axis) / core::norm(out) + core::dot(back, axis) / core::norm(back));
+  };
+  const double step = std::abs(turns_per_m(vectors.back()) - turns_per_m(vectors.front()));
+  return step > 0.0 ? static_cast<double>(pulses - 1) / step : std::numeric_limits<double>::infinity();
+}
+
+// Where pulses are too far apart for the width of the image.
+void remark_on_repetition(const signal::FocusedImage& image, double repeats_m, core::Problems& problems) {
+  const double width_m = static_cast<double>(image.azimuth.count) * image.azimuth.step_m;
+  if (!(repeats_m < width_m)) return;
+  problems.push_back(core::problem_of(
+      core::Severity::warning,
+      fmt::format("pulses are too far apart for the image: a point appears again every {:.4g} m in azimuth, unless the "
+                  "antenna does not see it from there, and the image is {:.4g} m wide",
+                  repeats_m, width_m),
+      {}, {},
+      fmt::format("focus a part that is narrower, for instance --azimuth {:.3g}:{:.3g}", -0.45 * repeats_m,
+                  0.45 * repeats_m)));
 }
 
 // An axis over [low, high] whose samples tell all frequencies of a band apart.
@@ -231,6 +262,8 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   const signal::ReferenceTrack line = signal::fitted_track(track);
   auto image = std::make_shared<signal::FocusedImage>(image_over(d, rows, vectors, line, earth, request));
   expect_room(*image, request);
+  remark_on_repetition(*image, repeats_after_m(*image, vectors, rows.channel().vectors, rows, d, earth),
+                       report.problems);
   report.problems = core::ranked(std::move(report.problems));
   observer.remarks(report.problems);
   const signal::PointGrid grid = signal::points_of(image->frame, image->azimuth, image->range);
