@@ -9,6 +9,7 @@ namespace sarsim::picture {
 namespace {
 
 void clear(Drawing& drawing) {
+  drawing.meshes.clear();
   drawing.polygons.clear();
   drawing.lines.clear();
   drawing.discs.clear();
