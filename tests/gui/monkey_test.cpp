@@ -1,0 +1,249 @@
+// A monkey at the workbench: actions, keys, clicks, drags and typed numbers in any order, drawn from a seed. Nothing
+// may crash, no document may be lost, and all that was done can be undone.
+
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QtTest>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <random>
+
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/gui_test.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/scene/scene_widget.hpp"
+
+namespace sarsim::monkey_test {
+
+namespace {
+
+// What leaves the program, asks for files in dialogs of the desktop, or opens pages in a browser.
+bool is_left_alone(const QAction& action) {
+  static const QStringList names{"file_exit", "file_open", "file_save", "file_save_as"};
+  return action.objectName().isEmpty() || names.contains(action.objectName());
+}
+
+bool is_left_alone(const QAbstractButton& button) {
+  const auto* const tool = qobject_cast<const QToolButton*>(&button);
+  return tool != nullptr && tool->defaultAction() != nullptr && is_left_alone(*tool->defaultAction());
+}
+
+// Closes whatever asks a question, so that the monkey goes on; counts what it closed.
+class Closer {
+ public:
+  Closer() {
+    QObject::connect(&timer_, &QTimer::timeout, &timer_, [this] {
+      if (QWidget* popup = QApplication::activePopupWidget()) popup->close();
+      QWidget* modal = QApplication::activeModalWidget();
+      if (modal == nullptr) return;
+      ++closed;
+      if (auto* dialog = qobject_cast<QDialog*>(modal))
+        dialog->reject();
+      else
+        modal->close();
+    });
+    timer_.start(5);
+  }
+
+  int closed = 0;
+
+ private:
+  QTimer timer_;
+};
+
+class Monkey {
+ public:
+  Monkey(gui::MainWindow& window, unsigned seed) : window_(window), random_(seed) {}
+
+  // One thing that a hand might do; says what it was.
+  QString act() {
+    switch (below(8)) {
+      case 0:
+      case 1: return trigger();
+      case 2: return press_key();
+      case 3: return click_somewhere();
+      case 4: return drag_scene();
+      case 5: return type_number();
+      case 6: return below(2) == 0 ? select() : step(below(2) == 0);
+      default: return press_button();
+    }
+  }
+
+ private:
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(random_); }
+
+  QString trigger() {
+    QList<QAction*> actions;
+    for (QAction* action : window_.findChildren<QAction*>())
+      if (action->isEnabled() && action->menu() == nullptr && !is_left_alone(*action)) actions << action;
+    if (actions.isEmpty()) return "nothing";
+    QAction* const action = actions[below(static_cast<int>(actions.size()))];
+    const QString name = action->objectName();
+    action->trigger();
+    return "action " + name;
+  }
+
+  QWidget* visible_widget() {
+    QList<QWidget*> widgets;
+    for (QWidget* widget : window_.findChildren<QWidget*>())
+      if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus) widgets << widget;
+    return widgets.isEmpty() ? nullptr : widgets[below(static_cast<int>(widgets.size()))];
+  }
+
+  QString press_key() {
+    static const std::array keys{Qt::Key_Tab,    Qt::Key_Escape, Qt::Key_Return, Qt::Key_Delete, Qt::Key_Up,
+                                 Qt::Key_Down,   Qt::Key_Left,   Qt::Key_Right,  Qt::Key_Home,   Qt::Key_F,
+                                 Qt::Key_X,      Qt::Key_1,      Qt::Key_Plus,   Qt::Key_Minus,  Qt::Key_Space,
+                                 Qt::Key_PageUp, Qt::Key_F2,     Qt::Key_A,      Qt::Key_Period, Qt::Key_Backspace};
+    QWidget* at = QApplication::focusWidget();
+    if (at == nullptr || below(3) == 0) at = visible_widget();
+    if (at == nullptr) return "nothing";
+    const Qt::Key key = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
+    QTest::keyClick(at, key, below(6) == 0 ? Qt::ControlModifier : Qt::NoModifier);
+    return QString("key %1").arg(key);
+  }
+
+  QString click_somewhere() {
+    QWidget* const at = visible_widget();
+    if (at == nullptr) return "nothing";
+    if (const auto* button = qobject_cast<QAbstractButton*>(at); button != nullptr && is_left_alone(*button))
+      return "nothing";
+    const QString name = at->objectName();
+    QTest::mouseClick(at, below(5) == 0 ? Qt::RightButton : Qt::LeftButton, Qt::NoModifier,
+                      QPoint(below(std::max(1, at->width())), below(std::max(1, at->height()))));
+    return "click " + name;
+  }
+
+  QString drag_scene() {
+    QWidget& scene = window_.scene().scene();
+    const auto place = [&] { return QPoint(below(std::max(1, scene.width())), below(std::max(1, scene.height()))); };
+    QTest::mousePress(&scene, Qt::LeftButton, Qt::NoModifier, place());
+    for (int i = 0; i < 3; ++i) {
+      QMouseEvent move(QEvent::MouseMove, place(), scene.mapToGlobal(place()), Qt::NoButton, Qt::LeftButton,
+                       Qt::NoModifier);
+      QApplication::sendEvent(&scene, &move);
+    }
+    if (below(4) == 0) QTest::keyClick(&scene, Qt::Key_Escape);
+    QTest::mouseRelease(&scene, Qt::LeftButton, Qt::NoModifier, place());
+    return "drag";
+  }
+
+  QString type_number() {
+    static const QStringList texts{"0", "1", "-5", "300", "1e3", "2 km", "9.6 GHz", "nonsense", "", "1e999", "50 MHz"};
+    QList<QLineEdit*> fields;
+    for (QLineEdit* field : window_.findChildren<QLineEdit*>())
+      if (field->isVisible() && field->isEnabled() && !field->isReadOnly()) fields << field;
+    if (fields.isEmpty()) return "nothing";
+    QLineEdit* const field = fields[below(static_cast<int>(fields.size()))];
+    const QString name = field->objectName();
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, texts[below(static_cast<int>(texts.size()))]);
+    QTest::keyClick(field, Qt::Key_Return);
+    return "type into " + name;
+  }
+
+  QString select() {
+    const scene::Scene& scene = window_.session().scene();
+    for (const scene::ObjectKind kind : scene::all_object_kinds) {
+      const std::size_t count = scene::count_of(scene, kind);
+      if (count > 0 && below(3) == 0) {
+        window_.session().select_only({kind, static_cast<std::size_t>(below(static_cast<int>(count)))});
+        return "select";
+      }
+    }
+    return "nothing";
+  }
+
+  QString step(bool back) {
+    if (back)
+      window_.session().undo();
+    else
+      window_.session().redo();
+    return back ? "undo" : "redo";
+  }
+
+  QString press_button() {
+    QList<QAbstractButton*> buttons;
+    for (QAbstractButton* button : window_.findChildren<QAbstractButton*>())
+      if (button->isVisible() && button->isEnabled() && !is_left_alone(*button)) buttons << button;
+    if (buttons.isEmpty()) return "nothing";
+    QAbstractButton* const button = buttons[below(static_cast<int>(buttons.size()))];
+    const QString name = button->objectName();
+    button->click();
+    return "button " + name;
+  }
+
+  gui::MainWindow& window_;
+  std::mt19937 random_;
+};
+
+std::string text_in(const QString& path) {
+  std::ifstream stream(path.toStdString(), std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+int wanted(const char* variable, int usual) {
+  const char* const said = std::getenv(variable);
+  return said == nullptr ? usual : std::atoi(said);
+}
+
+}  // namespace
+
+class MonkeyTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  // SARSIM_MONKEY_ACTIONS and SARSIM_MONKEY_SEED change how many and which.
+  void many_actions_in_any_order_lose_nothing() {
+    const QTemporaryDir home;
+    qputenv("XDG_DATA_HOME", home.filePath("data").toLocal8Bit());
+    const QString file = home.filePath("harbour.scr");
+    QVERIFY(QFile::copy(QStringLiteral(SARSIM_SOURCE_DIR "/tests/gui/harbour.scr"), file));
+    const std::string before = text_in(file);
+    const int actions = wanted("SARSIM_MONKEY_ACTIONS", 250);
+    gui::MainWindow window;
+    gui::DocumentKeeper& documents = window.documents();
+    documents.ask_unsaved = [] { return gui::DocumentKeeper::Answer::cancel; };
+    documents.ask_open_name = [] { return QString(); };
+    documents.ask_save_name = [] { return QString(); };
+    documents.ask_read_again = [](bool) { return false; };
+    documents.show_failure = [](const QString&, const QString&) {};
+    window.ask_end_work = [](const QStringList&) { return false; };
+    QVERIFY(documents.open_file(file));
+    window.show();
+    const Closer closer;
+    Monkey monkey(window, static_cast<unsigned>(wanted("SARSIM_MONKEY_SEED", 1)));
+    const bool loud = std::getenv("SARSIM_MONKEY_LOUD") != nullptr;
+    for (int i = 0; i < actions; ++i) {
+      const QString what = monkey.act();
+      if (loud) std::fprintf(stderr, "%d %s\n", i, qPrintable(what));
+      QApplication::processEvents();
+      QVERIFY2(text_in(file) == before, qPrintable("the file was written, though nobody saved, by " + what));
+    }
+    QVERIFY(closer.closed >= 0);
+    // What is there is a document: its text says the scene that is shown.
+    const std::string text = window.session().document().text();
+    QVERIFY(scene::Document::from_text(text).scene() == window.session().scene());
+    if (documents.unsaved()) QVERIFY(documents.keep_copy());
+    for (int i = 0; i < 100'000 && window.session().document().history().can_undo(); ++i) window.session().undo();
+    QVERIFY(!window.session().document().history().can_undo());
+  }
+};
+
+namespace {
+const test::AddTest added("monkey_test", test::run_test<MonkeyTest>);
+}
+
+}  // namespace sarsim::monkey_test
+
+#include "monkey_test.moc"
