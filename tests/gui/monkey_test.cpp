@@ -7,6 +7,8 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
+#include <QProcess>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
@@ -21,6 +23,7 @@
 #include "gui/gui_test.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
+#include "scene/edit/recovery.hpp"
 
 namespace sarsim::monkey_test {
 
@@ -197,6 +200,88 @@ int wanted(const char* variable, int usual) {
   return said == nullptr ? usual : std::atoi(said);
 }
 
+// Nobody is there to answer.
+void leave_questions(gui::MainWindow& window) {
+  gui::DocumentKeeper& documents = window.documents();
+  documents.ask_unsaved = [] { return gui::DocumentKeeper::Answer::cancel; };
+  documents.ask_open_name = [] { return QString(); };
+  documents.ask_save_name = [] { return QString(); };
+  documents.ask_read_again = [](bool) { return false; };
+  documents.show_failure = [](const QString&, const QString&) {};
+  window.ask_end_work = [](const QStringList&) { return false; };
+}
+
+std::size_t mark_of(const std::string& text) { return std::hash<std::string>{}(text); }
+
+// Works without end and says before and after each copy for recovery which text it is of.
+int be_a_victim(const QString& file, unsigned seed) {
+  gui::MainWindow window;
+  leave_questions(window);
+  if (!window.documents().open_file(file)) return 1;
+  window.show();
+  const Closer closer;
+  Monkey monkey(window, seed);
+  while (true) {
+    std::puts("acting");
+    std::fflush(stdout);
+    monkey.act();
+    QApplication::processEvents();
+    if (!window.documents().unsaved()) {
+      std::puts("nothing");
+      std::fflush(stdout);
+      continue;
+    }
+    const std::size_t mark = mark_of(window.session().document().text());
+    std::printf("writing %zu\n", mark);
+    std::fflush(stdout);
+    if (!window.documents().keep_copy()) return 1;
+    std::printf("kept %zu\n", mark);
+    std::fflush(stdout);
+  }
+}
+
+std::filesystem::path recovery_folder() {
+  return std::filesystem::path(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation).toStdString()) /
+         "recovery";
+}
+
+// What a victim said: the texts of which the newest copy may be.
+struct Said {
+  bool acting = false;  // A copy may go meanwhile, because all is undone or the document is another one.
+  bool kept = false;
+  std::size_t last_kept = 0;
+  std::size_t last_writing = 0;
+
+  void hear(const QByteArray& line) {
+    acting = line.startsWith("acting");
+    const std::size_t mark = line.mid(line.indexOf(' ') + 1).trimmed().toULongLong();
+    if (line.startsWith("kept")) {
+      kept = true;
+      last_kept = mark;
+    } else if (line.startsWith("writing")) {
+      last_writing = mark;
+    } else if (line.startsWith("nothing")) {
+      kept = false;  // All was undone, or the document is another one.
+    }
+  }
+};
+
+// Starts a victim, kills it after so many words, and returns what it had said.
+Said killed_victim(const QString& file, int seed, int words) {
+  constexpr int patience_ms = 30'000;
+  QProcess victim;
+  victim.start(QCoreApplication::applicationFilePath(), {"monkey_test", "--victim", file, QString::number(seed)});
+  Said said;
+  for (int heard = 0; heard < words;) {
+    if (!victim.canReadLine() && !victim.waitForReadyRead(patience_ms)) break;
+    for (; victim.canReadLine(); ++heard) said.hear(victim.readLine());
+  }
+  victim.kill();
+  victim.waitForFinished(patience_ms);
+  while (victim.canReadLine()) said.hear(victim.readLine());
+  return said;
+}
+
 }  // namespace
 
 class MonkeyTest : public QObject {
@@ -213,12 +298,7 @@ class MonkeyTest : public QObject {
     const int actions = wanted("SARSIM_MONKEY_ACTIONS", 250);
     gui::MainWindow window;
     gui::DocumentKeeper& documents = window.documents();
-    documents.ask_unsaved = [] { return gui::DocumentKeeper::Answer::cancel; };
-    documents.ask_open_name = [] { return QString(); };
-    documents.ask_save_name = [] { return QString(); };
-    documents.ask_read_again = [](bool) { return false; };
-    documents.show_failure = [](const QString&, const QString&) {};
-    window.ask_end_work = [](const QStringList&) { return false; };
+    leave_questions(window);
     QVERIFY(documents.open_file(file));
     window.show();
     const Closer closer;
@@ -238,11 +318,48 @@ class MonkeyTest : public QObject {
     for (int i = 0; i < 100'000 && window.session().document().history().can_undo(); ++i) window.session().undo();
     QVERIFY(!window.session().document().history().can_undo());
   }
+
+  // SARSIM_MONKEY_KILLS changes how often.
+  void killed_at_any_moment_the_newest_copy_is_there() {
+    const int kills = wanted("SARSIM_MONKEY_KILLS", 6);
+    std::mt19937 random(7);
+    int kept = 0;
+    for (int i = 0; i < kills; ++i) {
+      const QTemporaryDir home;
+      qputenv("XDG_DATA_HOME", home.filePath("data").toLocal8Bit());
+      const QString file = home.filePath("harbour.scr");
+      QVERIFY(QFile::copy(QStringLiteral(SARSIM_SOURCE_DIR "/tests/gui/harbour.scr"), file));
+      const std::string before = text_in(file);
+      const Said said = killed_victim(file, i, 1 + static_cast<int>(random() % 40));
+      QCOMPARE(text_in(file), before);
+      if (!said.kept) continue;
+      ++kept;
+      const auto copies = scene::Recovery::orphans(recovery_folder());
+      if (said.acting && copies.empty()) continue;
+      QCOMPARE(copies.size(), std::size_t{1});
+      const std::size_t mark = mark_of(copies[0].text);
+      QVERIFY2(said.acting || mark == said.last_kept || mark == said.last_writing,
+               qPrintable(QString("kill %1").arg(i)));
+    }
+    qInfo() << kept << "of" << kills << "kills came while there was something to lose";
+    QVERIFY(kept > kills / 3);
+  }
 };
 
 namespace {
-const test::AddTest added("monkey_test", test::run_test<MonkeyTest>);
+
+// Without the places that are for tests: copies are kept in the folders that each test chooses.
+int run(int argc, char** argv) {
+  QStandardPaths::setTestModeEnabled(false);
+  const QStringList arguments = QCoreApplication::arguments();
+  if (const auto at = arguments.indexOf("--victim"); at >= 0 && at + 2 < arguments.size())
+    return be_a_victim(arguments[at + 1], arguments[at + 2].toUInt());
+  return test::run_test<MonkeyTest>(argc, argv);
 }
+
+const test::AddTest added("monkey_test", run);
+
+}  // namespace
 
 }  // namespace sarsim::monkey_test
 
