@@ -111,6 +111,32 @@ class TypedPanelTest : public QObject {
     QVERIFY(!bench.problem("rcs_m2").isEmpty());
   }
 
+  void the_atmosphere_is_edited_where_nothing_is_selected() {
+    Bench bench;
+    bench.session.select({});
+    QVERIFY(!bench.field("scale_height_m")->isVisible());
+    bench.type("rain_mm_per_h", "20");
+    QVERIFY(bench.says("[atmosphere]\nrain = { rate = 20 }\n"));
+    QCOMPARE(bench.session.scene().atmosphere.rain_mm_per_h, 20.0);
+    QCOMPARE(QString::fromStdString(bench.session.document().history().undo_label()), QString("Change rain rate"));
+    QTest::keyClicks(bench.field<QComboBox>("refraction"), "E");
+    QTRY_COMPARE(bench.session.scene().atmosphere.refraction, scene::Atmosphere::Refraction::exponential);
+    QVERIFY(bench.field("scale_height_m")->isVisible());
+    bench.type("rain_mm_per_h", "-3");
+    QVERIFY(!bench.problem("rain_mm_per_h").isEmpty());
+    bench.session.undo();
+    bench.session.undo();
+    QCOMPARE(bench.session.document().text(), std::string(scene_text));
+  }
+
+  void a_script_of_1998_has_no_atmosphere() {
+    Bench bench;
+    test::open(bench.session, test::small_scene());
+    bench.session.select({});
+    QVERIFY(bench.field("seed")->isVisible());
+    QVERIFY(!bench.field("rain_mm_per_h")->isVisible());
+  }
+
   void a_field_goes_back_to_its_default() {
     Bench bench;
     QVERIFY(!bench.reset("rcs_m2")->isVisible());

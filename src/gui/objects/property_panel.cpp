@@ -143,7 +143,7 @@ void PropertyPanel::follow(const scene::SceneChange& change) {
 
 bool PropertyPanel::shows(const scene::SceneChange& change) const {
   if (change.concerns_names()) return true;
-  if (!subject_.kind()) return change.options;
+  if (!subject_.kind()) return change.options || change.everything;
   return std::ranges::any_of(subject_.ids(), [&](scene::ObjectId id) { return change.concerns(id); });
 }
 

@@ -21,6 +21,21 @@ std::string within_sentence(std::string label) {
   return label;
 }
 
+bool is_of_air(std::string_view field) {
+  return std::ranges::any_of(scene::atmosphere_fields(), [&](const scene::Field& one) { return one.id == field; });
+}
+
+// The ids of both differ.
+const std::vector<scene::Field>& fields_of_whole_scene() {
+  static const std::vector<scene::Field> all = [] {
+    std::vector<scene::Field> fields = scene::option_fields();
+    const std::vector<scene::Field>& air = scene::atmosphere_fields();
+    fields.insert(fields.end(), air.begin(), air.end());
+    return fields;
+  }();
+  return all;
+}
+
 std::string words_of(scene::ObjectKind kind, std::size_t count) {
   const std::string word = kind == scene::ObjectKind::geometry ? "geometry table" : std::string(scene::name_of(kind));
   return count == 1 ? word : word + "s";
@@ -29,7 +44,10 @@ std::string words_of(scene::ObjectKind kind, std::size_t count) {
 }  // namespace
 
 PanelSubject::PanelSubject(const scene::Document& document)
-    : options_(document.scene().options), typed_{document.typed_fields(std::nullopt)} {}
+    : options_(document.scene().options),
+      air_(document.scene().atmosphere),
+      can_say_air_(document.let_names() != nullptr),
+      typed_{document.typed_fields(std::nullopt)} {}
 
 PanelSubject::PanelSubject(const scene::Document& document, scene::ObjectKind kind,
                            const std::vector<scene::ObjectId>& ids)
@@ -50,11 +68,11 @@ bool PanelSubject::stands_in(const scene::Scene& scene) const {
 }
 
 const std::vector<scene::Field>& PanelSubject::fields() const {
-  return kind_ ? scene::fields_of(*kind_) : scene::option_fields();
+  return kind_ ? scene::fields_of(*kind_) : fields_of_whole_scene();
 }
 
 std::string PanelSubject::title(const scene::Scene& scene) const {
-  if (!kind_) return "Options of the script";
+  if (!kind_) return "Options and atmosphere";
   if (!single()) return fmt::format("{} {}", ids_.size(), words_of(*kind_, ids_.size()));
   std::string label = scene::label_of(scene, ids_.front());
   if (scene::reflects(*kind_)) return label;
@@ -64,12 +82,13 @@ std::string PanelSubject::title(const scene::Scene& scene) const {
 }
 
 bool PanelSubject::applies(std::string_view field) const {
+  if (!kind_ && is_of_air(field)) return can_say_air_ && scene::field_applies(air_, field);
   return std::ranges::all_of(objects_,
                              [&](const scene::AnyObject& object) { return scene::field_applies(object, field); });
 }
 
 std::optional<std::string> PanelSubject::common_text(std::string_view field) const {
-  if (!kind_) return scene::field_text(options_, field);
+  if (!kind_) return is_of_air(field) ? scene::field_text(air_, field) : scene::field_text(options_, field);
   if (objects_.empty()) return std::nullopt;
   std::string first = scene::field_text(objects_.front(), field);
   for (std::size_t i = 1; i < objects_.size(); ++i)
@@ -155,6 +174,7 @@ FieldChange PanelSubject::change(const scene::Document& document, const scene::F
     if (change.failure.empty()) change.edit = scene::rename_object(scene, ids_.front(), text);
     return change;
   }
+  if (!kind_ && is_of_air(field.id)) return change_air(document, field, text);
   const scene::LetNames* const names = document.let_names();
   const bool is_typed = names != nullptr && merge_key.empty() && field.kind == scene::FieldKind::quantity;
   FieldChange change = change_all(document, "Change " + within_sentence(field.label), is_typed,
@@ -164,7 +184,27 @@ FieldChange PanelSubject::change(const scene::Document& document, const scene::F
   return change;
 }
 
+FieldChange PanelSubject::change_air(const scene::Document& document, const scene::Field& field,
+                                     const std::string& text) const {
+  const scene::LetNames* const names = document.let_names();
+  scene::Atmosphere air = air_;
+  FieldChange change;
+  change.failure = scene::set_field(air, field.id, text, names);
+  if (!change.failure.empty() || air == air_) return change;
+  change.edit = scene::change_atmosphere(document.scene(), air);
+  change.edit.label = "Change " + within_sentence(field.label);
+  return change;
+}
+
 scene::Edit PanelSubject::reset(const scene::Document& document, const scene::Field& field) const {
+  if (!kind_ && is_of_air(field.id)) {
+    scene::Atmosphere air = air_;
+    scene::reset_field(air, field.id);
+    if (air == air_) return {};
+    scene::Edit edit = scene::change_atmosphere(document.scene(), air);
+    edit.label = "Reset " + within_sentence(field.label);
+    return edit;
+  }
   const auto reset_one = [&](auto& object) {
     scene::reset_field(object, field.id);
     return std::string();

@@ -18,16 +18,17 @@ struct FieldChange {
   std::string failure;
 };
 
-/// What a property panel shows: objects of one kind, or the run options where there are none.
+/// What a property panel shows: objects of one kind or, where there are none, what holds for the whole scene: the run
+/// options and the atmosphere.
 class PanelSubject {
  public:
   PanelSubject() = default;
-  /// The run options of a scene.
+  /// The run options and the atmosphere of a scene.
   explicit PanelSubject(const scene::Document& document);
   /// Objects of one kind; ids that the scene does not have are left out.
   PanelSubject(const scene::Document& document, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids);
 
-  /// Nothing for the run options.
+  /// Nothing for what holds for the whole scene.
   [[nodiscard]] std::optional<scene::ObjectKind> kind() const { return kind_; }
   [[nodiscard]] const std::vector<scene::ObjectId>& ids() const { return ids_; }
   [[nodiscard]] bool single() const { return ids_.size() == 1; }
@@ -37,7 +38,7 @@ class PanelSubject {
     return kind_ == other.kind_ && ids_ == other.ids_;
   }
 
-  /// The fields of their kind, or of the run options.
+  /// The fields of their kind, or of the run options and the atmosphere.
   [[nodiscard]] const std::vector<scene::Field>& fields() const;
   /// "Radar Radar1", "3 targets", "Options of the script".
   [[nodiscard]] std::string title(const scene::Scene& scene) const;
@@ -61,6 +62,8 @@ class PanelSubject {
   [[nodiscard]] scene::Edit reset(const scene::Document& document, const scene::Field& field) const;
 
  private:
+  [[nodiscard]] FieldChange change_air(const scene::Document& document, const scene::Field& field,
+                                       const std::string& text) const;
   // Changes one object or the options; says why not where it cannot.
   template <class Change>
   [[nodiscard]] FieldChange change_all(const scene::Document& document, const std::string& label, bool also_same,
@@ -72,6 +75,8 @@ class PanelSubject {
   std::vector<scene::ObjectId> ids_;
   std::vector<scene::AnyObject> objects_;
   scene::RunOptions options_;
+  scene::Atmosphere air_;
+  bool can_say_air_ = false;               // format 2, not the language of 1998
   std::vector<scene::TypedFields> typed_;  // of each object, or of the options
 };
 

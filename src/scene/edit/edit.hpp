@@ -98,6 +98,8 @@ void revert(const Edit& edit, Scene& scene);
 /// Appends many targets at once.
 [[nodiscard]] Edit add_targets(const Scene& scene, std::vector<Target> targets);
 [[nodiscard]] Edit change_options(const Scene& scene, RunOptions options);
+/// For a scene of format 2: the language of 1998 knows no atmosphere.
+[[nodiscard]] Edit change_atmosphere(const Scene& scene, Atmosphere atmosphere);
 /// Whatever it takes from one scene to another, for changes that came from the script text: the fewest objects
 /// replaced, added and removed, as long as finding them is quick; names are not followed.
 [[nodiscard]] Edit difference(const Scene& from, const Scene& to, std::string label);

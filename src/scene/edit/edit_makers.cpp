@@ -194,4 +194,12 @@ Edit change_options(const Scene& scene, RunOptions options) {
   return edit;
 }
 
+Edit change_atmosphere(const Scene& scene, Atmosphere atmosphere) {
+  Edit edit;
+  edit.label = "Change atmosphere";
+  edit.air_before = scene.atmosphere;
+  edit.air_after = std::move(atmosphere);
+  return edit;
+}
+
 }  // namespace sarsim::scene

@@ -92,6 +92,8 @@ class TableSplicer {
     const bool options_typed = typed_.contains(std::nullopt);
     if (edit.options_before && edit.options_after && (options_typed || *edit.options_before != *edit.options_after))
       write_options(*edit.options_before, *edit.options_after);
+    if (edit.air_before && edit.air_after && *edit.air_before != *edit.air_after)
+      write_single(tables_.atmosphere, "atmosphere", said_of(*edit.air_before), said_of(*edit.air_after));
     return finish();
   }
 
@@ -350,18 +352,22 @@ class TableSplicer {
   }
 
   void write_options(const RunOptions& before, const RunOptions& after) {
-    alone_ = false;
     const TypedWords words = tables_.options ? words_of(std::nullopt, before, *tables_.options) : new_options_words();
-    const std::vector<Said> was = said_of(before, words.before);
-    const std::vector<Said> becomes = said_of(after, words.after);
-    if (!tables_.options) {
+    write_single(tables_.options, "options", said_of(before, words.before), said_of(after, words.after));
+  }
+
+  // A table that a text has once or not at all.
+  void write_single(const std::optional<ObjectTable>& table, const std::string& name, const std::vector<Said>& was,
+                    const std::vector<Said>& becomes) {
+    alone_ = false;
+    if (!table) {
       if (becomes.empty()) return;
-      std::string lines = "\n[options]\n";
-      for (const Said& said : becomes) lines += lines_of(said, "options");
+      std::string lines = "\n[" + name + "]\n";
+      for (const Said& said : becomes) lines += lines_of(said, name);
       return add_block(text_.size(), lines);
     }
-    if (would_be_empty(text_, tables_, *tables_.options, was, becomes)) return remove(*tables_.options);
-    append(changes_, change_tables(text_, tables_, *tables_.options, "options", was, becomes));
+    if (would_be_empty(text_, tables_, *table, was, becomes)) return remove(*table);
+    append(changes_, change_tables(text_, tables_, *table, name, was, becomes));
   }
 
   // Where the text has no table of them yet.

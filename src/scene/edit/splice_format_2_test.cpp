@@ -369,6 +369,18 @@ TEST(SpliceFormat2, RemovesAnObjectWithTheCommentAboveIt) {
                  ""));
 }
 
+TEST(SpliceFormat2, ChangesAddsAndRemovesTheAtmosphere) {
+  const std::string text(commented);
+  Atmosphere air;
+  air.rain_mm_per_h = 20.0;
+  const std::string rainy = after_edit(text, change_atmosphere(scene_of(text), air));
+  EXPECT_EQ(rainy, text + "\n[atmosphere]\nrain = { rate = 20 }\n");
+  const std::string said = with(rainy, "rain = { rate = 20 }", "rain = { rate = 20 }  # a shower");
+  air.gases = true;
+  EXPECT_EQ(after_edit(said, change_atmosphere(scene_of(said), air)), said + "gases = true\n");
+  EXPECT_EQ(after_edit(said, change_atmosphere(scene_of(said), Atmosphere{})), text + "\n");
+}
+
 TEST(SpliceFormat2, ChangesAddsAndRemovesOptions) {
   RunOptions options = scene_of(commented).options;
   options.seed = 8;

@@ -30,6 +30,10 @@ void add_object_table(ObjectTables& tables, std::string_view text, language::Obj
     tables.options = table;
     return;
   }
+  if (object.kind == "atmosphere") {
+    tables.atmosphere = table;
+    return;
+  }
   const auto kind = kind_of_table(object);
   if (!kind || !object.is_element) return;
   if (const language::Leaf* const list = object.find("positions"); *kind == ObjectKind::target && list != nullptr) {

@@ -316,6 +316,10 @@ std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> 
   return nodes_of_object(options, Saying::differences, also);
 }
 
+std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidField> also) {
+  return nodes_of_object(atmosphere, Saying::differences, also);
+}
+
 std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words) {
   const auto word_of = [&](std::size_t part) -> const std::string* {
     const auto is_it = [&](const SaidField& said) {

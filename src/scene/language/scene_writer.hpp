@@ -41,10 +41,11 @@ struct SaidField {
   std::string text = {};             ///< Of its number, with the quotes; empty: as the writer says it.
 };
 
-/// What the writer says of an object, or of options, that is not at its default, in its order.
+/// What the writer says of an object, of options or of the atmosphere that is not at its default, in its order.
 /// @param also  further fields to say, and with which words
 [[nodiscard]] std::vector<Said> said_of(const AnyObject& object, std::span<const SaidField> also = {});
 [[nodiscard]] std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> also = {});
+[[nodiscard]] std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidField> also = {});
 
 /// What the writer says of one field.
 /// @param words  for the field or parts of it

@@ -172,4 +172,6 @@ void reset_field(AnyObject& object, std::string_view id) {
 
 void reset_field(RunOptions& options, std::string_view id) { form_of(options).reset(options, id); }
 
+void reset_field(Atmosphere& atmosphere, std::string_view id) { form_of(atmosphere).reset(atmosphere, id); }
+
 }  // namespace sarsim::scene

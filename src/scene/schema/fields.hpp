@@ -82,5 +82,6 @@ struct Field {
 /// Gives a field the value that a new object has, also one that `set_field` refuses; of flags all of them.
 void reset_field(AnyObject& object, std::string_view id);
 void reset_field(RunOptions& options, std::string_view id);
+void reset_field(Atmosphere& atmosphere, std::string_view id);
 
 }  // namespace sarsim::scene
