@@ -1,8 +1,13 @@
 #include <QtTest>
 
 #include <QAbstractButton>
+#include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
+#include <QProcess>
+#include <QToolButton>
 
+#include <algorithm>
 #include <complex>
 #include <vector>
 
@@ -25,6 +30,13 @@ class ImageViewersTest : public QObject {
   Q_OBJECT
 
  private:
+  // The letter R as `sarsim focus` makes it.
+  static QString focused_r(const QTemporaryDir& folder) {
+    QString file = folder.filePath("r.img");
+    QProcess::execute(SARSIM_PROGRAM, {"focus", SARSIM_SOURCE_DIR "/examples/sar_r.toml", "--out", file, "--quiet"});
+    return file;
+  }
+
   QTemporaryDir cache_;
 
  private slots:
@@ -98,12 +110,63 @@ class ImageViewersTest : public QObject {
     QCOMPARE(main.image_viewers().viewers().size(), std::size_t{1});
     gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
     QVERIFY(wait_until_open(viewer));
-    QCOMPARE(viewer.plot().view().rows(), 20.0);
-    QCOMPARE(viewer.plot().view().columns(), 30.0);
+    // Scales are equal: one direction shows the image, the other has room to spare.
+    const gui::ImageView view = viewer.plot().view();
+    QVERIFY(view.rows() >= 20.0 && view.columns() >= 30.0 &&
+            std::min(view.rows() - 20.0, view.columns() - 30.0) < 1e-6);
     gui::OpenImageDialog dialog;
     dialog.show_file(QString::fromStdString(path.string()), {});
     QVERIFY(QTest::qWaitFor([&] { return dialog.has_preview(); }, patience_ms));
     QVERIFY(!dialog.hints().raw.has_value());
+  }
+
+  void a_focused_image_is_seen_in_metres_as_long_across_as_downwards() {
+    QTemporaryDir folder;
+    const QString file = focused_r(folder);
+    gui::MainWindow main;
+    QVERIFY(main.open_any(file));
+    gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
+    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
+    gui::ImagePlot& plot = viewer.plot();
+    QVERIFY(plot.places().has_value());
+    QCOMPARE(plot.shown_places().range.label, std::string("Slant range"));
+    QCOMPARE(plot.shown_places().azimuth.unit, std::string("m"));
+    const auto m_per_px = [&] {
+      const QSize size = plot.plot_rect().size();
+      return std::pair(plot.view().rows() * plot.places()->azimuth.step / size.height(),
+                       plot.view().columns() * plot.places()->range.step / size.width());
+    };
+    QVERIFY(std::abs(m_per_px().first / m_per_px().second - 1.0) < 1e-9);
+    viewer.resize(viewer.width() + 300, viewer.height() - 100);
+    QTRY_VERIFY(std::abs(m_per_px().first / m_per_px().second - 1.0) < 1e-9);
+    QVERIFY(wait_for_picture(viewer));
+    QCOMPARE(viewer.figure().panels.at(0).x.unit, std::string("m"));
+    QCOMPARE(viewer.figure().panels.at(0).y_per_x, 1.0);
+    viewer.findChild<QCheckBox*>("image_numbers")->click();
+    QCOMPARE(plot.shown_places().range.label, std::string("Sample"));
+    viewer.findChild<QCheckBox*>("image_equal_scale")->click();
+    QCOMPARE(plot.view().columns(), static_cast<double>(viewer.source()->columns()));
+  }
+
+  // Finding B6: full view, five pixels beside the peak.
+  void a_point_is_found_beside_the_click_whatever_the_zoom() {
+    QTemporaryDir folder;
+    const QString file = focused_r(folder);
+    gui::MainWindow main;
+    QVERIFY(main.open_any(file));
+    gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
+    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
+    viewer.findChild<QToolButton*>("image_reading_tool")->click();
+    const gui::ImagePart& part = *viewer.plot().part();
+    const auto strongest = std::ranges::max_element(part.samples, {}, [](const auto& z) { return std::norm(z); });
+    const auto index = static_cast<std::size_t>(strongest - part.samples.begin());
+    const QPointF peak = viewer.plot().pixel_of({static_cast<double>(part.window.column(index % part.window.cols)),
+                                                 static_cast<double>(part.window.row(index / part.window.cols))});
+    QTest::mouseClick(&viewer.plot(), Qt::LeftButton, {}, (peak + QPointF(4.0, 3.0)).toPoint());
+    QTRY_VERIFY_WITH_TIMEOUT(viewer.reading().has_value(), patience_ms);
+    QVERIFY2(viewer.reading()->along_row.pslr_db < -10.0,
+             qPrintable(viewer.findChild<QLabel*>("image_reading")->text()));
+    QVERIFY(viewer.reading()->along_column.pslr_db < -10.0);
   }
 
   void a_file_that_does_not_describe_itself_is_guessed() {

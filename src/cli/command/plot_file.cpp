@@ -114,13 +114,10 @@ Plotted picture_of(const PlotArguments& a, const workflow::PlacedImage& input, c
     wanted.row_places = input.focused->azimuth;
     wanted.column_places = input.focused->range;
   } else if (input.axes && !input.source->axes()) {
-    const auto even = [](const char* label, const char* unit, const std::vector<double>& places) {
-      const double step =
-          places.size() < 2 ? 1.0 : (places.back() - places.front()) / static_cast<double>(places.size() - 1);
-      return raster::ImagePlaces{label, unit, places.front(), step};
-    };
-    wanted.row_places = even("Azimuth time", "s", input.axes->row_time_s);
-    wanted.column_places = even("Slant range", "m", input.axes->column_range_m);
+    if (const auto places = workflow::drawn_places(*input.axes)) {
+      wanted.row_places = places->azimuth;
+      wanted.column_places = places->range;
+    }
   }
   return {picture::image_figure(*input.source, wanted, plot_pixels(a), {0, stop}), {}};
 }

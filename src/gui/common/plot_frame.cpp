@@ -64,7 +64,11 @@ void draw_axis_upwards(QPainter& painter, const QRect& plot, const FrameAxis& ax
     const QRectF words(0.0, mark.px - line, plot.left() - tick_length - gap / 2.0, 2.0 * line);
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, mark.label);
   }
-  draw_turned(painter, plot, gap / 2.0, -90.0, axis.title);
+  double widest = 0.0;
+  for (const FrameAxis::Mark& mark : axis.marks)
+    widest = std::max<double>(widest, painter.fontMetrics().horizontalAdvance(mark.label));
+  const double x = plot.left() - tick_length - widest - 1.5 * gap - line;
+  draw_turned(painter, plot, std::max(x, gap / 2.0), -90.0, axis.title);
 }
 
 void draw_colour_bar(QPainter& painter, const QRect& plot, int widget_width, const FrameBar& bar) {
@@ -82,7 +86,11 @@ void draw_colour_bar(QPainter& painter, const QRect& plot, int widget_width, con
   const std::string_view title = picture::axis_title_of(bar.quantity);
   QString words = QString::fromUtf8(title.data(), static_cast<qsizetype>(title.size()));
   if (!bar.ticks.unit.empty()) words += QStringLiteral(" (%1)").arg(QString::fromStdString(bar.ticks.unit));
-  draw_turned(painter, plot, widget_width - gap / 2.0, 90.0, words);
+  double widest = 0.0;
+  for (const picture::Tick& tick : bar.ticks.ticks)
+    widest = std::max<double>(widest, painter.fontMetrics().horizontalAdvance(QString::fromStdString(tick.label)));
+  const double x = strip.right() + tick_length + widest + 2.0 * gap + line;
+  draw_turned(painter, plot, std::min(x, widget_width - gap / 2.0), 90.0, words);
 }
 
 void draw_cursor(QPainter& painter, const QRect& plot, QPointF at, std::size_t index) {

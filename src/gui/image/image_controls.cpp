@@ -32,6 +32,7 @@ ImageControls::ImageControls(QWidget* parent)
   connect(&colours_, &ColourRows::chosen, this, [this](const picture::ColourLook& chosen) {
     change([&](PartLook& look) { static_cast<picture::ColourLook&>(look) = chosen; });
   });
+  make_axes(add_form_group(layout, tr("Axes")));
   make_links(add_form_group(layout, tr("Other viewers")));
   layout->addWidget(problem_);
   show_look({}, raster::ImageValue::complex, {});
@@ -43,6 +44,18 @@ void ImageControls::change(const std::function<void(PartLook&)>& apply) {
   if (changed == look_) return;
   show_look(changed, value_, unit_);
   emit edited(look_);
+}
+
+void ImageControls::make_axes(QFormLayout* form) {
+  numbers_ = rows_.add_mark(
+      form, {tr("Rows and samples"), "image_numbers", tr("Axes count rows and samples instead of saying their places")},
+      [this](bool on) { change([on](PartLook& look) { look.numbers = on; }); });
+  equal_scale_ =
+      rows_.add_mark(form,
+                     {tr("Equal scale"), "image_equal_scale",
+                      tr("Of images in metres: a metre is as long across as downwards. Long strips are shown "
+                         "as they fit.")},
+                     [this](bool on) { change([on](PartLook& look) { look.equal_scale = on; }); });
 }
 
 void ImageControls::make_links(QFormLayout* form) {
@@ -65,7 +78,11 @@ void ImageControls::show_look(const PartLook& look, raster::ImageValue value, co
   if (auto* const items = qobject_cast<QStandardItemModel*>(quantity_->model()))
     for (int i = 0; i < quantity_->count(); ++i)
       items->item(i)->setEnabled(has_quantity(value, static_cast<picture::DisplayQuantity>(i)));
-  rows_.while_showing([&] { peak_->setChecked(look.peak); });
+  rows_.while_showing([&] {
+    peak_->setChecked(look.peak);
+    numbers_->setChecked(look.numbers);
+    equal_scale_->setChecked(look.equal_scale);
+  });
   const bool magnitudes =
       look.quantity == picture::DisplayQuantity::decibels || look.quantity == picture::DisplayQuantity::magnitude;
   show_row(form_, peak_, samples && magnitudes);

@@ -31,6 +31,7 @@ class ImageControls : public QWidget {
   void link_changed();                             ///< Other axes follow other viewers.
 
  private:
+  void make_axes(QFormLayout* form);
   void make_links(QFormLayout* form);
   void change(const std::function<void(PartLook&)>& apply);
 
@@ -43,6 +44,8 @@ class ImageControls : public QWidget {
   QFormLayout* form_ = nullptr;
   QComboBox* quantity_ = nullptr;
   QCheckBox* peak_ = nullptr;
+  QCheckBox* numbers_ = nullptr;
+  QCheckBox* equal_scale_ = nullptr;
   QCheckBox* link_columns_ = nullptr;
   QCheckBox* link_rows_ = nullptr;
 };

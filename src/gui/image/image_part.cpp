@@ -117,6 +117,22 @@ ImageView scaled_about(const ImageView& view, double column, double row, double 
           scaled(view.row_first, row, row_factor), scaled(view.row_last, row, row_factor)};
 }
 
+ImageView with_equal_scale(const ImageView& view, double row_step_m, double column_step_m, QSize plot_px) {
+  constexpr double longest_strip = 6.0;
+  const double row_m = std::abs(row_step_m);
+  const double column_m = std::abs(column_step_m);
+  const double down_m = row_m * view.rows();
+  const double across_m = column_m * view.columns();
+  if (!(down_m > 0.0) || !(across_m > 0.0) || !std::isfinite(down_m * across_m) || plot_px.isEmpty()) return view;
+  if (std::max(across_m, down_m) > longest_strip * std::min(across_m, down_m)) return view;
+  const double m_per_px = std::max(view.columns() * column_m / plot_px.width(), view.rows() * row_m / plot_px.height());
+  const double columns_seen = m_per_px * plot_px.width() / column_m;
+  const double rows_seen = m_per_px * plot_px.height() / row_m;
+  const double column = 0.5 * (view.column_first + view.column_last);
+  const double row = 0.5 * (view.row_first + view.row_last);
+  return {column - 0.5 * columns_seen, column + 0.5 * columns_seen, row - 0.5 * rows_seen, row + 0.5 * rows_seen};
+}
+
 raster::ImageWindow window_for(const ImageView& view, std::size_t width_px, std::size_t height_px, std::size_t rows,
                                std::size_t columns, bool peak) {
   const Places down = places(view.row_first, view.row_last, height_px, rows, peak);

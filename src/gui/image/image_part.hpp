@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QRectF>
+#include <QSize>
 
 #include <complex>
 #include <cstddef>
@@ -35,6 +36,11 @@ struct ImageView {
 [[nodiscard]] ImageView scaled_about(const ImageView& view, double column, double row, double column_factor,
                                      double row_factor);
 
+/// The view with more across or downwards, so that a metre is as long in both directions. As it is where it is more
+/// than six times as long as wide, or no size is known.
+/// @param row_step_m, column_step_m  from one row or sample to the next; signs do not matter
+[[nodiscard]] ImageView with_equal_scale(const ImageView& view, double row_step_m, double column_step_m, QSize plot_px);
+
 /// The samples to read for a view on so many device pixels: about one for each pixel, a quarter of the view more on all
 /// sides to be moved into it, at multiples of the steps so that the same ones are met again. Empty where none is seen.
 /// @param peak  at most one for each pixel: they stand for those between them, so all must be drawn
@@ -50,7 +56,9 @@ struct PartLook : picture::ColourLook {
     map = picture::ColourMap::ocean;
   }
 
-  bool peak = false;  ///< Where a pixel has many samples, the largest magnitude of them.
+  bool peak = true;         ///< Where a pixel has many samples, the largest magnitude of them.
+  bool numbers = false;     ///< Axes have the numbers of rows and samples, not their places.
+  bool equal_scale = true;  ///< Of images in metres: as long across as downwards.
 
   friend bool operator==(const PartLook&, const PartLook&) = default;
 };

@@ -29,6 +29,35 @@ void ImagePlot::set_size(std::size_t rows, std::size_t columns) {
   update();
 }
 
+void ImagePlot::set_places(std::optional<raster::FocusedPlaces> places) {
+  places_ = std::move(places);
+  update();
+}
+
+void ImagePlot::set_axes(bool numbers, bool equal_scale) {
+  numbers_ = numbers;
+  equal_scale_ = equal_scale;
+  update();
+}
+
+bool ImagePlot::has_equal_scale() const {
+  return equal_scale_ && places_ && places_->azimuth.unit == "m" && places_->range.unit == "m";
+}
+
+ImageView ImagePlot::shown_view(const ImageView& view) const {
+  const ImageView within = mended_here(view);
+  if (!has_equal_scale()) return within;
+  return with_equal_scale(within, places_->azimuth.step, places_->range.step, plot_rect().size());
+}
+
+raster::FocusedPlaces ImagePlot::shown_places() const {
+  if (places_ && !numbers_) return *places_;
+  raster::FocusedPlaces numbers;
+  numbers.azimuth.label = tr("Row").toStdString();
+  numbers.range.label = tr("Sample").toStdString();
+  return numbers;
+}
+
 void ImagePlot::set_view(const ImageView& view) {
   if (view == view_) return;
   view_ = view;
@@ -124,17 +153,29 @@ void ImagePlot::paint_plot(QPainter& painter) const {
 void ImagePlot::paint_axes(QPainter& painter) const {
   const QRect plot = plot_rect();
   draw_frame(painter, plot);
+  const raster::FocusedPlaces places = shown_places();
+  const auto axis_of = [](const raster::ImagePlaces& along, double first, double last, double length, double spacing,
+                          const auto& pixel) {
+    const auto place = [&](double number) { return along.first + along.step * number; };
+    const picture::Ticks ticks = picture::axis_ticks(place(first), place(last), length, spacing, along.unit);
+    FrameAxis axis{QString::fromStdString(along.label), {}};
+    if (!ticks.unit.empty()) axis.title += QStringLiteral(" (%1)").arg(QString::fromStdString(ticks.unit));
+    for (const picture::Tick& tick : ticks.ticks)
+      axis.marks.push_back({pixel((tick.value - along.first) / along.step), QString::fromStdString(tick.label)});
+    return axis;
+  };
   const double widest = fontMetrics().horizontalAdvance(QStringLiteral("0000000000"));
-  FrameAxis across{tr("Sample"), {}};
-  for (const picture::Tick& tick :
-       picture::axis_ticks(view_.column_first, view_.column_last, plot.width(), widest, "").ticks)
-    across.marks.push_back({pixel_of({tick.value, 0.0}).x(), QString::fromStdString(tick.label)});
-  draw_axis_across(painter, plot, across, widest, false);
-  FrameAxis upwards{tr("Row"), {}};
+  draw_axis_across(painter, plot,
+                   axis_of(places.range, view_.column_first, view_.column_last, plot.width(), widest,
+                           [this](double column) {
+                             return pixel_of({column, 0.0}).x();
+                           }),
+                   widest, false);
   const double lines = 2.5 * fontMetrics().height();
-  for (const picture::Tick& tick : picture::axis_ticks(view_.row_first, view_.row_last, plot.height(), lines, "").ticks)
-    upwards.marks.push_back({pixel_of({0.0, tick.value}).y(), QString::fromStdString(tick.label)});
-  draw_axis_upwards(painter, plot, upwards);
+  draw_axis_upwards(painter, plot,
+                    axis_of(places.azimuth, view_.row_first, view_.row_last, plot.height(), lines, [this](double row) {
+                      return pixel_of({0.0, row}).y();
+                    }));
 }
 
 void ImagePlot::paint_colour_bar(QPainter& painter) const {
@@ -165,13 +206,13 @@ void ImagePlot::paint_marks(QPainter& painter) const {
 ImageView ImagePlot::moved(const ImageView& view, double right, double down) const {
   const double columns = right * view.columns();
   const double rows = down * view.rows();
-  return mended_here(
+  return shown_view(
       {view.column_first + columns, view.column_last + columns, view.row_first + rows, view.row_last + rows});
 }
 
 void ImagePlot::scale_about_pixel(QPointF pixel, double across, double upwards) {
   const SamplePlace at = place_at(pixel);
-  emit view_wanted(mended_here(scaled_about(view_, at.column, at.row, across, upwards)));
+  emit view_wanted(shown_view(scaled_about(view_, at.column, at.row, across, upwards)));
 }
 
 void ImagePlot::drag(QPointF by) {
@@ -182,7 +223,7 @@ void ImagePlot::step(double right, double up) { emit view_wanted(moved(view_, ri
 
 void ImagePlot::show_twice(QPointF middle) {
   const SamplePlace at = place_at(middle);
-  emit view_wanted(mended_here(
+  emit view_wanted(shown_view(
       {at.column - view_.columns(), at.column + view_.columns(), at.row - view_.rows(), at.row + view_.rows()}));
 }
 
@@ -194,7 +235,7 @@ void ImagePlot::take_rectangle(QPointF from, QPointF to) {
   if (rectangle_with_shift())
     set_selection(samples_in(wanted, rows_, columns_));
   else if (drawn.width() >= smallest_zoom_px && drawn.height() >= smallest_zoom_px)
-    emit view_wanted(mended_here(wanted));
+    emit view_wanted(shown_view(wanted));
 }
 
 void ImagePlot::click(QPointF pixel, Qt::KeyboardModifiers keys) {

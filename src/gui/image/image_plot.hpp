@@ -6,6 +6,7 @@
 
 #include "gui/common/gesture_plot.hpp"
 #include "gui/image/image_part.hpp"
+#include "raster/table/image_places.hpp"
 
 namespace sarsim::gui {
 
@@ -15,7 +16,8 @@ struct SamplePlace {
   double row = 0.0;
 };
 
-/// The part of an image that is looked at, with its axes and colour bar ("image_plot"). It shows what it is given and
+/// The part of an image that is looked at, with its axes, in the places of its samples where those are known, and
+/// colour bar ("image_plot"). It shows what it is given and
 /// turns gestures into wishes; who reads is the owner's business. Until samples of a new view arrive, those of the old
 /// one are shown where they belong, before a coarse picture of the whole image.
 ///
@@ -29,6 +31,15 @@ class ImagePlot : public GesturePlot {
 
   /// Size of the image, for the limits of views.
   void set_size(std::size_t rows, std::size_t columns);
+  /// Where rows and samples are, for the axes; nothing: their numbers.
+  void set_places(std::optional<raster::FocusedPlaces> places);
+  [[nodiscard]] const std::optional<raster::FocusedPlaces>& places() const { return places_; }
+  /// Whether the axes have those places or numbers, and whether metres are as long across as downwards.
+  void set_axes(bool numbers, bool equal_scale);
+  /// A view as it can be shown: within the limits of the image, and with equal scales where they are wanted.
+  [[nodiscard]] ImageView shown_view(const ImageView& view) const;
+  /// Names, units and places as the axes have them; the numbers of rows and samples where no places are shown.
+  [[nodiscard]] raster::FocusedPlaces shown_places() const;
   /// Shows another part; what there is of it is drawn at once.
   void set_view(const ImageView& view);
   [[nodiscard]] const ImageView& view() const { return view_; }
@@ -83,9 +94,13 @@ class ImagePlot : public GesturePlot {
   /// A view moved by shares of its size, to the right and downwards.
   [[nodiscard]] ImageView moved(const ImageView& view, double right, double down) const;
   [[nodiscard]] ImageView mended_here(const ImageView& view) const { return mended(view, rows_, columns_); }
+  [[nodiscard]] bool has_equal_scale() const;
 
   std::size_t rows_ = 1;
   std::size_t columns_ = 1;
+  std::optional<raster::FocusedPlaces> places_;
+  bool numbers_ = false;
+  bool equal_scale_ = true;
   ImageView view_;
   std::shared_ptr<const ImagePart> part_;
   PaintedPart painted_;

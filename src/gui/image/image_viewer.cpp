@@ -13,12 +13,15 @@
 #include <utility>
 
 #include "core/os/cache_folder.hpp"
+#include "core/report/refused.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
+#include "raster/format/envi.hpp"
 #include "raster/table/computed_raster.hpp"
+#include "workflow/image/placed_image.hpp"
 
 namespace sarsim::gui {
 
@@ -121,12 +124,13 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   controls_->show_look(look_, source_->info().value, value_unit());
   plot_->set_part(nullptr, {}, {});
   plot_->set_size(rows_, source_->columns());
+  plot_->set_axes(look_.numbers, look_.equal_scale);
+  take_places();
   if (columns_before != source_->columns()) {
     history_.clear();
-    plot_->set_view(whole_view(rows_, source_->columns()));
-  } else {
-    plot_->set_view(mended(plot_->view(), rows_, source_->columns()));
+    wish_ = whole_view(rows_, source_->columns());
   }
+  plot_->set_view(plot_->shown_view(wish_));
   plot_->set_selection(std::nullopt);
   begin_overview();
   watch_.start(watch_ms);
@@ -134,6 +138,17 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   show_problems();
   change_view(plot_->view());
   emit opened();
+}
+
+void ImageViewer::take_places() {
+  plot_->set_places(std::nullopt);
+  try {
+    plot_->set_places(workflow::drawn_places(path_, *source_));
+  } catch (const core::Refused& refused) {
+    open_problems_.insert(open_problems_.end(), refused.problems.begin(), refused.problems.end());
+  } catch (const std::exception& error) {
+    read_failure_ = QString::fromUtf8(error.what());
+  }
 }
 
 // What was said of the file before.
@@ -243,9 +258,10 @@ void ImageViewer::look_at_file() {
 }
 
 void ImageViewer::take_rows(std::size_t rows) {
-  const bool whole = plot_->view() == whole_view(rows_, source_->columns());
+  const bool whole = wish_ == whole_view(rows_, source_->columns());
   rows_ = rows;
   plot_->set_size(rows_, source_->columns());
+  take_places();
   show_info();
   // An overview of a growing file is begun anew after a tenth more, and when it has come to rest.
   if (10 * rows_ > 11 * overview_rows_) begin_overview();
@@ -258,15 +274,17 @@ void ImageViewer::take_rows(std::size_t rows) {
 void ImageViewer::set_look(const PartLook& look) {
   look_set_ = true;
   look_ = look;
+  plot_->set_axes(look_.numbers, look_.equal_scale);
   controls_->show_look(look_, source_ ? source_->info().value : raster::ImageValue::complex, value_unit());
   if (overview_shown_) show_overview();
   if (statistics_) show_statistics();
-  read_soon();
+  change_view(wish_);
 }
 
 void ImageViewer::change_view(const ImageView& view, bool tell) {
   if (!source_) return;
-  const ImageView wanted = mended(view, rows_, source_->columns());
+  wish_ = mended(view, rows_, source_->columns());
+  const ImageView wanted = plot_->shown_view(view);
   const bool moved = wanted != plot_->view();
   plot_->set_view(wanted);
   thumbnail_->set_view(wanted);
@@ -278,7 +296,7 @@ void ImageViewer::change_view(const ImageView& view, bool tell) {
 }
 
 void ImageViewer::go_to(const ImageView& view) {
-  if (!source_ || mended(view, rows_, source_->columns()) == plot_->view()) return;
+  if (!source_ || plot_->shown_view(view) == plot_->view()) return;
   history_.leave(plot_->view());
   change_view(view);
 }
@@ -362,7 +380,8 @@ void ImageViewer::show_info() {
                                   : info.value == raster::ImageValue::magnitude ? "magnitudes"
                                   : info.value == raster::ImageValue::power     ? "powers"
                                                                                 : "colours";
-  QString how = text_of(info.format->title) + ", " + text_of(values);
+  const bool envi = info.format->by_hand && raster::has_envi_header(path_);
+  QString how = (envi ? QStringLiteral("ENVI") : text_of(info.format->title)) + ", " + text_of(values);
   if (info.bits > 0) how += tr(", %1 bits").arg(info.bits);
   info_->setText(text_of(path_.filename()) + "\n" + how + "\n" +
                  tr("%1 rows of %2 samples").arg(rows_).arg(source_->columns()));

@@ -112,6 +112,7 @@ class ImageViewer : public QWidget {
   QPushButton* add_button(QHBoxLayout* row, const QString& text, const char* name, const QString& tip);
   void connect_all();
   void take_source(raster::OpenedRaster& result);
+  void take_places();
   void forget_readings();
   void begin_overview();
   void look_at_file();
@@ -146,6 +147,7 @@ class ImageViewer : public QWidget {
   std::filesystem::file_time_type file_time_;
   std::optional<std::pair<dev_t, ino_t>> file_number_;  // of what is open
   PartLook look_;
+  ImageView wish_;  // what was asked to be seen; more is, where scales are equal
   bool look_set_ = false;
   picture::ViewHistory<ImageView> history_;
   std::uint64_t request_ = 0;

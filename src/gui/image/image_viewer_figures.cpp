@@ -108,17 +108,20 @@ QString ImageViewer::words_at(SamplePlace place) const {
   const std::size_t column = part->window.column(*index % part->window.cols);
   const std::complex<double> s = part->samples[*index];
   QStringList words{tr("Row %1").arg(row), tr("Sample %1").arg(column)};
-  if (const auto& places = source_->info().places) {
-    const auto said = [](const raster::ImagePlaces& axis, std::size_t number) {
-      const double at = axis.first + axis.step * static_cast<double>(number);
-      return QString::fromStdString(axis.label) + " " + number_text(at, axis.unit.c_str());
+  if (axes_) {  // exact, also where pulses are not evenly spaced
+    if (row < axes_->row_time_s.size() && std::isfinite(axes_->row_time_s[row]))
+      words << tr("Time %1").arg(number_text(axes_->row_time_s[row], "s"));
+    if (column < axes_->column_range_m.size() && std::isfinite(axes_->column_range_m[column]))
+      words << tr("Range %1").arg(number_text(axes_->column_range_m[column], "m"));
+  } else if (const auto& places = plot_->places()) {
+    const auto say = [&](const raster::ImagePlaces& axis, std::size_t number) {
+      if (axis.unit.empty()) return;
+      words << QString::fromStdString(axis.label) + " " +
+                   number_text(axis.first + axis.step * static_cast<double>(number), axis.unit.c_str());
     };
-    words << said(places->azimuth, row) << said(places->range, column);
+    say(places->azimuth, row);
+    say(places->range, column);
   }
-  if (axes_ && row < axes_->row_time_s.size() && std::isfinite(axes_->row_time_s[row]))
-    words << tr("Time %1").arg(number_text(axes_->row_time_s[row], "s"));
-  if (axes_ && column < axes_->column_range_m.size() && std::isfinite(axes_->column_range_m[column]))
-    words << tr("Range %1").arg(number_text(axes_->column_range_m[column], "m"));
   if (!part->colours.empty()) {
     const raster::Rgb& c = part->colours[*index];
     words << tr("Red %1  green %2  blue %3").arg(c.red).arg(c.green).arg(c.blue);
@@ -178,22 +181,24 @@ void ImageViewer::show_cuts() {
     // The floor of what is drawn; silence would make the rest flat.
     return look_.quantity == picture::DisplayQuantity::decibels ? std::max(v, colours.limits.low) : v;
   };
+  const raster::FocusedPlaces places = plot_->shown_places();
+  const auto place = [](const raster::ImagePlaces& axis, double number) { return axis.first + axis.step * number; };
   picture::FigureCurve along;
   for (std::size_t k = 0; k < part->window.cols; ++k) {
-    along.x.push_back(static_cast<double>(part->window.column(k)));
+    along.x.push_back(place(places.range, static_cast<double>(part->window.column(k))));
     along.y.push_back(value(row, k));
   }
   picture::FigureCurve across;
   across.role = picture::Role::curve_2;
   for (std::size_t i = 0; i < part->window.rows; ++i) {
-    across.x.push_back(static_cast<double>(part->window.row(i)));
+    across.x.push_back(place(places.azimuth, static_cast<double>(part->window.row(i))));
     across.y.push_back(value(i, column));
   }
-  const auto show = [&](FigurePlot* plot, picture::FigureCurve curve, const QString& label, const QString& title,
-                        double from, double to) {
+  const auto show = [&](FigurePlot* plot, picture::FigureCurve curve, const raster::ImagePlaces& axis,
+                        const QString& title, double from, double to) {
     picture::FigurePanel panel;
     panel.title = title.toStdString();
-    panel.x = {label.toStdString(), "", from, to, {}};
+    panel.x = {axis.label, axis.unit, place(axis, from), place(axis, to), {}};
     panel.y = {std::string(picture::axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
     set_span(panel.y, curve.y);
     panel.curves.push_back(std::move(curve));
@@ -201,9 +206,9 @@ void ImageViewer::show_cuts() {
     figure.panels.push_back(std::move(panel));
     plot->set_figure(figure);
   };
-  show(row_cut_, std::move(along), tr("Sample"), tr("Row %1").arg(part->window.row(row)), view.column_first,
+  show(row_cut_, std::move(along), places.range, tr("Row %1").arg(part->window.row(row)), view.column_first,
        view.column_last);
-  show(column_cut_, std::move(across), tr("Row"), tr("Sample %1").arg(part->window.column(column)), view.row_first,
+  show(column_cut_, std::move(across), places.azimuth, tr("Sample %1").arg(part->window.column(column)), view.row_first,
        view.row_last);
 }
 
@@ -309,9 +314,18 @@ void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
     plot_->set_cursor(0, SamplePlace{reading_->column, reading_->row});
     show_reading({});
   });
-  pointing_.start(
-      [result, row, column, plane = raster::first_rows(source_, rows_)](
-          const core::StopFlag&, const BackgroundJob::Report&) { *result = picture::read_point(*plane, row, column); });
+  // A hand aims at what it sees: at so many pixels of the screen, whatever the zoom.
+  constexpr double aim_px = 12.0;
+  const ImageView& view = plot_->view();
+  const QSize size = plot_->plot_rect().size();
+  picture::PointOptions options;
+  const auto reach = [](double samples) { return static_cast<std::size_t>(std::ceil(std::clamp(samples, 4.0, 1e3))); };
+  options.search_rows = reach(aim_px * view.rows() / size.height());
+  options.search_columns = reach(aim_px * view.columns() / size.width());
+  pointing_.start([result, row, column, options, plane = raster::first_rows(source_, rows_)](
+                      const core::StopFlag&, const BackgroundJob::Report&) {
+    *result = picture::read_point(*plane, row, column, options);
+  });
 }
 
 void ImageViewer::show_reading(const QString& words) {
@@ -334,6 +348,9 @@ void ImageViewer::show_reading(const QString& words) {
                      .arg(number_text(std::abs(r.value), value_unit()))
                      .arg(picture::value_of(picture::DisplayQuantity::phase, r.value), 0, 'f', 2)
                      .arg(cut(r.along_row, tr("samples")), cut(r.along_column, tr("rows")));
+  if (std::max(r.along_row.pslr_db, r.along_column.pslr_db) > 0.0)
+    text +=
+        "\n" + tr("A stronger response lies beside this one, which may be its sidelobe: click on the stronger one.");
   point_->setText(text);
 }
 
@@ -345,16 +362,20 @@ picture::Figure ImageViewer::figure() const {
   const ImageView& view = plot_->view();
   const QImage& picture = plot_->painted().image;
   picture::FigurePanel panel;
-  panel.x = {tr("Sample").toStdString(), "", view.column_first, view.column_last, {}};
-  panel.y = {tr("Row").toStdString(), "", view.row_last, view.row_first, {}};
+  const raster::FocusedPlaces places = plot_->shown_places();
+  const auto across = [&](double column) { return places.range.first + places.range.step * column; };
+  const auto down = [&](double row) { return places.azimuth.first + places.azimuth.step * row; };
+  panel.x = {places.range.label, places.range.unit, across(view.column_first), across(view.column_last), {}};
+  panel.y = {places.azimuth.label, places.azimuth.unit, down(view.row_last), down(view.row_first), {}};
+  if (look_.equal_scale && places.range.unit == "m" && places.azimuth.unit == "m") panel.y_per_x = 1.0;
   const QRectF place = extent_of(part->window);
   picture::FigureImage image;
   image.width = part->window.cols;
   image.height = part->window.rows;
-  image.x_first = place.left();
-  image.x_last = place.right();
-  image.y_first = place.top();
-  image.y_last = place.bottom();
+  image.x_first = across(place.left());
+  image.x_last = across(place.right());
+  image.y_first = down(place.top());
+  image.y_last = down(place.bottom());
   image.cells.reserve(part->window.samples());
   for (int y = 0; y < picture.height(); ++y)
     for (int x = 0; x < picture.width(); ++x) {

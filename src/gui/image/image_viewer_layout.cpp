@@ -210,7 +210,12 @@ void ImageViewer::connect_all() {
   connect(plot_, &ImagePlot::view_dragged, this, [this](const ImageView& view) { change_view(view); });
   connect(plot_, &ImagePlot::back_wanted, this, &ImageViewer::go_back);
   connect(plot_, &ImagePlot::whole_wanted, this, &ImageViewer::show_whole);
-  connect(plot_, &ImagePlot::resized, this, &ImageViewer::read_soon);
+  connect(plot_, &ImagePlot::resized, this, [this] {
+    if (source_)
+      change_view(wish_, false);
+    else
+      read_soon();
+  });
   connect(plot_, &ImagePlot::hovered, this, &ImageViewer::show_read_out);
   connect(plot_, &ImagePlot::cursors_changed, this, [this] {
     show_read_out();

@@ -237,6 +237,38 @@ std::optional<CutReading> measure(const Cut& line) {
   return reading;
 }
 
+struct SamplePlace {
+  std::size_t row = 0;
+  std::size_t column = 0;
+
+  friend bool operator==(const SamplePlace&, const SamplePlace&) = default;
+};
+
+// The largest sample so far around a place; nothing where there are zeros alone.
+std::optional<SamplePlace> largest_around(const raster::Raster& plane, SamplePlace at, std::size_t rows,
+                                          std::size_t columns) {
+  const std::size_t down = 2 * rows + 1;
+  const std::size_t across = 2 * columns + 1;
+  const Patch near = patch_of(plane, at.row, at.column, down, across);
+  const auto largest = std::ranges::max_element(near.samples, {}, [](const Complex& z) { return std::norm(z); });
+  if (std::norm(*largest) == 0.0) return std::nullopt;
+  const auto index = static_cast<std::size_t>(largest - near.samples.begin());
+  return SamplePlace{at.row + index / across - rows, at.column + index % across - columns};
+}
+
+// The largest sample at the edge of what is searched may stand on the slope of a larger one.
+std::optional<SamplePlace> summit_near(const raster::Raster& plane, SamplePlace at, const PointOptions& options) {
+  constexpr std::size_t most = 1024;
+  constexpr int most_steps = 256;
+  auto summit = largest_around(plane, at, std::min(options.search_rows, most), std::min(options.search_columns, most));
+  for (int step = 0; summit && step < most_steps; ++step) {
+    const auto higher = largest_around(plane, *summit, 1, 1);
+    if (higher == summit) break;
+    summit = higher;
+  }
+  return summit;
+}
+
 core::Problem no_point(const std::string& message, std::size_t row, std::size_t column, const std::string& hint = {}) {
   core::Problem problem;
   problem.message = message;
@@ -250,13 +282,10 @@ core::Problem no_point(const std::string& message, std::size_t row, std::size_t 
 std::variant<PointReading, core::Problem> read_point(const raster::Raster& plane, std::size_t row, std::size_t column,
                                                      const PointOptions& options) {
   if (row >= plane.rows() || column >= plane.columns()) return no_point("the place is outside the image", row, column);
-  const std::size_t around = 2 * std::min<std::size_t>(options.search, 1024) + 1;
-  const Patch near = patch_of(plane, row, column, around, around);
-  const auto largest = std::ranges::max_element(near.samples, {}, [](const Complex& z) { return std::norm(z); });
-  if (std::norm(*largest) == 0.0) return no_point("there is nothing but zeros", row, column);
-  const auto index = static_cast<std::size_t>(largest - near.samples.begin());
-  const std::size_t peak_row = row + index / around - around / 2;
-  const std::size_t peak_col = column + index % around - around / 2;
+  const auto found = summit_near(plane, {row, column}, options);
+  if (!found) return no_point("there is nothing but zeros", row, column);
+  const std::size_t peak_row = found->row;
+  const std::size_t peak_col = found->column;
 
   Patch centred = patch_of(plane, peak_row, peak_col, chip, chip);
   const Centroid centroid = centroid_of(centred);

@@ -13,7 +13,8 @@ namespace sarsim::picture {
 struct CutReading {
   double width = 0.0;    ///< Between the half-power points, in samples.
   double null = 0.0;     ///< Mean distance of the first minima on both sides, in samples.
-  double pslr_db = 0.0;  ///< Highest sidelobe beyond the first minima, relative to the peak.
+  double pslr_db = 0.0;  ///< Highest sidelobe beyond the first minima, relative to the peak. Above 0: a stronger
+                         ///< response lies beside this one, which may itself be a sidelobe.
   double islr_db = 0.0;  ///< Energy beyond the first minima over that between them, to `reach` on both sides.
   double reach = 0.0;    ///< How far sidelobes were looked at, in samples: 10 times `null` where the image allows it.
 };
@@ -29,7 +30,10 @@ struct PointReading {
 
 /// How the point next to a sample is found.
 struct PointOptions {
-  std::size_t search = 4;  ///< The largest sample so many samples around the click is taken.
+  /// The largest sample so many rows and columns around the click is taken, and from there the way up to a sample
+  /// without a larger neighbour. At most 1024.
+  std::size_t search_rows = 4;
+  std::size_t search_columns = 4;
 };
 
 /// Measures the point next to a sample: chip of 32 x 32 samples around the largest one, spectral centroid removed in

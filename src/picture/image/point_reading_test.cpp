@@ -119,6 +119,28 @@ TEST(ReadPoint, FindsThePeakNextToTheClickAndNotASidelobe) {
   EXPECT_NEAR(reading.column, 90.0, 0.003);
 }
 
+TEST(ReadPoint, SearchesAsFarAsItIsToldInEachDirection) {
+  const raster::ComputedRaster image = image_of({100.0, 90.0, {1.0, 0.0}}, rectangular);
+  const auto near = read_point(image, 102, 128, {3, 40});
+  ASSERT_TRUE(std::holds_alternative<PointReading>(near));
+  EXPECT_NEAR(std::get<PointReading>(near).column, 90.0, 0.003);
+}
+
+TEST(ReadPoint, GoesUpFromTheSlopeWhereItsSearchEnds) {
+  const raster::ComputedRaster image =
+      image_of({100.0, 90.0, {1.0, 0.0}, 9.0, 9.0}, [](double x) { return core::hanning_window(x, 0.0); });
+  const auto reading = read_point(image, 96, 86, {1, 1});
+  ASSERT_TRUE(std::holds_alternative<PointReading>(reading));
+  EXPECT_NEAR(std::get<PointReading>(reading).row, 100.0, 0.01);
+}
+
+TEST(ReadPoint, SaysOfASidelobeThatAStrongerResponseIsBeside) {
+  const Target target{100.0, 90.0, {1.0, 0.0}, 1.25, 4.0};
+  const auto reading = read_point(image_of(target, rectangular), 100, 96, {0, 1});  // 1.5 cells beside
+  ASSERT_TRUE(std::holds_alternative<PointReading>(reading));
+  EXPECT_GT(std::get<PointReading>(reading).along_row.pslr_db, 10.0);
+}
+
 TEST(ReadPoint, AtTheCornerOfAnImageKeepsPlaceAndWidth) {
   const Target target{3.4, 256.2, {1.0, 0.0}};
   const PointReading reading =

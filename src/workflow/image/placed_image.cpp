@@ -114,6 +114,31 @@ raster::FocusedPlaces places_of(const raster::EnviHeader& header, const std::str
           image.range.spectrum_centre_per_m};
 }
 
+std::optional<raster::FocusedPlaces> drawn_places(const raster::RasterAxes& axes) {
+  const auto even = [](const char* label, const char* unit,
+                       const std::vector<double>& places) -> std::optional<raster::ImagePlaces> {
+    if (places.empty() || !std::isfinite(places.front()) || !std::isfinite(places.back())) return std::nullopt;
+    const double step =
+        places.size() < 2 ? 1.0 : (places.back() - places.front()) / static_cast<double>(places.size() - 1);
+    return raster::ImagePlaces{label, unit, places.front(), step};
+  };
+  const auto times = even("Azimuth time", "s", axes.row_time_s);
+  const auto ranges = even("Slant range", "m", axes.column_range_m);
+  if (!times && !ranges) return std::nullopt;
+  raster::FocusedPlaces places;
+  places.azimuth = times.value_or(raster::ImagePlaces{"Row", ""});
+  places.range = ranges.value_or(raster::ImagePlaces{"Sample", ""});
+  return places;
+}
+
+std::optional<raster::FocusedPlaces> drawn_places(const fs::path& path, const raster::Raster& source) {
+  if (const auto header = focused_header(path.string()))
+    return places_of(*header, raster::envi_header_of(path.string()).string());
+  if (source.info().places) return source.info().places;
+  const auto axes = source.axes();
+  return axes ? drawn_places(*axes) : std::nullopt;
+}
+
 PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Observer& observer) {
   PlacedImage input;
   const auto header = focused_header(request.path);

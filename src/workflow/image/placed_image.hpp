@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +40,14 @@ struct PlacedImage {
 /// Where the rows and columns of an image with a header are.
 /// @param file  the header's, for messages
 [[nodiscard]] raster::FocusedPlaces places_of(const raster::EnviHeader& header, const std::string& file);
+
+/// The places of the rows and columns of an open file, for axes: those of the header beside it, those that the file
+/// itself says, or those of evenly spaced times and ranges. Nothing where nobody says any.
+/// @throws core::Refused where the header beside the file is faulty; what reading the axes throws
+[[nodiscard]] std::optional<raster::FocusedPlaces> drawn_places(const std::filesystem::path& path,
+                                                                const raster::Raster& source);
+/// The same of times and ranges alone.
+[[nodiscard]] std::optional<raster::FocusedPlaces> drawn_places(const raster::RasterAxes& axes);
 
 /// Opens a file with the places of its samples: those of the header beside an image, otherwise those that the file
 /// carries, otherwise those of its script. Waits until all its rows are known.
