@@ -224,6 +224,29 @@ class ImageViewerTest : public QObject {
     QVERIFY(bench.words("image_reading").contains("PSLR"));
   }
 
+  // Finding B7: what is below the pointer stays there.
+  void the_picture_stays_where_it_is_whatever_is_said_of_it() {
+    Bench bench;
+    gui::ImagePlot& plot = bench.viewer.plot();
+    const QRect before(plot.mapTo(&bench.viewer, plot.plot_rect().topLeft()), plot.plot_rect().size());
+    const auto now = [&] {
+      QCoreApplication::sendPostedEvents();
+      QCoreApplication::processEvents();
+      return QRect(plot.mapTo(&bench.viewer, plot.plot_rect().topLeft()), plot.plot_rect().size());
+    };
+    QTest::mouseMove(&plot, bench.at(0.5, 0.5));
+    QCOMPARE(now(), before);
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, bench.at(0.4, 0.4));
+    QTest::mouseClick(&plot, Qt::LeftButton, Qt::ShiftModifier, bench.at(0.6, 0.6));
+    QVERIFY(!bench.words("image_difference").isEmpty());
+    QCOMPARE(now(), before);
+    bench.viewer.findChild<QToolButton*>("image_reading_tool")->click();
+    const QRect with_tool = now();
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, bench.at_sample(point_row + 1, point_column - 1));
+    QVERIFY(QTest::qWaitFor([&] { return bench.viewer.reading().has_value(); }, patience_ms));
+    QCOMPARE(now(), with_tool);
+  }
+
   void a_click_on_nothing_with_the_reading_tool_is_told_in_words() {
     QTemporaryDir folder;
     const fs::path path = folder.filePath("zeros.raw").toStdString();

@@ -172,6 +172,46 @@ class ProductWindowTest : public QObject {
     QVERIFY2(!QFileInfo::exists(file), "the file goes with its viewer");
   }
 
+  void the_same_image_made_again_takes_the_place_of_the_one_before_unless_that_is_kept() {
+    Bench bench("sar_r.scr");
+    QVERIFY(bench.make());
+    gui::ImageViewer& first = *bench.main.image_viewers().viewers().front();
+    QVERIFY(QTest::qWaitFor([&] { return first.complete(); }, patience_ms));
+    QVERIFY2(first.windowTitle().startsWith("sar_r, Radar1, PRF 620 Hz, omega-k"), qPrintable(first.windowTitle()));
+    const std::filesystem::path before = first.path();
+    const gui::ImageView part{100.0, 200.0, 100.0, 400.0};
+    first.go_to(part);
+    const gui::ImageView seen = first.plot().view();
+    QVERIFY(bench.make());
+    QCOMPARE(bench.main.image_viewers().viewers().size(), std::size_t{1});
+    QVERIFY(first.path() != before);
+    QVERIFY(QTest::qWaitFor([&] { return first.complete(); }, patience_ms));
+    QCOMPARE(first.plot().view(), seen);
+    QVERIFY(!std::filesystem::exists(before));
+    first.findChild<QAbstractButton*>("image_keep")->click();
+    QVERIFY(bench.make());
+    QCOMPARE(bench.main.image_viewers().viewers().size(), std::size_t{2});
+  }
+
+  // Finding B17.
+  void another_scene_takes_the_report_away() {
+    Bench bench("sar_r.scr");
+    QVERIFY(bench.make());
+    QVERIFY(!bench.report()->empty());
+    bench.main.session().take(scene::Document::open(SARSIM_SOURCE_DIR "/examples/spotlight.scr"));
+    QVERIFY(bench.report()->empty());
+  }
+
+  // Finding B3: the last line of the report widened the window beyond the screen.
+  void no_words_change_the_size_of_the_window() {
+    Bench bench("turning_ship.scr");
+    const QSize size = bench.window->size();
+    bench.choose("products_kind", "turning target");
+    QVERIFY(bench.make());
+    QCOMPARE(bench.window->size(), size);
+    QVERIFY(bench.window->minimumSizeHint().width() < 1000);
+  }
+
   // What is on screen counts, not what is on disk.
   void takes_the_scene_as_it_is_now() {
     Bench bench("sar_r.scr");

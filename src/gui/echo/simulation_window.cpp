@@ -22,6 +22,7 @@
 #include "core/text/number_text.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
 #include "gui/echo/echo_controls.hpp"
 #include "gui/echo/radar_view_window.hpp"
@@ -65,11 +66,9 @@ QString difference_text(const picture::CursorDifference& d) {
   return parts.join(QStringLiteral("   "));
 }
 
-QLabel* foot_label(QWidget* parent, const char* name) {
-  auto* const label = new QLabel(parent);
+ReservedLabel* foot_label(QWidget* parent, const char* name, int lines) {
+  auto* const label = new ReservedLabel(lines, parent);
   label->setObjectName(name);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label->setWordWrap(true);
   return label;
 }
 
@@ -187,15 +186,13 @@ QWidget* SimulationWindow::make_foot() {
   auto* const foot = new QWidget(this);
   auto* const layout = new QVBoxLayout(foot);
   layout->setContentsMargins(0, 0, 0, 0);
-  warning_ = foot_label(foot, "echo_warning");
-  read_out_ = foot_label(foot, "echo_read_out");
-  difference_ = foot_label(foot, "echo_difference");
-  highest_ = foot_label(foot, "echo_highest");
-  highest_->setWordWrap(false);
+  warning_ = foot_label(foot, "echo_warning", 1);
+  read_out_ = foot_label(foot, "echo_read_out", 2);
+  difference_ = foot_label(foot, "echo_difference", 2);
+  highest_ = new QLabel(foot);
+  highest_->setObjectName("echo_highest");
+  highest_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   for (QLabel* label : {warning_, read_out_, difference_}) layout->addWidget(label);
-  read_out_->setMinimumHeight(2 * fontMetrics().height());
-  warning_->hide();
-  difference_->hide();
   auto* const row = new QWidget(foot);
   auto* const buttons = new QHBoxLayout(row);
   buttons->setContentsMargins(0, 0, 0, 0);
@@ -393,8 +390,7 @@ void SimulationWindow::show_event() {
     progress_->setValue(static_cast<int>(progress_steps * event.matrix->ready_rows() / event.matrix->rows()));
     const std::string warning =
         picture::sampling_warning(window_, event.matrix->plan().simulation.sample_rate_hz, bandwidth_hz());
-    warning_->setText(text_of(warning));
-    warning_->setVisible(!warning.empty());
+    warning_->say(text_of(warning));
   }
   highest_->setText(text_of(picture::highest_magnitude_text(plot_->colours().statistics)));
   show_read_out();
@@ -428,10 +424,9 @@ void SimulationWindow::show_read_out() {
   const auto at = plot_->read_out_at(plot_->mapFromGlobal(QCursor::pos()));
   const auto first = plot_->read_out_at_cursor(0);
   const auto second = plot_->read_out_at_cursor(1);
-  read_out_->setText(at ? read_out_text(*at) : first ? read_out_text(*first) : QString());
-  difference_->setVisible(first && second);
-  if (first && second)
-    difference_->setText(tr("From 1 to 2:   ") + difference_text(picture::difference(*first, *second)));
+  read_out_->say(at ? read_out_text(*at) : first ? read_out_text(*first) : QString());
+  difference_->say(first && second ? tr("From 1 to 2:   ") + difference_text(picture::difference(*first, *second))
+                                   : QString());
 }
 
 void SimulationWindow::show_cuts() {

@@ -27,6 +27,7 @@ class EchoControls;
 class FigurePlot;
 class ProblemLine;
 class RadarViewWindow;
+class ReservedLabel;
 
 /// A simulation window (thesis 4.5): the echoes of the scene as it is now, at the resolution of the screen, computed
 /// again whenever scene or window change. Any number of them, each with its own state.
@@ -120,10 +121,10 @@ class SimulationWindow : public QWidget {
   QToolButton* back_ = nullptr;
   QToolButton* forward_ = nullptr;
   QToolButton* show_cuts_ = nullptr;
-  QLabel* read_out_ = nullptr;
-  QLabel* difference_ = nullptr;
+  ReservedLabel* read_out_ = nullptr;
+  ReservedLabel* difference_ = nullptr;
   QLabel* highest_ = nullptr;
-  QLabel* warning_ = nullptr;
+  ReservedLabel* warning_ = nullptr;
   QProgressBar* progress_ = nullptr;
   ProblemLine* problems_ = nullptr;
   QTimer soon_;

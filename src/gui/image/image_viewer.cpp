@@ -16,6 +16,7 @@
 #include "core/report/refused.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
@@ -61,7 +62,8 @@ ImageViewer::~ImageViewer() = default;
 void ImageViewer::open(const std::filesystem::path& path, const raster::RasterHints& hints) {
   path_ = path;
   hints_ = hints;
-  setWindowTitle(text_of(path.filename()) + " - " + tr("Simulation output"));
+  algorithm_.clear();
+  show_title();
   state_->setText(tr("Opening..."));
   if (opening_.running()) {
     open_again_ = true;
@@ -83,6 +85,19 @@ void ImageViewer::open(const std::filesystem::path& path, const raster::RasterHi
   opening_.start([result, path, hints](const core::StopFlag&, const BackgroundJob::Report&) {
     *result = raster::open_raster(raster::Integrity::partial, path, hints);
   });
+}
+
+void ImageViewer::set_name(const QString& name) {
+  name_ = name;
+  show_title();
+}
+
+bool ImageViewer::kept() const { return keep_->isChecked(); }
+
+void ImageViewer::show_title() {
+  QString title = name_.isEmpty() ? text_of(path_.filename()) : name_;
+  if (!algorithm_.isEmpty()) title += ", " + algorithm_;
+  setWindowTitle(title + " - " + tr("Simulation output"));
 }
 
 void ImageViewer::take_source(raster::OpenedRaster& result) {
@@ -112,6 +127,7 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
     return;
   }
   rows_ = source_->rows();
+  envi_ = source_->info().format->by_hand && raster::has_envi_header(path_);
   try {
     axes_ = source_->axes();
   } catch (const std::exception& error) {
@@ -136,7 +152,7 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   watch_.start(watch_ms);
   show_info();
   show_problems();
-  change_view(plot_->view());
+  change_view(wish_);
   emit opened();
 }
 
@@ -144,6 +160,8 @@ void ImageViewer::take_places() {
   plot_->set_places(std::nullopt);
   try {
     plot_->set_places(workflow::drawn_places(path_, *source_));
+    algorithm_ = QString::fromStdString(workflow::algorithm_said(path_));
+    show_title();
   } catch (const core::Refused& refused) {
     open_problems_.insert(open_problems_.end(), refused.problems.begin(), refused.problems.end());
   } catch (const std::exception& error) {
@@ -155,10 +173,9 @@ void ImageViewer::take_places() {
 void ImageViewer::forget_readings() {
   statistics_.reset();
   reading_.reset();
-  for (QLabel* label : {read_out_, difference_, figures_, point_}) label->clear();
-  for (QWidget* shown :
-       {static_cast<QWidget*>(difference_), static_cast<QWidget*>(point_), static_cast<QWidget*>(histogram_)})
-    shown->hide();
+  for (ReservedLabel* label : {read_out_, difference_, figures_, point_}) label->say({});
+  point_->setVisible(reading_tool_->isChecked());
+  histogram_->hide();
   for (FigurePlot* plot : {row_cut_, column_cut_}) plot->set_figure({});
 }
 
@@ -380,8 +397,7 @@ void ImageViewer::show_info() {
                                   : info.value == raster::ImageValue::magnitude ? "magnitudes"
                                   : info.value == raster::ImageValue::power     ? "powers"
                                                                                 : "colours";
-  const bool envi = info.format->by_hand && raster::has_envi_header(path_);
-  QString how = (envi ? QStringLiteral("ENVI") : text_of(info.format->title)) + ", " + text_of(values);
+  QString how = (envi_ ? QStringLiteral("ENVI") : text_of(info.format->title)) + ", " + text_of(values);
   if (info.bits > 0) how += tr(", %1 bits").arg(info.bits);
   info_->setText(text_of(path_.filename()) + "\n" + how + "\n" +
                  tr("%1 rows of %2 samples").arg(rows_).arg(source_->columns()));

@@ -34,6 +34,7 @@ class FigurePlot;
 class ImageControls;
 class ImageThumbnail;
 class ProblemLine;
+class ReservedLabel;
 
 /// Looks into a file of samples of any size: only what is seen is read. What is wrong with the file is told in the
 /// window, which stays.
@@ -47,6 +48,10 @@ class ImageViewer : public QWidget {
   /// Opens a file in the background; `opened` or `open_failed` follows.
   void open(const std::filesystem::path& path, const raster::RasterHints& hints = {});
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+  /// What the title calls the image instead of its file; empty: the file.
+  void set_name(const QString& name);
+  /// Whether the user wants to keep this image: a newer one of its kind goes to another viewer.
+  [[nodiscard]] bool kept() const;
   [[nodiscard]] const raster::RasterHints& hints() const { return hints_; }
   [[nodiscard]] const std::shared_ptr<raster::Raster>& source() const { return source_; }
   [[nodiscard]] ImagePlot& plot() { return *plot_; }
@@ -113,6 +118,7 @@ class ImageViewer : public QWidget {
   void connect_all();
   void take_source(raster::OpenedRaster& result);
   void take_places();
+  void show_title();
   void forget_readings();
   void begin_overview();
   void look_at_file();
@@ -137,6 +143,9 @@ class ImageViewer : public QWidget {
   [[nodiscard]] QString words_at(SamplePlace place) const;
 
   std::filesystem::path path_;
+  QString name_;
+  QString algorithm_;
+  bool envi_ = false;
   raster::RasterHints hints_;
   std::shared_ptr<raster::Raster> source_;
   core::Problems open_problems_;
@@ -166,16 +175,17 @@ class ImageViewer : public QWidget {
   FigurePlot* histogram_ = nullptr;
   ProblemLine* problems_ = nullptr;
   QLabel* info_ = nullptr;
-  QLabel* read_out_ = nullptr;
-  QLabel* difference_ = nullptr;
-  QLabel* figures_ = nullptr;
-  QLabel* point_ = nullptr;
+  ReservedLabel* read_out_ = nullptr;
+  ReservedLabel* difference_ = nullptr;
+  ReservedLabel* figures_ = nullptr;
+  ReservedLabel* point_ = nullptr;
   QLabel* state_ = nullptr;
   QToolButton* back_ = nullptr;
   QToolButton* forward_ = nullptr;
   QToolButton* show_cuts_ = nullptr;
   QToolButton* show_statistics_ = nullptr;
   QToolButton* reading_tool_ = nullptr;
+  QToolButton* keep_ = nullptr;
   QCheckBox* follow_file_ = nullptr;
   QPushButton* export_ = nullptr;
   QPushButton* describe_ = nullptr;

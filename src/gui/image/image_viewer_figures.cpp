@@ -14,6 +14,7 @@
 #include "gui/common/export_question.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "raster/format/image_export.hpp"
@@ -87,7 +88,8 @@ QString ImageViewer::value_unit() const {
   if (!source_) return {};
   const raster::RasterInfo& info = source_->info();
   // A file that is described by hand does not say what its numbers are.
-  const bool volts = info.value == raster::ImageValue::complex && !info.counts && !info.format->by_hand;
+  const bool volts =
+      info.value == raster::ImageValue::complex && !info.counts && (!info.format->by_hand || !algorithm_.isEmpty());
   return volts ? QStringLiteral("V") : QString();
 }
 
@@ -146,9 +148,11 @@ void ImageViewer::show_read_out() {
   const auto pointer = plot_->pointer_place();
   const auto& first = plot_->cursor(0);
   const auto& second = plot_->cursor(1);
-  read_out_->setText(pointer ? words_at(*pointer) : first ? words_at(*first) : QString());
-  difference_->setVisible(first && second);
-  if (!first || !second) return;
+  read_out_->say(pointer ? words_at(*pointer) : first ? words_at(*first) : QString());
+  if (!first || !second) {
+    difference_->say({});
+    return;
+  }
   QString words =
       tr("From 1 to 2:   %1 samples   %2 rows").arg(second->column - first->column).arg(second->row - first->row);
   const auto& part = plot_->part();
@@ -159,7 +163,7 @@ void ImageViewer::show_read_out() {
                       shown_value(part->value, picture::DisplayQuantity::decibels, part->samples[*a], 1.0);
     words += tr("   Level %1 dB").arg(db, 0, 'f', 2);
   }
-  difference_->setText(words);
+  difference_->say(words);
 }
 
 void ImageViewer::show_cuts() {
@@ -234,16 +238,15 @@ void ImageViewer::measure() {
   if (window.samples() == 0) return;
   auto result = std::make_shared<picture::SelectionStatistics>();
   disconnect(&measuring_, nullptr, this, nullptr);
-  connect(&measuring_, &BackgroundJob::progressed, this, [this](double share, double) {
-    figures_->setText(tr("Measuring: %1 %").arg(static_cast<int>(100 * share)));
-  });
+  connect(&measuring_, &BackgroundJob::progressed, this,
+          [this](double share, double) { figures_->say(tr("Measuring: %1 %").arg(static_cast<int>(100 * share))); });
   connect(&measuring_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
     if (std::exchange(measure_again_, false)) return measure();
     if (of != source_) return;  // Another file is shown by now.
     statistics_.reset();
     if (end == JobEnd::done) statistics_ = *result;
     show_statistics();
-    if (end == JobEnd::failed) figures_->setText(failure);
+    if (end == JobEnd::failed) figures_->say(failure);
   });
   measuring_.start([result, window, plane = raster::first_rows(source_, rows_)](const core::StopFlag& stop,
                                                                                 const BackgroundJob::Report& report) {
@@ -284,7 +287,7 @@ void ImageViewer::show_statistics() {
   }
   if (statistics_->zeros > 0) words << tr("%1 zero").arg(statistics_->zeros);
   if (statistics_->not_finite > 0) words << tr("%1 no number").arg(statistics_->not_finite);
-  figures_->setText(words.join("   "));
+  figures_->say(words.join("   "));
   picture::FigurePanel panel;
   picture::FigureCurve curve = bars_of(of);
   for (double& x : curve.x) x *= scale;
@@ -331,7 +334,7 @@ void ImageViewer::read_point_at(std::size_t row, std::size_t column) {
 void ImageViewer::show_reading(const QString& words) {
   point_->show();
   if (!reading_) {
-    point_->setText(words);
+    point_->say(words);
     return;
   }
   const picture::PointReading& r = *reading_;
@@ -351,7 +354,7 @@ void ImageViewer::show_reading(const QString& words) {
   if (std::max(r.along_row.pslr_db, r.along_column.pslr_db) > 0.0)
     text +=
         "\n" + tr("A stronger response lies beside this one, which may be its sidelobe: click on the stronger one.");
-  point_->setText(text);
+  point_->say(text);
 }
 
 picture::Figure ImageViewer::figure() const {

@@ -12,6 +12,7 @@
 
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/reserved_label.hpp"
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
 #include "gui/image/image_viewer.hpp"
@@ -141,7 +142,9 @@ QWidget* ImageViewer::make_tool_row() {
                               tr("Figures and histogram of the selection (Shift and drag), or of what is seen"));
   reading_tool_ = add_tool(layout, tr("Read Point"), "image_reading_tool",
                            tr("Then click on a point target: resolution and sidelobes of its response"));
-  for (QToolButton* button : {show_cuts_, show_statistics_, reading_tool_}) button->setCheckable(true);
+  keep_ = add_tool(layout, tr("Keep"), "image_keep",
+                   tr("Keep this image when a newer one of its kind is made, which then has a viewer of its own"));
+  for (QToolButton* button : {show_cuts_, show_statistics_, reading_tool_, keep_}) button->setCheckable(true);
   layout->addStretch(1);
   state_ = label(row, "image_state");
   state_->setWordWrap(false);
@@ -153,13 +156,17 @@ QWidget* ImageViewer::make_foot() {
   auto* const foot = new QWidget(this);
   auto* const layout = new QVBoxLayout(foot);
   layout->setContentsMargins(0, 0, 0, 0);
-  read_out_ = label(foot, "image_read_out");
-  read_out_->setMinimumHeight(fontMetrics().height());
-  difference_ = label(foot, "image_difference");
-  figures_ = label(foot, "image_statistics");
-  point_ = label(foot, "image_reading");
-  for (QLabel* line : {read_out_, difference_, figures_, point_}) layout->addWidget(line);
-  for (QLabel* line : {difference_, figures_, point_}) line->hide();
+  const auto reserved = [&](const char* name, int lines) {
+    auto* const made = new ReservedLabel(lines, foot);
+    made->setObjectName(name);
+    layout->addWidget(made);
+    return made;
+  };
+  read_out_ = reserved("image_read_out", 2);
+  difference_ = reserved("image_difference", 1);
+  figures_ = reserved("image_statistics", 2);
+  point_ = reserved("image_reading", 4);
+  for (QLabel* line : {figures_, point_}) line->hide();
   auto* const row = new QHBoxLayout;
   row->addStretch(1);
   connect(add_button(row, tr("Copy Picture"), "image_copy_picture", tr("The picture to the clipboard")),
@@ -192,6 +199,7 @@ void ImageViewer::connect_all() {
     measure_soon();
   });
   connect(reading_tool_, &QToolButton::toggled, plot_, &ImagePlot::set_reading_tool);
+  connect(reading_tool_, &QToolButton::toggled, this, [this](bool on) { point_->setVisible(on || reading_); });
   connect(describe_, &QPushButton::clicked, this, &ImageViewer::describe_wanted);
   connect(export_, &QPushButton::clicked, this, &ImageViewer::export_chosen);
   connect(controls_, &ImageControls::edited, this, &ImageViewer::set_look);

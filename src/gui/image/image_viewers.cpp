@@ -50,10 +50,16 @@ ImageViewer* ImageViewers::open_empty() {
 }
 
 ImageViewer* ImageViewers::open_file(const std::filesystem::path& path) {
+  ImageViewer* const viewer = open_empty();
+  show_file(*viewer, path);
+  return viewer;
+}
+
+void ImageViewers::show_file(ImageViewer& viewer, const std::filesystem::path& path) {
   raster::RasterHints hints;
   if (const auto known = raster::hints_from_scene(session_.scene(), path)) hints = *known;
   hints.raw = raster::envi_layout(path);
-  return open_file(path, hints);
+  viewer.open(path, hints);
 }
 
 ImageViewer* ImageViewers::open_file(const std::filesystem::path& path, const raster::RasterHints& hints) {

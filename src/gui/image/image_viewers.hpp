@@ -29,6 +29,8 @@ class ImageViewers : public QObject {
 
   /// A viewer of a file; shape and bits of Sarsim's own formats come from the scene where it writes such a file.
   ImageViewer* open_file(const std::filesystem::path& path);
+  /// Shows such a file in a viewer that is there.
+  void show_file(ImageViewer& viewer, const std::filesystem::path& path);
   /// A viewer of a file that is stored so.
   ImageViewer* open_file(const std::filesystem::path& path, const raster::RasterHints& hints);
   /// A viewer without a file.

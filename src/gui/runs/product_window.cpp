@@ -25,12 +25,15 @@
 #include "core/text/shell_word.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/reserved_label.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/runs/product_kind.hpp"
 #include "gui/runs/report_view.hpp"
 #include "scene/edit/document_data.hpp"
 #include "scene/language/format_mark.hpp"
+#include "scene/model/scene_index.hpp"
+#include "scene/schema/quantity.hpp"
 #include "workflow/options/option_words.hpp"
 
 namespace sarsim::gui {
@@ -60,14 +63,6 @@ void add_unless_given(QStringList& words, const QString& option, const QString& 
   const bool given = std::ranges::any_of(
       behind, [&](const QString& other) { return other == option || other.startsWith(option + '='); });
   if (!given) words << option << word;
-}
-
-QLabel* wrapped_label(QWidget* parent, const char* name) {
-  auto* const label = new QLabel(parent);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setTextFormat(Qt::PlainText);
-  return label;
 }
 
 }  // namespace
@@ -125,7 +120,8 @@ void ProductWindow::make_controls(QFormLayout* form) {
 
 void ProductWindow::make_foot() {
   auto* const foot = new QHBoxLayout;
-  state_ = wrapped_label(this, "products_state");
+  state_ = new ReservedLabel(2, this);
+  state_->setObjectName("products_state");
   bar_ = named(new QProgressBar(this), "products_progress", tr("Progress"), {});
   bar_->setRange(0, product_bar_steps);
   bar_->hide();
@@ -148,11 +144,12 @@ void ProductWindow::connect_all() {
   connect(stop_, &QPushButton::clicked, this, &ProductWindow::stop);
   connect(&job_, &ProductJob::progressed, this, &ProductWindow::show_progress);
   connect(&job_, &ProductJob::announced, this, [this](const QString& line) {
-    if (!stopped_) state_->setText(within_folder(line));
+    if (!stopped_) state_->say(within_folder(line));
   });
   connect(&job_, &ProductJob::ended, this, &ProductWindow::take_end);
   connect(&session_, &Session::scene_changed, this, &ProductWindow::show_simulations);
   connect(&session_, &Session::document_changed, this, &ProductWindow::show_command);
+  connect(&session_, &Session::document_replaced, this, &ProductWindow::forget_result);
 }
 
 // The simulations of the scene, by number and radar; the chosen number stays.
@@ -205,7 +202,7 @@ void ProductWindow::show_command() {
   command_->setText(command());
   command_->setCursorPosition(0);
   make_->setEnabled(!busy() && simulation_->count() > 0);
-  if (!busy()) state_->setText(simulation_->count() > 0 ? QString() : tr("The scene has no stored simulation yet"));
+  if (!busy()) state_->say(simulation_->count() > 0 ? QString() : tr("The scene has no stored simulation yet"));
 }
 
 // Throws core::Refused where an option is typed that there is not, or whose word it does not take.
@@ -240,7 +237,7 @@ void ProductWindow::make() {
   remarks_->clear();
   report_->clear();
   stopped_ = false;
-  title_ = product_->currentText();
+  title_ = name_of_image();
   folder_ = std::make_shared<QTemporaryDir>();
   try {
     const workflow::GivenWords given = given_words();
@@ -256,13 +253,13 @@ void ProductWindow::make() {
   stop_->setEnabled(true);
   bar_->setValue(0);
   bar_->show();
-  state_->setText(tr("Working…"));
+  state_->say(tr("Working…"));
 }
 
 void ProductWindow::stop() {
   if (!busy()) return;
   stopped_ = true;
-  state_->setText(tr("Stopping…"));
+  state_->say(tr("Stopping…"));
   job_.stop();
 }
 
@@ -294,7 +291,7 @@ void ProductWindow::show_progress(const QString& stage, double fraction, double 
   bar_->setValue(static_cast<int>(fraction * product_bar_steps));
   const QString name = within_folder(stage);
   const QString left = QString::fromStdString(core::duration_text(std::max(seconds_left, 0.0)));
-  state_->setText(seconds_left < 0.0 ? name : tr("%1, about %2 left").arg(name, left));
+  state_->say(seconds_left < 0.0 ? name : tr("%1, about %2 left").arg(name, left));
 }
 
 void ProductWindow::take_end(JobEnd end, const QString& failure) {
@@ -319,14 +316,49 @@ void ProductWindow::show_result() {
            true);
 }
 
-// The files go when the last viewer does.
+// "sar_r, Radar1, PRF 620 Hz": what tells two images of one kind apart.
+QString ProductWindow::name_of_image() const {
+  const std::filesystem::path path = session_.document().path();
+  QStringList parts{path.empty() ? tr("New scene") : QString::fromStdString(path.stem().string())};
+  const scene::Scene& scene = session_.scene();
+  const auto number = static_cast<std::size_t>(std::max(0, simulation_->currentIndex()));
+  if (number >= scene.simulations.size()) return parts.first();
+  const std::size_t radar = scene::find_radar(scene, scene.simulations[number].radar);
+  if (radar == scene::not_found) return parts.first();
+  parts << QString::fromStdString(scene.radars[radar].name)
+        << tr("PRF %1").arg(
+               QString::fromStdString(scene::quantity_text(scene.radars[radar].prf_hz, scene::Quantity::frequency)));
+  return parts.join(", ");
+}
+
+// The viewer that shows the image before of the same kind, unless the user keeps that; otherwise a new one.
+ImageViewer* ProductWindow::viewer_for(std::size_t number) {
+  QPointer<ImageViewer>& shown = shown_[{kind().command, number}];
+  if (shown.isNull() || shown->kept()) shown = viewers_.open_empty();
+  return shown;
+}
+
+// The files go when the last viewer of them does, or shows others.
 void ProductWindow::open_images(const std::vector<std::filesystem::path>& images) {
   const std::size_t count = std::min(images.size(), most_viewers);
   for (std::size_t i = 0; i < count; ++i) {
-    ImageViewer* const viewer = viewers_.open_file(images[i]);
-    viewer->setWindowTitle(images.size() > 1 ? tr("%1, %2 of %3").arg(title_).arg(i + 1).arg(images.size()) : title_);
-    connect(viewer, &QObject::destroyed, [folder = folder_] {});
+    ImageViewer* const viewer = viewer_for(i);
+    viewer->set_name(images.size() > 1 ? tr("%1, %2 of %3").arg(title_).arg(i + 1).arg(images.size()) : title_);
+    viewers_.show_file(*viewer, images[i]);
+    disconnect(viewer, &QObject::destroyed, this, nullptr);
+    files_of_[viewer] = folder_;
+    connect(viewer, &QObject::destroyed, this, [this, viewer] { files_of_.erase(viewer); });
   }
+}
+
+// What was said of another scene.
+void ProductWindow::forget_result() {
+  if (busy()) return;
+  problems_->clear();
+  remarks_->clear();
+  report_->clear();
+  shown_.clear();
+  show_command();
 }
 
 void ProductWindow::fail(const QStringList& words) {
@@ -339,7 +371,7 @@ void ProductWindow::end_with(const QString& state, bool made) {
   bar_->hide();
   stop_->setEnabled(false);
   make_->setEnabled(simulation_->count() > 0);
-  state_->setText(state);
+  state_->say(state);
   emit ended(made);
 }
 

@@ -1,8 +1,12 @@
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 
+#include <map>
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "gui/common/session.hpp"
 #include "gui/runs/product_job.hpp"
@@ -18,9 +22,11 @@ class QTemporaryDir;
 
 namespace sarsim::gui {
 
+class ImageViewer;
 class ImageViewers;
 class ProblemLine;
 class ReportView;
+class ReservedLabel;
 struct ProductKind;
 
 /// Makes images and profiles from the echoes of the scene (focused image, range profiles, turning target, range-Doppler
@@ -66,6 +72,9 @@ class ProductWindow : public QWidget {
   void take_end(JobEnd end, const QString& failure);
   void show_result();
   void open_images(const std::vector<std::filesystem::path>& images);
+  [[nodiscard]] ImageViewer* viewer_for(std::size_t number);
+  [[nodiscard]] QString name_of_image() const;
+  void forget_result();
   void fail(const QStringList& words);
   void end_with(const QString& state, bool made);
 
@@ -74,7 +83,10 @@ class ProductWindow : public QWidget {
   std::shared_ptr<QTemporaryDir> folder_;  // of the scene and its product, as long as a viewer looks at it
   QString script_;                         // the scene's file in it
   QString title_;                          // of what is made
-  bool lines_are_known_ = false;           // its lines are those of the script that is edited
+  // The viewers of the newest images, by command and number, and the folders of what viewers look at.
+  std::map<std::pair<std::string, std::size_t>, QPointer<ImageViewer>> shown_;
+  std::map<const QObject*, std::shared_ptr<QTemporaryDir>> files_of_;
+  bool lines_are_known_ = false;  // its lines are those of the script that is edited
   bool stopped_ = false;
   QComboBox* product_ = nullptr;
   QComboBox* simulation_ = nullptr;
@@ -83,7 +95,7 @@ class ProductWindow : public QWidget {
   QComboBox* weighting_ = nullptr;
   QLineEdit* more_ = nullptr;
   QLineEdit* command_ = nullptr;
-  QLabel* state_ = nullptr;
+  ReservedLabel* state_ = nullptr;
   QProgressBar* bar_ = nullptr;
   ReportView* report_ = nullptr;
   ProblemLine* problems_ = nullptr;

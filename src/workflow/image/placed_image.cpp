@@ -131,6 +131,11 @@ std::optional<raster::FocusedPlaces> drawn_places(const raster::RasterAxes& axes
   return places;
 }
 
+std::string algorithm_said(const fs::path& path) {
+  const auto header = focused_header(path.string());
+  return header ? header->field("algorithm").value_or("") : "";
+}
+
 std::optional<raster::FocusedPlaces> drawn_places(const fs::path& path, const raster::Raster& source) {
   if (const auto header = focused_header(path.string()))
     return places_of(*header, raster::envi_header_of(path.string()).string());

@@ -49,6 +49,10 @@ struct PlacedImage {
 /// The same of times and ranges alone.
 [[nodiscard]] std::optional<raster::FocusedPlaces> drawn_places(const raster::RasterAxes& axes);
 
+/// The algorithm that the header beside an image names; empty where none does.
+/// @throws core::Refused where the header is faulty
+[[nodiscard]] std::string algorithm_said(const std::filesystem::path& path);
+
 /// Opens a file with the places of its samples: those of the header beside an image, otherwise those that the file
 /// carries, otherwise those of its script. Waits until all its rows are known.
 /// @param observer  hears warnings about the file
