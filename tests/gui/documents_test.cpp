@@ -276,8 +276,13 @@ class DocumentsTest : public QObject {
     QVERIFY(window.session().document().path().empty());
     QCOMPARE(window.session().document().text(), text_in(path.toStdString()));
     QVERIFY(!window.isWindowModified());
+    // Finding B15.
+    QVERIFY2(window.windowTitle().contains("thesis_chapter3.scr (copy of the example)"),
+             qPrintable(window.windowTitle()));
     window.documents().ask_save_name = [] { return QString(); };
     QVERIFY(!window.documents().save());
+    QVERIFY(window.documents().make_new());
+    QVERIFY2(window.windowTitle().contains("New scene"), qPrintable(window.windowTitle()));
   }
 
   void examples_are_offered_in_format_2_and_below_in_the_language_of_1998() {

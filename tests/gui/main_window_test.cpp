@@ -1,5 +1,8 @@
 #include <QAction>
+#include <QApplication>
+#include <QLabel>
 #include <QLineEdit>
+#include <QStatusTipEvent>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -7,6 +10,8 @@
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/gui_test.hpp"
+#include "gui/image/image_viewer.hpp"
+#include "gui/image/image_viewers.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "scene/script/reader.hpp"
@@ -121,6 +126,39 @@ class MainWindowTest : public QObject {
     auto* made = qobject_cast<gui::SimulationWindow*>(window.window_named("simulation"));
     QVERIFY(made != nullptr);
     QVERIFY(made->simulation().time_start_s != stored.time_start_s);
+  }
+
+  // Findings B9 and B19.
+  void the_status_bar_counts_what_there_is_and_keeps_its_words_when_a_menu_was_open() {
+    gui::MainWindow window;
+    window.show();
+    const auto* state = window.findChild<QLabel*>("scene_state");
+    QVERIFY(window.documents().open_file(QStringLiteral(SARSIM_SOURCE_DIR "/examples/surface.scr")));
+    QVERIFY2(state->text().contains("6 surfaces") && !state->text().contains("0 targets"), qPrintable(state->text()));
+    QStatusTipEvent tip("What the menu says");
+    QApplication::sendEvent(&window, &tip);
+    QVERIFY(!state->isVisible());
+    QStatusTipEvent gone((QString()));
+    QApplication::sendEvent(&window, &gone);
+    QVERIFY(state->isVisible() && state->text().contains("6 surfaces"));
+  }
+
+  // Finding B10.
+  void keys_of_the_main_window_work_in_simulation_windows_and_viewers() {
+    gui::MainWindow window;
+    window.show();
+    QVERIFY(window.documents().open_file(example()));
+    auto* echoes = qobject_cast<gui::SimulationWindow*>(window.window_named("simulation"));
+    QVERIFY(echoes != nullptr);
+    echoes->show();
+    QWidget* viewer = window.image_viewers().open_empty();
+    for (QWidget* other : {static_cast<QWidget*>(echoes), viewer}) {
+      trigger(window, "new_target");
+      other->activateWindow();
+      QVERIFY(QTest::qWaitForWindowActive(other->window()));
+      QTest::keyClick(other, Qt::Key_Z, Qt::ControlModifier);
+      QCOMPARE(window.session().scene().targets.size(), std::size_t{24});
+    }
   }
 
   void every_window_can_be_made_into_a_picture() {

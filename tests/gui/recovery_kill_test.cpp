@@ -151,12 +151,15 @@ class Answers {
       if (box == nullptr || !box->isVisible()) return;
       const auto answer = questions.size() < answers_.size() ? answers_[questions.size()] : QMessageBox::Cancel;
       questions.push_back(box->windowTitle() + ": " + box->text());
+      buttons.clear();
+      for (const QAbstractButton* button : box->buttons()) buttons << button->text().remove('&');
       box->button(answer)->click();
     });
     timer_.start(20);
   }
 
   std::vector<QString> questions;
+  QStringList buttons;
 
  private:
   std::vector<QMessageBox::StandardButton> answers_;
@@ -201,6 +204,9 @@ class RecoveryKillTest : public QObject {
     QCOMPARE(answers.questions.size(), std::size_t{1});
     QVERIFY2(answers.questions[0].startsWith("Recovery: ") && answers.questions[0].contains(file("a.scr")),
              qPrintable(answers.questions[0]));
+    // Finding B20: each button says what becomes of the copy.
+    for (const char* words : {"Take Them Up", "Delete the Copy", "Keep It for Later"})
+      QVERIFY2(answers.buttons.contains(words), words);
     QCOMPARE(window.session().scene().targets.at(0).position_m.x, 1234.5);
     QVERIFY(window.session().document().text().find("! precious comment\n") == 0);
     QVERIFY(window.isWindowModified());

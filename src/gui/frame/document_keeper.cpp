@@ -49,6 +49,7 @@ DocumentKeeper::DocumentKeeper(Session& session, QWidget* window)
   };
   connect(&session_, &Session::scene_changed, this, keep);
   connect(&session_, &Session::document_changed, this, keep);
+  connect(&session_, &Session::document_replaced, this, [this] { example_.clear(); });
   look_.setInterval(look_every_ms);
   connect(&look_, &QTimer::timeout, this, &DocumentKeeper::look_at_disk);
   look_.start();
@@ -90,8 +91,16 @@ bool DocumentKeeper::open_example(const QString& path) {
   // What stands in files beside the example is not found from a copy.
   if (example.path().empty() || core::has_errors(copy.problems())) return open_file(path);
   session_.take(std::move(copy));
+  example_ = QFileInfo(path).fileName();
+  emit session_.document_changed();
   session_.log(core::Severity::note, tr("Opened a copy of the example %1").arg(QFileInfo(path).fileName()));
   return true;
+}
+
+QString DocumentKeeper::shown_name() const {
+  const std::filesystem::path& path = session_.document().path();
+  if (!path.empty()) return text_of(path);
+  return example_.isEmpty() ? tr("New scene") : tr("%1 (copy of the example)").arg(example_);
 }
 
 bool DocumentKeeper::save() {

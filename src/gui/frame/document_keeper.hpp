@@ -71,6 +71,8 @@ class DocumentKeeper : public QObject {
   void look_at_disk();
   /// Paths, the newest first, at most ten that still exist.
   [[nodiscard]] QStringList recent() const;
+  /// What the document is called: its file, the example that it is a copy of, or "New scene".
+  [[nodiscard]] QString shown_name() const;
   /// Where the examples are, or an empty path.
   [[nodiscard]] static std::filesystem::path examples_folder();
   /// Offers copies that a crash left behind; takes the first that the user wants.
@@ -91,6 +93,7 @@ class DocumentKeeper : public QObject {
   Session& session_;
   QWidget* window_;
   scene::Recovery recovery_;
+  QString example_;  // that the document is a copy of
   QTimer keep_soon_;
   QTimer look_;
   bool asking_ = false;

@@ -68,10 +68,17 @@ void DocumentKeeper::make_questions() {
   };
   ask_recovery = [this](const std::filesystem::path& document) {
     const QString name = document.empty() ? tr("a scene that was never saved") : text_of(document);
-    const auto button = QMessageBox::question(
-        window_, tr("Recovery"),
-        tr("The program ended before the changes to %1 were saved. Take them up again?").arg(name),
-        QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, QMessageBox::Yes);
+    QMessageBox box(QMessageBox::Question, tr("Recovery"),
+                    tr("The program ended before the changes to %1 were saved. Take them up again?").arg(name),
+                    QMessageBox::Yes | QMessageBox::No | QMessageBox::Cancel, window_);
+    box.setInformativeText(
+        tr("A copy of the scene with these changes was kept. It is opened as it was, with the changes "
+           "unsaved; or deleted, and the changes with it; or kept, and asked about at the next start."));
+    box.button(QMessageBox::Yes)->setText(tr("&Take Them Up"));
+    box.button(QMessageBox::No)->setText(tr("&Delete the Copy"));
+    box.button(QMessageBox::Cancel)->setText(tr("&Keep It for Later"));
+    box.setDefaultButton(QMessageBox::Yes);
+    const int button = box.exec();
     return button == QMessageBox::Yes ? Answer::save : button == QMessageBox::No ? Answer::discard : Answer::cancel;
   };
 }

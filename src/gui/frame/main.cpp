@@ -117,10 +117,10 @@ int run(QApplication& application, const Options& options) {
   // Nobody would close a dialog.
   if (picture)
     window.documents().show_failure = [](const QString& what, const QString& why) { complain(what + " " + why); };
+  if (!picture) window.show();  // before a viewer of samples, which belongs in front
   if (!shown.isEmpty() && !window.open_any(shown) && picture) return EXIT_FAILURE;
   window.session().set_time(options.time_s);
   if (picture) return take_screenshot(window, options);
-  window.show();
   window.documents().offer_recovery();
   return QApplication::exec();
 }

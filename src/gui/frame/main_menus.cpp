@@ -59,6 +59,7 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& text, const char* na
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setShortcut(keys);
+  action->setShortcutContext(Qt::ApplicationShortcut);  // also where a simulation window or viewer has the keyboard
   action->setProperty("menu", menu->title().remove('&'));
   if (!tip.isEmpty()) action->setToolTip(tip), action->setStatusTip(tip);
   connect(action, &QAction::triggered, this, work);

@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -163,28 +164,35 @@ void MainWindow::fill_recent() {
 }
 
 void MainWindow::show_title() {
-  const auto& path = session_.document().path();
-  setWindowTitle(QString("%1[*] - Sarsim").arg(path.empty() ? tr("New scene") : QString::fromStdString(path.string())));
+  setWindowTitle(QString("%1[*] - Sarsim").arg(documents_->shown_name()));
   setWindowModified(documents_->unsaved());
 }
 
+// "3 radars   6 surfaces", of what there is.
 void MainWindow::show_state() {
   const scene::Scene& scene = session_.scene();
-  const std::size_t targets = scene.targets.size();
-  const std::size_t radars = scene.radars.size();
-  const std::size_t points = workflow::cloud_points(scene);
-  const QString of_clouds = points == 0 ? QString() : "   " + tr("%L1 points of clouds").arg(points);
-  QString text = (targets == 1 ? tr("1 target") : tr("%1 targets").arg(targets)) + of_clouds + "   " +
-                 (radars == 1 ? tr("1 radar") : tr("%1 radars").arg(radars));
+  QStringList words;
+  const auto count = [&](std::size_t number, const QString& one, const QString& many) {
+    if (number > 0) words << (number == 1 ? one : many.arg(static_cast<qulonglong>(number)));
+  };
+  count(scene.targets.size(), tr("1 target"), tr("%L1 targets"));
+  count(workflow::cloud_points(scene), tr("1 point of clouds"), tr("%L1 points of clouds"));
+  count(scene.surfaces.size(), tr("1 surface"), tr("%L1 surfaces"));
+  count(scene.radars.size(), tr("1 radar"), tr("%L1 radars"));
+  QString text = words.isEmpty() ? tr("Nothing in the scene yet") : words.join("   ");
   if (session_.current()) {
     text += "   " + QString::fromStdString(scene::label_of(scene, *session_.current()));
     if (session_.selection().size() > 1) text += tr(" and %1 more").arg(session_.selection().size() - 1);
   }
-  statusBar()->showMessage(text);
+  state_->setText(text);
 }
 
 // How much is wrong, at a glance; a click shows what, in the panel that lists it.
 void MainWindow::make_badge() {
+  // A widget of its own: what menus and tips say comes above it and goes again.
+  state_ = new QLabel(this);
+  state_->setObjectName("scene_state");
+  statusBar()->addWidget(state_, 1);
   auto* badge = new ProblemBadge(this);
   statusBar()->addPermanentWidget(badge);
   connect(problems_, &ProblemWatch::changed, this, [this, badge] {

@@ -12,6 +12,7 @@
 #include "picture/scene/drawing.hpp"
 
 class QDockWidget;
+class QLabel;
 class QMenu;
 
 namespace sarsim::gui {
@@ -132,6 +133,7 @@ class MainWindow : public QMainWindow {
   QWidget* targets_ = nullptr;
   ProductWindow* products_ = nullptr;
   QMenu* recent_ = nullptr;
+  QLabel* state_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
   QByteArray first_layout_;
   bool sized_ = false;

@@ -46,6 +46,8 @@ ImageViewer* ImageViewers::open_empty() {
   connect(viewer, &ImageViewer::describe_wanted, this,
           [this, viewer] { ask(QString::fromStdString(viewer->path().string()), viewer->hints(), viewer); });
   viewer->show();
+  viewer->raise();
+  viewer->activateWindow();
   return viewer;
 }
 
