@@ -131,8 +131,9 @@ class Focuser {
           if (frame_.unfolds) unfold(bin, column);
         },
         frame_.pulses);
-    focus_all_rows();
-    focus_all_columns();
+    const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
+    focus_all_rows(*focuser);
+    focus_all_columns(*focuser);
     return result();
   }
 
@@ -174,13 +175,12 @@ class Focuser {
     }
   }
 
-  void focus_all_rows() {
-    const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
+  void focus_all_rows(const RowFocuser& focuser) {
     const std::vector<DopplerRow> rows = doppler_rows(frame_);
     core::WorkerPool<RowRoom> rooms([&] { return std::make_unique<RowRoom>(frame_); });
     const auto focus_row = [&](std::size_t k, std::span<std::complex<float>> row) {
       if (rows[k].weight != 0.0F)
-        rooms.lend([&](RowRoom& room) { focuser->focus(frame_.doppler_hz(k), row, room); });
+        rooms.lend([&](RowRoom& room) { focuser.focus(frame_.doppler_hz(k), row, room); });
       else
         std::ranges::fill(row, std::complex<float>());
     };
@@ -240,8 +240,7 @@ class Focuser {
                   .scale = static_cast<float>(size)});
   }
 
-  void focus_all_columns() {
-    const std::unique_ptr<RowFocuser> focuser = make_row_focuser(frame_);
+  void focus_all_columns(const RowFocuser& focuser) {
     const std::vector<DopplerRow> rows = doppler_rows(frame_);
     const ColumnTables tables = column_tables(rows);
     const double scale = amplitude_scale(frame_, pulse_weights(frame_), rows);
@@ -257,7 +256,7 @@ class Focuser {
       }
       const double spread = std::sqrt(range_m);
       rooms.lend([&](std::vector<float>& turns) {
-        focus_column(*focuser, tables, range_m, flown, band ? scale / spread : scale * spread, column, turns);
+        focus_column(focuser, tables, range_m, flown, band ? scale / spread : scale * spread, column, turns);
       });
       image_fft_.inverse(column);
     };

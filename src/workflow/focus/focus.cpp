@@ -110,15 +110,6 @@ std::string name_of(const FocusRequest& request) {
   return request.output.empty() ? request.input.path : request.output.string();
 }
 
-// Echoes that can be focused, and how.
-struct FocusWork {
-  FocusInput input;
-  signal::FocusOptions options;
-  core::Problems problems;  // of the echoes, for these options
-  MotionOrder motion = MotionOrder::none;
-  double strays_m = 0.0;  // from the straight line, before compensation
-};
-
 // Samples of the image times pulses beyond which back projection is proposed, not chosen: some ten minutes of a core.
 constexpr double most_projections = 2e11;
 
@@ -157,7 +148,7 @@ void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkCo
 
 // @param[in,out] request  its algorithm becomes the one that will be used
 FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkControl& control) {
-  FocusWork work{.input = std::move(input), .options = options_of(request), .problems = {}};
+  FocusWork work{.request = {}, .input = std::move(input), .options = options_of(request), .problems = {}};
   if (request.algorithm == FocusAlgorithm::automatic && !work.input.echoes.carriers_hz.empty())
     request.algorithm = FocusAlgorithm::back_projection;
   work.options.doppler_centroid_hz = first_centroid_hz(request, work.input, control);
@@ -303,41 +294,53 @@ std::vector<TargetTheory> theory_of_focus(const FocusRequest& asked, const core:
   return theory_of_targets(*work.input.plan, echoes, work.options, in_time(request), control);
 }
 
-FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
-  const double begin_s = core::now_s();
-  if (is_phase_history(asked.input.path)) return focus_phase_history(asked, observer);
-  if (!asked.channel.empty() || asked.sign)
-    throw core::Refused("--channel and --sign are for phase histories (CPHD)", "leave them out");
+FocusWork begin_focus(FocusInput input, const FocusRequest& asked, const core::WorkControl& control) {
   expect_sense(asked);
   FocusRequest request = asked;
-  const core::WorkControl control = observer.control(core::thread_count(request.threads));
-  FocusInput input = open_focus_input(request.input, control, request.navigation);
-  const auto place = wanted_place(request, input);
+  auto place = wanted_place(request, input);
   FocusWork work = work_on(std::move(input), request, control);
+  work.request = std::move(request);
+  work.place = std::move(place);
+  return work;
+}
+
+core::Problems remarks_on_image(FocusWork begun, FocusWork ended, const signal::FocusedImage& image,
+                                const core::WorkControl& control) {
+  remark_on_movers(begun, image, control);
+  ended.input.problems = std::move(begun.input.problems);
+  return problems_of_work(ended, ended.request, control);
+}
+
+FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRemarks remarks) {
+  const double begin_s = core::now_s();
+  const FocusRequest& request = work.request;
+  const std::optional<EarthPlace>& place = work.place;
+  const core::WorkControl control = observer.control(core::thread_count(request.threads));
   const FocusInput recorded = place ? work.input : FocusInput{};  // Before its motion is compensated.
   const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
   std::vector<SarTarget> targets;
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
   if (request.autofocus || in_time(request)) look_at_targets();
   const signal::FocusedImage axes = image_axes(work, request, targets);
-  remark_on_movers(work, axes, control);
+  if (remarks == FocusRemarks::first) remark_on_movers(work, axes, control);
   if (request.autofocus) expect_autofocus(axes, work.input.echoes, targets, choice, work.options);
   if (work.motion != MotionOrder::none) {
     compensate_work(work, request, control, observer);
     if (request.autofocus) look_at_targets();
   }
-  FocusReport report{.files = outputs_of(request),
-                     .image = {},
-                     .origin = origin_of(work, request),
-                     .input = request.input,
-                     .simulation = work.input.simulation,
-                     .algorithm = request.algorithm,
-                     .grid = request.grid,
-                     .options = work.options,
-                     .motion = work.motion,
-                     .strays_m = work.strays_m,
-                     .autofocus = {},
-                     .problems = problems_of_work(work, request, control)};
+  FocusReport report{
+      .files = outputs_of(request),
+      .image = {},
+      .origin = origin_of(work, request),
+      .input = request.input,
+      .simulation = work.input.simulation,
+      .algorithm = request.algorithm,
+      .grid = request.grid,
+      .options = work.options,
+      .motion = work.motion,
+      .strays_m = work.strays_m,
+      .autofocus = {},
+      .problems = remarks == FocusRemarks::first ? problems_of_work(work, request, control) : core::Problems()};
   observer.remarks(report.problems);
   report.image = focused_rows(work, request, axes, control, observer);
   if (request.autofocus) {
@@ -354,6 +357,20 @@ FocusReport focus(const FocusRequest& asked, const core::Observer& observer) {
         std::make_shared<const ImageCollection>(collection_of(recorded, making, *place, control));
   }
   write_outputs(report, request, observer.stop);
+  report.seconds = core::now_s() - begin_s;
+  return report;
+}
+
+FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
+  const double begin_s = core::now_s();
+  if (is_phase_history(request.input.path)) return focus_phase_history(request, observer);
+  if (!request.channel.empty() || request.sign)
+    throw core::Refused("--channel and --sign are for phase histories (CPHD)", "leave them out");
+  expect_sense(request);
+  const core::WorkControl control = observer.control(core::thread_count(request.threads));
+  FocusInput input = open_focus_input(request.input, control, request.navigation);
+  FocusWork work = begin_focus(std::move(input), request, control);
+  FocusReport report = end_focus(work, observer);
   report.seconds = core::now_s() - begin_s;
   return report;
 }

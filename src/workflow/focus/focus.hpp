@@ -12,6 +12,7 @@
 #include "workflow/focus/focus_request.hpp"
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/image/kept_image.hpp"
+#include "workflow/input/earth_place.hpp"
 
 namespace sarsim::workflow {
 
@@ -47,6 +48,39 @@ struct FocusReport {
 
 /// A line of names, then one of numbers for each target, with commas; what does not exist is empty.
 [[nodiscard]] std::string csv_of(const std::vector<TargetTheory>& targets);
+
+/// Echoes that can be focused, and what is decided before the first sample of their image: `focus` in two steps, for
+/// who makes many images of echoes that change a little.
+struct FocusWork {
+  FocusRequest request;  ///< Its algorithm is the one that will be used.
+  FocusInput input;
+  signal::FocusOptions options;
+  core::Problems problems;  ///< Of the echoes, for these options.
+  MotionOrder motion = MotionOrder::none;
+  double strays_m = 0.0;              ///< From the straight line, before compensation.
+  std::optional<EarthPlace> place{};  ///< Where on the Earth a SICD image is.
+};
+
+/// Decides how an input is focused. Throws like `focus`.
+[[nodiscard]] FocusWork begin_focus(FocusInput input, const FocusRequest& request, const core::WorkControl& control);
+
+/// When it is said what is to be said of an image, which takes the geometry of all targets.
+enum class FocusRemarks {
+  first,  ///< Before the image is made.
+  later,  ///< By `remarks_on_image`, if at all.
+};
+
+/// Makes the image, and writes it where the request names an output. Throws like `focus`.
+/// @param[in,out] work  its echoes are compensated
+[[nodiscard]] FocusReport end_focus(FocusWork& work, const core::Observer& observer,
+                                    FocusRemarks remarks = FocusRemarks::first);
+
+/// What `end_focus` would have said first.
+/// @param begun  as `begin_focus` gave it
+/// @param ended  as `end_focus` left it
+/// @throw  core::Refused with errors, Interrupted
+[[nodiscard]] core::Problems remarks_on_image(FocusWork begun, FocusWork ended, const signal::FocusedImage& image,
+                                              const core::WorkControl& control);
 
 /// Focuses the echoes of a script or of a recording (docs/theory/focusing.md), and writes the image where the request
 /// names an output. Throws core::Refused with all problems where that cannot be done, Interrupted, and like the sinks.
