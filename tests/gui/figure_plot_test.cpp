@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -60,6 +61,25 @@ class FigurePlotTest : public QObject {
     QCOMPARE(seen.pixelColor(pixel_of(plot, 1500, 1.5)), QColor(0, 0, 255));
     QCOMPARE(seen.pixelColor(pixel_of(plot, 2500, 1.5)), QColor(255, 255, 0));
     QCOMPARE(picture.size(), QSize(600, 400));
+  }
+
+  void a_picture_that_moves_looks_as_if_it_was_drawn_anew() {
+    picture::Figure figure = four_cells();
+    gui::FigurePlot moved;
+    moved.resize(600, 400);
+    moved.set_figure(figure);
+    moved.grab();
+    QCPAxisRect* const frame = moved.panel(0);
+    std::ranges::reverse(figure.panels[0].image->cells);
+    moved.set_figure(figure);
+    QCOMPARE(moved.panel(0), frame);
+    moved.grab();
+    gui::FigurePlot anew;
+    anew.resize(600, 400);
+    anew.set_figure(figure);
+    anew.grab();
+    QCOMPARE(moved.grab().toImage(), anew.grab().toImage());
+    QVERIFY(moved.figure() == figure);
   }
 
   void an_axis_turned_round_turns_the_picture() {

@@ -87,7 +87,27 @@ FigurePlot::FigurePlot(QWidget* parent) : QCustomPlot(parent) {
   rebuild();
 }
 
+// Whether another figure differs in the colours of cells alone.
+bool FigurePlot::has_frame_of(const picture::Figure& figure) const {
+  const auto frame_of = [](picture::Figure of) {
+    for (picture::FigurePanel& panel : of.panels)
+      if (panel.image) panel.image->cells.clear();
+    return of;
+  };
+  const bool images =
+      !figure.panels.empty() && std::ranges::all_of(images_, [](auto* item) { return item != nullptr; });
+  return images && images_.size() == figure.panels.size() && frame_of(figure_) == frame_of(figure);
+}
+
 void FigurePlot::set_figure(const picture::Figure& figure) {
+  // A picture that moves has the axes that it had.
+  if (has_frame_of(figure)) {
+    figure_ = figure;
+    for (std::size_t i = 0; i < images_.size(); ++i)
+      images_[i]->setPixmap(QPixmap::fromImage(picture_of(*figure_.panels[i].image)));
+    replot(rpQueuedReplot);
+    return;
+  }
   figure_ = figure;
   rebuild();
   // Once for the lengths of the axes, once for marks that suit them.
@@ -102,6 +122,7 @@ void FigurePlot::rebuild() {
   clearPlottables();
   clearItems();
   panels_.clear();
+  images_.clear();
   plotLayout()->clear();
   legend = nullptr;
   qDeleteAll(findChildren<QCPMarginGroup*>(QString(), Qt::FindDirectChildrenOnly));  // Nobody else takes them away.
@@ -133,6 +154,7 @@ void FigurePlot::add_panel(int row, const picture::FigurePanel& panel) {
   auto* const rect = new QCPAxisRect(this);
   plotLayout()->addElement(row, 0, rect);
   panels_.emplace_back(rect);
+  images_.push_back(nullptr);
   rect->setupFullAxesBox();
   for (QCPAxis* axis : rect->axes()) dress(axis);
   for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect->axis(side)->setTicks(false);
@@ -209,6 +231,7 @@ void FigurePlot::add_twin(QCPAxis* axis, const picture::FigureAxis& described, d
 
 void FigurePlot::add_image(QCPAxisRect* rect, const picture::FigureImage& image) {
   auto* const item = new QCPItemPixmap(this);
+  images_.back() = item;
   item->setPixmap(QPixmap::fromImage(picture_of(image)));
   // Cells stay cells: no colour that no sample has.
   item->setScaled(true, Qt::IgnoreAspectRatio, Qt::FastTransformation);

@@ -37,6 +37,7 @@ class FigurePlot : public QCustomPlot {
 
  private:
   void rebuild();
+  [[nodiscard]] bool has_frame_of(const picture::Figure& figure) const;
   void add_text(int row, const QString& text, bool bold);
   void add_panel(int row, const picture::FigurePanel& panel);
   void add_axis(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px);
@@ -53,6 +54,7 @@ class FigurePlot : public QCustomPlot {
 
   picture::Figure figure_;
   std::vector<QPointer<QCPAxisRect>> panels_;
+  std::vector<QCPItemPixmap*> images_;  // one for each panel; null where it has none
 };
 
 /// Asks for a name, `suggested` at first, and writes a figure as it would look in a window like `parent`. A failure is

@@ -300,7 +300,7 @@ void MainWindow::make_view_menu() {
     group->addAction(action);
   }
   QMenu* panels = view->addMenu(tr("&Windows"));
-  for (const char* name : {"objects", "properties", "script", "simulations", "log"})
+  for (const char* name : {"objects", "properties", "script", "simulations", "log", "image"})
     panels->addAction(docks_[name]->toggleViewAction());
   for (const auto& [name, dock] : docks_) dock->toggleViewAction()->setObjectName("window_" + name);
   add_action(
@@ -434,10 +434,10 @@ QWidget* MainWindow::show_products() {
 }
 
 QStringList MainWindow::window_names() {
-  return {"main",          "objects",       "properties",   "script",   "simulations",   "log",
-          "geometry",      "simulation",    "compressed",   "targets",  "function",      "commands",
-          "help",          "import",        "viewer",       "output",   "save_data",     "saving",
-          "range_profile", "range_doppler", "doppler_time", "spectrum", "phase_history", "products"};
+  return {"main",       "objects",       "properties", "script",   "simulations",   "log",           "geometry",
+          "simulation", "compressed",    "targets",    "function", "commands",      "help",          "import",
+          "viewer",     "output",        "save_data",  "saving",   "range_profile", "range_doppler", "doppler_time",
+          "spectrum",   "phase_history", "products",   "image"};
 }
 
 // A window of echoes: of the stored simulation that is selected, otherwise a new one.

@@ -23,6 +23,7 @@
 #include "gui/frame/problem_watch.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
+#include "gui/live/live_panel.hpp"
 #include "gui/objects/function_editor.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/objects/property_panel.hpp"
@@ -128,6 +129,8 @@ void MainWindow::make_docks() {
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
   QDockWidget* simulations = add_dock(simulations_, tr("Previously Stored"), "simulations", Qt::BottomDockWidgetArea);
   QDockWidget* log = add_dock(new LogPanel(session_, *problems_), tr("Log"), "log", Qt::BottomDockWidgetArea);
+  // Wanted by its name in the menu View, where there is room for it.
+  add_dock(new LivePanel(session_, *image_viewers_), tr("Image"), "image", Qt::RightDockWidgetArea)->hide();
   tabifyDockWidget(simulations, script);
   tabifyDockWidget(simulations, log);
   simulations->raise();
@@ -285,7 +288,7 @@ void MainWindow::restore_layout() {
 
 void MainWindow::reset_layout() {
   restoreState(first_layout_, layout_version);
-  for (const auto& [name, dock] : docks_) dock->show();
+  for (const auto& [name, dock] : docks_) dock->setVisible(name != "image");
 }
 
 QStringList MainWindow::work_under_way() const {

@@ -52,9 +52,9 @@ class MainWindow : public QMainWindow {
   bool open_any(const QString& path);
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
   /// simulation, compressed, save_data, saving, range_profile, range_doppler, doppler_time, spectrum, phase_history,
-  /// products, viewer, output, targets, function, commands, help, import. Null for another name; some need a scene that
-  /// has what they show. Simulation and what belongs to it show the stored simulation that is selected; where none is,
-  /// a new window of raw echoes.
+  /// products, image, viewer, output, targets, function, commands, help, import. Null for another name; some need a
+  /// scene that has what they show. Simulation and what belongs to it show the stored simulation that is selected;
+  /// where none is, a new window of raw echoes.
   [[nodiscard]] QWidget* window_named(const QString& name);
   /// The names that `window_named` knows.
   [[nodiscard]] static QStringList window_names();

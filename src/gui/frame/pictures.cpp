@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QEventLoop>
 #include <QFileInfo>
 #include <QImage>
 #include <QKeyEvent>
@@ -25,6 +26,7 @@
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/image/image_viewers.hpp"
+#include "gui/live/live_panel.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
@@ -33,7 +35,8 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr int settling_ms = 700;  // work in the background and layouts end within it
+constexpr int settling_ms = 700;          // work in the background and layouts end within it
+constexpr int longest_image_ms = 10'000;  // the live image, which may take more
 constexpr int most_colours = 256;
 
 const QString menu_prefix = QStringLiteral("menu-");
@@ -180,6 +183,16 @@ QString wrong_with_picture_name(const QString& file, const QString& shown) {
   return {};
 }
 
+// An image that is seen belongs to the scene.
+void wait_for_image(MainWindow& main) {
+  auto* const panel = main.findChild<LivePanel*>();
+  if (panel == nullptr || !panel->isVisible() || panel->complete()) return;
+  QEventLoop until_shown;
+  QObject::connect(panel, &LivePanel::finished, &until_shown, &QEventLoop::quit);
+  QTimer::singleShot(longest_image_ms, &until_shown, &QEventLoop::quit);
+  until_shown.exec();
+}
+
 bool make_picture(MainWindow& main, const PictureWish& wish) {
   if (!wish.size.isEmpty()) main.resize(wish.size);
   main.show();
@@ -198,6 +211,7 @@ bool make_picture(MainWindow& main, const PictureWish& wish) {
   bool good = false;
   QTimer::singleShot(settling_ms / 2, &main, [&main] { main.scene().scene().fit(); });
   QTimer::singleShot(settling_ms, &main, [&] {
+    wait_for_image(main);
     QWidget* modal = QApplication::activeModalWidget();
     good = write_picture(modal != nullptr ? *modal : *window, wish);
     QCoreApplication::exit();  // Not quit: that would close windows, which ask.
