@@ -21,6 +21,7 @@
 #include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "gui/common/figure_plot.hpp"
+#include "gui/common/flow_layout.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
@@ -106,6 +107,7 @@ SimulationWindow::SimulationWindow(Session& session, picture::EchoWindow window,
   column->addWidget(pictures, 1);
   column->addWidget(make_foot());
   auto* const split = new QSplitter(this);
+  connect(settings_, &QToolButton::toggled, area, &QWidget::setVisible);
   split->addWidget(area);
   split->addWidget(right);
   split->setStretchFactor(1, 1);
@@ -117,6 +119,8 @@ SimulationWindow::SimulationWindow(Session& session, picture::EchoWindow window,
 }
 
 SimulationWindow::~SimulationWindow() = default;
+
+void SimulationWindow::show_settings(bool shown) { settings_->setChecked(shown); }
 
 QToolButton* SimulationWindow::add_tool(QWidget* row, const QString& text, const char* name, const QString& tip) {
   auto* const button = new QToolButton(row);
@@ -131,8 +135,10 @@ QToolButton* SimulationWindow::add_tool(QWidget* row, const QString& text, const
 
 QWidget* SimulationWindow::make_tool_row() {
   auto* const row = new QWidget(this);
-  auto* const layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
+  new FlowLayout(row);
+  settings_ = add_tool(row, tr("Settings"), "echo_settings", tr("Radar, limits, sampling and colours"));
+  settings_->setCheckable(true);
+  settings_->setChecked(true);
   back_ = add_tool(row, tr("Back"), "echo_back", tr("The view before (Backspace)"));
   forward_ = add_tool(row, tr("Forward"), "echo_forward", tr("The view that was left by going back"));
   connect(back_, &QToolButton::clicked, this, &SimulationWindow::go_back);
@@ -145,18 +151,17 @@ QWidget* SimulationWindow::make_tool_row() {
   show_cuts_->setCheckable(true);
   connect(show_cuts_, &QToolButton::toggled, this, &SimulationWindow::show_cuts);
   add_views_menu(row);
-  layout->addStretch(1);
   progress_ = new QProgressBar(row);
   progress_->setObjectName("echo_progress");
   progress_->setAccessibleName(tr("Share of the picture that is computed"));
   progress_->setRange(0, progress_steps);
-  progress_->setMaximumWidth(fontMetrics().averageCharWidth() * 24);
+  progress_->setFixedWidth(fontMetrics().averageCharWidth() * 16);
   // Its coming and going must not change the size of the plot, which would be computed anew.
   QSizePolicy kept = progress_->sizePolicy();
   kept.setRetainSizeWhenHidden(true);
   progress_->setSizePolicy(kept);
   progress_->hide();
-  layout->addWidget(progress_);
+  row->layout()->addWidget(progress_);
   return row;
 }
 
@@ -192,11 +197,11 @@ QWidget* SimulationWindow::make_foot() {
   highest_ = new QLabel(foot);
   highest_->setObjectName("echo_highest");
   highest_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  highest_->setMinimumWidth(1);  // What does not fit is cut before the picture is.
   for (QLabel* label : {warning_, read_out_, difference_}) layout->addWidget(label);
   auto* const row = new QWidget(foot);
-  auto* const buttons = new QHBoxLayout(row);
-  buttons->setContentsMargins(0, 0, 0, 0);
-  buttons->addWidget(highest_, 1);
+  auto* const buttons = new FlowLayout(row);
+  layout->addWidget(highest_);
   const auto button = [&](const QString& text, const char* name, const QString& tip, auto slot) {
     auto* const made = new QPushButton(text, row);
     made->setObjectName(name);

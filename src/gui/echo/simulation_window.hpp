@@ -56,6 +56,8 @@ class SimulationWindow : public QWidget {
   [[nodiscard]] double largest_v() const;
   /// Where the first cursor is, or else the middle of the view.
   [[nodiscard]] EchoPlot::Cursor place() const;
+  /// Shows or hides the form at the side.
+  void show_settings(bool shown);
   /// Opens another view of the same samples, which follows this window and ends with it.
   RadarViewWindow* open_radar_view(picture::RadarView view);
 
@@ -118,6 +120,7 @@ class SimulationWindow : public QWidget {
   EchoControls* controls_ = nullptr;
   EchoPlot* plot_ = nullptr;
   FigurePlot* cuts_ = nullptr;
+  QToolButton* settings_ = nullptr;
   QToolButton* back_ = nullptr;
   QToolButton* forward_ = nullptr;
   QToolButton* show_cuts_ = nullptr;

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "gui/common/screen_size.hpp"
 #include "gui/echo/simulation_window.hpp"
 #include "gui/runs/stored_simulations.hpp"
 
@@ -15,10 +16,7 @@ SimulationWindows::SimulationWindows(Session& session, QWidget* owner)
   });
 }
 
-std::vector<SimulationWindow*> SimulationWindows::windows() const {
-  const auto found = owner_->findChildren<SimulationWindow*>(QString(), Qt::FindDirectChildrenOnly);
-  return {found.begin(), found.end()};
-}
+std::vector<SimulationWindow*> SimulationWindows::windows() const { return {windows_.begin(), windows_.end()}; }
 
 SimulationWindow* SimulationWindows::open_new(scene::Processing processing) {
   const scene::Scene& scene = session_.scene();
@@ -43,7 +41,9 @@ SimulationWindow* SimulationWindows::open(const picture::EchoWindow& state, bool
   auto* const window = new SimulationWindow(session_, state, show_all, owner_);
   window->setWindowFlag(Qt::Window);
   window->setAttribute(Qt::WA_DeleteOnClose);
-  window->resize(1100, 760);
+  window->resize(size_on_screen(*owner_, {1100, 760}));
+  windows_.append(window);
+  connect(window, &QObject::destroyed, this, [this, window] { windows_.removeAll(window); });
   connect(window, &SimulationWindow::view_changed, this,
           [this, window](const picture::EchoView& view, picture::AxisLink link) {
             for (SimulationWindow* other : windows())
@@ -51,6 +51,7 @@ SimulationWindow* SimulationWindows::open(const picture::EchoWindow& state, bool
           });
   connect(window, &SimulationWindow::save_data_wanted, this,
           [this, window](const scene::Simulation& simulation) { emit save_data_wanted(simulation, window); });
+  emit opened(window);
   window->show();
   return window;
 }

@@ -30,6 +30,7 @@ class SimulationWindows : public QObject {
   [[nodiscard]] std::vector<SimulationWindow*> windows() const;
 
  signals:
+  void opened(sarsim::gui::SimulationWindow* window);  ///< A window was made; it may be put into a place.
   /// The data of a window are to be saved.
   void save_data_wanted(const sarsim::scene::Simulation& simulation, sarsim::gui::SimulationWindow* from);
 
@@ -38,6 +39,7 @@ class SimulationWindows : public QObject {
 
   Session& session_;
   QWidget* owner_;
+  QList<SimulationWindow*> windows_;
 };
 
 }  // namespace sarsim::gui

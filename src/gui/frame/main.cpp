@@ -26,6 +26,7 @@ struct Options {
   std::string script;
   std::string screenshot;
   std::string window;
+  std::string layout;
   std::vector<std::string> selected;
   std::vector<std::string> commands;
   std::vector<std::string> typed;
@@ -50,6 +51,8 @@ void read_options(CLI::App& app, Options& options) {
   app.add_option("file,--script", options.script, "script to open, or a file of samples to look at");
   app.add_flag("--dark", options.dark, "dark colours");
   app.add_flag("--light", options.light, "light colours");
+  app.add_option("--layout", options.layout,
+                 "panels beside the scene: scene, echoes, views (echoes and image), script, or one that was saved");
   app.add_option("--time", options.time_s, "time of the scene, s");
   CLI::Option* picture =
       app.add_option("--screenshot", options.screenshot, "write a picture of a window to this PNG file and end")
@@ -117,6 +120,13 @@ int run(QApplication& application, const Options& options) {
   // Nobody would close a dialog.
   if (picture)
     window.documents().show_failure = [](const QString& what, const QString& why) { complain(what + " " + why); };
+  if (!picture) window.set_first_layout("views");
+  if (!options.layout.empty() && !window.layout_names().contains(QString::fromStdString(options.layout))) {
+    complain(QStringLiteral("there is no layout '%1'; there are %2")
+                 .arg(QString::fromStdString(options.layout), window.layout_names().join(", ")));
+    return exit_bad_input;
+  }
+  if (!options.layout.empty()) window.use_layout(QString::fromStdString(options.layout));
   if (!picture) window.show();  // before a viewer of samples, which belongs in front
   if (!shown.isEmpty() && !window.open_any(shown) && picture) return EXIT_FAILURE;
   window.session().set_time(options.time_s);

@@ -38,7 +38,7 @@ std::vector<QWidget*> MainWindow::panels_in_view() const {
   };
   add_dock("objects");
   panels.push_back(&scene_->scene());
-  for (const char* name : {"simulations", "script", "log", "image", "properties"}) add_dock(name);
+  for (const char* name : {"echoes", "image", "simulations", "script", "log", "properties"}) add_dock(name);
   return panels;
 }
 

@@ -299,8 +299,11 @@ void MainWindow::make_view_menu() {
     action->setChecked(QSettings().value("appearance").toInt() == static_cast<int>(appearance));
     group->addAction(action);
   }
+  QMenu* layouts = view->addMenu(tr("La&youts"));
+  layouts->setObjectName("view_layouts");
+  connect(layouts, &QMenu::aboutToShow, this, [this, layouts] { fill_layouts(layouts); });
   QMenu* panels = view->addMenu(tr("&Windows"));
-  for (const char* name : {"objects", "properties", "script", "simulations", "log", "image"})
+  for (const char* name : {"objects", "properties", "echoes", "image", "script", "simulations", "log"})
     panels->addAction(docks_[name]->toggleViewAction());
   for (const auto& [name, dock] : docks_) dock->toggleViewAction()->setObjectName("window_" + name);
   add_action(
@@ -310,7 +313,7 @@ void MainWindow::make_view_menu() {
       view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"), [this] { go_to_panel(-1); },
       tr("Take the keyboard to the panel before"));
   add_action(
-      view, tr("Reset La&yout"), "view_reset", {}, [this] { reset_layout(); },
+      view, tr("&Reset Layout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));
 }
 

@@ -13,6 +13,7 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include "gui/common/screen_size.hpp"
 #include "gui/echo/data_saver.hpp"
 #include "gui/echo/simulation_window.hpp"
 #include "gui/echo/simulation_windows.hpp"
@@ -44,8 +45,6 @@
 namespace sarsim::gui {
 
 namespace {
-
-constexpr int layout_version = 1;
 
 // The one file that a drop brings, or nothing.
 QString dropped_file(const QMimeData* data) {
@@ -88,7 +87,7 @@ MainWindow::MainWindow(QWidget* parent)
   fill_recent();
   show_title();
   show_state();
-  resize(fontMetrics().averageCharWidth() * 214, fontMetrics().height() * 50);
+  resize(size_on_screen(*this, {fontMetrics().averageCharWidth() * 214, fontMetrics().height() * 50}));
 }
 
 MainWindow::~MainWindow() {
@@ -122,8 +121,8 @@ void MainWindow::make_docks() {
   connect(simulation_windows_, &SimulationWindows::save_data_wanted, saver_,
           [this](const scene::Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
   const int letter = fontMetrics().averageCharWidth();
-  tree_->setMinimumWidth(letter * 36);
-  panel_->setMinimumWidth(letter * 54);
+  tree_->setMinimumWidth(letter * 24);
+  panel_->setMinimumWidth(letter * 40);
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
@@ -131,6 +130,7 @@ void MainWindow::make_docks() {
   QDockWidget* log = add_dock(new LogPanel(session_, *problems_), tr("Log"), "log", Qt::BottomDockWidgetArea);
   // Wanted by its name in the menu View, where there is room for it.
   add_dock(new LivePanel(session_, *image_viewers_), tr("Image"), "image", Qt::RightDockWidgetArea)->hide();
+  make_echo_dock();
   tabifyDockWidget(simulations, script);
   tabifyDockWidget(simulations, log);
   simulations->raise();
@@ -138,23 +138,13 @@ void MainWindow::make_docks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
 }
 
-// Docks take sizes only once the window has its own.
-void MainWindow::size_docks() {
-  const int letter = fontMetrics().averageCharWidth();
-  resizeDocks({docks_["objects"], docks_["properties"]}, {letter * 52, letter * 62}, Qt::Horizontal);
-  resizeDocks({docks_["simulations"]}, {fontMetrics().height() * 13}, Qt::Vertical);
-}
-
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (sized_) return;
   sized_ = true;
   scene_->scene().setFocus();
-  QTimer::singleShot(0, this, [this] {
-    size_docks();
-    first_layout_ = saveState(layout_version);
-    restore_layout();
-  });
+  // Docks take sizes only once the window has its own.
+  QTimer::singleShot(0, this, &MainWindow::restore_layout);
 }
 
 void MainWindow::fill_recent() {
@@ -280,17 +270,6 @@ void MainWindow::set_appearance(Appearance appearance) {
   emit session_.selection_changed();
 }
 
-void MainWindow::restore_layout() {
-  QSettings settings;
-  restoreGeometry(settings.value("window/geometry").toByteArray());
-  restoreState(settings.value("window/state").toByteArray(), layout_version);
-}
-
-void MainWindow::reset_layout() {
-  restoreState(first_layout_, layout_version);
-  for (const auto& [name, dock] : docks_) dock->setVisible(name != "image");
-}
-
 QStringList MainWindow::work_under_way() const {
   QStringList work;
   if (saver_->queue().busy()) work << tr("Data of simulation windows are being saved.");
@@ -323,9 +302,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     return;
   }
   end_work();
-  QSettings settings;
-  settings.setValue("window/geometry", saveGeometry());
-  settings.setValue("window/state", saveState(layout_version));
+  keep_layout();
   documents_->close();
   event->accept();
 }

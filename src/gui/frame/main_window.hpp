@@ -19,6 +19,7 @@ namespace sarsim::gui {
 
 class DataSaver;
 class DocumentKeeper;
+class EchoPanel;
 class GeometryWindow;
 struct HelpPlace;
 class ImageViewers;
@@ -58,6 +59,17 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] QWidget* window_named(const QString& name);
   /// The names that `window_named` knows.
   [[nodiscard]] static QStringList window_names();
+  /// Shows the panels of a layout: "scene", "echoes", "views" (echoes and image beside the scene), "script", or one
+  /// that was saved. False where there is none of that name.
+  bool apply_layout(const QString& name);
+  /// The layouts that there are, those that the program brings first.
+  [[nodiscard]] QStringList layout_names() const;
+  /// Keeps the panels as they are under a name.
+  void save_layout(const QString& name);
+  /// Begins with a layout, whatever was kept of the last time.
+  void use_layout(const QString& name) { wanted_layout_ = name; }
+  /// The layout of a user who has not chosen any; "scene" unless said.
+  void set_first_layout(const QString& name) { first_layout_ = name; }
   /// Light, dark, or as the desktop has it.
   void set_appearance(Appearance appearance);
   /// The site that F1 and Help open; without it, and where it cannot be shown, they open a window of the program.
@@ -114,9 +126,13 @@ class MainWindow : public QMainWindow {
   void show_help(const HelpPlace& place);
   void show_help_window(const HelpPlace& place);
   void show_about();
+  void make_echo_dock();
+  void place_echoes(SimulationWindow* window);
   void size_docks();
   void restore_layout();
+  void keep_layout() const;
   void reset_layout();
+  void fill_layouts(QMenu* menu);
 
   Session session_;
   DocumentKeeper* documents_ = nullptr;
@@ -129,13 +145,15 @@ class MainWindow : public QMainWindow {
   SimulationWindows* simulation_windows_ = nullptr;
   ImageViewers* image_viewers_ = nullptr;
   DataSaver* saver_ = nullptr;
+  EchoPanel* echoes_ = nullptr;
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
   ProductWindow* products_ = nullptr;
   QMenu* recent_ = nullptr;
   QLabel* state_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
-  QByteArray first_layout_;
+  QString first_layout_ = "scene";
+  QString wanted_layout_;
   bool sized_ = false;
   GuideSite guide_;
 };

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <string>
 
+#include "gui/common/screen_size.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/open_image_dialog.hpp"
 #include "raster/format/custom_raw.hpp"
@@ -38,7 +39,7 @@ ImageViewer* ImageViewers::open_empty() {
   auto* const viewer = new ImageViewer(owner_);
   viewer->setWindowFlag(Qt::Window);
   viewer->setAttribute(Qt::WA_DeleteOnClose);
-  viewer->resize(1100, 760);
+  viewer->resize(size_on_screen(*owner_, {1100, 760}));
   connect(viewer, &ImageViewer::view_changed, this, [this, viewer](const ImageView& view, picture::AxisLink link) {
     for (ImageViewer* other : viewers())
       if (other != viewer) other->follow(view, link);

@@ -26,6 +26,7 @@
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/reserved_label.hpp"
+#include "gui/common/screen_size.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/runs/product_kind.hpp"
@@ -88,7 +89,7 @@ ProductWindow::ProductWindow(Session& session, ImageViewers& viewers, QWidget* o
   connect_all();
   show_choices();
   show_simulations();
-  resize(fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 42);
+  resize(size_on_screen(*this, {fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 42}));
 }
 
 ProductWindow::~ProductWindow() { job_.disconnect(this); }
