@@ -85,6 +85,13 @@ void Session::undo() {
   emit scene_changed(follow_last_edit());
 }
 
+void Session::take_back() {
+  if (!document_.history().can_undo()) return;
+  document_.take_back();
+  look_for_problems();
+  emit scene_changed(follow_last_edit());
+}
+
 void Session::redo() {
   if (!document_.history().can_redo()) return;
   document_.redo();

@@ -37,6 +37,8 @@ class Session : public QObject {
   void type_text(const std::string& text);
   /// Takes back the last step, if any.
   void undo();
+  /// Takes back the last step, if any, for good: a drag that is given up.
+  void take_back();
   /// Makes it again, if any was taken back.
   void redo();
   /// Throws what Document::save throws.

@@ -262,8 +262,7 @@ void MainWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   add_action(
       view, tr("&Focus…"), "view_focus", {}, [this] { show_focus(); }, tr("Look at a point, or follow a platform"));
-  add_action(view, tr("Focus on Selectio&n"), "view_focus_selection", {}, [this] { scene_->focus_on_selection(); });
-  add_action(view, tr("Show &All"), "view_fit", {}, [this] { scene_->scene().fit(); });
+  make_hand_entries(view);
   for (const auto& [text, name, preset] :
        {std::tuple{tr("From A&bove"), "view_top", picture::ViewPreset::top},
         std::tuple{tr("From the F&ront"), "view_front", picture::ViewPreset::front},

@@ -13,6 +13,8 @@
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
 #include "picture/figure/ticks.hpp"
+#include "picture/scene/framing.hpp"
+#include "picture/scene/handles.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/edit/path_points.hpp"
 #include "scene/model/world_frame.hpp"
@@ -21,15 +23,6 @@
 namespace sarsim::gui {
 
 namespace {
-
-// The position that dragging moves, where an object has one that is its own.
-core::Vec3* position_of(scene::AnyObject& object) {
-  if (auto* target = std::get_if<scene::Target>(&object)) return &target->position_m;
-  if (auto* platform = std::get_if<scene::Platform>(&object);
-      platform && platform->path == scene::Platform::Path::stationary)
-    return &platform->position_m;
-  return nullptr;
-}
 
 // A coordinate that does not move keeps all its digits.
 core::Vec3 moved(const core::Vec3& from, const core::Vec3& way) {
@@ -99,10 +92,14 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     new_document_ = true;
     followed_.reset();
     dragged_.reset();
+    selected_point_.reset();
     time_bar_->set_playing(false);
   });
   connect(&session_, &Session::scene_changed, this, &ScenePanel::take_scene);
-  connect(&session_, &Session::selection_changed, this, &ScenePanel::show_marks);
+  connect(&session_, &Session::selection_changed, this, [this] {
+    if (selected_point_ && session_.selection() != std::set{selected_point_->platform}) selected_point_.reset();
+    show_marks();
+  });
   connect(&session_, &Session::hidden_changed, this, &ScenePanel::show_marks);
   connect(&session_, &Session::time_changed, this, [this](double time_s) {
     time_bar_->set_time(time_s);
@@ -121,6 +118,10 @@ void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::selection_clicked, this,
           [this](scene::ObjectId id, bool add) { add ? session_.select_also(id) : session_.select_only(id); });
   connect(scene_, &SceneWidget::empty_clicked, this, [this] { session_.select({}); });
+  connect(scene_, &SceneWidget::point_clicked, this, &ScenePanel::select_point);
+  connect(scene_, &SceneWidget::frame_wanted, this, &ScenePanel::zoom_to_selection);
+  connect(scene_, &SceneWidget::own_axes_wanted, this, [this] { set_own_axes(!own_axes_); });
+  connect(scene_, &SceneWidget::turned_to, this, &ScenePanel::turn);
   connect(scene_, &SceneWidget::edit_requested, this, &ScenePanel::edit_requested);
   connect(scene_, &SceneWidget::menu_requested, this, &ScenePanel::menu_requested);
   connect(scene_, &SceneWidget::delete_wanted, this, &ScenePanel::delete_wanted);
@@ -129,6 +130,7 @@ void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::path_drag_started, this, &ScenePanel::begin_path_drag);
   connect(scene_, &SceneWidget::path_dragged_to, this, &ScenePanel::drag_path);
   connect(scene_, &SceneWidget::pointed_at, this, &ScenePanel::show_place);
+  connect(scene_, &SceneWidget::drag_taken_back, this, &ScenePanel::take_back);
   connect(scene_, &SceneWidget::drag_ended, this, [this] {
     dragged_.reset();
     session_.end_run();
@@ -156,7 +158,18 @@ void ScenePanel::take_scene(const scene::SceneChange& change) {
   time_bar_->set_span(first_s, last_s);
   if (new_document_) time_bar_->set_step(picture::round_below((last_s - first_s) / 100.0));
   show_time();
-  if (new_document_) scene_->fit();
+  if (new_document_) {
+    // Of a scene without a size, a new one, nothing else says how near to look.
+    picture::Camera camera = picture::Camera::start(1.0, 1.0);
+    camera.pixels_per_m *= scene_->pixel_scale();
+    camera.azimuth_rad = scene_->camera().azimuth_rad;
+    camera.elevation_rad = scene_->camera().elevation_rad;
+    camera.perspective = scene_->camera().perspective;
+    scene_->set_camera(camera);
+    scene_->fit();
+  } else {
+    show_what_came(change);
+  }
   new_document_ = false;
 }
 
@@ -179,11 +192,38 @@ void ScenePanel::show_marks() {
     own.setColor(QPalette::Window, ground);
     direction_->setPalette(own);
     place_->setPalette(own);
+    scene_->findChild<QLabel*>("hand_words")->setPalette(own);
   }
   picture::DrawingOptions options = scene_->options();
   options.selected = session_.selection();
   options.hidden = session_.hidden();
+  options.selected_point = selected_point_;
   scene_->set_options(options);
+  show_handles();
+}
+
+void ScenePanel::show_handles() {
+  std::optional<picture::Handles> handles;
+  if (selected_point_)
+    handles = picture::handles_of(scene_->snapshot(), *selected_point_);
+  else if (session_.selection().size() == 1 && !session_.hidden().contains(*session_.selection().begin()))
+    handles = picture::handles_of(session_.scene(), scene_->snapshot(), *session_.selection().begin(), own_axes_);
+  scene_->set_handles(std::move(handles));
+}
+
+void ScenePanel::set_own_axes(bool own) {
+  if (own == own_axes_) return;
+  own_axes_ = own;
+  show_handles();
+  emit own_axes_changed(own);
+}
+
+void ScenePanel::select_point(const std::optional<picture::PathPointId>& point) {
+  selected_point_ = point;
+  if (point && session_.selection() != std::set{point->platform})
+    session_.select_only(point->platform);
+  else
+    show_marks();
 }
 
 void ScenePanel::show_camera() {
@@ -214,6 +254,31 @@ void ScenePanel::focus_on_selection() {
   if (count > 0) focus_on((1.0 / count) * sum);
 }
 
+std::set<scene::ObjectId> ScenePanel::with_carried(const std::set<scene::ObjectId>& objects) const {
+  std::set<scene::ObjectId> all = objects;
+  for (const scene::ObjectId id : objects)
+    if (id.kind == scene::ObjectKind::platform)
+      for (const scene::ObjectId carried : scene::objects_on(session_.scene(), id.index)) all.insert(carried);
+  return all;
+}
+
+void ScenePanel::zoom_to_selection() {
+  if (session_.selection().empty()) return scene_->fit();
+  followed_.reset();
+  scene_->show_objects(with_carried(session_.selection()));
+}
+
+// What is imported or pasted is not lost out of sight, or as a dot.
+void ScenePanel::show_what_came(const scene::SceneChange& change) {
+  const auto& last = session_.document().last_edit();
+  if (!last || !last->forwards || !last->edit.label.starts_with("Add ")) return;
+  const bool many = change.inserted.size() > 1 ||
+                    (change.inserted.size() == 1 && change.inserted[0].kind == scene::ObjectKind::cloud);
+  if (!many) return;
+  const std::set<scene::ObjectId> came(change.inserted.begin(), change.inserted.end());
+  if (!picture::shows_well(scene_->camera(), picture::points_of(scene_->snapshot(), came))) scene_->show_objects(came);
+}
+
 void ScenePanel::show_place(const std::optional<core::Vec3>& world_m) {
   place_->setVisible(world_m.has_value());
   if (world_m) place_->setText(place_text(*world_m, earth_, scene_->pixel_scale() / scene_->camera().pixels_per_m));
@@ -230,6 +295,9 @@ void ScenePanel::begin_drag(scene::ObjectId id) {
   dragged_.reset();
   if (!scene::has_object(session_.scene(), id)) return;
   session_.end_run();
+  // Its properties show where it is.
+  if (!session_.selection().contains(id)) session_.select_only(id);
+  held_ = id;
   dragged_ = scene::object_of(session_.scene(), id);
   written_ = *dragged_;
   platform_from_world_ = core::Mat3();
@@ -240,6 +308,7 @@ void ScenePanel::begin_drag(scene::ObjectId id) {
 }
 
 void ScenePanel::begin_path_drag(const picture::PathPointId& point) {
+  select_point(point);
   begin_drag(point.platform);
   if (!dragged_) return;
   const std::vector<core::Vec3> points = scene::path_points(std::get<scene::Platform>(*dragged_));
@@ -262,13 +331,25 @@ void ScenePanel::write_dragged(scene::ObjectId id, scene::AnyObject object, cons
   written_ = scene::object_of(session_.scene(), id);
 }
 
+// Also the text is then as it was, byte by byte.
+void ScenePanel::take_back() {
+  if (dragged_ && still_held(held_) && written_ != *dragged_) session_.take_back();
+  dragged_.reset();
+}
+
 void ScenePanel::drag(scene::ObjectId id, const core::Vec3& delta_world_m) {
   if (!still_held(id)) return;
   scene::AnyObject object = *dragged_;
-  core::Vec3* const position = position_of(object);
+  core::Vec3* const position = picture::position_of(object);
   if (position == nullptr) return;
   *position = moved(*position, platform_from_world_ * delta_world_m);
   write_dragged(id, std::move(object), id.kind == scene::ObjectKind::target ? "Move target" : "Move platform");
+}
+
+void ScenePanel::turn(scene::ObjectId id, std::size_t ring, double by_rad) {
+  if (!still_held(id)) return;
+  const std::string what = "Turn " + std::string(scene::name_of(id.kind));
+  write_dragged(id, by_rad == 0.0 ? *dragged_ : picture::turned(*dragged_, ring, by_rad), what.c_str());
 }
 
 void ScenePanel::drag_path(const picture::PathPointId& point, const core::Vec3& delta_world_m, double resolution_m) {

@@ -2,8 +2,11 @@
 
 #include <QWidget>
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 
 #include "gui/common/session.hpp"
 #include "picture/scene/drawing.hpp"
@@ -35,8 +38,15 @@ class ScenePanel : public QWidget {
   void focus_on(const core::Vec3& world_m);
   /// Puts the selected objects into the middle.
   void focus_on_selection();
+  /// Fills the picture with the selected objects, and with what selected platforms carry; with everything where nothing
+  /// is selected.
+  void zoom_to_selection();
+  /// Handles along the axes of a platform, or of what carries a target, instead of the world's.
+  void set_own_axes(bool own);
+  [[nodiscard]] bool own_axes() const { return own_axes_; }
 
  signals:
+  void own_axes_changed(bool own);                      ///< The handles lie along other axes.
   void edit_requested(sarsim::scene::ObjectId object);  ///< The properties of an object are wanted.
   void delete_wanted();                                 ///< The selected objects are to go.
   /// At a place of the screen; for nothing: that of the scene.
@@ -52,6 +62,12 @@ class ScenePanel : public QWidget {
   void show_time();
   void show_marks();
   void show_camera();
+  void show_handles();
+  void show_what_came(const scene::SceneChange& change);
+  [[nodiscard]] std::set<scene::ObjectId> with_carried(const std::set<scene::ObjectId>& objects) const;
+  void select_point(const std::optional<picture::PathPointId>& point);
+  void take_back();
+  void turn(scene::ObjectId id, std::size_t ring, double by_rad);
   void begin_drag(scene::ObjectId id);
   void begin_path_drag(const picture::PathPointId& point);
   // How the world's axes lie in a platform; as in the world where there is no such platform.
@@ -72,9 +88,12 @@ class ScenePanel : public QWidget {
   std::optional<radar::EarthFrame> earth_;
   std::optional<scene::ObjectId> followed_;
   std::optional<scene::AnyObject> dragged_;  // as it was when the drag began
-  scene::AnyObject written_;                 // as the drag last wrote it
-  core::Mat3 platform_from_world_;           // of what carries it
-  core::Vec3 held_m_;                        // of a path's point that is dragged: where it was, in the path's frame
+  scene::ObjectId held_;
+  scene::AnyObject written_;        // as the drag last wrote it
+  core::Mat3 platform_from_world_;  // of what carries it
+  core::Vec3 held_m_;               // of a path's point that is dragged: where it was, in the path's frame
+  std::optional<picture::PathPointId> selected_point_;
+  bool own_axes_ = false;
   bool new_document_ = true;
 };
 

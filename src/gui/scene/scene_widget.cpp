@@ -2,6 +2,7 @@
 
 #include <QHelpEvent>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QPainter>
 #include <QResizeEvent>
 #include <QToolTip>
@@ -9,12 +10,11 @@
 #include <utility>
 
 #include "core/text/number_text.hpp"
+#include "picture/scene/framing.hpp"
 
 namespace sarsim::gui {
 
 namespace {
-
-constexpr double fit_margin_px = 40.0;  // of the screen
 
 template <class Objects>
 auto* found_in(const Objects& objects, scene::ObjectId id) {
@@ -32,6 +32,14 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setContextMenuPolicy(Qt::PreventContextMenu);  // A right drag zooms: menus open when the button goes up.
   setAttribute(Qt::WA_OpaquePaintEvent);
+  hand_words_ = new QLabel(this);
+  hand_words_->setObjectName(QStringLiteral("hand_words"));
+  hand_words_->setAccessibleName(tr("Where what is dragged is"));
+  hand_words_->setAutoFillBackground(true);
+  hand_words_->setFrameShape(QFrame::Box);
+  hand_words_->setMargin(3);
+  hand_words_->setAttribute(Qt::WA_TransparentForMouseEvents);
+  hand_words_->hide();
   follow_size();
 }
 
@@ -49,6 +57,9 @@ void SceneWidget::set_camera(const picture::Camera& camera) { change_camera(came
 void SceneWidget::set_options(picture::DrawingOptions options) {
   options.hovered = options_.hovered;
   options.hovered_point = options_.hovered_point;
+  options.hovered_handle = options_.hovered_handle;
+  options.gizmo = options_.gizmo;
+  options.guide = options_.guide;
   options.pixel_scale = options_.pixel_scale;
   options.coarse = false;
   options_ = std::move(options);
@@ -70,11 +81,12 @@ void SceneWidget::set_earth(std::optional<radar::EarthFrame> earth) { earth_ = s
 
 void SceneWidget::fit() {
   follow_size();
-  // Marks and names have a size of their own, beyond the points that are fitted.
-  picture::Camera inner = camera_;
-  inner.width_px = std::max(0.5 * camera_.width_px, camera_.width_px - 2.0 * fit_margin_px * options_.pixel_scale);
-  inner.height_px = std::max(0.5 * camera_.height_px, camera_.height_px - 2.0 * fit_margin_px * options_.pixel_scale);
-  change_camera(picture::fitted(inner, picture::points_of(snapshot_)));
+  change_camera(picture::showing_all(camera_, snapshot_, options_));
+}
+
+void SceneWidget::show_objects(const std::set<scene::ObjectId>& objects) {
+  follow_size();
+  change_camera(picture::showing(camera_, snapshot_, objects, options_.pixel_scale));
 }
 
 void SceneWidget::look(picture::ViewPreset view) { change_camera(picture::preset(camera_, view)); }

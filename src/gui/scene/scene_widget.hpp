@@ -7,25 +7,34 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gui/scene/scene_painter.hpp"
 #include "picture/scene/camera.hpp"
 #include "picture/scene/drawing.hpp"
+#include "picture/scene/hand_drag.hpp"
+#include "picture/scene/handles.hpp"
 #include "picture/scene/snapshot.hpp"
 #include "radar/earth/earth_frame.hpp"
+
+class QLabel;
 
 namespace sarsim::gui {
 
 /// The scene in three dimensions ("scene_view"). It shows a snapshot and turns gestures into signals; edits, selection
 /// and menus are the owner's.
 ///
-/// Mouse: left drag turns, on a target or platform moves it in the view plane (with Shift to round coordinates), on a
-/// point of a selected platform's path moves it on its level, or in the view plane where that is seen edge on; middle
-/// drag, or Shift and left drag on empty space, pans; right drag zooms ten times per 200 px upwards; the wheel zooms at
-/// the cursor. Left click selects, with Ctrl adds; double click edits; right click asks for a menu.
-/// Keys: arrows turn, with Shift pan; + and - zoom, Home fits; 1, 2 and 3 look from above, the front, the side;
-/// Enter edits and the menu key asks for the menu of the only selected object; Delete asks that the selected ones be
-/// deleted; Escape takes a drag back.
+/// Mouse: left drag turns, on a target, platform or point of a selected platform's path moves it on its level
+/// (`picture::hand_move`), on a handle of what is selected moves or turns that; middle drag, or Shift and left drag on
+/// empty space, pans; right drag zooms ten times per 200 px upwards; the wheel zooms at the cursor. Left click selects,
+/// with Ctrl adds; double click edits; right click asks for a menu.
+/// While something is moved or turned: Shift rounds; X, Y and Z lock an axis, again: free it; what is typed is the
+/// distance along it, or the angle; Enter leaves it there, Escape takes it back. A label at the pointer says where it
+/// is.
+/// Keys: arrows turn, with Shift pan; + and - zoom, Home fits, F and . show what is selected; 1, 2 and 3 look from
+/// above, the front, the side; G moves what is selected with the pointer, R turns it, L changes the axes of its
+/// handles; Enter edits and the menu key asks for the menu of the only selected object; Delete asks that the selected
+/// ones be deleted.
 class SceneWidget : public QWidget {
   Q_OBJECT
 
@@ -50,10 +59,22 @@ class SceneWidget : public QWidget {
   /// What is under the pointer: a point of the ground, or of an object.
   void set_earth(std::optional<radar::EarthFrame> earth);
 
+  /// Handles at what is selected; nothing: none.
+  void set_handles(std::optional<picture::Handles> handles);
+  [[nodiscard]] const std::optional<picture::Handles>& handles() const { return handles_; }
+  /// Moves what is selected with the pointer, no button held, until a click or Enter; false where it has no arrows.
+  bool move_selected();
+  /// Turns it in the same way, about the last of its rings; false where it has none.
+  bool turn_selected();
+  /// What a drag is doing, for those who show it.
+  [[nodiscard]] const picture::HandDrag& hand() const { return hand_; }
+
   /// Shows all of the snapshot.
   void fit();
   /// Looks from another side at the same focus.
   void look(picture::ViewPreset view);
+  /// Fills the picture with some objects (`picture::showing`).
+  void show_objects(const std::set<scene::ObjectId>& objects);
   /// Times `factor` about the middle.
   void zoom(double factor);
   /// Device pixels per pixel of the screen.
@@ -72,10 +93,17 @@ class SceneWidget : public QWidget {
   void drag_started(sarsim::scene::ObjectId id);  ///< What follows moves this object.
   /// All the way from where the object was when the drag started.
   void dragged_to(sarsim::scene::ObjectId id, sarsim::core::Vec3 delta_world_m);
-  void path_drag_started(sarsim::picture::PathPointId point);  ///< What follows moves this point.
+  /// The angle of a ring of the handles is changed by so much since the drag started.
+  void turned_to(sarsim::scene::ObjectId id, std::size_t ring, double by_rad);
+  void point_clicked(sarsim::picture::PathPointId point);        ///< A point of a path was clicked.
+  void point_delete_wanted(sarsim::picture::PathPointId point);  ///< The selected point is to go.
+  void frame_wanted();                                           ///< What is selected is to fill the picture.
+  void own_axes_wanted();                                        ///< The handles are to take the other axes.
+  void path_drag_started(sarsim::picture::PathPointId point);    ///< What follows moves this point.
   /// All the way from where the point was when the drag started, rounded to `resolution_m`.
   void path_dragged_to(sarsim::picture::PathPointId point, sarsim::core::Vec3 delta_world_m, double resolution_m);
-  void drag_ended();  ///< The object, or point, stays where it is.
+  void drag_taken_back();  ///< What is dragged is to be as it was; `drag_ended` follows.
+  void drag_ended();       ///< The object, or point, stays where it is.
   /// The pointer is over a point of the world: of an object, of a path, or else of the ground. Nothing where it is over
   /// neither, or has left.
   void pointed_at(std::optional<sarsim::core::Vec3> world_m);
@@ -92,10 +120,11 @@ class SceneWidget : public QWidget {
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Gesture { none, pressed, turn, pan, zoom, move };
+  enum class Gesture { none, pressed, turn, pan, zoom, move, rotate };
 
   // A mouse button that is held: where and on what it went down.
   struct Press {
@@ -105,23 +134,35 @@ class SceneWidget : public QWidget {
     picture::Camera camera;
     std::optional<scene::ObjectId> on;
     std::optional<picture::PathPointId> point;
+    std::optional<picture::GizmoHandle> handle;
     core::Vec3 object_world_m;
+    double angle_rad = 0.0;  // that a ring changes, as it was
   };
 
   [[nodiscard]] QPointF device_point(const QPointF& logical) const { return logical * options_.pixel_scale; }
   [[nodiscard]] std::optional<scene::ObjectId> picked_at(const QPointF& at_px);
   [[nodiscard]] bool movable(scene::ObjectId id) const;
   [[nodiscard]] QString name_of_object(scene::ObjectId id) const;
-  struct Move {
-    core::Vec3 delta_world_m;
-    double resolution_m = 0.0;  // to which it is rounded
-  };
-  [[nodiscard]] Move moved_to(const QPointF& at_px, bool snap) const;
   [[nodiscard]] std::optional<picture::PathPointId> path_point_at(const QPointF& at_px);
   [[nodiscard]] std::optional<core::Vec3> place_of_point(const picture::PathPointId& point) const;
   void set_hovered_point(std::optional<picture::PathPointId> point);
   void tell_place(const QPointF& at_px);
-  void move_object(const Move& move);
+  void move_object(const picture::HandMove& move);
+  void turn_object(double by_rad);
+  [[nodiscard]] bool in_hand() const { return press_.gesture == Gesture::move || press_.gesture == Gesture::rotate; }
+  [[nodiscard]] std::optional<picture::GizmoHandle> handle_at(const QPointF& at_px) const;
+  void set_hovered_handle(std::optional<picture::GizmoHandle> handle);
+  bool hold_subject();
+  void begin_hand();
+  void follow_hand();
+  void end_hand();
+  bool begin_grab(Gesture gesture);
+  bool hand_key(const QKeyEvent& event);
+  void lock_axis(std::size_t axis);
+  void type(const QKeyEvent& event);
+  void show_guide();
+  void show_hand_words(const QString& words);
+  void place_hand_words();
   [[nodiscard]] Gesture gesture_of(Qt::KeyboardModifiers modifiers) const;
 
   void follow_size();
@@ -147,6 +188,11 @@ class SceneWidget : public QWidget {
   std::optional<radar::EarthFrame> earth_;
   bool dark_ = false;
   Press press_;
+  std::optional<picture::Handles> handles_;
+  picture::HandDrag hand_;
+  QPointF pointer_px_;  // where the pointer was last
+  bool snap_ = false;
+  QLabel* hand_words_ = nullptr;
   picture::Drawing drawing_;
   bool drawn_ = false;         // `drawing_` shows the present state
   bool drawn_coarse_ = false;  // ... with less detail

@@ -6,7 +6,6 @@
 
 #include <cmath>
 
-#include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "picture/figure/ticks.hpp"
@@ -22,12 +21,6 @@ constexpr double wheel_decade = 1200.0;   // eighths of a degree of the wheel: t
 constexpr double key_zoom = 1.25;
 constexpr double key_turn_px = 20.0;  // five degrees of azimuth
 constexpr double key_pan_px = 40.0;
-constexpr double snap_px = 10.0;  // coordinates of dragged objects are round to about so many pixels with Shift,
-constexpr double fine_px = 0.5;   // and to so many without, so that scripts do not fill up with digits
-
-core::Vec3 rounded(const core::Vec3& v, double step) {
-  return {core::rounded_to(v.x, step), core::rounded_to(v.y, step), core::rounded_to(v.z, step)};
-}
 
 }  // namespace
 
@@ -51,6 +44,10 @@ bool SceneWidget::movable(scene::ObjectId id) const {
 // --- Mouse ----------------------------------------------------------------------------------------------------------
 
 void SceneWidget::mousePressEvent(QMouseEvent* event) {
+  if (in_hand() && press_.button == Qt::NoButton) {  // A grab, which a click ends.
+    event->button() == Qt::LeftButton ? end_gesture() : take_gesture_back();
+    return;
+  }
   if (press_.gesture != Gesture::none) {
     if (event->button() != press_.button) return;
     end_gesture();  // Its release went elsewhere.
@@ -60,7 +57,10 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
   press_.gesture = Gesture::pressed;
   press_.at_px = device_point(event->position());
   press_.camera = camera_;
+  pointer_px_ = press_.at_px;
   press_.point = path_point_at(press_.at_px);
+  // Rings are large and pass over the points of paths.
+  if (press_.button == Qt::LeftButton && !press_.point) press_.handle = handle_at(press_.at_px);
   press_.on = press_.point ? press_.point->platform : picked_at(press_.at_px);
   if (press_.point)
     press_.object_world_m = place_of_point(*press_.point).value_or(core::Vec3{});
@@ -72,6 +72,8 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
 SceneWidget::Gesture SceneWidget::gesture_of(Qt::KeyboardModifiers modifiers) const {
   switch (press_.button) {
     case Qt::LeftButton:
+      if (press_.handle)
+        return press_.handle->kind == picture::GizmoHandle::Kind::ring ? Gesture::rotate : Gesture::move;
       if (press_.point || (press_.on && movable(*press_.on))) return Gesture::move;
       return modifiers.testFlag(Qt::ShiftModifier) ? Gesture::pan : Gesture::turn;
     case Qt::MiddleButton: return Gesture::pan;
@@ -82,43 +84,8 @@ SceneWidget::Gesture SceneWidget::gesture_of(Qt::KeyboardModifiers modifiers) co
 
 void SceneWidget::begin_gesture(Qt::KeyboardModifiers modifiers) {
   press_.gesture = gesture_of(modifiers);
-  if (press_.gesture != Gesture::move) return;
-  if (press_.point) {
-    set_hovered_point(press_.point);
-    emit path_drag_started(*press_.point);
-  } else {
-    set_hovered(press_.on);
-    emit drag_started(*press_.on);
-  }
-}
-
-// How far the object is moved in the plane through it that faces the viewer, or a point of a path on its level.
-// Coordinates that the view cannot change keep every digit.
-SceneWidget::Move SceneWidget::moved_to(const QPointF& at_px, bool snap) const {
-  const core::Mat3 picture_from_world = press_.camera.picture_from_world();
-  const core::Vec3 at_picture = picture_from_world * (press_.object_world_m - press_.camera.focus_world_m);
-  const double scale = press_.camera.scale_at(-at_picture.z);
-  if (scale <= 0.0) return {};
-  const QPointF step_px = at_px - press_.at_px;
-  core::Vec3 delta = core::transposed(picture_from_world) * core::Vec3{step_px.x() / scale, -step_px.y() / scale, 0.0};
-  if (press_.point) {
-    const auto level = [&](const QPointF& at) {
-      return picture::level_under(press_.camera, at.x(), at.y(), press_.object_world_m);
-    };
-    const auto from = level(press_.at_px);
-    const auto to = level(at_px);
-    if (from && !to) return {};  // Beyond the horizon.
-    if (from) delta = *to - *from;
-  }
-  const double fine = picture::round_below(fine_px * options_.pixel_scale / scale);
-  if (!snap) return {rounded(delta, fine), fine};
-  const double step = picture::round_below(snap_px * options_.pixel_scale / scale);
-  const auto snapped = [&](double from, double by) {
-    return std::abs(by) < 0.1 * fine ? 0.0 : core::rounded_to(from + by, step) - from;
-  };
-  return {{snapped(press_.object_world_m.x, delta.x), snapped(press_.object_world_m.y, delta.y),
-           snapped(press_.object_world_m.z, delta.z)},
-          step};
+  if (in_hand() && press_.handle && !hold_subject()) press_.gesture = Gesture::none;
+  if (in_hand()) begin_hand();
 }
 
 void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers) {
@@ -132,38 +99,38 @@ void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers mod
       break;
     }
     case Gesture::move:
-      move_object(moved_to(at_px, modifiers.testFlag(Qt::ShiftModifier)));
-      redraw();
+    case Gesture::rotate:
+      pointer_px_ = at_px;
+      snap_ = modifiers.testFlag(Qt::ShiftModifier);
+      follow_hand();
       break;
     case Gesture::none:
     case Gesture::pressed: break;
   }
 }
 
-void SceneWidget::move_object(const Move& move) {
-  if (press_.point)
-    emit path_dragged_to(*press_.point, move.delta_world_m, move.resolution_m);
-  else
-    emit dragged_to(*press_.on, move.delta_world_m);
-  const core::Vec3 now = press_.object_world_m + move.delta_world_m;
-  emit pointed_at(press_.point ? place_of_point(*press_.point).value_or(now) : now);
-}
-
 // Leaves everything as the gesture made it.
 void SceneWidget::end_gesture() {
-  const Gesture gesture = press_.gesture;
+  const bool held = in_hand();
   press_.gesture = Gesture::none;
-  if (gesture == Gesture::move) emit drag_ended();
+  if (held) {
+    end_hand();
+    emit drag_ended();
+  }
   redraw();  // With all detail again.
 }
 
 void SceneWidget::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at_px = device_point(event->position());
   // A dialog or another window may have taken the release.
-  if (press_.gesture != Gesture::none && !event->buttons().testFlag(press_.button)) end_gesture();
+  const bool holds = press_.button != Qt::NoButton;
+  if (press_.gesture != Gesture::none && holds && !event->buttons().testFlag(press_.button)) end_gesture();
   if (press_.gesture == Gesture::none) {
-    set_hovered_point(path_point_at(at_px));
-    set_hovered(options_.hovered_point ? std::nullopt : picked_at(at_px));
+    pointer_px_ = at_px;
+    const auto point = path_point_at(at_px);
+    set_hovered_handle(point ? std::nullopt : handle_at(at_px));
+    set_hovered_point(point);
+    set_hovered(options_.hovered_handle || options_.hovered_point ? std::nullopt : picked_at(at_px));
     tell_place(at_px);
     return;
   }
@@ -183,7 +150,9 @@ void SceneWidget::mouseReleaseEvent(QMouseEvent* event) {
 void SceneWidget::click(Qt::KeyboardModifiers modifiers, QPoint global) {
   if (press_.button == Qt::RightButton) emit menu_requested(press_.on, global);
   if (press_.button != Qt::LeftButton) return;
-  if (press_.on)
+  if (press_.point && !modifiers.testFlag(Qt::ControlModifier))
+    emit point_clicked(*press_.point);
+  else if (press_.on)
     emit selection_clicked(*press_.on, modifiers.testFlag(Qt::ControlModifier));
   else
     emit empty_clicked();
@@ -207,6 +176,7 @@ void SceneWidget::leaveEvent(QEvent*) {
   if (press_.gesture != Gesture::none) return;
   set_hovered(std::nullopt);
   set_hovered_point(std::nullopt);
+  set_hovered_handle(std::nullopt);
   emit pointed_at(std::nullopt);
 }
 
@@ -222,8 +192,10 @@ void SceneWidget::tell_place(const QPointF& at_px) {
 void SceneWidget::take_gesture_back() {
   const Gesture gesture = press_.gesture;
   press_.gesture = Gesture::none;
-  if (gesture == Gesture::move) {
-    move_object({});
+  if (gesture == Gesture::move || gesture == Gesture::rotate) {
+    emit drag_taken_back();
+    gesture == Gesture::move ? move_object({}) : turn_object(0.0);
+    end_hand();
     emit drag_ended();
   } else if (gesture != Gesture::pressed) {
     change_camera(press_.camera);
@@ -236,11 +208,20 @@ void SceneWidget::take_gesture_back() {
 void SceneWidget::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && press_.gesture != Gesture::none)
     take_gesture_back();
+  else if (in_hand() && hand_key(*event))
+    return;
   else if (press_.gesture != Gesture::none || (!camera_key(*event) && !object_key(*event)))
     QWidget::keyPressEvent(event);
 }
 
+void SceneWidget::keyReleaseEvent(QKeyEvent* event) {
+  if (in_hand() && event->key() == Qt::Key_Shift) hand_key(*event);
+  QWidget::keyReleaseEvent(event);
+}
+
 bool SceneWidget::knows_key(const QKeyEvent& event) const {
+  const bool plain = !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+  if (in_hand() && plain) return true;  // All of them: what is typed is a number.
   switch (event.key()) {
     case Qt::Key_Left:
     case Qt::Key_Right:
@@ -252,7 +233,12 @@ bool SceneWidget::knows_key(const QKeyEvent& event) const {
     case Qt::Key_Home: return true;
     case Qt::Key_1:
     case Qt::Key_2:
-    case Qt::Key_3: return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+    case Qt::Key_3: return plain;
+    case Qt::Key_F:
+    case Qt::Key_Period:
+    case Qt::Key_G:
+    case Qt::Key_R:
+    case Qt::Key_L: return plain && event.modifiers() != Qt::ShiftModifier;
     case Qt::Key_Escape: return press_.gesture != Gesture::none;
     default: return false;
   }
@@ -280,6 +266,8 @@ bool SceneWidget::camera_key(const QKeyEvent& event) {
     case Qt::Key_1: look(picture::ViewPreset::top); return true;
     case Qt::Key_2: look(picture::ViewPreset::front); return true;
     case Qt::Key_3: look(picture::ViewPreset::side); return true;
+    case Qt::Key_F:
+    case Qt::Key_Period: emit frame_wanted(); return true;
     default: return false;
   }
 }
@@ -291,7 +279,17 @@ bool SceneWidget::object_key(const QKeyEvent& event) {
       if (options_.selected.size() != 1) return false;
       emit edit_requested(*options_.selected.begin());
       return true;
+    case Qt::Key_G: return knows_key(event) && move_selected();
+    case Qt::Key_R: return knows_key(event) && turn_selected();
+    case Qt::Key_L:
+      if (!knows_key(event)) return false;
+      emit own_axes_wanted();
+      return true;
     case Qt::Key_Delete:
+      if (options_.selected_point) {
+        emit point_delete_wanted(*options_.selected_point);
+        return true;
+      }
       if (options_.selected.empty()) return false;
       emit delete_wanted();
       return true;

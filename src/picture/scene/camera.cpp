@@ -41,15 +41,45 @@ struct Box {
 };
 
 // Largest scale at which a point `side_m` off the middle and `depth_m` behind the focus stays within `half_px` of it.
-// The viewer stands K = distance_in_heights * height / s away, so that side * s * K/(K + depth) <= half.
+// The viewer stands K = heights_away * height / s away, so that side * s * K/(K + depth) <= half.
 double largest_scale(const Camera& camera, double side_m, double depth_m, double half_px) {
   const double infinity = std::numeric_limits<double>::infinity();
   if (!camera.perspective) return side_m > 0.0 ? half_px / side_m : infinity;
-  const double viewer_px = distance_in_heights * camera.height_px;
+  const double viewer_px = camera.heights_away * camera.height_px;
   const double slope = side_m * viewer_px - half_px * depth_m;
   const double within = slope > 0.0 ? half_px * viewer_px / slope : infinity;
   const double in_front = depth_m < 0.0 ? nearest_fitted * viewer_px / -depth_m : infinity;
   return std::min(within, in_front);
+}
+
+// The box that marks take in the picture.
+struct MarkBox {
+  double left = HUGE_VAL;
+  double right = -HUGE_VAL;
+  double top = HUGE_VAL;
+  double bottom = -HUGE_VAL;
+};
+
+MarkBox box_of(const std::vector<MarkRoom>& marks, const Camera& camera) {
+  constexpr double largest_part = 0.4;
+  const double wide = largest_part * camera.width_px;
+  const double high = largest_part * camera.height_px;
+  MarkBox box;
+  for (const MarkRoom& mark : marks) {
+    const auto at = camera.project(mark.at_world_m);
+    if (!at) continue;
+    box.left = std::min(box.left, at->x - std::min(mark.left_px, wide));
+    box.right = std::max(box.right, at->x + std::min(mark.right_px, wide));
+    box.top = std::min(box.top, at->y - std::min(mark.above_px, high));
+    box.bottom = std::max(box.bottom, at->y + std::min(mark.below_px, high));
+  }
+  return box;
+}
+
+// How far a span must be moved to lie between the edges; to their middle where it is longer.
+double way_inside(double first, double last, double size, double edge) {
+  if (last - first > size - 2.0 * edge) return 0.5 * (size - first - last);
+  return std::max(0.0, edge - first) + std::min(0.0, size - edge - last);
 }
 
 }  // namespace
@@ -130,7 +160,42 @@ Camera fitted(Camera camera, const std::vector<core::Vec3>& points_world_m) {
   return camera;
 }
 
+Camera with_whole_marks(Camera camera, const std::vector<MarkRoom>& marks, double edge_px) {
+  constexpr int most_steps = 40;
+  constexpr double step = 0.93;
+  for (int i = 0; i < most_steps; ++i) {
+    const MarkBox box = box_of(marks, camera);
+    if (!(box.left <= box.right)) return camera;
+    const double dx = way_inside(box.left, box.right, camera.width_px, edge_px);
+    const double dy = way_inside(box.top, box.bottom, camera.height_px, edge_px);
+    if (dx != 0.0 || dy != 0.0) camera = panned(camera, dx, dy);
+    const bool fits = box.right - box.left <= camera.width_px - 2.0 * edge_px &&
+                      box.bottom - box.top <= camera.height_px - 2.0 * edge_px;
+    // In perspective a point that is moved is seen at another scale.
+    if (fits && (!camera.perspective || std::hypot(dx, dy) < 0.5)) return camera;
+    if (!fits) camera = zoomed(camera, step, 0.5 * camera.width_px, 0.5 * camera.height_px);
+  }
+  return camera;
+}
+
+Camera along_beam(Camera camera, const core::Vec3& antenna_world_m, const core::Vec3& axis_world, double width_rad,
+                  double reach_m) {
+  constexpr double widest_rad = 60.0 * core::rad_per_deg;
+  constexpr double widths_in_height = 3.0;
+  constexpr double nearest_heights = 0.3;  // 118 degrees from edge to edge
+  const double width = width_rad > 0.0 ? std::min(width_rad, widest_rad) : widest_rad;
+  camera.perspective = true;
+  camera.heights_away = std::max(nearest_heights, 0.5 / (widths_in_height * std::tan(0.5 * width)));
+  camera.azimuth_rad = core::azimuth_rad(-axis_world);
+  camera.elevation_rad = core::elevation_rad(-axis_world);
+  camera.pixels_per_m = camera.heights_away * camera.height_px / reach_m;
+  camera.focus_world_m = antenna_world_m + reach_m * axis_world;
+  return camera;
+}
+
 Camera preset(Camera camera, ViewPreset view) {
+  // A view along a beam may have stood farther away, or nearer.
+  camera.heights_away = distance_in_heights;
   const auto look_from = [&](double azimuth_deg, double elevation_deg) {
     camera.azimuth_rad = azimuth_deg * core::rad_per_deg;
     camera.elevation_rad = elevation_deg * core::rad_per_deg;

@@ -15,14 +15,15 @@ struct PicturePoint {
   double depth_m = 0.0;
 };
 
-/// How far the viewer of a perspective view stands from the focus, in heights of the picture.
+/// How far the viewer of a perspective view usually stands from the focus, in heights of the picture: 28 degrees from
+/// the upper edge to the lower.
 inline constexpr double distance_in_heights = 2.0;
 
 /// Where the scene is looked at from. A value: every gesture returns or makes another one.
 ///
 /// The view axis is given by azimuth (clockwise from +y, thesis 4.1) and elevation of the viewer as seen from the
 /// focus; z is up in the picture. Orthographic by default (thesis 4.1); in perspective the viewer stands
-/// `distance_in_heights` picture heights away from the focus, where the scale is that of the orthographic view.
+/// `heights_away` picture heights away from the focus, where the scale is that of the orthographic view.
 struct Camera {
   core::Vec3 focus_world_m;
   double azimuth_rad = 0.0;
@@ -31,6 +32,7 @@ struct Camera {
   bool perspective = false;
   double width_px = 800.0;
   double height_px = 600.0;
+  double heights_away = distance_in_heights;
 
   /// The start view of the thesis: azimuth 60 degrees, elevation 30.
   [[nodiscard]] static Camera start(double width_px, double height_px);
@@ -45,7 +47,7 @@ struct Camera {
   /// Pixels per metre at a depth of `project`; 0 behind the viewer of a perspective view.
   [[nodiscard]] double scale_at(double depth_m) const;
   /// Distance of the viewer of a perspective view from the focus [m].
-  [[nodiscard]] double viewer_distance_m() const { return distance_in_heights * height_px / pixels_per_m; }
+  [[nodiscard]] double viewer_distance_m() const { return heights_away * height_px / pixels_per_m; }
 };
 
 inline constexpr double smallest_pixels_per_m = 1e-7;
@@ -61,6 +63,24 @@ inline constexpr double largest_pixels_per_m = 1e5;
 [[nodiscard]] Camera zoomed(Camera camera, double factor, double x_px, double y_px);
 /// All points in the picture with a margin; direction kept. One point, or none: the scale is kept.
 [[nodiscard]] Camera fitted(Camera camera, const std::vector<core::Vec3>& points_world_m);
+/// A mark that keeps its size on the screen, and the room it takes about its point, in device pixels.
+struct MarkRoom {
+  core::Vec3 at_world_m;
+  double left_px = 0.0;
+  double right_px = 0.0;
+  double above_px = 0.0;
+  double below_px = 0.0;
+};
+/// Moved and, where need be, zoomed out until all marks are whole between the edges of the picture. Marks that take
+/// more than two fifths of it count as so large. A mark behind the viewer is passed over.
+/// @param edge_px  device pixels that stay free at each edge
+[[nodiscard]] Camera with_whole_marks(Camera camera, const std::vector<MarkRoom>& marks, double edge_px);
+/// Looks along a beam from its antenna, in perspective: the eye is at the antenna, the beam's middle is the middle of
+/// the picture, and its width is a third of the height.
+/// @param width_rad  of the beam, the larger of its two; 60 degrees and more, or 0, are taken as 60 degrees
+/// @param reach_m    from the antenna to what is looked at; positive
+[[nodiscard]] Camera along_beam(Camera camera, const core::Vec3& antenna_world_m, const core::Vec3& axis_world,
+                                double width_rad, double reach_m);
 enum class ViewPreset { start, top, front, side };
 /// Top looks down with +y up in the picture, front along +y, side along -x.
 [[nodiscard]] Camera preset(Camera camera, ViewPreset view);

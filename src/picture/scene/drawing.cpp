@@ -38,6 +38,7 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
   draw_targets(pen, snapshot.targets);
   draw_radars(pen, snapshot.radars);
   draw_platforms(pen, snapshot.platforms);
+  draw_hands(pen);
   std::ranges::stable_sort(drawing.polygons, std::ranges::greater{}, mean_depth);
 }
 

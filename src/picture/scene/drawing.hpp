@@ -9,6 +9,7 @@
 #include "picture/colour/theme.hpp"
 #include "picture/render/mesh.hpp"
 #include "picture/scene/camera.hpp"
+#include "picture/scene/gizmo.hpp"
 #include "picture/scene/snapshot.hpp"
 
 namespace sarsim::picture {
@@ -37,6 +38,10 @@ struct DrawingOptions {
   std::optional<scene::ObjectId> hovered;
   std::optional<PathPointId> hovered_point;
   std::set<scene::ObjectId> hidden;
+  std::optional<PathPointId> selected_point;
+  std::optional<Gizmo> gizmo;  ///< Drawn above everything.
+  std::optional<GizmoHandle> hovered_handle;
+  std::optional<GizmoGuide> guide;  ///< While something is dragged along an axis.
 };
 inline constexpr std::size_t coarse_targets = 2000;
 

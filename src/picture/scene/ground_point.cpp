@@ -12,21 +12,6 @@ namespace {
 constexpr double least_elevation_rad = 5.0 * core::rad_per_deg;
 constexpr double seen_edge_on = 1e-9;  // sine of the angle below which a line runs along a plane
 
-struct SightLine {
-  core::Vec3 from_m;
-  core::Vec3 along;  // Unit, away from the viewer.
-  double first_m;    // Nothing before it is seen.
-};
-
-// Of an orthographic view nothing is behind the viewer.
-SightLine sight_line(const Camera& camera, double x_px, double y_px) {
-  const core::Vec3 at = camera.unproject(x_px, y_px);
-  const core::Vec3 towards = core::direction(camera.azimuth_rad, camera.elevation_rad);
-  if (!camera.perspective) return {at, -towards, -HUGE_VAL};
-  const core::Vec3 eye = camera.focus_world_m + camera.viewer_distance_m() * towards;
-  return {eye, (1.0 / core::norm(at - eye)) * (at - eye), 0.0};
-}
-
 std::optional<core::Vec3> plane_under(const SightLine& line, double z_m) {
   if (std::abs(line.along.z) < seen_edge_on) return std::nullopt;
   const double way_m = (z_m - line.from_m.z) / line.along.z;
@@ -57,6 +42,14 @@ std::optional<core::Vec3> ellipsoid_under(const SightLine& line, const radar::Ea
 }
 
 }  // namespace
+
+SightLine sight_line(const Camera& camera, double x_px, double y_px) {
+  const core::Vec3 at = camera.unproject(x_px, y_px);
+  const core::Vec3 towards = core::direction(camera.azimuth_rad, camera.elevation_rad);
+  if (!camera.perspective) return {at, -towards, -HUGE_VAL};
+  const core::Vec3 eye = camera.focus_world_m + camera.viewer_distance_m() * towards;
+  return {eye, (1.0 / core::norm(at - eye)) * (at - eye), 0.0};
+}
 
 std::optional<core::Vec3> ground_under(const Camera& camera, double x_px, double y_px,
                                        const std::optional<radar::EarthFrame>& earth) {

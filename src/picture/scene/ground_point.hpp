@@ -8,6 +8,14 @@
 
 namespace sarsim::picture {
 
+/// What is seen at a point of the picture lies on this line.
+struct SightLine {
+  core::Vec3 from_m;  ///< Any point of it; of a perspective view the viewer's eye.
+  core::Vec3 along;   ///< Unit, away from the viewer.
+  double first_m;     ///< Nothing before it is seen; of an orthographic view nothing is behind the viewer.
+};
+[[nodiscard]] SightLine sight_line(const Camera& camera, double x_px, double y_px);
+
 /// The point of the ground that is seen at a point of the picture, in the world: of the ellipsoid, where the world has
 /// an Earth, otherwise of the plane z = 0. Nothing where the line of sight passes it by, or runs along the plane.
 ///

@@ -357,6 +357,11 @@ void Document::type_text(std::string text) {
 
 void Document::undo() { follow_history(history_.undo(scene_), false); }
 
+void Document::take_back() {
+  undo();
+  history_.forget_undone();
+}
+
 void Document::redo() { follow_history(history_.redo(scene_), true); }
 
 void Document::note_edit(Edit edit, bool forwards) {

@@ -89,6 +89,9 @@ class Document {
   void type_text(std::string text);
   /// Takes back the last step, with its text; std::logic_error where there is none.
   void undo();
+  /// Takes back the last step for good, as if it had never been: a drag that is given up. std::logic_error where there
+  /// is none.
+  void take_back();
   /// Makes the step again that was taken back last; std::logic_error where there is none.
   void redo();
   [[nodiscard]] const History& history() const { return history_; }

@@ -46,6 +46,11 @@ const Edit& History::redo(Scene& scene) {
   return edits_[done_++];
 }
 
+void History::forget_undone() {
+  if (saved_ > done_) saved_reachable_ = false;
+  edits_.resize(done_);
+}
+
 void History::mark_saved() {
   run_open_ = false;
   saved_ = done_;

@@ -28,6 +28,9 @@ class History {
   /// The same forwards.
   const Edit& redo(Scene& scene);
 
+  /// What was undone cannot be made again.
+  void forget_undone();
+
   /// Remembers the present state as the one on disk.
   void mark_saved();
   /// True where the state is not the one that was saved (at first: the beginning).

@@ -43,6 +43,22 @@ TEST(History, UndoesAndRedoesStepByStep) {
   EXPECT_FALSE(history.can_redo());
 }
 
+TEST(History, ForgetsWhatWasUndone) {
+  Scene scene = two_targets();
+  History history;
+  history.perform(move_to(scene, 1.0), scene);
+  history.mark_saved();
+  history.perform(add_object(scene, Radar{}), scene);
+  history.undo(scene);
+  history.forget_undone();
+  EXPECT_FALSE(history.can_redo());
+  EXPECT_FALSE(history.changed());
+  history.undo(scene);
+  history.forget_undone();
+  EXPECT_TRUE(history.changed());  // What is on disk is out of reach.
+  EXPECT_FALSE(history.can_undo());
+}
+
 TEST(History, RefusesStepsThatAreNotThere) {
   Scene scene;
   History history;

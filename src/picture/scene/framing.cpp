@@ -1,0 +1,148 @@
+#include "picture/scene/framing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sarsim::picture {
+
+namespace {
+
+constexpr double fit_margin_px = 40.0;  // of the screen
+constexpr double free_edge_px = 6.0;
+constexpr double buttons_px = 34.0;          // above: buttons and read-outs lie over the picture
+constexpr double main_axis_room_px = 230.0;  // with the letter
+constexpr double own_axis_room_px = 70.0;
+constexpr double point_room_px = 8.0;
+constexpr double letter_px = 8.0;
+
+// What axes with letters take about their origin.
+MarkRoom room_of_axes(const Camera& camera, const core::Vec3& at_m, const core::Mat3& world_from_axes,
+                      double length_px) {
+  MarkRoom room{at_m, 0.0, 0.0, 0.0, 0.0};
+  const core::Mat3 axes_world = core::transposed(world_from_axes);
+  for (const core::Vec3& axis : axes_world.row) {
+    const core::Vec3 end = length_px * (camera.picture_from_world() * axis);
+    room.left_px = std::max(room.left_px, -end.x);
+    room.right_px = std::max(room.right_px, end.x);
+    room.above_px = std::max(room.above_px, end.y);
+    room.below_px = std::max(room.below_px, -end.y);
+  }
+  return room;
+}
+
+double half_width_px(const std::string& words) { return 0.5 * letter_px * static_cast<double>(words.size()); }
+
+std::vector<MarkRoom> rooms_of(const Snapshot& snapshot, const Camera& camera, const DrawingOptions& options) {
+  const double scale = options.pixel_scale;
+  std::vector<MarkRoom> rooms;
+  if (options.coordinate_systems) rooms.push_back(room_of_axes(camera, {}, {}, scale * main_axis_room_px));
+  for (const Snapshot::Platform& platform : snapshot.platforms) {
+    const core::Vec3& at_m = platform.pose.position_world_m;
+    if (options.coordinate_systems)
+      rooms.push_back(room_of_axes(camera, at_m, platform.pose.world_from_platform, scale * own_axis_room_px));
+    const double half = scale * half_width_px(platform.name);
+    if (options.labels) rooms.push_back({at_m, half, half, scale * 26.0, 0.0});
+  }
+  for (const Snapshot::Radar& radar : snapshot.radars) {
+    const double half = scale * half_width_px(radar.name);
+    rooms.push_back({radar.position_world_m, half, half, scale * 12.0, scale * 28.0});
+  }
+  return rooms;
+}
+
+// The corners of the box that holds points in the picture's axes.
+std::vector<core::Vec3> corners_about(const Camera& camera, const std::vector<core::Vec3>& points_m) {
+  const core::Mat3 picture_from_world = camera.picture_from_world();
+  const double infinity = std::numeric_limits<double>::infinity();
+  core::Vec3 low{infinity, infinity, infinity};
+  core::Vec3 high = -low;
+  for (const core::Vec3& point : points_m) {
+    const core::Vec3 p = picture_from_world * point;
+    if (!std::isfinite(p.x + p.y + p.z)) continue;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  std::vector<core::Vec3> corners;
+  if (!(low.x <= high.x)) return corners;
+  for (const double x : {low.x, high.x})
+    for (const double y : {low.y, high.y})
+      for (const double z : {low.z, high.z})
+        corners.push_back(core::transposed(picture_from_world) * core::Vec3{x, y, z});
+  return corners;
+}
+
+Camera fitted_with_margin(const Camera& camera, const std::vector<core::Vec3>& points_m, double pixel_scale) {
+  Camera inner = camera;
+  inner.width_px = std::max(0.5 * camera.width_px, camera.width_px - 2.0 * fit_margin_px * pixel_scale);
+  inner.height_px = std::max(0.5 * camera.height_px, camera.height_px - 2.0 * fit_margin_px * pixel_scale);
+  inner = fitted(inner, points_m);
+  inner.width_px = camera.width_px;
+  inner.height_px = camera.height_px;
+  return inner;
+}
+
+// Half of the way to the nearest other point; 0 where there is none.
+double lonely_radius_m(const Snapshot& snapshot, const core::Vec3& at_m) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const core::Vec3& point : points_of(snapshot)) {
+    const double away = core::norm(point - at_m);
+    if (away > 1e-6 * std::max(1.0, core::norm(at_m))) nearest = std::min(nearest, away);
+  }
+  return std::isfinite(nearest) ? 0.5 * nearest : 0.0;
+}
+
+}  // namespace
+
+Camera showing_all(const Camera& camera, const Snapshot& snapshot, const DrawingOptions& options) {
+  const std::vector<core::Vec3> points = points_of(snapshot);
+  Camera shown = fitted_with_margin(camera, points, options.pixel_scale);
+  std::vector<MarkRoom> rooms = rooms_of(snapshot, shown, options);
+  const double room = point_room_px * options.pixel_scale;
+  for (const core::Vec3& corner : corners_about(shown, points)) rooms.push_back({corner, room, room, room, room});
+  for (MarkRoom& mark : rooms) mark.above_px += buttons_px * options.pixel_scale;
+  return with_whole_marks(shown, rooms, free_edge_px * options.pixel_scale);
+}
+
+Camera showing(const Camera& camera, const Snapshot& snapshot, const std::set<scene::ObjectId>& objects,
+               double pixel_scale) {
+  std::vector<core::Vec3> points = points_of(snapshot, objects);
+  if (points.empty()) return camera;
+  const core::Vec3 first = points.front();
+  const bool one = std::ranges::all_of(
+      points, [&](const core::Vec3& p) { return core::norm(p - first) <= 1e-6 * std::max(1.0, core::norm(first)); });
+  if (const double radius = one ? lonely_radius_m(snapshot, first) : 0.0; radius > 0.0) {
+    const core::Mat3 axes = camera.picture_from_world();
+    for (const core::Vec3& way : {axes.row[0], -axes.row[0], axes.row[1], -axes.row[1]})
+      points.push_back(first + radius * way);
+  }
+  return fitted_with_margin(camera, points, pixel_scale);
+}
+
+std::vector<core::Vec3> points_of(const Snapshot& snapshot, const std::set<scene::ObjectId>& objects) {
+  Snapshot some;
+  const auto take = [&](const auto& from, auto& to) {
+    std::ranges::copy_if(from, std::back_inserter(to), [&](const auto& object) { return objects.contains(object.id); });
+  };
+  take(snapshot.platforms, some.platforms);
+  take(snapshot.targets, some.targets);
+  take(snapshot.cloud_points, some.cloud_points);
+  take(snapshot.surfaces, some.surfaces);
+  take(snapshot.radars, some.radars);
+  return points_of(some);
+}
+
+bool shows_well(const Camera& camera, const std::vector<core::Vec3>& points_world_m) {
+  double left = camera.width_px, right = 0.0, top = camera.height_px, bottom = 0.0;
+  for (const core::Vec3& point : points_world_m) {
+    const auto at = camera.project(point);
+    if (!at || at->x < 0.0 || at->y < 0.0 || at->x > camera.width_px || at->y > camera.height_px) return false;
+    left = std::min(left, at->x);
+    right = std::max(right, at->x);
+    top = std::min(top, at->y);
+    bottom = std::max(bottom, at->y);
+  }
+  return right - left > 0.1 * camera.width_px || bottom - top > 0.1 * camera.height_px;
+}
+
+}  // namespace sarsim::picture
