@@ -18,6 +18,39 @@ void MainWindow::make_hand_entries(QMenu* view) {
   add_action(
       view, tr("Show &All"), "view_fit", {}, [this] { scene_->scene().fit(); },
       tr("Show everything; in the scene the key Home"));
+  add_action(
+      view, tr("Along the Bea&m"), "view_beam", {}, [this] { scene_->look_along_beam(); },
+      tr("Look along the beam of the selected radar, or of the first; in the scene the key 4"));
+  QAction* follow = add_action(
+      view, tr("Follow Selection"), "view_follow", {}, [this] { scene_->follow_selection(); },
+      tr("The view goes with what is selected as time runs; in the scene the key 5"));
+  follow->setCheckable(true);
+  connect(scene_, &ScenePanel::ride_changed, follow,
+          [this, follow] { follow->setChecked(scene_->ride() == ScenePanel::Ride::follow); });
+  QMenu* cameras = view->addMenu(tr("Came&ras"));
+  cameras->setObjectName("view_cameras");
+  cameras->setToolTip(tr("Every view of this scene by its name"));
+  connect(cameras, &QMenu::aboutToShow, scene_, [this, cameras] { scene_->fill_cameras(*cameras); });
+  QAction* measure = add_action(
+      view, tr("Meas&ure Distance"), "view_measure", {}, {[] {}},
+      tr("Click two places of the scene: distance, height and angles; Escape ends it; in the scene the key M"));
+  measure->setCheckable(true);
+  connect(measure, &QAction::toggled, scene_, &ScenePanel::measure);
+  QAction* path = add_action(view, tr("Draw Path"), "view_draw_path", {}, {[] {}},
+                             tr("Clicks put waypoints or legs behind the path of the selected platform; Enter ends it; "
+                                "in the scene the key P"));
+  path->setCheckable(true);
+  connect(path, &QAction::toggled, scene_, &ScenePanel::draw_path);
+  connect(&scene_->scene(), &SceneWidget::tool_changed, this, [measure, path](SceneWidget::Tool tool) {
+    measure->setChecked(tool == SceneWidget::Tool::ruler);
+    path->setChecked(tool == SceneWidget::Tool::path);
+  });
+  add_action(
+      view, tr("Add Waypoint Here"), "view_add_waypoint", {}, [this] { scene_->add_point_here(); },
+      tr("Put a point into the path of the selected platform under the pointer; or double click on the path"));
+  add_action(
+      view, tr("Delete Waypoint"), "view_delete_waypoint", {}, [this] { scene_->delete_point(); },
+      tr("Take the selected point out of its path; in the scene the key Delete"));
   QAction* own = add_action(
       view, tr("&Handles Along Own Axes"), "view_own_axes", {}, {[] {}},
       tr("Arrows of what is selected lie along the axes of its platform, not the world's; in the scene the key L"));

@@ -359,7 +359,8 @@ void MainWindow::show_focus() {
   platform->setToolTip(tr("A platform stays in the middle while the time runs"));
   platform->addItem(tr("A point"));
   for (const scene::Platform& p : session_.scene().platforms) platform->addItem(QString::fromStdString(p.name));
-  if (scene_->followed()) platform->setCurrentIndex(static_cast<int>(scene_->followed()->index) + 1);
+  if (scene_->followed() && scene_->followed()->kind == scene::ObjectKind::platform)
+    platform->setCurrentIndex(static_cast<int>(scene_->followed()->index) + 1);
   form->addRow(tr("&Follow"), platform);
   const core::Vec3 focus = scene_->scene().camera().focus_world_m;
   std::array<QLineEdit*, 3> fields{};

@@ -13,6 +13,8 @@
 #include <QStatusBar>
 #include <QTimer>
 
+#include <memory>
+
 #include "gui/common/screen_size.hpp"
 #include "gui/echo/data_saver.hpp"
 #include "gui/echo/simulation_window.hpp"
@@ -239,9 +241,10 @@ void MainWindow::edit_function(scene::ObjectId id, const QString& field) {
 }
 
 void MainWindow::show_object_menu(std::optional<scene::ObjectId> id, QPoint global) {
-  if (!id) return;
-  if (!session_.selection().contains(*id)) session_.select_only(*id);
-  tree_->context_menu()->exec(global);
+  if (id && !session_.selection().contains(*id)) session_.select_only(*id);
+  const std::unique_ptr<QMenu> menu = id ? tree_->context_menu() : std::make_unique<QMenu>();
+  scene_->add_hand_entries(*menu);
+  menu->exec(global);
 }
 
 void MainWindow::show_geometry() {

@@ -209,7 +209,12 @@ bool make_picture(MainWindow& main, const PictureWish& wish) {
   if (window == nullptr) return complain(QStringLiteral("no window '%1' for this script").arg(name));
   if (!wish.size.isEmpty() && window->isWindow()) window->resize(wish.size);
   bool good = false;
-  QTimer::singleShot(settling_ms / 2, &main, [&main] { main.scene().scene().fit(); });
+  QTimer::singleShot(settling_ms / 2, &main, [&main, &wish] {
+    main.scene().scene().fit();
+    // What a command was to show is shown in the window's size.
+    for (const char* command : {"view_zoom_selection", "view_focus_selection", "view_beam"})
+      if (wish.commands.contains(QLatin1String(command))) main.findChild<QAction*>(QLatin1String(command))->trigger();
+  });
   QTimer::singleShot(settling_ms, &main, [&] {
     wait_for_image(main);
     QWidget* modal = QApplication::activeModalWidget();

@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/rounding.hpp"
 #include "gui/common/palette_colours.hpp"
+#include "gui/scene/camera_bar.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
 #include "picture/figure/ticks.hpp"
@@ -64,7 +65,14 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   direction_->setToolTip(tr("Where the scene is seen from: azimuth clockwise from +y, elevation above the x-y plane"));
   // In a corner of the scene, so that the time has the whole width below.
   auto* corner = new QVBoxLayout(scene_);
-  corner->addWidget(direction_, 0, Qt::AlignRight);
+  corner->setSizeConstraint(QLayout::SetNoConstraint);  // Words do not keep the scene from being narrow.
+  auto* top = new QHBoxLayout;
+  cameras_ = new CameraBar(*this);
+  cameras_->setAutoFillBackground(true);
+  top->addWidget(cameras_, 0, Qt::AlignLeft | Qt::AlignTop);
+  top->addStretch();
+  top->addWidget(direction_, 0, Qt::AlignRight | Qt::AlignTop);
+  corner->addLayout(top);
   corner->addWidget(place_, 0, Qt::AlignRight);
   corner->addStretch();
   place_->setObjectName("place_under_pointer");
@@ -90,9 +98,11 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   scene_->installEventFilter(this);
   connect(&session_, &Session::document_replaced, this, [this] {
     new_document_ = true;
-    followed_.reset();
+    set_ride(Ride::none, std::nullopt);
+    kept_views_.clear();
     dragged_.reset();
     selected_point_.reset();
+    scene_->set_tool(SceneWidget::Tool::hand);
     time_bar_->set_playing(false);
   });
   connect(&session_, &Session::scene_changed, this, &ScenePanel::take_scene);
@@ -120,10 +130,20 @@ void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::empty_clicked, this, [this] { session_.select({}); });
   connect(scene_, &SceneWidget::point_clicked, this, &ScenePanel::select_point);
   connect(scene_, &SceneWidget::frame_wanted, this, &ScenePanel::zoom_to_selection);
+  connect(scene_, &SceneWidget::beam_wanted, this, [this] { look_along_beam(); });
+  connect(scene_, &SceneWidget::follow_wanted, this, &ScenePanel::follow_selection);
   connect(scene_, &SceneWidget::own_axes_wanted, this, [this] { set_own_axes(!own_axes_); });
   connect(scene_, &SceneWidget::turned_to, this, &ScenePanel::turn);
   connect(scene_, &SceneWidget::edit_requested, this, &ScenePanel::edit_requested);
-  connect(scene_, &SceneWidget::menu_requested, this, &ScenePanel::menu_requested);
+  connect(scene_, &SceneWidget::menu_requested, this, [this](std::optional<scene::ObjectId> object, QPoint global) {
+    place_of_menu_ = scene_->path_under_pointer();
+    emit menu_requested(object, global);
+    place_of_menu_.reset();
+  });
+  connect(scene_, &SceneWidget::tool_changed, this, &ScenePanel::take_tool);
+  connect(scene_, &SceneWidget::path_place_wanted, this, &ScenePanel::add_point_behind);
+  connect(scene_, &SceneWidget::path_divided, this, &ScenePanel::divide_path);
+  connect(scene_, &SceneWidget::point_delete_wanted, this, &ScenePanel::delete_point);
   connect(scene_, &SceneWidget::delete_wanted, this, &ScenePanel::delete_wanted);
   connect(scene_, &SceneWidget::drag_started, this, &ScenePanel::begin_drag);
   connect(scene_, &SceneWidget::dragged_to, this, &ScenePanel::drag);
@@ -135,7 +155,7 @@ void ScenePanel::connect_gestures() {
     dragged_.reset();
     session_.end_run();
   });
-  connect(scene_, &SceneWidget::camera_changed, this, &ScenePanel::show_camera);
+  connect(scene_, &SceneWidget::camera_changed, this, &ScenePanel::take_camera);
 }
 
 bool ScenePanel::eventFilter(QObject* watched, QEvent* event) {
@@ -151,6 +171,7 @@ void ScenePanel::take_scene(const scene::SceneChange& change) {
     maker_ = std::make_unique<picture::SnapshotMaker>(session_.scene());
   else
     maker_->follow(session_.scene(), change);
+  follow_ride(change);
   const auto [first_s, last_s] = maker_->time_span_s();
   earth_ = scene::earth_of(session_.scene().world);
   scene_->set_earth(earth_);
@@ -176,15 +197,13 @@ void ScenePanel::take_scene(const scene::SceneChange& change) {
 void ScenePanel::show_time() {
   const auto [first_s, last_s] = maker_->time_span_s();
   picture::Snapshot snapshot = maker_->at(session_.time_s(), last_s - first_s);
-  if (followed_) {
-    const auto found = std::ranges::find(snapshot.platforms, *followed_, &picture::Snapshot::Platform::id);
-    if (found != snapshot.platforms.end()) focus_on(found->pose.position_world_m);
-  }
   scene_->set_snapshot(std::move(snapshot));
+  move_camera();
   show_marks();
 }
 
 void ScenePanel::show_marks() {
+  if (selected_point_ && !picture::handles_of(scene_->snapshot(), *selected_point_)) selected_point_.reset();
   scene_->set_dark(is_dark(palette()));
   if (const QColor ground = colour_of(picture::Role::background, palette());
       direction_->palette().color(QPalette::Window) != ground) {
@@ -192,6 +211,7 @@ void ScenePanel::show_marks() {
     own.setColor(QPalette::Window, ground);
     direction_->setPalette(own);
     place_->setPalette(own);
+    cameras_->setPalette(own);
     scene_->findChild<QLabel*>("hand_words")->setPalette(own);
   }
   picture::DrawingOptions options = scene_->options();
@@ -200,6 +220,7 @@ void ScenePanel::show_marks() {
   options.selected_point = selected_point_;
   scene_->set_options(options);
   show_handles();
+  show_path_end();
 }
 
 void ScenePanel::show_handles() {
@@ -226,18 +247,6 @@ void ScenePanel::select_point(const std::optional<picture::PathPointId>& point) 
     show_marks();
 }
 
-void ScenePanel::show_camera() {
-  const auto degrees = [](double rad) { return qRound(rad * core::deg_per_rad); };
-  direction_->setText(tr("Azimuth %1°  Elevation %2°")
-                          .arg(degrees(scene_->camera().azimuth_rad))
-                          .arg(degrees(scene_->camera().elevation_rad)));
-}
-
-void ScenePanel::follow(std::optional<scene::ObjectId> platform) {
-  followed_ = platform;
-  show_time();
-}
-
 void ScenePanel::focus_on(const core::Vec3& world_m) {
   picture::Camera camera = scene_->camera();
   camera.focus_world_m = world_m;
@@ -250,8 +259,9 @@ void ScenePanel::focus_on_selection() {
   int count = 0;
   for (const scene::ObjectId id : session_.selection())
     if (const auto place = picture::place_of(snapshot, id)) sum = sum + *place, ++count;
-  followed_.reset();
+  set_ride(Ride::none, std::nullopt);
   if (count > 0) focus_on((1.0 / count) * sum);
+  if (count == 1) follow(*session_.selection().begin());
 }
 
 std::set<scene::ObjectId> ScenePanel::with_carried(const std::set<scene::ObjectId>& objects) const {
@@ -264,7 +274,7 @@ std::set<scene::ObjectId> ScenePanel::with_carried(const std::set<scene::ObjectI
 
 void ScenePanel::zoom_to_selection() {
   if (session_.selection().empty()) return scene_->fit();
-  followed_.reset();
+  set_ride(Ride::none, std::nullopt);
   scene_->show_objects(with_carried(session_.selection()));
 }
 

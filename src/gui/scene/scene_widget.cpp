@@ -52,7 +52,19 @@ void SceneWidget::set_snapshot(picture::Snapshot snapshot) {
   redraw();
 }
 
-void SceneWidget::set_camera(const picture::Camera& camera) { change_camera(camera); }
+void SceneWidget::set_camera(const picture::Camera& camera) {
+  perspective_ = camera.perspective;
+  change_camera(camera);
+}
+
+void SceneWidget::ride(const picture::Camera& camera) { change_camera(camera); }
+
+picture::Camera SceneWidget::usual_camera() const {
+  picture::Camera camera = camera_;
+  if (camera.heights_away != picture::distance_in_heights) camera.perspective = perspective_;
+  camera.heights_away = picture::distance_in_heights;
+  return camera;
+}
 
 void SceneWidget::set_options(picture::DrawingOptions options) {
   options.hovered = options_.hovered;
@@ -60,6 +72,8 @@ void SceneWidget::set_options(picture::DrawingOptions options) {
   options.hovered_handle = options_.hovered_handle;
   options.gizmo = options_.gizmo;
   options.guide = options_.guide;
+  options.ruler = options_.ruler;
+  options.ruler_words = options_.ruler_words;
   options.pixel_scale = options_.pixel_scale;
   options.coarse = false;
   options_ = std::move(options);
@@ -81,15 +95,15 @@ void SceneWidget::set_earth(std::optional<radar::EarthFrame> earth) { earth_ = s
 
 void SceneWidget::fit() {
   follow_size();
-  change_camera(picture::showing_all(camera_, snapshot_, options_));
+  change_camera(picture::showing_all(usual_camera(), snapshot_, options_));
 }
 
 void SceneWidget::show_objects(const std::set<scene::ObjectId>& objects) {
   follow_size();
-  change_camera(picture::showing(camera_, snapshot_, objects, options_.pixel_scale));
+  change_camera(picture::showing(usual_camera(), snapshot_, objects, options_.pixel_scale));
 }
 
-void SceneWidget::look(picture::ViewPreset view) { change_camera(picture::preset(camera_, view)); }
+void SceneWidget::look(picture::ViewPreset view) { change_camera(picture::preset(usual_camera(), view)); }
 
 void SceneWidget::zoom(double factor) {
   change_camera(picture::zoomed(camera_, factor, 0.5 * camera_.width_px, 0.5 * camera_.height_px));

@@ -32,9 +32,10 @@ namespace sarsim::gui {
 /// distance along it, or the angle; Enter leaves it there, Escape takes it back. A label at the pointer says where it
 /// is.
 /// Keys: arrows turn, with Shift pan; + and - zoom, Home fits, F and . show what is selected; 1, 2 and 3 look from
-/// above, the front, the side; G moves what is selected with the pointer, R turns it, L changes the axes of its
-/// handles; Enter edits and the menu key asks for the menu of the only selected object; Delete asks that the selected
-/// ones be deleted.
+/// above, the front, the side, 4 along a beam, 5 follows what is selected; M measures and P
+/// draws a path, until Escape; G moves what is selected with the pointer, R
+/// turns it, L changes the axes of its handles; Enter edits and the menu key asks for the menu of the only selected
+/// object; Delete asks that the selected ones be deleted.
 class SceneWidget : public QWidget {
   Q_OBJECT
 
@@ -46,6 +47,8 @@ class SceneWidget : public QWidget {
   [[nodiscard]] const picture::Snapshot& snapshot() const { return snapshot_; }
   /// The size is that of the widget, whatever the camera says.
   void set_camera(const picture::Camera& camera);
+  /// The same for a view that is not kept: what is chosen next, from above or of everything, is seen as before it.
+  void ride(const picture::Camera& camera);
   [[nodiscard]] const picture::Camera& camera() const { return camera_; }
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
   void set_options(picture::DrawingOptions options);
@@ -66,6 +69,15 @@ class SceneWidget : public QWidget {
   bool move_selected();
   /// Turns it in the same way, about the last of its rings; false where it has none.
   bool turn_selected();
+  /// What clicks and drags do: move things, measure between two places, put points behind a path.
+  enum class Tool { hand, ruler, path };
+  /// Another tool than the ruler takes the ruler away.
+  void set_tool(Tool tool);
+  [[nodiscard]] Tool tool() const { return tool_; }
+  /// The path that Tool::path goes on with: from this place.
+  void set_path_end(std::optional<core::Vec3> world_m);
+  /// The line of a selected path under the pointer.
+  [[nodiscard]] std::optional<picture::PathPlace> path_under_pointer() const;
   /// What a drag is doing, for those who show it.
   [[nodiscard]] const picture::HandDrag& hand() const { return hand_; }
 
@@ -97,9 +109,14 @@ class SceneWidget : public QWidget {
   void turned_to(sarsim::scene::ObjectId id, std::size_t ring, double by_rad);
   void point_clicked(sarsim::picture::PathPointId point);        ///< A point of a path was clicked.
   void point_delete_wanted(sarsim::picture::PathPointId point);  ///< The selected point is to go.
+  void tool_changed(sarsim::gui::SceneWidget::Tool tool);        ///< Clicks do something else.
+  void path_place_wanted(sarsim::core::Vec3 world_m);            ///< Tool::path clicked there, on the level of its end.
+  void path_divided(sarsim::picture::PathPlace place);           ///< A double click on the line of a path.
   void frame_wanted();                                           ///< What is selected is to fill the picture.
-  void own_axes_wanted();                                        ///< The handles are to take the other axes.
-  void path_drag_started(sarsim::picture::PathPointId point);    ///< What follows moves this point.
+  void beam_wanted();                                            ///< The view along a beam is wanted.
+  void follow_wanted();                                        ///< The view is to go with what is selected, or to stay.
+  void own_axes_wanted();                                      ///< The handles are to take the other axes.
+  void path_drag_started(sarsim::picture::PathPointId point);  ///< What follows moves this point.
   /// All the way from where the point was when the drag started, rounded to `resolution_m`.
   void path_dragged_to(sarsim::picture::PathPointId point, sarsim::core::Vec3 delta_world_m, double resolution_m);
   void drag_taken_back();  ///< What is dragged is to be as it was; `drag_ended` follows.
@@ -124,7 +141,7 @@ class SceneWidget : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Gesture { none, pressed, turn, pan, zoom, move, rotate };
+  enum class Gesture { none, pressed, turn, pan, zoom, move, rotate, measure };
 
   // A mouse button that is held: where and on what it went down.
   struct Press {
@@ -135,6 +152,7 @@ class SceneWidget : public QWidget {
     std::optional<scene::ObjectId> on;
     std::optional<picture::PathPointId> point;
     std::optional<picture::GizmoHandle> handle;
+    std::optional<int> ruler_end;
     core::Vec3 object_world_m;
     double angle_rad = 0.0;  // that a ring changes, as it was
   };
@@ -160,11 +178,20 @@ class SceneWidget : public QWidget {
   bool hand_key(const QKeyEvent& event);
   void lock_axis(std::size_t axis);
   void type(const QKeyEvent& event);
+  [[nodiscard]] std::optional<core::Vec3> place_at(const QPointF& at_px);
+  [[nodiscard]] std::optional<core::Vec3> path_place_at(const QPointF& at_px) const;
+  void set_ruler(std::optional<picture::Ruler> ruler);
+  void move_ruler_end(int end, const QPointF& at_px);
+  bool tool_click(const QPointF& at_px);
+  void tool_hover(const QPointF& at_px);
+  bool tool_key(const QKeyEvent& event);
   void show_guide();
   void show_hand_words(const QString& words);
   void place_hand_words();
   [[nodiscard]] Gesture gesture_of(Qt::KeyboardModifiers modifiers) const;
 
+  // As before a view that was not kept.
+  [[nodiscard]] picture::Camera usual_camera() const;
   void follow_size();
   void change_camera(const picture::Camera& camera);
   void redraw();
@@ -187,10 +214,14 @@ class SceneWidget : public QWidget {
   std::function<std::string(const picture::PathPointId&)> point_namer_;
   std::optional<radar::EarthFrame> earth_;
   bool dark_ = false;
+  bool perspective_ = false;  // of all views but those of `ride`
   Press press_;
   std::optional<picture::Handles> handles_;
   picture::HandDrag hand_;
-  QPointF pointer_px_;  // where the pointer was last
+  Tool tool_ = Tool::hand;
+  bool ruler_open_ = false;               // its second end follows the pointer
+  std::optional<core::Vec3> path_end_m_;  // of Tool::path
+  QPointF pointer_px_;                    // where the pointer was last
   bool snap_ = false;
   QLabel* hand_words_ = nullptr;
   picture::Drawing drawing_;

@@ -59,6 +59,9 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
   press_.camera = camera_;
   pointer_px_ = press_.at_px;
   press_.point = path_point_at(press_.at_px);
+  if (press_.button == Qt::LeftButton && options_.ruler && !ruler_open_)
+    press_.ruler_end = picture::ruler_end_at(*options_.ruler, camera_, press_.at_px.x(), press_.at_px.y(),
+                                             reach_px * options_.pixel_scale);
   // Rings are large and pass over the points of paths.
   if (press_.button == Qt::LeftButton && !press_.point) press_.handle = handle_at(press_.at_px);
   press_.on = press_.point ? press_.point->platform : picked_at(press_.at_px);
@@ -72,6 +75,8 @@ void SceneWidget::mousePressEvent(QMouseEvent* event) {
 SceneWidget::Gesture SceneWidget::gesture_of(Qt::KeyboardModifiers modifiers) const {
   switch (press_.button) {
     case Qt::LeftButton:
+      if (press_.ruler_end) return Gesture::measure;
+      if (tool_ == Tool::ruler || (tool_ == Tool::path && !press_.point)) return Gesture::turn;
       if (press_.handle)
         return press_.handle->kind == picture::GizmoHandle::Kind::ring ? Gesture::rotate : Gesture::move;
       if (press_.point || (press_.on && movable(*press_.on))) return Gesture::move;
@@ -104,6 +109,7 @@ void SceneWidget::follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers mod
       snap_ = modifiers.testFlag(Qt::ShiftModifier);
       follow_hand();
       break;
+    case Gesture::measure: move_ruler_end(*press_.ruler_end, at_px); break;
     case Gesture::none:
     case Gesture::pressed: break;
   }
@@ -132,6 +138,7 @@ void SceneWidget::mouseMoveEvent(QMouseEvent* event) {
     set_hovered_point(point);
     set_hovered(options_.hovered_handle || options_.hovered_point ? std::nullopt : picked_at(at_px));
     tell_place(at_px);
+    tool_hover(at_px);
     return;
   }
   const double drag_px = QApplication::startDragDistance() * options_.pixel_scale;
@@ -149,19 +156,25 @@ void SceneWidget::mouseReleaseEvent(QMouseEvent* event) {
 
 void SceneWidget::click(Qt::KeyboardModifiers modifiers, QPoint global) {
   if (press_.button == Qt::RightButton) emit menu_requested(press_.on, global);
-  if (press_.button != Qt::LeftButton) return;
+  if (press_.button != Qt::LeftButton || tool_click(press_.at_px)) return;
   if (press_.point && !modifiers.testFlag(Qt::ControlModifier))
     emit point_clicked(*press_.point);
   else if (press_.on)
     emit selection_clicked(*press_.on, modifiers.testFlag(Qt::ControlModifier));
-  else
+  else if (!path_under_pointer())  // A double click on a path puts a point there.
     emit empty_clicked();
 }
 
 void SceneWidget::mouseDoubleClickEvent(QMouseEvent* event) {
   press_.gesture = Gesture::none;  // The release that follows is no click.
   if (event->button() != Qt::LeftButton) return;
-  if (const auto id = picked_at(device_point(event->position()))) emit edit_requested(*id);
+  const QPointF at_px = device_point(event->position());
+  pointer_px_ = at_px;
+  if (tool_ != Tool::hand) return;
+  if (const auto id = picked_at(at_px))
+    emit edit_requested(*id);
+  else if (const auto place = path_under_pointer())
+    emit path_divided(*place);
 }
 
 void SceneWidget::wheelEvent(QWheelEvent* event) {
@@ -210,6 +223,8 @@ void SceneWidget::keyPressEvent(QKeyEvent* event) {
     take_gesture_back();
   else if (in_hand() && hand_key(*event))
     return;
+  else if (press_.gesture == Gesture::none && tool_key(*event))
+    return;
   else if (press_.gesture != Gesture::none || (!camera_key(*event) && !object_key(*event)))
     QWidget::keyPressEvent(event);
 }
@@ -234,12 +249,16 @@ bool SceneWidget::knows_key(const QKeyEvent& event) const {
     case Qt::Key_1:
     case Qt::Key_2:
     case Qt::Key_3: return plain;
+    case Qt::Key_4:
+    case Qt::Key_5:
     case Qt::Key_F:
     case Qt::Key_Period:
+    case Qt::Key_M:
+    case Qt::Key_P:
     case Qt::Key_G:
     case Qt::Key_R:
     case Qt::Key_L: return plain && event.modifiers() != Qt::ShiftModifier;
-    case Qt::Key_Escape: return press_.gesture != Gesture::none;
+    case Qt::Key_Escape: return press_.gesture != Gesture::none || tool_ != Tool::hand;
     default: return false;
   }
 }
@@ -266,6 +285,8 @@ bool SceneWidget::camera_key(const QKeyEvent& event) {
     case Qt::Key_1: look(picture::ViewPreset::top); return true;
     case Qt::Key_2: look(picture::ViewPreset::front); return true;
     case Qt::Key_3: look(picture::ViewPreset::side); return true;
+    case Qt::Key_4: emit beam_wanted(); return true;
+    case Qt::Key_5: emit follow_wanted(); return true;
     case Qt::Key_F:
     case Qt::Key_Period: emit frame_wanted(); return true;
     default: return false;

@@ -186,7 +186,7 @@ Camera along_beam(Camera camera, const core::Vec3& antenna_world_m, const core::
   const double width = width_rad > 0.0 ? std::min(width_rad, widest_rad) : widest_rad;
   camera.perspective = true;
   camera.heights_away = std::max(nearest_heights, 0.5 / (widths_in_height * std::tan(0.5 * width)));
-  camera.azimuth_rad = core::azimuth_rad(-axis_world);
+  camera.azimuth_rad = wrapped(core::azimuth_rad(-axis_world));
   camera.elevation_rad = core::elevation_rad(-axis_world);
   camera.pixels_per_m = camera.heights_away * camera.height_px / reach_m;
   camera.focus_world_m = antenna_world_m + reach_m * axis_world;

@@ -10,6 +10,7 @@
 #include "picture/render/mesh.hpp"
 #include "picture/scene/camera.hpp"
 #include "picture/scene/gizmo.hpp"
+#include "picture/scene/ruler.hpp"
 #include "picture/scene/snapshot.hpp"
 
 namespace sarsim::picture {
@@ -41,7 +42,9 @@ struct DrawingOptions {
   std::optional<PathPointId> selected_point;
   std::optional<Gizmo> gizmo;  ///< Drawn above everything.
   std::optional<GizmoHandle> hovered_handle;
-  std::optional<GizmoGuide> guide;  ///< While something is dragged along an axis.
+  std::optional<Ruler> ruler;
+  std::vector<std::string> ruler_words;  ///< What stands beside it.
+  std::optional<GizmoGuide> guide;       ///< While something is dragged along an axis.
 };
 inline constexpr std::size_t coarse_targets = 2000;
 
@@ -113,6 +116,16 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
 /// viewer where two are equally near.
 [[nodiscard]] std::optional<PathPointId> picked_path_point(const Drawing& drawing, double x_px, double y_px,
                                                            double reach_px);
+
+/// The point of a selected platform's path, legs or waypoints, whose line is nearest to a picture point; nothing where
+/// none is within `reach_px`.
+struct PathPlace {
+  scene::ObjectId platform;
+  core::Vec3 at_world_m;
+};
+[[nodiscard]] std::optional<PathPlace> picked_path_place(const Snapshot& snapshot, const DrawingOptions& options,
+                                                         const Camera& camera, double x_px, double y_px,
+                                                         double reach_px);
 
 /// All points of a snapshot that a fitted view should show: objects and the points of paths, not trails.
 [[nodiscard]] std::vector<core::Vec3> points_of(const Snapshot& snapshot);

@@ -74,7 +74,7 @@ void draw_surfaces(Pen& pen, const std::vector<Snapshot::Surface>& surfaces);
 void draw_targets(Pen& pen, const std::vector<Snapshot::Target>& targets);
 void draw_radars(Pen& pen, const std::vector<Snapshot::Radar>& radars);
 void draw_platforms(Pen& pen, const std::vector<Snapshot::Platform>& platforms);
-/// What a hand works with: the handles of what is selected and the guide of a drag.
+/// What a hand works with: the handles of what is selected, the guide of a drag, the ruler.
 void draw_hands(Pen& pen);
 
 }  // namespace sarsim::picture

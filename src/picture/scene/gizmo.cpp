@@ -201,6 +201,7 @@ void draw_gizmo(Pen& pen, const Gizmo& gizmo, const std::optional<GizmoHandle>& 
 
 void draw_hands(Pen& pen) {
   const DrawingOptions& options = pen.options();
+  if (options.ruler) draw_ruler(pen, *options.ruler, options.ruler_words);
   if (options.guide) draw_guide(pen, *options.guide);
   if (options.gizmo) draw_gizmo(pen, *options.gizmo, options.hovered_handle);
 }

@@ -53,7 +53,10 @@ SightLine sight_line(const Camera& camera, double x_px, double y_px) {
 
 std::optional<core::Vec3> ground_under(const Camera& camera, double x_px, double y_px,
                                        const std::optional<radar::EarthFrame>& earth) {
-  const SightLine line = sight_line(camera, x_px, y_px);
+  return ground_along(sight_line(camera, x_px, y_px), earth);
+}
+
+std::optional<core::Vec3> ground_along(const SightLine& line, const std::optional<radar::EarthFrame>& earth) {
   return earth ? ellipsoid_under(line, *earth) : plane_under(line, 0.0);
 }
 

@@ -23,6 +23,10 @@ struct SightLine {
 [[nodiscard]] std::optional<core::Vec3> ground_under(const Camera& camera, double x_px, double y_px,
                                                      const std::optional<radar::EarthFrame>& earth);
 
+/// Where a line meets the ground first, as `ground_under`.
+[[nodiscard]] std::optional<core::Vec3> ground_along(const SightLine& line,
+                                                     const std::optional<radar::EarthFrame>& earth);
+
 /// The point of the level plane through `world_m` that is seen at a point of the picture; nothing where the plane is
 /// seen within 5 degrees of its edge.
 [[nodiscard]] std::optional<core::Vec3> level_under(const Camera& camera, double x_px, double y_px,

@@ -105,4 +105,33 @@ std::optional<PathPointId> picked_path_point(const Drawing& drawing, double x_px
   return PathPointId{handle->id, *handle->path_point};
 }
 
+std::optional<PathPlace> picked_path_place(const Snapshot& snapshot, const DrawingOptions& options,
+                                           const Camera& camera, double x_px, double y_px, double reach_px) {
+  std::optional<PathPlace> nearest;
+  double least = reach_px;
+  for (const Snapshot::Platform& platform : snapshot.platforms) {
+    if (!options.selected.contains(platform.id) || options.hidden.contains(platform.id)) continue;
+    for (std::size_t i = 1; i < platform.path_world_m.size(); ++i) {
+      const core::Vec3& from = platform.path_world_m[i - 1];
+      const core::Vec3& to = platform.path_world_m[i];
+      const auto a = camera.project(from);
+      const auto b = camera.project(to);
+      if (!a || !b) continue;
+      const double dx = b->x - a->x;
+      const double dy = b->y - a->y;
+      const double t =
+          std::clamp(((x_px - a->x) * dx + (y_px - a->y) * dy) / std::max(dx * dx + dy * dy, 1e-12), 0.0, 1.0);
+      const double distance = std::hypot(a->x + t * dx - x_px, a->y + t * dy - y_px);
+      if (distance > least) continue;
+      least = distance;
+      // Along the part as it is foreshortened.
+      const double depth_a = camera.scale_at(a->depth_m);
+      const double depth_b = camera.scale_at(b->depth_m);
+      const double part = t * depth_a / ((1.0 - t) * depth_b + t * depth_a);
+      nearest = {platform.id, from + part * (to - from)};
+    }
+  }
+  return nearest;
+}
+
 }  // namespace sarsim::picture
