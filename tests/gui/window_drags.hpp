@@ -188,7 +188,9 @@ class WindowDrags : public QObject {
 
   // A corner where nothing is near.
   [[nodiscard]] QPoint free_place() {
-    for (const QPoint corner : {QPoint(30, 30), QPoint(view().width() - 30, 30), QPoint(30, view().height() - 30)}) {
+    constexpr int below_buttons = 80;
+    for (const QPoint corner :
+         {QPoint(30, below_buttons), QPoint(view().width() - 30, below_buttons), QPoint(30, view().height() - 30)}) {
       const QPointF at = QPointF(corner) * view().pixel_scale();
       const bool taken = std::ranges::any_of(view().snapshot().targets, [&](const picture::Snapshot::Target& target) {
         const auto point = view().camera().project(target.position_world_m);

@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTabBar>
 #include <QTabWidget>
 #include <QToolButton>
@@ -24,7 +25,7 @@ EchoPanel::EchoPanel(QWidget* parent)
   tabs_->setUsesScrollButtons(true);
   auto* const alone = named(new QToolButton(tabs_), "echo_alone", tr("Window of its own"),
                             tr("Show the echoes in a window of their own"));
-  alone->setText(QStringLiteral("⧉"));
+  alone->setIcon(style()->standardIcon(QStyle::SP_TitleBarNormalButton));
   alone->setAutoRaise(true);
   tabs_->setCornerWidget(alone);
   connect(alone, &QToolButton::clicked, this, [this] {
@@ -39,6 +40,11 @@ EchoPanel::EchoPanel(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(stack_);
   follow_tabs();
+}
+
+// Windows that go with it have no tabs left to tell of.
+EchoPanel::~EchoPanel() {
+  for (int i = 0; i < tabs_->count(); ++i) tabs_->widget(i)->disconnect(this);
 }
 
 QWidget* EchoPanel::make_placeholder() {

@@ -15,10 +15,11 @@ class EchoPanel : public QWidget {
 
  public:
   explicit EchoPanel(QWidget* parent = nullptr);
+  ~EchoPanel() override;
 
   /// Takes a window in, in front of the others; its tab goes with it.
   void take(SimulationWindow* window);
-  [[nodiscard]] int count() const;
+  [[nodiscard]] int count() const;  ///< How many windows it holds.
   /// The window in front; null where there is none.
   [[nodiscard]] SimulationWindow* current() const;
 

@@ -191,7 +191,7 @@ QWidget* SimulationWindow::make_foot() {
   auto* const foot = new QWidget(this);
   auto* const layout = new QVBoxLayout(foot);
   layout->setContentsMargins(0, 0, 0, 0);
-  warning_ = foot_label(foot, "echo_warning", 1);
+  warning_ = foot_label(foot, "echo_warning", 2);
   read_out_ = foot_label(foot, "echo_read_out", 2);
   difference_ = foot_label(foot, "echo_difference", 2);
   highest_ = new QLabel(foot);

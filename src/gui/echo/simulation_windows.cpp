@@ -25,6 +25,10 @@ SimulationWindow* SimulationWindows::open_new(scene::Processing processing) {
   const bool on_radar = current && current->kind == scene::ObjectKind::radar && current->index < scene.radars.size();
   const std::size_t radar = on_radar ? current->index : 0;
   picture::EchoWindow window = picture::new_echo_window(scene.radars[radar].name, processing);
+  if (processing != scene::Processing::raw) {
+    window.quantity = picture::DisplayQuantity::decibels;
+    window.map = picture::ColourMap::ocean;
+  }
   const scene::Simulation suitable = suitable_simulation(scene, radar);
   window.recording.time_start_s = suitable.time_start_s;
   window.recording.time_end_s = suitable.time_end_s;

@@ -27,12 +27,12 @@ void MainWindow::make_hand_entries(QMenu* view) {
   follow->setCheckable(true);
   connect(scene_, &ScenePanel::ride_changed, follow,
           [this, follow] { follow->setChecked(scene_->ride() == ScenePanel::Ride::follow); });
-  QMenu* cameras = view->addMenu(tr("Came&ras"));
+  QMenu* cameras = view->addMenu(tr("Cameras"));
   cameras->setObjectName("view_cameras");
   cameras->setToolTip(tr("Every view of this scene by its name"));
   connect(cameras, &QMenu::aboutToShow, scene_, [this, cameras] { scene_->fill_cameras(*cameras); });
   QAction* measure = add_action(
-      view, tr("Meas&ure Distance"), "view_measure", {}, {[] {}},
+      view, tr("Measure Distance"), "view_measure", {}, {[] {}},
       tr("Click two places of the scene: distance, height and angles; Escape ends it; in the scene the key M"));
   measure->setCheckable(true);
   connect(measure, &QAction::toggled, scene_, &ScenePanel::measure);

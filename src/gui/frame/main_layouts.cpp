@@ -90,8 +90,8 @@ void MainWindow::size_docks() {
   const bool left = dockWidgetArea(docks_["properties"]) == Qt::LeftDockWidgetArea;
   const auto share = [&](double part, int most) { return std::min(static_cast<int>(part * width), most); };
   resizeDocks({docks_["objects"], docks_["properties"]},
-              {share(left ? 0.2 : 0.16, letter * 52), share(left ? 0.2 : 0.22, letter * 62)}, Qt::Horizontal);
-  const int view = share(views ? 0.28 : 0.34, 4 * width);
+              {share(left ? 0.22 : 0.16, letter * 52), share(left ? 0.22 : 0.22, letter * 62)}, Qt::Horizontal);
+  const int view = share(views ? 0.26 : 0.34, width);
   resizeDocks({docks_["echoes"], docks_["image"]}, {view, view}, Qt::Horizontal);
   if (left) resizeDocks({docks_["objects"], docks_["properties"]}, {height() * 2 / 5, height() * 3 / 5}, Qt::Vertical);
   resizeDocks({docks_["simulations"]}, {std::min(fontMetrics().height() * 13, height() / 5)}, Qt::Vertical);
@@ -110,7 +110,8 @@ void MainWindow::restore_layout() {
     return;
   }
   const QByteArray kept = settings.value("window/state").toByteArray();
-  if (kept.isEmpty() || !restoreState(kept, layout_version)) apply_layout(first_layout_);
+  layout_is_kept_ = !kept.isEmpty() && restoreState(kept, layout_version);
+  if (!layout_is_kept_) apply_layout(first_layout_);
 }
 
 void MainWindow::keep_layout() const {

@@ -59,7 +59,8 @@ QAction* MainWindow::add_action(QMenu* menu, const QString& text, const char* na
   auto* action = new QAction(text, this);
   action->setObjectName(name);
   action->setShortcut(keys);
-  action->setShortcutContext(Qt::ApplicationShortcut);  // also where a simulation window or viewer has the keyboard
+  // Also where a simulation window or viewer has the keyboard; F1 is of the window that has it.
+  if (keys != QKeySequence(QKeySequence::HelpContents)) action->setShortcutContext(Qt::ApplicationShortcut);
   action->setProperty("menu", menu->title().remove('&'));
   if (!tip.isEmpty()) action->setToolTip(tip), action->setStatusTip(tip);
   connect(action, &QAction::triggered, this, work);
@@ -312,7 +313,7 @@ void MainWindow::make_view_menu() {
       view, tr("Pre&vious Panel"), "view_previous_panel", QKeySequence("Shift+F6"), [this] { go_to_panel(-1); },
       tr("Take the keyboard to the panel before"));
   add_action(
-      view, tr("&Reset Layout"), "view_reset", {}, [this] { reset_layout(); },
+      view, tr("Reset Layout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));
 }
 

@@ -145,8 +145,9 @@ void MainWindow::showEvent(QShowEvent* event) {
   if (sized_) return;
   sized_ = true;
   scene_->scene().setFocus();
+  restore_layout();
   // Docks take sizes only once the window has its own.
-  QTimer::singleShot(0, this, &MainWindow::restore_layout);
+  if (!layout_is_kept_) QTimer::singleShot(0, this, &MainWindow::size_docks);
 }
 
 void MainWindow::fill_recent() {

@@ -155,6 +155,7 @@ class MainWindow : public QMainWindow {
   std::map<QString, QDockWidget*> docks_;
   QString first_layout_ = "scene";
   QString wanted_layout_;
+  bool layout_is_kept_ = false;  // from the last time
   bool sized_ = false;
   GuideSite guide_;
 };

@@ -1,5 +1,6 @@
 #include "gui/scene/time_bar.hpp"
 
+#include <QBoxLayout>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -177,20 +178,35 @@ void TimeBar::lay_out() {
     words->setBuddy(buddy);
     return words;
   };
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(4, 2, 4, 2);
-  row->addWidget(earlier_button_);
-  row->addWidget(play_button_);
-  row->addWidget(later_button_);
-  row->addWidget(scrubber_, 3);
-  row->addWidget(label(tr("Time"), time_field_));
-  row->addWidget(time_field_, 1);
-  row->addWidget(utc_);
-  row->addWidget(label(tr("Step"), step_field_));
-  row->addWidget(step_field_, 1);
-  row->addWidget(label(tr("Speed"), speed_box_));
-  row->addWidget(speed_box_);
-  row->addWidget(loop_box_);
+  rows_ = new QBoxLayout(QBoxLayout::LeftToRight, this);
+  rows_->setContentsMargins(4, 2, 4, 2);
+  auto* now = new QHBoxLayout;
+  for (QToolButton* button : {earlier_button_, play_button_, later_button_}) now->addWidget(button);
+  now->addWidget(scrubber_, 3);
+  now->addWidget(label(tr("Time"), time_field_));
+  now->addWidget(time_field_, 1);
+  now->addWidget(utc_);
+  auto* how = new QHBoxLayout;
+  how->addWidget(label(tr("Step"), step_field_));
+  how->addWidget(step_field_, 1);
+  how->addWidget(label(tr("Speed"), speed_box_));
+  how->addWidget(speed_box_);
+  how->addWidget(loop_box_);
+  rows_->addLayout(now, 4);
+  rows_->addLayout(how, 1);
+}
+
+// How it goes stands below when it is, where there is no room beside it.
+void TimeBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const int beside = rows_->itemAt(0)->minimumSize().width() + rows_->itemAt(1)->minimumSize().width() + 60;
+  rows_->setDirection(width() < beside ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
+QSize TimeBar::minimumSizeHint() const {
+  const QSize now = rows_->itemAt(0)->minimumSize();
+  const QSize how = rows_->itemAt(1)->minimumSize();
+  return {std::max(now.width(), how.width()) + 8, QWidget::minimumSizeHint().height()};
 }
 
 double TimeBar::speed() const { return speed_box_->currentData().toDouble(); }

@@ -9,6 +9,7 @@
 
 #include "radar/earth/instant.hpp"
 
+class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QLabel;
@@ -51,12 +52,15 @@ class TimeBar : public QWidget {
   /// One step on.
   void later();
 
+  [[nodiscard]] QSize minimumSizeHint() const override;
+
  signals:
   void time_changed(double time_s);    ///< Another time was chosen, or has come.
   void playing_changed(bool playing);  ///< Playing began or ended.
 
  protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void show_icons();
@@ -77,6 +81,7 @@ class TimeBar : public QWidget {
   QElapsedTimer clock_;
   double played_from_s_ = 0.0;  // the time of the scene when `clock_` started
   double played_to_s_ = 0.0;    // the time that playing has announced last
+  QBoxLayout* rows_ = nullptr;
   QToolButton* earlier_button_ = nullptr;
   QToolButton* play_button_ = nullptr;
   QToolButton* later_button_ = nullptr;

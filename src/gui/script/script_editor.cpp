@@ -101,6 +101,7 @@ void ScriptEditor::lay_out() {
   split->setStretchFactor(0, 5);
   split->setStretchFactor(1, 1);
   split->setCollapsible(0, false);
+  split->setMinimumHeight(6 * fontMetrics().height());  // The list of problems comes and goes without moving the scene.
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addLayout(tools);
