@@ -1,14 +1,21 @@
-// gui_drag [TARGETS...]: how long the window of the workbench takes to answer a hand that drags.
+// gui_drag [TARGETS or SCENE FILE...]: how long the window of the workbench takes to answer a hand that drags: with so
+// many targets, or until the live image of a scene shows a target that was moved.
 
 #include <QApplication>
 #include <QStandardPaths>
+
+#include <ctime>
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "gui/common/figure_plot.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/live/live_panel.hpp"
 #include "gui/window_drags.hpp"
+#include "scene/edit/edit.hpp"
 
 namespace {
 
@@ -18,6 +25,40 @@ void print(std::size_t targets, bool with_table, const char* what, const sarsim:
   std::printf("%8zu  %-6s %-20s %8.1f %8.1f %8.1f %8.1f\n", targets, with_table ? "table" : "", what, times.median(),
               times.worst(), times.busy_median(), times.busy_worst());
   std::fflush(stdout);
+}
+
+double thread_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+// Moves a target and waits until the image beside the scene shows it; busy is the thread of the windows alone.
+void run_live(const std::string& file) {
+  constexpr int drags = 200;
+  sarsim::gui::MainWindow window;
+  window.resize(1600, 1000);
+  window.show();
+  window.documents().open_file(QString::fromStdString(file));
+  static_cast<void>(window.window_named("image"));
+  auto& panel = *window.findChild<sarsim::gui::LivePanel*>();
+  if (!QTest::qWaitFor([&] { return panel.complete() && panel.image() != nullptr; }, 60'000)) return;
+  sarsim::test::AnswerTimes times;
+  for (int step = 0; step < drags; ++step) {
+    const auto before = panel.image();
+    const double busy = thread_ms();
+    QElapsedTimer clock;
+    clock.start();
+    sarsim::scene::Target target = window.session().scene().targets.front();
+    target.position_m.x += 0.5;
+    window.session().perform(sarsim::scene::replace_object(
+        window.session().scene(), {sarsim::scene::ObjectKind::target, 0}, target, "Move target", "drag"));
+    while (panel.image() == before) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    panel.plot().repaint();
+    times.ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
+    times.busy_ms.push_back(thread_ms() - busy);
+  }
+  print(window.session().scene().targets.size(), false, "follow with image", times);
 }
 
 void run(std::size_t targets) {
@@ -43,9 +84,11 @@ int main(int argc, char** argv) {
   QCoreApplication::setApplicationName("gui_drag");
   std::printf("milliseconds from a movement of the hand to the picture, %d movements\n", steps);
   std::printf("%8s  %-6s %-20s %8s %8s %8s %8s\n", "targets", "open", "drag", "median", "worst", "busy", "worst");
-  std::vector<std::size_t> sizes;
-  for (int i = 1; i < argc; ++i) sizes.push_back(std::strtoul(argv[i], nullptr, 10));
-  if (sizes.empty()) sizes = {10'000, 100'000};
-  for (const std::size_t targets : sizes) run(targets);
+  std::vector<std::string> wanted(argv + 1, argv + argc);
+  if (wanted.empty()) wanted = {"10000", "100000"};
+  for (const std::string& word : wanted) {
+    const std::size_t targets = std::strtoul(word.c_str(), nullptr, 10);
+    targets > 0 ? run(targets) : run_live(word);
+  }
   return EXIT_SUCCESS;
 }

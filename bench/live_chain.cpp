@@ -31,7 +31,8 @@ double processor_ms() { return 1e3 * static_cast<double>(std::clock()) / CLOCKS_
 struct Times {
   std::vector<double> first;
   std::vector<double> last;
-  double processor = 0.0;
+  std::vector<double> busy_first;  // processor time of all threads
+  std::vector<double> busy_last;
 };
 
 double median(std::vector<double> values) {
@@ -51,18 +52,21 @@ void make(picture::LiveEngine& engine, const scene::Scene& scene, const picture:
   const picture::LiveImage image =
       engine.make({shared, 0, options, window}, stop, [&](const picture::LiveImage& coarse) {
         static_cast<void>(picture::live_figure(coarse, {}));
-        if (first < 0.0) first = since();
+        if (first >= 0.0) return;
+        first = since();
+        times.busy_first.push_back(processor_ms() - processor);
       });
   static_cast<void>(picture::live_figure(image, {}));
   times.last.push_back(since());
   times.first.push_back(first < 0.0 ? times.last.back() : first);
-  times.processor += processor_ms() - processor;
+  times.busy_last.push_back(processor_ms() - processor);
+  if (first < 0.0) times.busy_first.push_back(times.busy_last.back());
 }
 
 void print(const std::string& name, const char* what, const Times& times) {
-  std::printf("%-18s %-16s %8.1f %8.1f %8.1f %8.1f %8.1f\n", name.c_str(), what, median(times.first),
-              worst(times.first), median(times.last), worst(times.last),
-              times.processor / static_cast<double>(times.last.size()));
+  std::printf("%-18s %-16s %8.1f %8.1f %8.1f %8.1f %8.1f %8.1f\n", name.c_str(), what, median(times.first),
+              worst(times.first), median(times.busy_first), median(times.last), worst(times.last),
+              median(times.busy_last));
   std::fflush(stdout);
 }
 
@@ -115,7 +119,8 @@ int main(int argc, char** argv) {
   const std::filesystem::path examples = SARSIM_EXAMPLES;
   std::printf("milliseconds to the first and to the whole picture of %zu x %zu pixels, %u threads; processor time\n",
               window.width_px, window.height_px, core::thread_count(0));
-  std::printf("%-18s %-16s %8s %8s %8s %8s %8s\n", "scene", "change", "first", "worst", "whole", "worst", "busy");
+  std::printf("%-18s %-16s %8s %8s %8s %8s %8s %8s\n", "scene", "change", "first", "worst", "busy", "whole", "worst",
+              "busy");
   std::vector<std::string> names(argv + 1, argv + argc);
   if (names.empty()) names = {"sar_r", "stripmap_motion", "spotlight", "satellite", "10000", "100000"};
   try {

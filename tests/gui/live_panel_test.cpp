@@ -89,6 +89,23 @@ class LivePanelTest : public QObject {
     QVERIFY(bench.part<QLabel>("live_state").text().contains("1240 pulses"));
   }
 
+  void showsImagesWhileTheHandGoesOn() {
+    Bench bench;
+    int images = 0;
+    auto last = bench.panel->image();
+    // Faster than any image is made.
+    for (int step = 0; step < 1000 && images < 3; ++step) {
+      bench.move_target(0, -190.0 + 0.1 * step);
+      QTest::qWait(3);
+      if (bench.panel->image() != last) ++images;
+      last = bench.panel->image();
+    }
+    QCOMPARE(images, 3);
+    QVERIFY(!bench.panel->complete());
+    bench.wait();
+    QVERIFY(!bench.panel->image()->coarse);
+  }
+
   void showsGhostsOfALowPrfAndSaysSo() {
     Bench bench;
     const double alone = strong_share(*bench.panel->image());

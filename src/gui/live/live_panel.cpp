@@ -40,6 +40,8 @@ constexpr std::array maps{picture::ColourMap::ocean, picture::ColourMap::ember, 
 constexpr int blink_ms = 500;
 constexpr int busy_after_ms = 150;  // a bar for less would flicker
 constexpr int resized_ms = 80;
+// A hand moves faster than images come: each has so long until its first picture before a newer one takes its place.
+constexpr int first_picture_ms = 400;
 constexpr std::size_t least_px = 64;
 constexpr std::size_t most_px = 1200;
 
@@ -292,9 +294,14 @@ void LivePanel::compute_soon() {
 
 void LivePanel::compute() {
   if (!isVisible()) return;
+  if (nothing_yet_ && !asked_.hasExpired(first_picture_ms)) {
+    soon_.start(std::max(1, first_picture_ms - static_cast<int>(asked_.elapsed())));
+    return;
+  }
   const picture::LiveRequest wanted = request();
   if (wanted.simulation >= wanted.scene->simulations.size()) {
     picture_->cancel();
+    nothing_yet_ = false;
     image_.reset();
     complete_ = true;
     progress_->hide();
@@ -304,6 +311,8 @@ void LivePanel::compute() {
     emit finished();
     return;
   }
+  nothing_yet_ = true;
+  asked_.start();
   request_ = picture_->show(wanted);
   QTimer::singleShot(busy_after_ms, this,
                      [this, number = request_] { progress_->setVisible(!complete_ && number == request_); });
@@ -327,6 +336,8 @@ void LivePanel::show_event() {
     latest_.reset();
   }
   const bool newest = event.request == request_ && !soon_.isActive();
+  if (event.request == request_) nothing_yet_ = false;
+  if (soon_.isActive()) soon_.start(0);
   // An image that came while the hand went on is shown all the same: it is the newest that there is.
   if (event.kind == picture::LiveEvent::Kind::failed) {
     if (!newest) return;
@@ -443,6 +454,7 @@ void LivePanel::showEvent(QShowEvent* event) {
 void LivePanel::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
   picture_->cancel();
+  nothing_yet_ = false;
 }
 
 void LivePanel::resizeEvent(QResizeEvent* event) {

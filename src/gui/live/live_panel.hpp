@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
 
@@ -133,6 +134,8 @@ class LivePanel : public QWidget {
   std::mutex lock_;                           // of `latest_`
   std::optional<picture::LiveEvent> latest_;  // from the thread that computes
   std::uint64_t request_ = 0;
+  bool nothing_yet_ = false;  // has come of the request
+  QElapsedTimer asked_;
   std::unique_ptr<picture::LivePicture> picture_;
   BackgroundJob job_;  // Last: ends before what it uses.
 };

@@ -1,5 +1,8 @@
 #include "picture/live/live_engine.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -52,20 +55,25 @@ struct FocusedPixels {
   signal::FocusedImage axes;
 };
 
-// The image of echoes, without remarks.
-FocusedPixels focused(workflow::FocusInput input, const LiveOptions& options, const Making& making) {
-  const std::size_t pulses = input.echoes.rows;
+// The image of what was begun, without remarks.
+FocusedPixels focused(workflow::FocusWork begun, const Making& making) {
+  const std::size_t pulses = begun.input.echoes.rows;
   core::Observer observer;
   observer.stop = making.control.stop;
   FocusedPixels pixels;
-  pixels.begun =
-      workflow::begin_focus(std::move(input), focus_request_of(options, making.control.threads), making.control);
-  pixels.begun.place.reset();  // Of files alone.
+  pixels.begun = std::move(begun);
   pixels.ended = pixels.begun;
   const workflow::FocusReport report = workflow::end_focus(pixels.ended, observer, workflow::FocusRemarks::later);
   pixels.image = pixels_of(report, pulses, making);
   pixels.axes = report.image.image;
   return pixels;
+}
+
+workflow::FocusWork begun(workflow::FocusInput input, const LiveOptions& options, const Making& making) {
+  workflow::FocusWork work =
+      workflow::begin_focus(std::move(input), focus_request_of(options, making.control.threads), making.control);
+  work.place.reset();  // Of files alone.
+  return work;
 }
 
 void tell_coarse(LiveImage image, std::string why, const Making& making) {
@@ -80,7 +88,7 @@ void tell_some_targets(const Making& making) {
   HeldEchoes some;
   some.follow(std::make_shared<const scene::Scene>(thinned_targets(scene, making.request.simulation, coarse_targets)),
               0, making.control);
-  LiveImage image = focused(some.input(), making.request.options, making).image;
+  LiveImage image = focused(begun(some.input(), making.request.options, making), making).image;
   image.cost.echoes = some.take_echoes();
   tell_coarse(std::move(image), fmt::format("{} of {} targets", coarse_targets, scene.targets.size()), making);
 }
@@ -90,29 +98,6 @@ bool takes_long(const workflow::FocusInput& input, const LiveOptions& options) {
   const double samples = static_cast<double>(input.echoes.rows) * static_cast<double>(input.echoes.columns);
   return options.algorithm == workflow::FocusAlgorithm::back_projection &&
          samples * static_cast<double>(input.echoes.rows) > quick_projections;
-}
-
-LiveImage make_focused(HeldEchoes& held, const Making& making) {
-  const LiveRequest& request = making.request;
-  const std::size_t targets = request.scene->targets.size();
-  if (targets > many_targets && !held.follows_cheaply(*request.scene, request.simulation)) tell_some_targets(making);
-  held.follow(request.scene, request.simulation, making.control);
-  if (held.plan_is_old() && targets > many_targets)
-    tell_coarse(focused(held.input(), request.options, making).image, "grid as before the change", making);
-  held.renew_plan(making.control);
-  const workflow::FocusInput input = held.input();
-  if (takes_long(input, request.options)) {
-    LiveOptions quick = request.options;
-    quick.algorithm = workflow::FocusAlgorithm::omega_k;
-    tell_coarse(focused(input, quick, making).image, "omega-k first", making);
-  }
-  FocusedPixels pixels = focused(input, request.options, making);
-  pixels.image.cost.echoes = held.take_echoes();
-  making.coarse(pixels.image);
-  for (core::Problem& problem :
-       workflow::remarks_on_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control))
-    pixels.image.problems.push_back(std::move(problem));
-  return std::move(pixels.image);
 }
 
 LiveImage pixels_of(const workflow::KeptImage& kept, const core::Problems& problems, std::string made,
@@ -139,8 +124,8 @@ LiveImage make_isar(const Making& making, const core::Observer& observer) {
   request.threads = making.control.threads;
   const workflow::IsarReport report = workflow::isar(request, observer);
   if (report.images.empty() || !report.images.front().kept) throw core::Refused("no image was made");
-  return pixels_of(*report.images.front().kept, report.problems,
-                   fmt::format("{}, {} bursts", report.algorithm, report.images.front().bursts), making);
+  return pixels_of(*report.images.front().kept, report.problems, fmt::format("{} bursts", report.images.front().bursts),
+                   making);
 }
 
 LiveImage make_doppler(const Making& making, const core::Observer& observer) {
@@ -163,7 +148,46 @@ LiveImage make_ppi(const Making& making, const core::Observer& observer) {
 
 }  // namespace
 
-LiveEngine::LiveEngine(unsigned threads) : threads_(threads), held_(std::make_unique<HeldEchoes>()) {}
+// What is kept from one focused image to the next.
+struct LiveEngine::Focusing {
+  HeldEchoes held;
+  std::optional<workflow::FocusWork> last;  // as it was begun, for
+  LiveOptions options;
+
+  // The grid of the image and the Doppler centroid before a small change serve for a first look behind it.
+  void tell_quickly(const Making& making) {
+    if (!held.plan_is_old() || !last || options != making.request.options || takes_long(last->input, options)) return;
+    workflow::FocusWork work = *last;
+    work.input.echoes.copy = held.input().echoes.copy;
+    tell_coarse(focused(std::move(work), making).image, "grid as before the change", making);
+  }
+
+  LiveImage make(const Making& making) {
+    const LiveRequest& request = making.request;
+    const bool many = request.scene->targets.size() > many_targets;
+    if (many && !held.follows_cheaply(*request.scene, request.simulation)) tell_some_targets(making);
+    held.follow(request.scene, request.simulation, making.control);
+    tell_quickly(making);
+    held.renew_plan(making.control);
+    const workflow::FocusInput input = held.input();
+    if (takes_long(input, request.options)) {
+      LiveOptions quick = request.options;
+      quick.algorithm = workflow::FocusAlgorithm::omega_k;
+      tell_coarse(focused(begun(input, quick, making), making).image, "omega-k first", making);
+    }
+    last = begun(input, request.options, making);
+    options = request.options;
+    FocusedPixels pixels = focused(*last, making);
+    pixels.image.cost.echoes = held.take_echoes();
+    making.coarse(pixels.image);
+    std::ranges::move(
+        workflow::remarks_on_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control),
+        std::back_inserter(pixels.image.problems));
+    return std::move(pixels.image);
+  }
+};
+
+LiveEngine::LiveEngine(unsigned threads) : threads_(threads), focusing_(std::make_unique<Focusing>()) {}
 
 LiveEngine::~LiveEngine() = default;
 
@@ -184,7 +208,7 @@ LiveImage LiveEngine::make(const LiveRequest& request, const core::StopFlag& sto
                     : product == LiveProduct::isar    ? make_isar(making, observer)
                     : product == LiveProduct::doppler ? make_doppler(making, observer)
                     : product == LiveProduct::ppi     ? make_ppi(making, observer)
-                                                      : make_focused(*held_, making);
+                                                      : focusing_->make(making);
   image.product = product;
   image.cost.seconds = core::now_s() - begin_s;
   return image;

@@ -9,8 +9,6 @@
 
 namespace sarsim::picture {
 
-class HeldEchoes;
-
 /// Makes one live image after another. Echoes add up: where only a few targets differ from the scene before, theirs
 /// alone are computed and put in place of the old ones; noise and all other echoes stay. Used by one thread at a time.
 class LiveEngine {
@@ -30,8 +28,9 @@ class LiveEngine {
   [[nodiscard]] LiveImage make(const LiveRequest& request, const core::StopFlag& stop, const Coarse& coarse);
 
  private:
+  struct Focusing;
   unsigned threads_;
-  std::unique_ptr<HeldEchoes> held_;
+  std::unique_ptr<Focusing> focusing_;
 };
 
 }  // namespace sarsim::picture

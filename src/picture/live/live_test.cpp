@@ -213,6 +213,25 @@ TEST(LiveEngineTest, DragComputesTheEchoesOfOneTargetAndGivesTheSameImage) {
   EXPECT_LT(difference(whole, followed), 1e-5);
 }
 
+TEST(LiveEngineTest, FirstLookBehindASmallChangeHasItsEchoes) {
+  scene::Scene scene = example("sar_r.toml");
+  LiveEngine engine(2);
+  const LiveImage before = made(engine, scene);
+  scene.targets[3].position_m.x += 20.0;
+  std::vector<LiveImage> looks;
+  const LiveImage whole = made(engine, scene, {}, [&](LiveImage look) { looks.push_back(std::move(look)); });
+  ASSERT_EQ(looks.size(), 2U);
+  EXPECT_TRUE(looks[0].coarse);
+  EXPECT_FALSE(looks[1].coarse);
+  // Pixels of a slightly other grid.
+  EXPECT_EQ(looks[0].made, whole.made);
+  EXPECT_NEAR(looks[0].largest_v, whole.largest_v, 0.1F * whole.largest_v);
+  EXPECT_EQ(peaks(looks[0]), peaks(whole));
+  const std::vector<float> changed = difference_db(before, looks[0], 30.0);
+  EXPECT_GT(*std::ranges::max_element(changed), 15.0F);
+  EXPECT_LT(*std::ranges::min_element(changed), -15.0F);
+}
+
 TEST(LiveEngineTest, WhatDoesNotAddUpIsComputedWhole) {
   scene::Scene scene = example("sar_r.toml");
   LiveEngine engine(2);
