@@ -155,12 +155,19 @@ void LivePanel::make_options() {
   span_->setSingleStep(5);
   span_->setSuffix(tr(" dB"));
   span_->setValue(50);
-  grid->addWidget(algorithm_, 0, 0);
-  grid->addWidget(window_, 0, 1);
-  grid->addWidget(colours_, 1, 0);
-  grid->addWidget(span_, 1, 1);
-  grid->addWidget(compensation_, 2, 0);
-  grid->addWidget(autofocus_, 2, 1);
+  const auto add_titled = [&](const QString& title, QWidget* field, int row, int column) {
+    auto* const label = new QLabel(title, options_);
+    label->setBuddy(field);
+    grid->addWidget(label, row, column);
+    grid->addWidget(field, row + 1, column);
+  };
+  grid->setVerticalSpacing(2);
+  add_titled(tr("&Algorithm"), algorithm_, 0, 0);
+  add_titled(tr("&Window"), window_, 0, 1);
+  add_titled(tr("&Colours"), colours_, 2, 0);
+  add_titled(tr("&Decibels shown"), span_, 2, 1);
+  grid->addWidget(compensation_, 4, 0);
+  grid->addWidget(autofocus_, 4, 1);
   static_cast<QVBoxLayout*>(layout())->addWidget(options_);
   options_->hide();
   connect(more_, &QToolButton::toggled, options_, &QWidget::setVisible);
@@ -397,9 +404,9 @@ void LivePanel::show_state() {
   QString text = text_of(picture::title_of(shown.product)) + ": ";
   if (shown.coarse) text += tr("coarse (%1), ").arg(text_of(shown.coarsely));
   text += tr("%1, %L2 ms").arg(text_of(shown.made)).arg(shown.cost.seconds * 1e3, 0, 'f', 0);
-  if (comparing() == Compare::difference) text = tr("Now minus before; ") + text;
-  if (comparing() == Compare::blink) text = (before_is_seen_ ? tr("Before; ") : tr("Now; ")) + text;
-  if (comparing() == Compare::side_by_side) text = tr("Before, now; ") + text;
+  if (comparing() == Compare::difference) text = tr("Now minus before. ") + text;
+  if (comparing() == Compare::blink) text = (before_is_seen_ ? tr("Before. ") : tr("Now. ")) + text;
+  if (comparing() == Compare::side_by_side) text = tr("Before, now. ") + text;
   state_->setText(text);
   state_->setToolTip(text);
 }
