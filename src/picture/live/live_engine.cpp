@@ -122,10 +122,20 @@ LiveImage make_isar(const Making& making, const core::Observer& observer) {
   workflow::IsarRequest request = isar_request_of(making.request);
   request.keep = true;
   request.threads = making.control.threads;
-  const workflow::IsarReport report = workflow::isar(request, observer);
-  if (report.images.empty() || !report.images.front().kept) throw core::Refused("no image was made");
-  return pixels_of(*report.images.front().kept, report.problems, fmt::format("{} bursts", report.images.front().bursts),
-                   making);
+  const auto made = [&] {
+    const workflow::IsarReport report = workflow::isar(request, observer);
+    if (report.images.empty() || !report.images.front().kept) throw core::Refused("no image was made");
+    LiveImage image = pixels_of(*report.images.front().kept, report.problems,
+                                fmt::format("{} bursts", report.images.front().bursts), making);
+    image.product = LiveProduct::isar;
+    return image;
+  };
+  // A quarter of the pixels takes a quarter of the time.
+  const std::size_t usual = request.options.oversampling;
+  request.options.oversampling = 1;
+  tell_coarse(made(), "a pixel for each resolution cell", making);
+  request.options.oversampling = usual;
+  return made();
 }
 
 LiveImage make_doppler(const Making& making, const core::Observer& observer) {

@@ -167,7 +167,13 @@ TEST(LiveEngineTest, SearchPictureIsThatOfSearch) {
 }
 
 TEST(LiveEngineTest, OtherProductsHaveTheirAxes) {
-  const LiveImage ship = made(example("turning_ship.toml"));
+  std::vector<LiveImage> looks;
+  LiveEngine engine(2);
+  const LiveImage ship =
+      made(engine, example("turning_ship.toml"), {}, [&](LiveImage look) { looks.push_back(std::move(look)); });
+  ASSERT_EQ(looks.size(), 1U);
+  EXPECT_TRUE(looks[0].coarse);
+  EXPECT_LT(looks[0].rows.count, ship.rows.count);
   EXPECT_EQ(ship.product, LiveProduct::isar);
   EXPECT_EQ(ship.rows.label, "Cross-range");
   EXPECT_GT(peaks(ship), 3U);
