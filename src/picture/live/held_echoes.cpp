@@ -133,10 +133,13 @@ void HeldEchoes::take_whole(const std::shared_ptr<const scene::Scene>& scene, st
   Opened opened = HeldEchoes::opened(*scene, simulation, control);
   const signal::EchoRows& echoes = opened.input.echoes;
   auto rows = std::make_shared<Rows>(echoes.rows * echoes.columns);
-  core::parallel_ranges(echoes.rows, grain, control, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t r = begin; r < end; ++r)
-      echoes.read(r, std::span(*rows).subspan(r * echoes.columns, echoes.columns));
-  });
+  // A row of many targets takes milliseconds, for which a cancel waits.
+  constexpr std::size_t many = 4096;
+  core::parallel_ranges(echoes.rows, opened.targets > many ? 1 : grain, control,
+                        [&](std::size_t begin, std::size_t end) {
+                          for (std::size_t r = begin; r < end; ++r)
+                            echoes.read(r, std::span(*rows).subspan(r * echoes.columns, echoes.columns));
+                        });
   echoes_ += opened.targets * echoes.rows;
   scene_ = scene;
   simulation_ = simulation;

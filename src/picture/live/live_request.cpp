@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/angle.hpp"
+#include "picture/live/live_workflows.hpp"
 
 namespace sarsim::picture {
 
@@ -79,6 +80,8 @@ std::string live_command(const LiveRequest& request, const std::string& script) 
   if (request.scene->simulations.size() > 1) words += fmt::format(" --simulation {}", request.simulation + 1);
   if (options.window.kind != signal::SarWindow::Kind::rectangular)
     words += " --window " + signal::to_string(options.window);
+  if (product == LiveProduct::doppler)
+    if (const auto pulses = doppler_request_of(request).pulses) words += fmt::format(" --pulses {}", *pulses);
   if (product != LiveProduct::focused) return words;
   if (options.algorithm != workflow::FocusAlgorithm::automatic)
     words += fmt::format(" --algorithm {}", workflow::word_of(options.algorithm));

@@ -132,6 +132,8 @@ TEST(LiveRequestTest, CommandMakesTheSame) {
   request.options.autofocus = true;
   EXPECT_EQ(live_command(request, "r.toml"),
             "focus r.toml --window hamming --algorithm omega-k --motion-compensation none --autofocus");
+  request.options = {.product = LiveProduct::doppler};
+  EXPECT_EQ(live_command(request, "r.toml"), "doppler r.toml --pulses 256");
 }
 
 TEST(LiveEngineTest, FocusedImageIsThatOfFocus) {
@@ -318,6 +320,29 @@ TEST(LivePictureTest, ReportsTheNewestRequestAlone) {
   EXPECT_EQ(events.back().kind, LiveEvent::Kind::finished);
   EXPECT_EQ(events.back().request, newest);
   EXPECT_EQ(std::ranges::count(events, LiveEvent::Kind::finished, &LiveEvent::kind), 1);
+}
+
+TEST(LivePictureTest, EndsWhenItIsCancelled) {
+  scene::Scene scene = example("sar_r.toml");
+  const scene::Target first = scene.targets.front();
+  scene.targets.assign(200'000, first);  // Minutes of echoes.
+  scene.simulations[0].time_end_s = 30.0;
+  std::mutex lock;
+  std::vector<LiveEvent> events;
+  LivePicture picture([&](const LiveEvent& event) {
+    const std::scoped_lock hold(lock);
+    events.push_back(event);
+  });
+  picture.show({shared(std::move(scene)), 0, {}, window});
+  picture.cancel();
+  const std::size_t told = [&] {
+    const std::scoped_lock hold(lock);
+    return events.size();
+  }();
+  picture.wait();
+  const std::scoped_lock hold(lock);
+  EXPECT_EQ(events.size(), told);
+  EXPECT_EQ(std::ranges::count(events, LiveEvent::Kind::finished, &LiveEvent::kind), 0);
 }
 
 TEST(LivePictureTest, SaysWhyThereIsNoImage) {
