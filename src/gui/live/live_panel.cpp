@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "gui/common/figure_plot.hpp"
@@ -76,6 +77,27 @@ picture::PlotSize pixels_of(const QWidget& plot) {
     return std::clamp(device, least_px, most_px);
   };
   return {pixels(plot.width()), pixels(plot.height())};
+}
+
+// Device pixels that the image of a plot takes; those that there are at most where it has none.
+picture::PlotSize drawn_size(const FigurePlot& plot) {
+  const auto& panels = plot.figure().panels;
+  if (panels.empty() || !panels.front().image) return {most_px, most_px};
+  const picture::FigureImage& image = *panels.front().image;
+  const auto length = [&](QCPAxis::AxisType side, double first, double last) {
+    const QCPAxis* const axis = plot.panel(0)->axis(side);
+    const double pixels = std::abs(axis->coordToPixel(last) - axis->coordToPixel(first)) * plot.devicePixelRatioF();
+    return static_cast<std::size_t>(std::clamp(pixels, 1.0, static_cast<double>(most_px)));
+  };
+  return {length(QCPAxis::atBottom, image.x_first, image.x_last), length(QCPAxis::atLeft, image.y_first, image.y_last)};
+}
+
+// Shows a figure with as many pixels as it takes: of more, drawing would leave some out.
+template <class FigureOf>
+void draw(FigurePlot& plot, const FigureOf& figure_of) {
+  const picture::PlotSize before = drawn_size(plot);
+  plot.set_figure(figure_of(before));
+  if (const picture::PlotSize now = drawn_size(plot); now != before) plot.set_figure(figure_of(now));
 }
 
 }  // namespace
@@ -388,11 +410,18 @@ void LivePanel::show_image() {
     return;
   }
   const float reference_v = how == Compare::off ? image_->largest_v : std::max(image_->largest_v, kept_->largest_v);
-  if (both) before_->set_figure(picture::live_figure(*kept_, look(), reference_v));
+  const auto figure_of = [&](const picture::LiveImage& image) {
+    return [&](const picture::PlotSize& size) {
+      return picture::live_figure(picture::reduced(image, size), look(), reference_v);
+    };
+  };
+  if (both) draw(*before_, figure_of(*kept_));
   if (how == Compare::difference)
-    plot_->set_figure(picture::difference_figure(*kept_, *image_, look()));
+    draw(*plot_, [&](const picture::PlotSize& size) {
+      return picture::difference_figure(picture::reduced(*kept_, size), picture::reduced(*image_, size), look());
+    });
   else
-    plot_->set_figure(picture::live_figure(before_is_seen_ ? *kept_ : *image_, look(), reference_v));
+    draw(*plot_, figure_of(before_is_seen_ ? *kept_ : *image_));
 }
 
 void LivePanel::show_state() {

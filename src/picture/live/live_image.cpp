@@ -125,6 +125,20 @@ LiveImage live_image(const core::SampleRows<float>& samples, const raster::Focus
   return image;
 }
 
+LiveImage reduced(const LiveImage& image, const PlotSize& size) {
+  LiveImage small = image;
+  small.rows.count = std::clamp<std::size_t>(size.height_px, 1, std::max<std::size_t>(image.rows.count, 1));
+  small.columns.count = std::clamp<std::size_t>(size.width_px, 1, std::max<std::size_t>(image.columns.count, 1));
+  small.magnitude_v.assign(small.rows.count * small.columns.count, 0.0F);
+  for (std::size_t r = 0; r < image.rows.count; ++r)
+    for (std::size_t k = 0; k < image.columns.count; ++k) {
+      float& pixel = small.magnitude_v[r * small.rows.count / image.rows.count * small.columns.count +
+                                       k * small.columns.count / image.columns.count];
+      pixel = std::max(pixel, image.magnitude_v[r * image.columns.count + k]);
+    }
+  return small;
+}
+
 Figure live_figure(const LiveImage& image, const LiveLook& look) { return live_figure(image, look, image.largest_v); }
 
 Figure live_figure(const LiveImage& image, const LiveLook& look, float reference_v) {

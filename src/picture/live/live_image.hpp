@@ -54,6 +54,9 @@ struct LiveImage {
 [[nodiscard]] LiveImage live_image(const core::SampleRows<float>& samples, const raster::FocusedPlaces& places,
                                    const PlotSize& size, const core::WorkControl& control);
 
+/// The same with fewer pixels, each the largest of those that it stands for; an image that is no larger stays as it is.
+[[nodiscard]] LiveImage reduced(const LiveImage& image, const PlotSize& size);
+
 /// How it is shown.
 struct LiveLook {
   ColourMap map = ColourMap::ocean;
