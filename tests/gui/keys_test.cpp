@@ -93,6 +93,21 @@ class KeysTest : public QObject {
     QVERIFY(bench.window.session().scene() == before);
   }
 
+  // Switch and menu entry both follow the tool, which goes back at once.
+  void a_path_that_cannot_be_drawn_leaves_no_tool_behind() {
+    Bench bench;
+    bench.window.session().select({});
+    bench.window.scene().scene().setFocus();
+    bench.press(Qt::Key_P);
+    QVERIFY(bench.window.scene().scene().tool() == gui::SceneWidget::Tool::hand);
+    QVERIFY(!bench.window.findChild<QAction*>("view_draw_path")->isChecked());
+    bench.window.findChild<QAction*>("view_measure")->trigger();
+    QVERIFY(bench.window.scene().scene().tool() == gui::SceneWidget::Tool::ruler);
+    QVERIFY(bench.window.findChild<QAbstractButton*>("camera_measure")->isChecked());
+    bench.press(Qt::Key_Escape);
+    QVERIFY(!bench.window.findChild<QAction*>("view_measure")->isChecked());
+  }
+
   // Of two that have the same letter Alt opens neither.
   void no_letter_of_a_window_is_claimed_twice() {
     Bench bench;

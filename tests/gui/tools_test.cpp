@@ -232,6 +232,20 @@ class ToolsTest : public QObject {
     QVERIFY((scene::path_points(bench.platform(1))[0] == core::Vec3{500.0, 500.0, 0.0}));
   }
 
+  void a_scene_in_the_language_of_1998_says_that_it_has_no_waypoints() {
+    Bench bench(flat_text);
+    test::open(bench.session, test::small_scene());
+    const std::string before = bench.text();
+    bench.session.select_only(test::platform(1));
+    QStringList logged;
+    connect(&bench.session, &gui::Session::logged, this, [&](int, const QString& text) { logged << text; });
+    bench.panel.draw_path(true);
+    emit bench.view().path_place_wanted({500.0, 500.0, 0.0});
+    QCOMPARE(bench.text(), before);
+    QVERIFY2(logged.join('\n').contains("sarsim convert"), qPrintable(logged.join('\n')));
+    QVERIFY(bench.view().tool() == Tool::hand);
+  }
+
   void without_a_platform_there_is_no_path_to_draw() {
     Bench bench(flat_text);
     bench.session.select({});

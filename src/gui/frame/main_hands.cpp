@@ -41,9 +41,10 @@ void MainWindow::make_hand_entries(QMenu* view) {
                                 "in the scene the key P"));
   path->setCheckable(true);
   connect(path, &QAction::toggled, scene_, &ScenePanel::draw_path);
-  connect(&scene_->scene(), &SceneWidget::tool_changed, this, [measure, path](SceneWidget::Tool tool) {
-    measure->setChecked(tool == SceneWidget::Tool::ruler);
-    path->setChecked(tool == SceneWidget::Tool::path);
+  // The tool as it is: one that was refused has gone back already.
+  connect(&scene_->scene(), &SceneWidget::tool_changed, this, [this, measure, path] {
+    measure->setChecked(scene_->scene().tool() == SceneWidget::Tool::ruler);
+    path->setChecked(scene_->scene().tool() == SceneWidget::Tool::path);
   });
   add_action(
       view, tr("Add Waypoint Here"), "view_add_waypoint", {}, [this] { scene_->add_point_here(); },

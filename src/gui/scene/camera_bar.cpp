@@ -95,9 +95,9 @@ void CameraBar::add_tools() {
   path->setCheckable(true);
   connect(measure, &QToolButton::clicked, &panel_, &ScenePanel::measure);
   connect(path, &QToolButton::clicked, &panel_, &ScenePanel::draw_path);
-  connect(&panel_.scene(), &SceneWidget::tool_changed, this, [measure, path](SceneWidget::Tool tool) {
-    measure->setChecked(tool == SceneWidget::Tool::ruler);
-    path->setChecked(tool == SceneWidget::Tool::path);
+  connect(&panel_.scene(), &SceneWidget::tool_changed, this, [this, measure, path] {
+    measure->setChecked(panel_.scene().tool() == SceneWidget::Tool::ruler);
+    path->setChecked(panel_.scene().tool() == SceneWidget::Tool::path);
   });
 }
 

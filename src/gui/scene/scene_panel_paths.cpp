@@ -105,7 +105,14 @@ void ScenePanel::change_path(scene::ObjectId id, scene::PathEdit edit, const cha
     return;
   }
   session_.end_run();
+  const scene::AnyObject before = scene::object_of(session_.scene(), id);
   session_.perform(scene::replace_object(session_.scene(), id, std::move(*edit.platform), what));
+  if (scene::object_of(session_.scene(), id) == before) {
+    scene_->set_tool(SceneWidget::Tool::hand);
+    return session_.log(core::Severity::warning, tr("%1: a scene in the language of 1998 has no waypoints and legs. "
+                                                    "Convert it to format 2 with 'sarsim convert'.")
+                                                     .arg(tr(what)));
+  }
   select_point(picture::PathPointId{id, edit.point});
 }
 
