@@ -281,6 +281,8 @@ void MainWindow::make_view_menu() {
   add_switch(view, tr("&Coordinate Systems"), "view_axes", &picture::DrawingOptions::coordinate_systems);
   add_switch(view, tr("Corner Tria&d"), "view_triad", &picture::DrawingOptions::corner_triad);
   add_switch(view, tr("&Elevation Lines"), "view_lines", &picture::DrawingOptions::elevation_lines);
+  add_switch(view, tr("Ground Grid"), "view_grid", &picture::DrawingOptions::ground_grid);
+  add_switch(view, tr("Footprints"), "view_footprints", &picture::DrawingOptions::footprints);
   add_switch(view, tr("Filled &Surfaces"), "view_filled", &picture::DrawingOptions::filled_surfaces);
   add_switch(view, tr("&Labels"), "view_labels", &picture::DrawingOptions::labels);
   add_switch(view, tr("&Trails"), "view_trails", &picture::DrawingOptions::trails);

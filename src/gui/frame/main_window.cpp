@@ -124,7 +124,7 @@ void MainWindow::make_docks() {
           [this](const scene::Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 24);
-  panel_->setMinimumWidth(letter * 40);
+  panel_->setMinimumWidth(letter * 50);
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);

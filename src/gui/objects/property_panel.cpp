@@ -56,7 +56,7 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(pa
   setObjectName("property_panel");
   setAccessibleName(tr("Properties"));
   setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
 
   auto* inside = new QWidget;

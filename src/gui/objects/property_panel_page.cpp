@@ -96,7 +96,12 @@ void PropertyPanel::align_labels() {
   int width = 0;
   for (const auto& [id, editor] : editors_)
     if (editor->label() != nullptr) width = std::max(width, editor->label()->sizeHint().width());
-  for (const Group& group : groups_) group.grid->setColumnMinimumWidth(0, width);
+  // Long words go into two lines, so that a narrow panel needs no bar to scroll sideways.
+  const int most = fontMetrics().averageCharWidth() * 18;
+  for (const auto& [id, editor] : editors_)
+    if (auto* label = qobject_cast<QLabel*>(editor->label()); label != nullptr && label->sizeHint().width() > most)
+      label->setWordWrap(true);
+  for (const Group& group : groups_) group.grid->setColumnMinimumWidth(0, std::min(width, most));
 }
 
 // Tab goes from row to row as the eye does, whatever order the widgets were made in.

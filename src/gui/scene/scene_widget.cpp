@@ -25,6 +25,8 @@ auto* found_in(const Objects& objects, scene::ObjectId id) {
 }  // namespace
 
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
+  options_.ground_grid = true;
+  options_.footprints = true;
   setObjectName(QStringLiteral("scene_view"));
   setAccessibleName(tr("Scene"));
   setAccessibleDescription(tr("The scene in three dimensions. Arrows turn it, plus and minus zoom, Home shows all."));

@@ -28,6 +28,7 @@ double mean_depth(const Drawing::Polygon& polygon) {
 void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOptions& options, Drawing& drawing) {
   clear(drawing);
   Pen pen(camera, options, drawing);
+  if (options.ground_grid) draw_ground_grid(pen);
   draw_surfaces(pen, snapshot.surfaces);
   if (options.coordinate_systems) {
     draw_main_axes(pen);

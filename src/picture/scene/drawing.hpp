@@ -31,6 +31,8 @@ struct DrawingOptions {
   bool filled_surfaces = false;
   bool labels = true;
   bool trails = true;
+  bool ground_grid = false;  ///< Lines of the plane z = 0 with their distances.
+  bool footprints = false;   ///< Beams down to the ground, and the slant ranges that are recorded.
   bool lobes = false;        ///< Pattern lobes instead of cones.
   bool coarse = false;       ///< Less detail while the mouse drags: no labels and drop lines of targets, at most
                              ///< `coarse_targets` discs.

@@ -60,6 +60,9 @@ class Pen {
   double nearest_depth_m_;  // of what is drawn in perspective
 };
 
+/// Lines of the plane z = 0 at round distances, about 90 pixels apart, under what the camera looks at, with the
+/// distances from the origin at their nearer ends.
+void draw_ground_grid(Pen& pen);
 /// The axes of the world through its origin.
 void draw_main_axes(Pen& pen);
 /// The directions of the world's axes in a corner of the picture.

@@ -487,6 +487,27 @@ TEST(Drawing, PerspectiveShowsWhatIsFartherNearerToTheMiddle) {
   EXPECT_NEAR(drawing.handles[0].x, 450.0, 1e-3);  // viewer at 1200 m: half the scale
 }
 
+TEST(Drawing, TheGroundGridHasRoundStepsAtAnyZoomAndNoneFromItsEdge) {
+  DrawingOptions options = bare_options();
+  options.ground_grid = true;
+  for (const double scale : {1e-5, 3.7e-3, 0.42, 55.0}) {
+    Camera camera = preset(front_camera(), ViewPreset::top);
+    camera.pixels_per_m = scale;
+    const auto lines = lines_of(drawn({}, camera, options), Role::faint);
+    ASSERT_GE(lines.size(), 14U) << scale;
+    std::vector<float> upright;
+    for (const Drawing::Line& line : lines)
+      if (std::abs(line.x0 - line.x1) < 1e-3F) upright.push_back(line.x0);
+    std::ranges::sort(upright);
+    ASSERT_GE(upright.size(), 3U);
+    for (std::size_t i = 1; i < upright.size(); ++i) {
+      EXPECT_GT(upright[i] - upright[i - 1], 70.0F) << scale;
+      EXPECT_LT(upright[i] - upright[i - 1], 181.0F) << scale;
+    }
+  }
+  EXPECT_TRUE(lines_of(drawn({}, preset(front_camera(), ViewPreset::front), options), Role::faint).empty());
+}
+
 TEST(Drawing, RoomIsUsedAgainAndNothingIsLeftOver) {
   Drawing drawing;
   draw_scene(random_snapshot(1, 100.0), front_camera(), {}, drawing);

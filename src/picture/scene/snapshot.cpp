@@ -6,11 +6,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "picture/scene/footprint.hpp"
 #include "picture/scene/snapshot_beam.hpp"
 #include "scene/edit/path_points.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/route.hpp"
 #include "scene/model/scene_index.hpp"
+#include "scene/model/world_frame.hpp"
 #include "simulate/resolve/resolved.hpp"
 
 namespace sarsim::picture {
@@ -311,6 +313,7 @@ struct SnapshotMaker::Prepared {
     std::size_t platform;
     radar::Beam beam;
     BeamShape shape;
+    std::array<double, 2> recorded_m{};  // slant ranges of its first recording; 0: none
   };
   // Where a platform is at the snapshot's time.
   struct Frame {
@@ -344,6 +347,7 @@ struct SnapshotMaker::Prepared {
   std::vector<Surface> surfaces;
   std::vector<Radar> radars;
   std::optional<radar::Repetition> repetition;
+  std::optional<radar::EarthFrame> earth;
   std::array<double, 2> span_s{};
 };
 
@@ -435,7 +439,11 @@ void SnapshotMaker::Prepared::add_radars(const scene::Scene& scene, PlatformFind
     simulate::ResolvedRadar r = simulate::resolve_radar(drawn, resolved, i);
     radars.push_back({scene.radars[i].name, platform_of(scene.radars[i].platform), std::move(r.beam),
                       beam_shape(r.transmit, resolved.conventions.pattern)});
+    const auto recording = std::ranges::find(scene.simulations, scene.radars[i].name, &scene::Simulation::radar);
+    if (recording != scene.simulations.end())
+      radars.back().recorded_m = {recording->range_start_m, recording->range_end_m};
   }
+  earth = scene::earth_of(scene.world);
   repetition = scene.radars.empty() ? std::nullopt : repetition_of(scene.radars.front());
 }
 
@@ -451,7 +459,8 @@ void SnapshotMaker::Prepared::follow(const scene::Scene& scene, const scene::Sce
   }
   if (change.concerns(scene::ObjectKind::cloud)) add_clouds(scene, platform_of);
   if (change.concerns(scene::ObjectKind::platform)) add_platforms(frames_of(scene));
-  if (change.concerns(scene::ObjectKind::radar)) add_radars(scene, platform_of);
+  if (change.concerns(scene::ObjectKind::radar) || change.concerns(scene::ObjectKind::simulation))
+    add_radars(scene, platform_of);
   span_s = span_of(scene);
 }
 
@@ -556,6 +565,9 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snaps
     shown.lobe_world = radar.shape.lobe_antenna;
     for (std::vector<core::Vec3>& row : shown.lobe_world)
       for (core::Vec3& point : row) point = world_from_antenna * point;
+    shown.footprint_world_m = footprint_of(shown, earth);
+    for (std::size_t end = 0; end < 2; ++end)
+      shown.swath_world_m.at(end) = range_on_ground(shown, radar.recorded_m.at(end), earth);
     snapshot.radars.push_back(std::move(shown));
   }
 }

@@ -53,6 +53,9 @@ struct Snapshot {
     /// Points of the transmit pattern's lobe: gain against direction, for those who draw it: [elevation][azimuth],
     /// world directions times the one-way amplitude over its largest (0 to 1). Empty where isotropic.
     std::vector<std::vector<core::Vec3>> lobe_world;
+    /// `footprint_of`, and `range_on_ground` of both ends of the slant range of the radar's first recording.
+    std::vector<core::Vec3> footprint_world_m = {};
+    std::array<std::vector<core::Vec3>, 2> swath_world_m = {};
   };
   double time_s = 0.0;
   std::vector<Platform> platforms;
