@@ -1,3 +1,4 @@
+#include <QAbstractItemView>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -60,8 +61,11 @@ class Hands {
   void pick(const char* field, const QString& choice) const {
     auto* box = of_panel<QComboBox>(field);
     box->setFocus();
-    QTest::keyClick(box, Qt::Key_Home);
-    for (int i = 0; i < box->count() && box->currentText() != choice; ++i) QTest::keyClick(box, Qt::Key_Down);
+    QTest::keyClick(box, Qt::Key_Down);  // opens the list
+    QTest::keyClick(box->view(), Qt::Key_Home);
+    for (int i = 0; i < box->count() && box->view()->currentIndex().data().toString() != choice; ++i)
+      QTest::keyClick(box->view(), Qt::Key_Down);
+    QTest::keyClick(box->view(), Qt::Key_Return);
     if (box->currentText() != choice) qFatal("%s: no choice '%s'", field, qPrintable(choice));
     QCoreApplication::processEvents();
   }

@@ -71,6 +71,22 @@ class MainWindowTest : public QObject {
     QVERIFY(!window.isWindowModified());
   }
 
+  void new_objects_take_what_is_typed_next() {
+    gui::MainWindow window;
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    trigger(window, "new_platform");
+    QVERIFY(QApplication::focusWidget() != nullptr);
+    QTest::keyClicks(QApplication::focusWidget(), "Ship");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(window.session().scene().platforms.back().name, std::string("Ship"));
+    trigger(window, "new_target");
+    QTest::keyClicks(QApplication::focusWidget(), "3000");
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QCOMPARE(window.session().scene().targets.back().position_m.x, 3000.0);
+    QCOMPARE(window.session().scene().targets.back().platform, std::string("Ship"));
+  }
+
   void a_target_that_is_dragged_moves_in_the_script_as_one_step() {
     gui::MainWindow window;
     QVERIFY(window.documents().open_file(example()));

@@ -1,3 +1,4 @@
+#include <QAbstractItemView>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QGroupBox>
@@ -321,6 +322,9 @@ class PanelTest : public QObject {
     QCOMPARE(gui::stepped_text(".5 m", 1), QString("0.6 m"));
     QCOMPARE(gui::stepped_text("", 1), QString());
     QCOMPARE(gui::stepped_text("(different)", 1), QString());
+    QCOMPARE(gui::finer_text("1 m2"), QString("1.0 m2"));
+    QCOMPARE(gui::finer_text("-2.5e3 m"), QString("-2.50e3 m"));
+    QCOMPARE(gui::finer_text("(different)"), QString());
   }
 
   void a_run_of_steps_is_one_undo_step_and_keeps_its_unit() {
@@ -363,9 +367,57 @@ class PanelTest : public QObject {
     QCOMPARE(bench.radar().prf_hz, 1000.0);
     turn(edit, Qt::ControlModifier);
     QCOMPARE(bench.radar().prf_hz, 2000.0);
-    // A list that the pointer happens to be over is not changed by scrolling.
+    // A list that the pointer happens to be over is not changed by scrolling, nor is the one that was used last.
+    turn(bench.field("pulse"), Qt::NoModifier);
+    bench.field("pulse")->setFocus();
     turn(bench.field("pulse"), Qt::NoModifier);
     QVERIFY(bench.radar().pulse == scene::Radar::Pulse::mono);
+  }
+
+  void arrow_keys_open_the_list_of_a_choice_and_change_nothing_yet() {
+    Bench bench;
+    bench.session.select_only(test::radar(0));
+    QVERIFY(QTest::qWaitForWindowActive(&bench.panel));
+    auto* box = qobject_cast<QComboBox*>(bench.field("pulse"));
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Down);
+    QVERIFY(box->view()->isVisible());
+    QVERIFY(bench.radar().pulse == scene::Radar::Pulse::mono);
+    QTest::keyClick(box->view(), Qt::Key_Down);
+    QTest::keyClick(box->view(), Qt::Key_Return);
+    QVERIFY(bench.radar().pulse != scene::Radar::Pulse::mono);
+  }
+
+  void an_arrow_key_that_meets_a_marked_text_changes_nothing() {
+    Bench bench;
+    bench.session.select_only(test::target(0));
+    QLineEdit* edit = bench.line("rcs_m2");
+    edit->setFocus();
+    edit->selectAll();  // as the Tab key does
+    QTest::keyClick(edit, Qt::Key_Up);
+    QCOMPARE(bench.session.scene().targets[0].rcs_m2, 1.0);
+    QTest::keyClick(edit, Qt::Key_Up);
+    QCOMPARE(bench.session.scene().targets[0].rcs_m2, 2.0);
+  }
+
+  void steps_stay_above_what_is_impossible() {
+    Bench bench;
+    bench.session.select_only(test::target(0));
+    QLineEdit* edit = bench.line("rcs_m2");
+    edit->setFocus();
+    QTest::keyClick(edit, Qt::Key_Down);
+    QCOMPARE(edit->text(), QString("0.9 m2"));
+    for (int i = 0; i < 10; ++i) QTest::keyClick(edit, Qt::Key_Down);
+    QVERIFY(bench.session.scene().targets[0].rcs_m2 > 0.0);
+    bench.session.select_only({scene::ObjectKind::simulation, 0});
+    edit = bench.line("time_end_s");
+    bench.type("time_end_s", "1 s");
+    QTest::keyClick(edit, Qt::Key_Down);
+    QTest::keyClick(edit, Qt::Key_Down);
+    QCOMPARE(bench.session.scene().simulations[0].time_end_s, 0.0);
+    bench.type("time_end_s", "-2 s");  // typed values know no such limit
+    QTest::keyClick(edit, Qt::Key_Down);
+    QCOMPARE(bench.session.scene().simulations[0].time_end_s, -3.0);
   }
 
   void a_step_beyond_the_limits_is_not_taken() {

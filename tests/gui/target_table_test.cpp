@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -75,11 +76,52 @@ class TargetTableTest : public QObject {
   Q_OBJECT
 
  private slots:
-  void a_row_shows_a_target_with_units() {
+  void a_column_has_one_unit_which_its_heading_names() {
+    Bench bench;
+    const auto heading = [&](const std::string& field) {
+      return bench.model->headerData(bench.model->column_of(field), Qt::Horizontal, Qt::DisplayRole).toString();
+    };
+    QVERIFY2(heading("position_m.x").endsWith(" [m]"), qPrintable(heading("position_m.x")));
+    QVERIFY2(heading("rcs_m2").endsWith(" [m²]"), qPrintable(heading("rcs_m2")));
+    QCOMPARE(heading("platform"), QString("Platform name"));
+    bench.type(0, "position_m.x", "199 mm");
+    bench.type(1, "position_m.x", "1.359 km");
+    QCOMPARE(bench.text(0, "position_m.x"), QString("0.199"));
+    QCOMPARE(bench.text(1, "position_m.x"), QString("1359"));
+    bench.type(1, "position_m.x", "1360");
+    QCOMPARE(bench.targets()[1].position_m.x, 1360.0);
+  }
+
+  void a_heading_that_is_clicked_sorts() {
+    Bench bench;
+    bench.type(0, "position_m.x", "10 km");
+    bench.session.select_only(test::target(0));
+    const int column = bench.model->column_of("position_m.x");
+    const QHeaderView& heads = *bench.view->horizontalHeader();
+    const QPoint head(heads.sectionViewportPosition(column) + 20, heads.height() / 2);
+    const auto order = [&] {
+      return std::vector<std::size_t>{bench.model->target_at(0).index, bench.model->target_at(1).index,
+                                      bench.model->target_at(2).index};
+    };
+    QVERIFY(order() == (std::vector<std::size_t>{0, 1, 2}));
+    QTest::mouseClick(heads.viewport(), Qt::LeftButton, {}, head);
+    QVERIFY(order() == (std::vector<std::size_t>{1, 2, 0}));
+    QCOMPARE(bench.view->selectionModel()->selectedRows().value(0).row(), 2);  // The selection stays with its target.
+    bench.type(2, "rcs_m2", "7");
+    QCOMPARE(bench.targets()[0].rcs_m2, 7.0);
+    QTest::mouseClick(heads.viewport(), Qt::LeftButton, {}, head);
+    QVERIFY(order() == (std::vector<std::size_t>{0, 2, 1}));
+    bench.table.add_target();
+    QCOMPARE(bench.model->target_at(3).index, std::size_t{3});
+    QTest::mouseClick(heads.viewport(), Qt::LeftButton, {}, head);
+    QVERIFY(order() == (std::vector<std::size_t>{0, 1, 2}));
+  }
+
+  void a_row_shows_a_target() {
     const Bench bench;
     QCOMPARE(bench.model->rowCount(), 3);
-    QCOMPARE(bench.text(1, "position_m.x"), QString("2 km"));
-    QCOMPARE(bench.text(1, "rcs_m2"), QString("1 m2"));
+    QCOMPARE(bench.text(1, "position_m.x"), QString("2000"));
+    QCOMPARE(bench.text(1, "rcs_m2"), QString("1"));
     QCOMPARE(bench.text(2, "platform"), QString("Ship"));
     QCOMPARE(bench.text(0, "reflectivity"), QString("Isotropic"));
     QCOMPARE(bench.model->column_of("gain_db"), -1);

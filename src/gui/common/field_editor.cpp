@@ -24,6 +24,13 @@ QColor faint_colour(const QPalette& palette, QPalette::ColorRole role) {
   return {(faint.red() + full.red()) / 2, (faint.green() + full.green()) / 2, (faint.blue() + full.blue()) / 2};
 }
 
+// Sign, digits, decimals, exponent and unit.
+const QRegularExpression& number_form() {
+  static const QRegularExpression form(
+      QStringLiteral(R"(^\s*([+-]?)(\d*)(?:\.(\d*))?([eE][+-]?\d+)?(\s*[^\s\d.].*)?$)"));
+  return form;
+}
+
 // Wraps, as only rich text does in tooltips.
 QString tooltip_of(const scene::Field& field) {
   QString text = "<p>" + QString::fromStdString(field.tooltip).toHtmlEscaped() + "</p>";
@@ -38,10 +45,14 @@ QString tooltip_of(const scene::Field& field) {
 
 }  // namespace
 
+QString finer_text(const QString& text) {
+  const QRegularExpressionMatch match = number_form().match(text);
+  if (!match.hasMatch() || (match.captured(2) + match.captured(3)).isEmpty()) return {};
+  return match.captured(1) + match.captured(2) + '.' + match.captured(3) + '0' + match.captured(4) + match.captured(5);
+}
+
 QString stepped_text(const QString& text, int steps) {
-  static const QRegularExpression form(
-      QStringLiteral(R"(^\s*([+-]?)(\d*)(?:\.(\d*))?([eE][+-]?\d+)?(\s*[^\s\d.].*)?$)"));
-  const QRegularExpressionMatch match = form.match(text);
+  const QRegularExpressionMatch match = number_form().match(text);
   const qsizetype decimals = match.captured(3).size();
   bool is_number = false;
   // All digits as one whole number, so that no step is lost to rounding.

@@ -34,6 +34,36 @@ QString rounded_text(const QString& value, scene::Quantity quantity) {
   return QString::fromStdString(scene::quantity_text(core::tidy(*reading.value, digits), quantity));
 }
 
+// The values that keys may step to: magnitudes do not become nothing, nor negative, because an arrow was pressed once
+// more. Typed values know no such limit.
+scene::Range range_of_steps(const scene::Field& field) {
+  scene::Range range = field.spec == nullptr ? scene::any_value : field.spec->range;
+  if (field.spec != nullptr && field.spec->usable) range = scene::both(range, *field.spec->usable);
+  const bool magnitude = field.quantity == scene::Quantity::area || field.quantity == scene::Quantity::power;
+  if (magnitude) return range.low < 0.0 ? scene::both(range, scene::above_zero) : range;
+  return field.quantity == scene::Quantity::time ? scene::both(range, scene::zero_or_more) : range;
+}
+
+// A step that stays within such values: of "1 m2" down it is one of the next digit, "0.9 m2". Where none does, the text
+// as it was; from outside of them any step is taken.
+QString step_within(const QString& text, int steps, const scene::Field& field) {
+  constexpr int most_digits = 3;
+  const scene::Range range = range_of_steps(field);
+  const auto holds = [&](const QString& of) {
+    const scene::QuantityReading reading = scene::read_quantity(of.toStdString(), field.quantity);
+    return !reading.value || (range.low_excluded ? *reading.value > range.low : *reading.value >= range.low);
+  };
+  QString from = text;
+  QString stepped = stepped_text(from, steps);
+  if (steps > 0 || stepped.isEmpty() || !holds(from)) return stepped;
+  const bool finer = range.low_excluded && field.quantity != scene::Quantity::count;
+  for (int i = 0; i < most_digits && finer && !holds(stepped); ++i) {
+    from = finer_text(from);
+    stepped = stepped_text(from, steps);
+  }
+  return holds(stepped) ? stepped : text;
+}
+
 // A line of text: quantities and names. Below an expression stands its value.
 class LineField : public FieldEditor {
  public:
@@ -178,10 +208,15 @@ class LineField : public FieldEditor {
 
   bool step(int steps) {
     if (field().kind != scene::FieldKind::quantity) return false;
+    // The Tab key marks all of a text. Whoever has not put the caret into it does not mean to change it yet.
+    if (edit_->hasSelectedText() && edit_->selectedText() == edit_->text()) {
+      edit_->end(false);
+      return true;
+    }
     const bool is_expression = edit_->text() == displayed_ && !content_.expression.isEmpty();
     const QString text =
-        stepped_text(is_expression ? rounded_text(content_.value, field().quantity) : edit_->text(), steps);
-    if (text.isEmpty()) return true;
+        step_within(is_expression ? rounded_text(content_.value, field().quantity) : edit_->text(), steps, field());
+    if (text.isEmpty() || text == edit_->text()) return true;
     clear_failure();
     stepping_ = true;
     edit_->setText(text);
@@ -242,15 +277,25 @@ class ChoiceField : public FieldEditor {
   [[nodiscard]] QPalette::ColorRole text_role() const override { return QPalette::ButtonText; }
 
   bool eventFilter(QObject* watched, QEvent* event) override {
-    // A panel that is scrolled must not change what the pointer passes over.
-    if (event->type() == QEvent::Wheel && !box_->hasFocus()) {
+    // A panel that is scrolled must not change what the pointer passes over, nor what was chosen from last.
+    if (event->type() == QEvent::Wheel) {
       event->ignore();
+      return true;
+    }
+    if (event->type() == QEvent::KeyPress && moves(static_cast<QKeyEvent*>(event)->key())) {
+      box_->showPopup();
       return true;
     }
     return FieldEditor::eventFilter(watched, event);
   }
 
  private:
+  // Keys that would choose the next entry unseen; they open the list, from which Enter chooses.
+  static bool moves(int key) {
+    return key == Qt::Key_Up || key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown ||
+           key == Qt::Key_Home || key == Qt::Key_End;
+  }
+
   // A value that is none of the choices, a platform that does not exist, is shown behind them.
   void refill() {
     const QScopedValueRollback showing(showing_, true);

@@ -3,6 +3,7 @@
 #include <QGroupBox>
 #include <QHeaderView>
 #include <QLabel>
+#include <QLineEdit>
 #include <QScopedValueRollback>
 #include <QTableWidget>
 #include <QToolButton>
@@ -323,18 +324,24 @@ bool PropertyPanel::focus_field(const QString& id) {
     if (group.more != nullptr && std::ranges::find(group.editors, editor) != group.editors.end() && !editor->shown())
       group.more->setChecked(true);
   editor->widget()->setFocus(Qt::OtherFocusReason);
+  if (auto* line = qobject_cast<QLineEdit*>(editor->widget())) line->selectAll();  // The first key replaces it.
   // What was unfolded has its place only when the layout has been made.
   QTimer::singleShot(0, editor, [this, editor] { ensureWidgetVisible(editor->widget()); });
   return true;
 }
 
+// The first that is typed into; who stands where is known already when an object is made.
 void PropertyPanel::focus_first() {
+  FieldEditor* first = nullptr;
   for (const Group& group : groups_)
-    for (FieldEditor* editor : group.editors)
-      if (editor->shown() && editor->widget()->isEnabled()) {
-        focus_field(editor->id());
-        return;
-      }
+    for (FieldEditor* editor : group.editors) {
+      if (!editor->shown() || !editor->widget()->isEnabled()) continue;
+      if (first == nullptr) first = editor;
+      if (qobject_cast<QLineEdit*>(editor->widget()) == nullptr) continue;
+      focus_field(editor->id());
+      return;
+    }
+  if (first != nullptr) focus_field(first->id());
 }
 
 }  // namespace sarsim::gui

@@ -50,6 +50,10 @@ QTableView* make_view(TargetTableModel* model, Session& session, QWidget* parent
   // Only what is on the screen is measured: thousands of rows stay quick.
   view->horizontalHeader()->setResizeContentsPrecision(0);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+  view->horizontalHeader()->setSortIndicator(-1,
+                                             Qt::AscendingOrder);  // As the scene has them, until a heading is clicked.
+  view->horizontalHeader()->setSortIndicatorClearable(true);
+  view->setSortingEnabled(true);
   view->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   view->verticalHeader()->setDefaultSectionSize(view->fontMetrics().height() * 3 / 2);
   view->resizeColumnsToContents();
@@ -176,6 +180,7 @@ void TargetTable::show_selection() {
   std::vector<int> rows;
   for (const scene::ObjectId id : session_.selection())
     if (const int row = model_->row_of(id); row >= 0) rows.push_back(row);
+  std::ranges::sort(rows);
   const QScopedValueRollback telling(showing_, true);
   QItemSelection selection;
   for (std::size_t i = 0; i < rows.size();) {

@@ -4,7 +4,10 @@
 #include <QStyle>
 
 #include <algorithm>
+#include <compare>
+#include <limits>
 #include <numeric>
+#include <string_view>
 #include <utility>
 
 #include "gui/common/problem_line.hpp"
@@ -13,11 +16,57 @@
 
 namespace sarsim::gui {
 
+namespace {
+
+// The unit of a column as its cells take it: "m", "m2"; empty for pure numbers and texts.
+std::string_view unit_of_column(const scene::Field& field) {
+  if (field.kind != scene::FieldKind::quantity) return {};
+  const std::vector<std::string_view> units = scene::units_of(field.quantity);
+  return units.empty() ? std::string_view() : units.front();
+}
+
+QString heading_of(const scene::Field& field) {
+  const std::string_view unit = unit_of_column(field);
+  const QString label = QString::fromStdString(field.label);
+  if (unit.empty()) return label;
+  QString shown = QString::fromUtf8(unit.data(), static_cast<qsizetype>(unit.size()));
+  if (shown.endsWith('2')) shown.back() = QChar(0xB2);
+  return QStringLiteral("%1 [%2]").arg(label, shown);
+}
+
+// "1.359 km" in the unit of its column without it: "1359".
+std::string cell_text(const scene::Field& field, const scene::AnyObject& target) {
+  std::string text = scene::field_text(target, field.id);
+  const std::string_view unit = unit_of_column(field);
+  if (unit.empty() || text.ends_with(' ' + std::string(unit)))
+    return text.substr(0, text.size() - (unit.empty() ? 0 : unit.size() + 1));
+  const scene::QuantityReading reading = scene::read_quantity(text, field.quantity);
+  if (!reading.value) return text;
+  text = scene::quantity_text(*reading.value, field.quantity, unit);
+  return text.substr(0, text.size() - unit.size() - 1);
+}
+
+// What a target is put in order by: its number, or where there is none, its text. What means nothing comes last.
+struct SortKey {
+  double number = std::numeric_limits<double>::infinity();
+  std::string text = {};
+  friend auto operator<=>(const SortKey&, const SortKey&) = default;
+};
+
+SortKey sort_key(const scene::Field& field, const scene::AnyObject& target) {
+  if (!scene::field_applies(target, field.id)) return {};
+  std::string text = scene::field_text(target, field.id);
+  if (field.kind != scene::FieldKind::quantity) return {0.0, std::move(text)};
+  return {scene::read_quantity(text, field.quantity).value.value_or(std::numeric_limits<double>::infinity()), {}};
+}
+
+}  // namespace
+
 TargetTableModel::TargetTableModel(Session& session, QObject* parent) : QAbstractTableModel(parent), session_(session) {
   for (const scene::Field& field : scene::fields_of(scene::ObjectKind::target))
     if (field.kind != scene::FieldKind::function) columns_.push_back(field);
   std::ranges::stable_partition(columns_, [](const scene::Field& field) { return !field.rare; });
-  rows_ = wanted_rows();
+  take_rows(wanted_rows());
   read_problems();
   connect(&session_, &Session::scene_changed, this, &TargetTableModel::follow);
   connect(&session_, &Session::problems_changed, this, &TargetTableModel::refresh);
@@ -35,13 +84,43 @@ std::vector<std::size_t> TargetTableModel::wanted_rows() const {
   if (!platform_) {
     rows.resize(targets.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
+    order(rows);
     return rows;
   }
   scene::SceneIndex names(session_.scene());
   const std::size_t wanted = names.platform(*platform_);
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (names.platform(targets[i].platform) == wanted) rows.push_back(i);
+  order(rows);
   return rows;
+}
+
+void TargetTableModel::order(std::vector<std::size_t>& rows) const {
+  if (sort_column_ < 0) return;
+  const scene::Field& field = field_at(sort_column_);
+  std::vector<std::pair<SortKey, std::size_t>> keyed;
+  keyed.reserve(rows.size());
+  for (const std::size_t row : rows) keyed.emplace_back(sort_key(field, session_.scene().targets[row]), row);
+  if (sort_order_ == Qt::AscendingOrder)
+    std::ranges::stable_sort(keyed, std::ranges::less{}, &std::pair<SortKey, std::size_t>::first);
+  else
+    std::ranges::stable_sort(keyed, std::ranges::greater{}, &std::pair<SortKey, std::size_t>::first);
+  std::ranges::transform(keyed, rows.begin(), &std::pair<SortKey, std::size_t>::second);
+}
+
+void TargetTableModel::take_rows(std::vector<std::size_t> rows) {
+  rows_ = std::move(rows);
+  row_of_.assign(session_.scene().targets.size(), -1);
+  for (std::size_t row = 0; row < rows_.size(); ++row) row_of_[rows_[row]] = static_cast<int>(row);
+}
+
+void TargetTableModel::sort(int column, Qt::SortOrder order) {
+  if (column == sort_column_ && order == sort_order_) return;
+  sort_column_ = column;
+  sort_order_ = order;
+  beginResetModel();
+  take_rows(wanted_rows());
+  endResetModel();
 }
 
 void TargetTableModel::refresh() {
@@ -52,7 +131,7 @@ void TargetTableModel::refresh() {
     return;
   }
   beginResetModel();
-  rows_ = std::move(rows);
+  take_rows(std::move(rows));
   endResetModel();
 }
 
@@ -76,8 +155,7 @@ scene::ObjectId TargetTableModel::target_at(int row) const {
 
 int TargetTableModel::row_of(scene::ObjectId target) const {
   if (target.kind != scene::ObjectKind::target) return -1;
-  const auto found = std::ranges::lower_bound(rows_, target.index);
-  return found == rows_.end() || *found != target.index ? -1 : static_cast<int>(found - rows_.begin());
+  return target.index < row_of_.size() ? row_of_[target.index] : -1;
 }
 
 const scene::Field& TargetTableModel::field_at(int column) const {
@@ -103,7 +181,7 @@ QVariant TargetTableModel::headerData(int section, Qt::Orientation orientation, 
     return static_cast<qulonglong>(target_at(section).index + 1);
   }
   const scene::Field& field = field_at(section);
-  if (role == Qt::DisplayRole) return QString::fromStdString(field.label);
+  if (role == Qt::DisplayRole) return heading_of(field);
   if (role == Qt::ToolTipRole) return "<p>" + QString::fromStdString(field.tooltip).toHtmlEscaped() + "</p>";
   return {};
 }
@@ -137,7 +215,7 @@ QVariant TargetTableModel::data(const QModelIndex& index, int role) const {
     const scene::AnyObject target = session_.scene().targets[target_at(index.row()).index];
     // What means nothing for a target is not shown as if it did.
     if (!scene::field_applies(target, field.id)) return role == Qt::DisplayRole ? QStringLiteral("-") : QString();
-    return QString::fromStdString(scene::field_text(target, field.id));
+    return QString::fromStdString(cell_text(field, target));
   }
   const auto problem = problems_.find({target_at(index.row()).index, index.column()});
   if (problem == problems_.end()) return {};

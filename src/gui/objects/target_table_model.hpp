@@ -14,7 +14,8 @@
 namespace sarsim::gui {
 
 /// All targets of a scene, or those of one platform, one row each; a column for each of their fields that is text, a
-/// number or a choice, those that are rarely needed last. Cells take what the property panel takes: "3 km", "10 dBsm".
+/// number or a choice, those that are rarely needed last. Numbers of a column are in one unit, which its heading names;
+/// cells take what the property panel takes: "3 km", "10 dBsm".
 class TargetTableModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -33,6 +34,10 @@ class TargetTableModel : public QAbstractTableModel {
   [[nodiscard]] const scene::Field& field_at(int column) const;
   /// -1 where no column shows the field.
   [[nodiscard]] int column_of(const std::string& field) const;
+
+  /// Orders the rows by a column, numbers by their size and texts by their letters; -1: as the scene has them. New rows
+  /// take their places at once, but a row that is edited stays until the rows are ordered again.
+  void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
 
   /// Gives cells texts in one undo step, texts[i] to cells[i]; a single text goes to all of them. Nothing is changed
   /// where one of them is refused.
@@ -54,12 +59,17 @@ class TargetTableModel : public QAbstractTableModel {
   void refresh();
   void follow(const scene::SceneChange& change);
   [[nodiscard]] std::vector<std::size_t> wanted_rows() const;
+  void order(std::vector<std::size_t>& rows) const;
+  void take_rows(std::vector<std::size_t> rows);
   bool read_problems();
 
   Session& session_;
   std::optional<std::string> platform_;
   std::vector<scene::Field> columns_;
-  std::vector<std::size_t> rows_;  // positions in the scene's list of targets, ascending
+  int sort_column_ = -1;
+  Qt::SortOrder sort_order_ = Qt::AscendingOrder;
+  std::vector<std::size_t> rows_;                                  // positions in the scene's list of targets
+  std::vector<int> row_of_;                                        // of each target of the list; -1: not shown
   std::map<std::pair<std::size_t, int>, core::Problem> problems_;  // by target and column
 };
 
