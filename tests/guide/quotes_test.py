@@ -160,6 +160,7 @@ WINDOWS = {
     "script": "Script File",
     "simulations": "Previously Stored",
     "log": "Log",
+    "image": "[the live image](workbench.md#the-live-image)",
     "geometry": "Geometry",
     "simulation": "Raw Return",
     "compressed": "Range Compressed",
