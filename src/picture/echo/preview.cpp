@@ -97,80 +97,30 @@ struct Preview::Prepared {
 };
 
 Preview::Preview(Listener listener, unsigned threads)
-    : listener_(std::move(listener)), threads_(core::thread_count(threads)), worker_([this] { work(); }) {}
+    : listener_(std::move(listener)),
+      threads_(core::thread_count(threads)),
+      requests_([this](const PreviewRequest& request, std::uint64_t number, const core::StopFlag& stop) {
+        work(request, number, stop);
+      }) {}
 
-Preview::~Preview() {
-  {
-    const std::scoped_lock hold(lock_);
-    ending_ = true;
-    pending_.reset();
-    if (stop_) stop_->request();
-    changed_.notify_all();
-  }
-  worker_.join();
-}
+Preview::~Preview() = default;
 
-std::uint64_t Preview::show(PreviewRequest request) {
-  std::uint64_t number = 0;
-  {
-    const std::scoped_lock hold(lock_);
-    if (stop_) stop_->request();
-    stop_ = std::make_shared<core::StopFlag>();
-    pending_ = std::move(request);
-    number = ++number_;
-    changed_.notify_all();
-  }
-  const std::scoped_lock until_told(telling_);
-  return number;
-}
-
-void Preview::cancel() {
-  {
-    const std::scoped_lock hold(lock_);
-    if (stop_) stop_->request();
-    pending_.reset();
-    changed_.notify_all();
-  }
-  const std::scoped_lock until_told(telling_);
-}
-
-void Preview::wait() {
-  std::unique_lock hold(lock_);
-  changed_.wait(hold, [&] { return !busy_ && !pending_; });
-}
-
-void Preview::work() {
-  for (;;) {
-    PreviewRequest request;
-    std::shared_ptr<core::StopFlag> stop;
-    std::uint64_t number = 0;
-    {
-      std::unique_lock hold(lock_);
-      busy_ = false;
-      changed_.notify_all();
-      changed_.wait(hold, [&] { return ending_ || pending_; });
-      if (ending_) return;
-      request = std::move(*pending_);
-      pending_.reset();
-      stop = stop_;
-      number = number_;
-      busy_ = true;
-    }
-    try {
-      compute(request, number, *stop);
-    } catch (const core::Interrupted&) {
-      continue;
-    } catch (const simulate::ImpossibleEcho& e) {
-      tell({PreviewEvent::Kind::failed, number, nullptr, {e.problem}}, *stop);
-    } catch (const std::exception& e) {
-      tell({PreviewEvent::Kind::failed, number, nullptr, {failure(e.what())}}, *stop);
-    }
+void Preview::work(const PreviewRequest& request, std::uint64_t number, const core::StopFlag& stop) {
+  try {
+    compute(request, number, stop);
+  } catch (const core::Interrupted&) {
+    return;
+  } catch (const simulate::ImpossibleEcho& e) {
+    tell({PreviewEvent::Kind::failed, number, nullptr, {e.problem}}, stop);
+  } catch (const std::exception& e) {
+    tell({PreviewEvent::Kind::failed, number, nullptr, {failure(e.what())}}, stop);
   }
 }
 
 void Preview::tell(const PreviewEvent& event, const core::StopFlag& stop) {
-  const std::scoped_lock hold(telling_);
-  if (!stop.requested() && listener_) listener_(event);
+  requests_.tell(stop, [&] {
+    if (listener_) listener_(event);
+  });
 }
 
 std::shared_ptr<const Preview::Prepared> Preview::prepared(const PreviewRequest& request, const core::StopFlag& stop) {

@@ -1,15 +1,12 @@
 #pragma once
 
-#include <condition_variable>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <thread>
+#include <utility>
 
 #include "core/report/problem.hpp"
-#include "core/task/stop.hpp"
+#include "core/task/latest_request.hpp"
 #include "picture/echo/echo_matrix.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "scene/model/scene.hpp"
@@ -53,8 +50,7 @@ struct PreviewEvent {
 /// new request ends the one before. What was prepared for a scene serves the next request for the same scene.
 class Preview {
  public:
-  /// Called on the threads that compute, from one at a time; nothing is called about a request that was replaced,
-  /// once `show` or `cancel` has returned. Must neither call this object nor wait for who does.
+  /// Called on the threads that compute, from one at a time, by the rules of core::LatestRequest::tell.
   using Listener = std::function<void(const PreviewEvent&)>;
 
   /// @param threads  0: one for each core
@@ -64,15 +60,15 @@ class Preview {
   Preview& operator=(const Preview&) = delete;
 
   /// Begins; returns at once.
-  std::uint64_t show(PreviewRequest request);
+  std::uint64_t show(PreviewRequest request) { return requests_.show(std::move(request)); }
   /// Ends what is being computed, within the time of a row of the recording.
-  void cancel();
+  void cancel() { requests_.cancel(); }
   /// Waits until nothing is being computed.
-  void wait();
+  void wait() { requests_.wait(); }
 
  private:
   struct Prepared;
-  void work();
+  void work(const PreviewRequest& request, std::uint64_t number, const core::StopFlag& stop);
   void compute(const PreviewRequest& request, std::uint64_t number, const core::StopFlag& stop);
   void compute_rows(EchoMatrix& matrix, const std::shared_ptr<const EchoMatrix>& shared, std::uint64_t number,
                     const core::StopFlag& stop);
@@ -81,17 +77,9 @@ class Preview {
 
   Listener listener_;
   unsigned threads_;
-  std::mutex lock_;     // of what follows
-  std::mutex telling_;  // held while the listener is called
-  std::condition_variable changed_;
-  std::optional<PreviewRequest> pending_;
-  std::shared_ptr<core::StopFlag> stop_;  // of the request that is pending or being computed
-  std::uint64_t number_ = 0;
-  bool busy_ = false;
-  bool ending_ = false;
-  std::shared_ptr<const Prepared> prepared_;  // used by the worker alone
+  std::shared_ptr<const Prepared> prepared_;  // used by the thread of the requests alone
   std::shared_ptr<SampleRoom> room_ = std::make_shared<SampleRoom>();
-  std::thread worker_;
+  core::LatestRequest<PreviewRequest> requests_;  // last: its thread uses everything above
 };
 
 /// What `Preview` does before its first row, for those who want the plan: the scene's problems that stop it, or the
