@@ -73,7 +73,9 @@ void draw_ground_grid(Pen& pen) {
       const core::Vec3 from = node(*grid, axis, along, grid->first[1 - axis]);
       const core::Vec3 to = node(*grid, axis, along, grid->last[1 - axis]);
       pen.world_line(from, to, Role::faint, along == 0 ? 2.0 : 1.0);
-      if (words) put_distance(pen, from, to, static_cast<double>(along) * grid->step_m);
+      // The ends of both families meet at the corners, and 0 is said once.
+      const bool inner = along > grid->first[axis] && along < grid->last[axis] && (along != 0 || axis == 0);
+      if (words && inner) put_distance(pen, from, to, static_cast<double>(along) * grid->step_m);
     }
 }
 

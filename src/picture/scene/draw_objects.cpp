@@ -5,7 +5,6 @@
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/scene/drawing_pen.hpp"
-#include "picture/scene/footprint.hpp"
 
 namespace sarsim::picture {
 
@@ -92,6 +91,13 @@ void draw_dotted_circle(Pen& pen, const PicturePoint& centre, double diameter_px
   for (int i = 0; i < parts; i += 2) pen.line(at(i), at(i + 1), Role::beam, 1.0);
 }
 
+// The unit vector that lies at the given offsets from a beam's axis.
+core::Vec3 off_axis(const Snapshot::Radar& radar, double azimuth, double elevation) {
+  const core::Vec3 antenna = core::direction(azimuth, elevation);
+  return antenna.x * radar.across_world + antenna.y * radar.axis_world +
+         antenna.z * core::cross(radar.across_world, radar.axis_world);
+}
+
 void draw_cone(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& apex, Role role) {
   const double half_azimuth = std::min(core::pi, 0.5 * radar.azimuth_width_rad);
   const double half_elevation = std::min(0.5 * core::pi, 0.5 * radar.elevation_width_rad);
@@ -117,18 +123,16 @@ void draw_lobe(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& apex,
     for (std::size_t row = 1; row < lobe.size(); ++row) pen.line(at(row - 1, column), at(row, column), role, 1.0);
 }
 
-void draw_outline(Pen& pen, const std::vector<core::Vec3>& points, Role role, double width_px, bool closed) {
-  for (std::size_t i = 1; i < points.size(); ++i) pen.world_line(points[i - 1], points[i], role, width_px);
-  if (closed && points.size() > 2) pen.world_line(points.back(), points.front(), role, width_px);
-}
-
-// The beam down to the ground: its outline there, four edges of its cone, and the ends of what is recorded.
+// The beam down to the ground: its outline there, edges of its cone, and the ends of what is recorded.
 void draw_footprint(Pen& pen, const Snapshot::Radar& radar, Role role) {
-  const std::vector<core::Vec3>& contour = radar.footprint_world_m;
-  draw_outline(pen, contour, role, 2.0, true);
-  for (std::size_t i = 0; i < contour.size(); i += contour.size() / 4)
-    pen.world_line(radar.position_world_m, contour[i], Role::faint, 1.0);
-  for (const std::vector<core::Vec3>& arc : radar.swath_world_m) draw_outline(pen, arc, role, 1.0, false);
+  constexpr std::size_t between_edges = 16;
+  const auto& outline = radar.footprint_world_m;
+  for (std::size_t i = 1; i < outline.size(); ++i)
+    if (outline[i - 1] && outline[i]) pen.world_line(*outline[i - 1], *outline[i], role, 2.0);
+  for (std::size_t i = 0; i + 1 < outline.size(); i += between_edges)
+    if (outline[i]) pen.world_line(radar.position_world_m, *outline[i], Role::faint, 1.0);
+  for (const std::vector<core::Vec3>& arc : radar.swath_world_m)
+    for (std::size_t i = 1; i < arc.size(); ++i) pen.world_line(arc[i - 1], arc[i], role, 1.0);
 }
 
 void draw_radar(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& at) {

@@ -9,7 +9,6 @@ namespace sarsim::picture {
 namespace {
 
 void clear(Drawing& drawing) {
-  drawing.meshes.clear();
   drawing.polygons.clear();
   drawing.lines.clear();
   drawing.discs.clear();

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "picture/colour/theme.hpp"
-#include "picture/render/mesh.hpp"
 #include "picture/scene/camera.hpp"
 #include "picture/scene/gizmo.hpp"
 #include "picture/scene/ruler.hpp"
@@ -90,8 +89,7 @@ struct Drawing {
     float depth_m = 0.0F;
     std::optional<std::size_t> path_point = std::nullopt;  ///< It moves this point of the platform's path.
   };
-  std::vector<Mesh> meshes;       ///< Drawn below everything else.
-  std::vector<Polygon> polygons;  ///< Drawn next, farthest first.
+  std::vector<Polygon> polygons;  ///< Drawn first, farthest first.
   std::vector<Line> lines;        ///< Then lines,
   std::vector<Disc> discs;        ///< discs,
   std::vector<Text> texts;        ///< and words.

@@ -10,9 +10,8 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr int contour_points = 64;
 constexpr int arc_points = 25;
-constexpr double widest_rad = 2.8;  // a contour beyond that is no cone to look at
+constexpr double widest_rad = 2.8;  // a beam beyond that looks everywhere
 
 std::optional<core::Vec3> ground_from(const core::Vec3& from_m, const core::Vec3& along,
                                       const std::optional<radar::EarthFrame>& earth) {
@@ -29,24 +28,14 @@ core::Vec3 unit_along(const core::Vec3& v) { return (1.0 / core::norm(v)) * v; }
 
 }  // namespace
 
-core::Vec3 off_axis(const Snapshot::Radar& radar, double azimuth_rad, double elevation_rad) {
-  const core::Vec3 antenna = core::direction(azimuth_rad, elevation_rad);
-  return antenna.x * radar.across_world + antenna.y * radar.axis_world +
-         antenna.z * core::cross(radar.across_world, radar.axis_world);
-}
-
-std::vector<core::Vec3> footprint_of(const Snapshot::Radar& radar, const std::optional<radar::EarthFrame>& earth) {
-  if (radar.isotropic || radar.azimuth_width_rad > widest_rad || radar.elevation_width_rad > widest_rad) return {};
-  std::vector<core::Vec3> contour;
-  for (int i = 0; i < contour_points; ++i) {
-    const double angle = 2.0 * core::pi * i / contour_points;
-    const core::Vec3 along = off_axis(radar, 0.5 * radar.azimuth_width_rad * std::cos(angle),
-                                      0.5 * radar.elevation_width_rad * std::sin(angle));
-    const auto met = ground_from(radar.position_world_m, along, earth);
-    if (!met) return {};
-    contour.push_back(*met);
-  }
-  return contour;
+std::vector<std::optional<core::Vec3>> ground_points(const core::Vec3& from_world_m,
+                                                     const std::vector<std::optional<core::Vec3>>& directions_world,
+                                                     const std::optional<radar::EarthFrame>& earth) {
+  std::vector<std::optional<core::Vec3>> points;
+  points.reserve(directions_world.size());
+  for (const std::optional<core::Vec3>& along : directions_world)
+    points.push_back(along ? ground_from(from_world_m, *along, earth) : std::nullopt);
+  return points;
 }
 
 std::vector<core::Vec3> range_on_ground(const Snapshot::Radar& radar, double range_m,

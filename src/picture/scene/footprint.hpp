@@ -8,14 +8,12 @@
 
 namespace sarsim::picture {
 
-/// The unit vector that lies at the given offsets from a beam's axis, in the world.
-[[nodiscard]] core::Vec3 off_axis(const Snapshot::Radar& radar, double azimuth_rad, double elevation_rad);
-
-/// Where the half-power contour of a beam meets the ground, in the world: the plane z = 0, or the ellipsoid where the
-/// world has an Earth. In order around the beam; empty where the antenna is isotropic or some of the contour misses
-/// the ground.
-[[nodiscard]] std::vector<core::Vec3> footprint_of(const Snapshot::Radar& radar,
-                                                   const std::optional<radar::EarthFrame>& earth);
+/// Where lines from an antenna meet the ground, in the world: the plane z = 0, or the ellipsoid where the world has an
+/// Earth; nothing for those that miss it.
+/// @param directions_world  of unit length, such as those of `half_power_outline`
+[[nodiscard]] std::vector<std::optional<core::Vec3>> ground_points(
+    const core::Vec3& from_world_m, const std::vector<std::optional<core::Vec3>>& directions_world,
+    const std::optional<radar::EarthFrame>& earth);
 
 /// The points of the ground at a slant range, across the beam of a radar and half its width beyond it on both sides;
 /// empty where the radar is at rest on the ground, sees none at that range, or the antenna is isotropic.

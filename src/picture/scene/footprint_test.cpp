@@ -6,7 +6,10 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "picture/scene/half_power.hpp"
+#include "picture/scene/track_figure.hpp"
 #include "scene/model/world_frame.hpp"
+#include "simulate/resolve/resolved.hpp"
 
 namespace sarsim::picture {
 namespace footprint_test {
@@ -26,24 +29,51 @@ Snapshot::Radar radar_at(const core::Vec3& position_m, double depression_rad, do
   return radar;
 }
 
-TEST(Footprint, LiesOnThePlaneBetweenTheEdgesOfTheBeam) {
-  const double height_m = 2000.0;
-  const auto contour = footprint_of(radar_at({100.0, -50.0, height_m}, 40.0 * deg, 3.0 * deg, 10.0 * deg), {});
-  ASSERT_EQ(contour.size(), 64U);
-  for (const core::Vec3& point : contour) EXPECT_NEAR(point.z, 0.0, 1e-9);
-  const auto [near, far] = std::ranges::minmax_element(contour, {}, &core::Vec3::y);
-  EXPECT_NEAR(near->y, -50.0 + height_m / std::tan(45.0 * deg), 1e-6);
-  EXPECT_NEAR(far->y, -50.0 + height_m / std::tan(35.0 * deg), 1e-6);
-  // Abeam of the middle the half width seen from the antenna, at its distance.
-  const auto side = std::ranges::max_element(contour, {}, &core::Vec3::x);
-  EXPECT_NEAR(side->x - 100.0, height_m / std::sin(40.0 * deg) * std::tan(1.5 * deg), 1.5);
+// The half-power outline of a sin(x)/x antenna that looks as `radar_at` does.
+std::vector<std::optional<core::Vec3>> edges_of(double depression_rad, double azimuth_width_rad,
+                                                double elevation_width_rad) {
+  radar::AntennaPattern pattern;
+  pattern.kind = radar::AntennaPattern::Kind::sinx;
+  pattern.azimuth_beamwidth_rad = azimuth_width_rad;
+  pattern.elevation_beamwidth_rad = elevation_width_rad;
+  std::vector<std::optional<core::Vec3>> edges;
+  for (const auto& offset : half_power_outline(pattern, radar::PatternRule::amplitude, 65)) {
+    if (!offset) return {};
+    const core::Vec3 off = core::direction(offset->azimuth_rad, offset->elevation_rad);
+    const double c = std::cos(depression_rad);
+    const double d = std::sin(depression_rad);
+    edges.emplace_back(core::Vec3{off.x, c * off.y + d * off.z, -d * off.y + c * off.z});
+  }
+  return edges;
 }
 
-TEST(Footprint, IsNoneWhereSomeOfTheBeamMissesTheGroundOrThereIsNoBeam) {
-  EXPECT_TRUE(footprint_of(radar_at({0.0, 0.0, 1000.0}, 3.0 * deg, 2.0 * deg, 10.0 * deg), {}).empty());
-  Snapshot::Radar round = radar_at({0.0, 0.0, 1000.0}, 40.0 * deg, 2.0 * deg, 2.0 * deg);
-  round.isotropic = true;
-  EXPECT_TRUE(footprint_of(round, {}).empty());
+TEST(Footprint, LiesOnThePlaneBetweenTheEdgesOfTheBeam) {
+  const double height_m = 2000.0;
+  const auto points =
+      ground_points({100.0, -50.0, height_m}, edges_of(40.0 * deg, 3.0 * deg, 10.0 * deg), std::nullopt);
+  ASSERT_EQ(points.size(), 65U);
+  double near_m = 1e9;
+  double far_m = 0.0;
+  double side_m = 0.0;
+  for (const auto& point : points) {
+    ASSERT_TRUE(point.has_value());
+    EXPECT_NEAR(point->z, 0.0, 1e-9);
+    near_m = std::min(near_m, point->y + 50.0);
+    far_m = std::max(far_m, point->y + 50.0);
+    side_m = std::max(side_m, point->x - 100.0);
+  }
+  // Beamwidths are between half-power points.
+  EXPECT_NEAR(near_m, height_m / std::tan(45.0 * deg), 5.0);
+  EXPECT_NEAR(far_m, height_m / std::tan(35.0 * deg), 5.0);
+  EXPECT_NEAR(side_m, height_m / std::sin(40.0 * deg) * std::tan(1.5 * deg), 1.5);
+}
+
+TEST(Footprint, HasGapsWhereTheBeamMissesTheGround) {
+  const auto points = ground_points({0.0, 0.0, 1000.0}, edges_of(3.0 * deg, 2.0 * deg, 10.0 * deg), std::nullopt);
+  ASSERT_EQ(points.size(), 65U);
+  const auto missing = std::ranges::count_if(points, [](const auto& point) { return !point; });
+  EXPECT_GT(missing, 10);
+  EXPECT_LT(missing, 55);
 }
 
 TEST(Footprint, OfASatelliteLiesOnTheEllipsoid) {
@@ -54,14 +84,37 @@ TEST(Footprint, OfASatelliteLiesOnTheEllipsoid) {
   const auto earth = scene::earth_of(world);
   ASSERT_TRUE(earth.has_value());
   const Snapshot::Radar radar = radar_at({0.0, 0.0, 700e3}, 60.0 * deg, 0.3 * deg, 3.0 * deg);
-  const auto contour = footprint_of(radar, earth);
-  ASSERT_EQ(contour.size(), 64U);
-  for (const core::Vec3& point : contour) EXPECT_NEAR(earth->geodetic_of(point).height_m, 0.0, 2e-3);
+  const auto points = ground_points(radar.position_world_m, edges_of(60.0 * deg, 0.3 * deg, 3.0 * deg), earth);
+  ASSERT_EQ(points.size(), 65U);
+  for (const auto& point : points) {
+    ASSERT_TRUE(point.has_value());
+    EXPECT_NEAR(earth->geodetic_of(*point).height_m, 0.0, 2e-3);
+  }
   const auto arc = range_on_ground(radar, 820e3, earth);
   ASSERT_FALSE(arc.empty());
   for (const core::Vec3& point : arc) {
     EXPECT_NEAR(core::norm(point - radar.position_world_m), 820e3, 1.0);
     EXPECT_NEAR(earth->geodetic_of(point).height_m, 0.0, 2e-3);
+  }
+}
+
+// What the workbench shows is what `sarsim plot --draw footprint` draws.
+TEST(Footprint, OfASnapshotIsThatOfThePlot) {
+  scene::Scene scene;
+  scene::Platform& platform = scene.platforms.emplace_back();
+  platform.position_m = {0.0, -3000.0, 2000.0};
+  scene::Radar& radar = scene.radars.emplace_back();
+  radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(4.0);
+  radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(9.0);
+  radar.beam_elevation = core::Angle::from_deg(-33.0);
+  const auto shown = SnapshotMaker(scene).at(0.0).radars.at(0).footprint_world_m;
+  const Figure figure = footprint_figure(scene, simulate::resolve(scene), 0, {0.0, 1.0});
+  const FigureCurve& drawn = figure.panels.at(0).curves.at(0);
+  for (std::size_t quarter = 0; quarter <= 4; ++quarter) {
+    ASSERT_TRUE(shown.at(16 * quarter).has_value());
+    EXPECT_NEAR(shown[16 * quarter]->x, drawn.x.at(45 * quarter), 0.01);
+    EXPECT_NEAR(shown[16 * quarter]->y, drawn.y.at(45 * quarter), 0.01);
   }
 }
 

@@ -49,8 +49,8 @@ struct HandMove {
 /// perspective view a thing goes as far as a line of sight one degree below it.
 ///
 /// Ways are rounded to half a pixel. With `snap` coordinates are round to about ten pixels: steps of 1, 2 or 5 times a
-/// power of ten; along axes that are not the world's the ways are. What the view cannot change keeps every digit. What
-/// is typed counts as it is: with a unit of length, or in m; while it is no number yet the thing stays where it was.
+/// power of ten; along axes that are not the world's the ways are. What the view cannot change keeps every digit. A
+/// typed distance is taken as it is, in m unless it has a unit; until it is a number, the object stays where it was.
 [[nodiscard]] HandMove hand_move(const HandDrag& drag, double x_px, double y_px, bool snap);
 
 /// By what angle the thing is turned about an axis through it with the pointer at a point of the picture, rad,

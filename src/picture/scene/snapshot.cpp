@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "picture/scene/footprint.hpp"
+#include "picture/scene/half_power.hpp"
 #include "picture/scene/snapshot_beam.hpp"
 #include "scene/edit/path_points.hpp"
 #include "scene/model/cloud_points.hpp"
@@ -565,7 +566,11 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snaps
     shown.lobe_world = radar.shape.lobe_antenna;
     for (std::vector<core::Vec3>& row : shown.lobe_world)
       for (core::Vec3& point : row) point = world_from_antenna * point;
-    shown.footprint_world_m = footprint_of(shown, earth);
+    std::vector<std::optional<core::Vec3>> edges;
+    for (const std::optional<radar::BeamOffset>& offset : radar.shape.outline)
+      edges.push_back(offset ? std::optional(beam_direction(pointing, resolved.conventions.pointing, *offset))
+                             : std::nullopt);
+    shown.footprint_world_m = ground_points(shown.position_world_m, edges, earth);
     for (std::size_t end = 0; end < 2; ++end)
       shown.swath_world_m.at(end) = range_on_ground(shown, radar.recorded_m.at(end), earth);
     snapshot.radars.push_back(std::move(shown));

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,8 +54,10 @@ struct Snapshot {
     /// Points of the transmit pattern's lobe: gain against direction, for those who draw it: [elevation][azimuth],
     /// world directions times the one-way amplitude over its largest (0 to 1). Empty where isotropic.
     std::vector<std::vector<core::Vec3>> lobe_world;
-    /// `footprint_of`, and `range_on_ground` of both ends of the slant range of the radar's first recording.
-    std::vector<core::Vec3> footprint_world_m = {};
+    /// The half-power outline of the transmit pattern on the ground (`half_power_outline`, `ground_points`), around the
+    /// beam; nothing where it misses the ground. Empty where isotropic.
+    std::vector<std::optional<core::Vec3>> footprint_world_m = {};
+    /// The ground at both ends of the slant range of the radar's first recording (`range_on_ground`).
     std::array<std::vector<core::Vec3>, 2> swath_world_m = {};
   };
   double time_s = 0.0;

@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "picture/scene/half_power.hpp"
 
 namespace sarsim::picture {
 
 namespace {
 
+constexpr std::size_t lobe_outline_points = 65;
 constexpr int lobe_rows = 25;
 constexpr int lobe_columns = 49;
 constexpr double lobe_widths = 3.0;  // the lobe is drawn so far off the axis, in half-power widths
@@ -76,6 +78,7 @@ BeamShape beam_shape(const radar::AntennaPattern& pattern, radar::PatternRule ru
       break;
   }
   shape.isotropic = false;
+  shape.outline = half_power_outline(pattern, rule, lobe_outline_points);
   shape.lobe_antenna = lobe_of(pattern, rule, shape);
   return shape;
 }

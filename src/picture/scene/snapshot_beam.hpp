@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "core/maths/vector.hpp"
+#include "radar/antenna/beam.hpp"
 #include "radar/antenna/pattern.hpp"
 
 namespace sarsim::picture {
@@ -15,6 +17,7 @@ struct BeamShape {
   /// Directions in the antenna's frame (x across, y boresight, z up) times the one-way amplitude over its largest:
   /// [elevation][azimuth]. Empty where isotropic.
   std::vector<std::vector<core::Vec3>> lobe_antenna;
+  std::vector<std::optional<radar::BeamOffset>> outline;  ///< `half_power_outline`; empty where isotropic.
 };
 
 /// The shape of a pattern. One that cannot be understood (a beamwidth that is not positive) is isotropic.

@@ -8,9 +8,9 @@
 
 #include <fmt/format.h>
 
-#include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "picture/figure/figure_axes.hpp"
+#include "picture/scene/half_power.hpp"
 #include "picture/scene/scene_map.hpp"
 #include "picture/scene/snapshot.hpp"
 #include "scene/model/read_path.hpp"
@@ -118,16 +118,10 @@ class BeamOnGround {
   [[nodiscard]] FigureCurve outline(double time_s) const {
     const radar::Pose pose = pose_at(time_s);
     const radar::Pointing pointing = pointing_at(pose, time_s);
-    const double across_rad = width_rad({1.0, 0.0});
-    const double up_rad = width_rad({0.0, 1.0});
     FigureCurve curve;
-    for (std::size_t i = 0; i < outline_points; ++i) {
-      const double turn_rad = 2.0 * core::pi * static_cast<double>(i) / static_cast<double>(outline_points - 1);
-      // Evenly about a beam that is narrow in one plane.
-      const core::Vec3 along{across_rad * std::cos(turn_rad), up_rad * std::sin(turn_rad), 0.0};
-      const auto offset = half_power({along.x / core::norm(along), along.y / core::norm(along)});
-      add_point(curve, offset ? met_by(pose, direction_of(pointing, *offset)) : std::nullopt);
-    }
+    for (const auto& offset : half_power_outline(radar_.transmit, scene_.conventions.pattern, outline_points))
+      add_point(curve,
+                offset ? met_by(pose, beam_direction(pointing, scene_.conventions.pointing, *offset)) : std::nullopt);
     return curve;
   }
 
@@ -144,44 +138,6 @@ class BeamOnGround {
   [[nodiscard]] std::optional<MapPlace> met_by(const radar::Pose& pose, const core::Vec3& direction) const {
     const auto point_m = map_.met_by(pose.position_world_m, direction);
     return point_m ? std::optional(map_.place_of(*point_m)) : std::nullopt;
-  }
-
-  [[nodiscard]] core::Vec3 direction_of(const radar::Pointing& pointing, const radar::BeamOffset& offset) const {
-    if (scene_.conventions.pointing == radar::PointingRule::added_angles)
-      return core::direction(pointing.axis_azimuth_rad() + offset.azimuth_rad,
-                             pointing.axis_elevation_rad() + offset.elevation_rad);
-    return core::transposed(pointing.antenna_from_world()) * core::direction(offset.azimuth_rad, offset.elevation_rad);
-  }
-
-  [[nodiscard]] double amplitude(const radar::BeamOffset& offset) const {
-    return std::abs(radar::one_way_amplitude(radar_.transmit, offset.azimuth_rad, offset.elevation_rad,
-                                             scene_.conventions.pattern));
-  }
-
-  // Half the width of the beam in a plane; a quarter turn where it has none.
-  [[nodiscard]] double width_rad(const radar::BeamOffset& along) const {
-    const auto offset = half_power(along);
-    return offset ? std::hypot(offset->azimuth_rad, offset->elevation_rad) : 0.5 * core::pi;
-  }
-
-  // The nearest such offset in one direction of length 1, within a quarter turn; steps grow from a thousandth of a
-  // degree.
-  [[nodiscard]] std::optional<radar::BeamOffset> half_power(const radar::BeamOffset& along) const {
-    const double half = amplitude({0.0, 0.0}) / std::sqrt(2.0);
-    const auto at = [&](double offset_rad) {
-      return radar::BeamOffset{offset_rad * along.azimuth_rad, offset_rad * along.elevation_rad};
-    };
-    double inside_rad = 0.0;
-    double outside_rad = 1e-3 * core::rad_per_deg;
-    for (; !(amplitude(at(outside_rad)) < half); outside_rad *= 1.05) {
-      inside_rad = outside_rad;
-      if (outside_rad > 0.5 * core::pi) return std::nullopt;
-    }
-    for (int i = 0; i < 40; ++i) {
-      const double middle_rad = 0.5 * (inside_rad + outside_rad);
-      (amplitude(at(middle_rad)) < half ? outside_rad : inside_rad) = middle_rad;
-    }
-    return at(inside_rad);
   }
 
   const simulate::ResolvedScene& scene_;
