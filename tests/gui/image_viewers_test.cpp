@@ -30,12 +30,21 @@ class ImageViewersTest : public QObject {
   Q_OBJECT
 
  private:
-  // The letter R as `sarsim focus` makes it.
-  static QString focused_r(const QTemporaryDir& folder) {
-    QString file = folder.filePath("r.img");
-    QProcess::execute(SARSIM_PROGRAM, {"focus", SARSIM_SOURCE_DIR "/examples/sar_r.toml", "--out", file, "--quiet"});
-    return file;
-  }
+  // The letter R as `sarsim focus` makes it, open in a viewer.
+  struct FocusedR {
+    FocusedR() {
+      const QString file = folder.filePath("r.img");
+      QProcess::execute(SARSIM_PROGRAM, {"focus", SARSIM_SOURCE_DIR "/examples/sar_r.toml", "--out", file, "--quiet"});
+      if (!main.open_any(file)) return;
+      viewer = main.image_viewers().viewers()[0];
+      shown = wait_until_open(*viewer) && wait_for_picture(*viewer);
+    }
+
+    QTemporaryDir folder;
+    gui::MainWindow main;
+    gui::ImageViewer* viewer = nullptr;
+    bool shown = false;
+  };
 
   QTemporaryDir cache_;
 
@@ -121,12 +130,9 @@ class ImageViewersTest : public QObject {
   }
 
   void a_focused_image_is_seen_in_metres_as_long_across_as_downwards() {
-    QTemporaryDir folder;
-    const QString file = focused_r(folder);
-    gui::MainWindow main;
-    QVERIFY(main.open_any(file));
-    gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
-    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
+    const FocusedR r;
+    QVERIFY(r.shown);
+    gui::ImageViewer& viewer = *r.viewer;
     gui::ImagePlot& plot = viewer.plot();
     QVERIFY(plot.places().has_value());
     QCOMPARE(plot.shown_places().range.label, std::string("Slant range"));
@@ -150,12 +156,9 @@ class ImageViewersTest : public QObject {
 
   // Finding B6: full view, five pixels beside the peak.
   void a_point_is_found_beside_the_click_whatever_the_zoom() {
-    QTemporaryDir folder;
-    const QString file = focused_r(folder);
-    gui::MainWindow main;
-    QVERIFY(main.open_any(file));
-    gui::ImageViewer& viewer = *main.image_viewers().viewers()[0];
-    QVERIFY(wait_until_open(viewer) && wait_for_picture(viewer));
+    const FocusedR r;
+    QVERIFY(r.shown);
+    gui::ImageViewer& viewer = *r.viewer;
     viewer.findChild<QToolButton*>("image_reading_tool")->click();
     const gui::ImagePart& part = *viewer.plot().part();
     const auto strongest = std::ranges::max_element(part.samples, {}, [](const auto& z) { return std::norm(z); });

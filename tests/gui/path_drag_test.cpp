@@ -1,15 +1,14 @@
 #include <QLabel>
-#include <QMouseEvent>
 #include <QSignalSpy>
 #include <QTest>
 
 #include "core/maths/constants.hpp"
 #include "gui/common/session.hpp"
 #include "gui/gui_test.hpp"
+#include "gui/path_bench.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
-#include "gui/small_scene.hpp"
 #include "scene/edit/path_points.hpp"
 
 namespace sarsim::path_drag_test {
@@ -54,47 +53,9 @@ waypoints = [
 ]
 )";
 
-// A scene panel from above, the first platform selected, so that its path can be taken hold of.
-struct Bench {
-  explicit Bench(const char* text) {
-    session.take(scene::Document::from_text(text));
-    panel.resize(800, 600);
-    panel.show();
-    session.select_only(test::platform(0));
-    panel.scene().look(picture::ViewPreset::top);
-    panel.scene().fit();
-    picture::Camera camera = panel.scene().camera();
-    camera.focus_world_m = points().front();
-    camera.pixels_per_m = 0.1;
-    panel.scene().set_camera(camera);
-  }
-  [[nodiscard]] std::vector<core::Vec3> points() const { return scene::path_points(platform()); }
-  [[nodiscard]] const scene::Platform& platform() const { return session.scene().platforms.at(0); }
-  [[nodiscard]] QPoint place_of(const core::Vec3& world_m) {
-    const auto at = panel.scene().camera().project(world_m);
-    return (QPointF(at->x, at->y) / panel.scene().pixel_scale()).toPoint();
-  }
-  void mouse(QEvent::Type type, QPoint at) {
-    const bool move = type == QEvent::MouseMove;
-    QMouseEvent event(type, at, panel.scene().mapToGlobal(at), move ? Qt::NoButton : Qt::LeftButton,
-                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&panel.scene(), &event);
-  }
-  void drag(QPoint from, QPoint to) {
-    mouse(QEvent::MouseButtonPress, from);
-    mouse(QEvent::MouseMove, from + (to - from) / 2);
-    mouse(QEvent::MouseMove, to);
-    mouse(QEvent::MouseButtonRelease, to);
-  }
-  void hover(QPoint at) {
-    QMouseEvent event(QEvent::MouseMove, at, panel.scene().mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(&panel.scene(), &event);
-  }
-  [[nodiscard]] QLabel* place() { return panel.findChild<QLabel*>("place_under_pointer"); }
+using Bench = test::PathBench;
 
-  gui::Session session;
-  gui::ScenePanel panel{session};
-};
+QLabel* place(Bench& bench) { return bench.panel.findChild<QLabel*>("place_under_pointer"); }
 
 }  // namespace
 
@@ -107,7 +68,7 @@ class PathDragTest : public QObject {
     const std::vector<core::Vec3> before = bench.points();
     QCOMPARE(before.size(), std::size_t{4});
     const core::Vec3 to = before[1] + core::Vec3{300.0, 500.0, 0.0};
-    bench.drag(bench.place_of(before[1]), bench.place_of(to));
+    bench.drag(bench.pixel_of(before[1]), bench.pixel_of(to));
     const std::vector<core::Vec3> after = bench.points();
     QVERIFY(core::norm(after[1] - to) < 2.0 / bench.panel.scene().camera().pixels_per_m);
     QVERIFY(bench.platform().course.deg() > 5.0);
@@ -122,7 +83,7 @@ class PathDragTest : public QObject {
     Bench bench(legs_text);
     const core::Vec3 from = bench.points()[3];
     const core::Vec3 to = from + core::Vec3{0.0, -700.0, 0.0};
-    bench.drag(bench.place_of(from), bench.place_of(to));
+    bench.drag(bench.pixel_of(from), bench.pixel_of(to));
     QVERIFY(core::norm(bench.points()[3] - to) < 2.0 / bench.panel.scene().camera().pixels_per_m);
     QVERIFY(bench.platform().legs[1].angle.deg() > 100.0);
     QCOMPARE(bench.platform().legs[0].length_m, 2000.0);
@@ -130,7 +91,7 @@ class PathDragTest : public QObject {
 
   void escape_takes_it_back() {
     Bench bench(legs_text);
-    const QPoint at = bench.place_of(bench.points()[2]);
+    const QPoint at = bench.pixel_of(bench.points()[2]);
     bench.mouse(QEvent::MouseButtonPress, at);
     bench.mouse(QEvent::MouseMove, at + QPoint(40, 40));
     QVERIFY(bench.session.document().text() != legs_text);
@@ -140,7 +101,7 @@ class PathDragTest : public QObject {
 
   void points_are_there_for_selected_platforms_alone() {
     Bench bench(legs_text);
-    const QPoint at = bench.place_of(bench.points()[2]);
+    const QPoint at = bench.pixel_of(bench.points()[2]);
     bench.hover(at);
     QVERIFY(bench.panel.scene().options().hovered_point);
     bench.session.select({});
@@ -159,7 +120,7 @@ class PathDragTest : public QObject {
     camera.elevation_rad = 0.5;
     bench.panel.scene().set_camera(camera);
     const core::Vec3 to = from + core::Vec3{200.0, 400.0, 0.0};
-    bench.drag(bench.place_of(from), bench.place_of(to));
+    bench.drag(bench.pixel_of(from), bench.pixel_of(to));
     const core::Vec3 after = bench.points()[1];
     QVERIFY(std::abs(after.z - from.z) < 1e-6);
     QVERIFY(core::norm(after - to) < 4.0 / camera.pixels_per_m);
@@ -168,22 +129,22 @@ class PathDragTest : public QObject {
 
   void the_place_under_the_pointer_is_told_in_the_worlds_own_terms() {
     Bench flat(legs_text);
-    QVERIFY(!flat.place()->isVisible());
-    flat.hover(flat.place_of({500.0, -700.0, 0.0}));
-    QVERIFY(flat.place()->isVisible());
-    QCOMPARE(flat.place()->text(), QString("x 500 m  y -700 m  z 0 m"));
-    flat.hover(flat.place_of(flat.points()[1]));
-    QCOMPARE(flat.place()->text(), QString("x 0 m  y 1 km  z 1 km"));
+    QVERIFY(!place(flat)->isVisible());
+    flat.hover(flat.pixel_of({500.0, -700.0, 0.0}));
+    QVERIFY(place(flat)->isVisible());
+    QCOMPARE(place(flat)->text(), QString("x 500 m  y -700 m  z 0 m"));
+    flat.hover(flat.pixel_of(flat.points()[1]));
+    QCOMPARE(place(flat)->text(), QString("x 0 m  y 1 km  z 1 km"));
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&flat.panel.scene(), &leave);
-    QVERIFY(!flat.place()->isVisible());
+    QVERIFY(!place(flat)->isVisible());
 
     Bench earth(waypoints_text);
-    earth.hover(earth.place_of(earth.points()[1]));
-    QVERIFY2(earth.place()->text().startsWith("54.01"), qPrintable(earth.place()->text()));
-    QVERIFY(earth.place()->text().contains("° N  10.00000° E  height 0 m"));
-    earth.hover(earth.place_of({-1000.0, 0.0, 0.0}));
-    QVERIFY2(earth.place()->text().contains("9.984"), qPrintable(earth.place()->text()));
+    earth.hover(earth.pixel_of(earth.points()[1]));
+    QVERIFY2(place(earth)->text().startsWith("54.01"), qPrintable(place(earth)->text()));
+    QVERIFY(place(earth)->text().contains("° N  10.00000° E  height 0 m"));
+    earth.hover(earth.pixel_of({-1000.0, 0.0, 0.0}));
+    QVERIFY2(place(earth)->text().contains("9.984"), qPrintable(place(earth)->text()));
   }
 
   void time_is_shown_as_utc_where_there_is_an_epoch() {
