@@ -17,9 +17,10 @@ namespace sarsim::gui {
 
 class ProblemLine;
 
-/// A number with its unit, moved by steps of its last shown digit: "5.6 cm", 1: "5.7 cm". Empty for what is no number.
+/// A number with its unit, moved by steps of its last shown digit: "5.6 cm", 1: "5.7 cm". Empty if the text is not a
+/// number.
 [[nodiscard]] QString stepped_text(const QString& text, int steps);
-/// The same number with one digit more: "5 cm" becomes "5.0 cm". Empty for what is no number.
+/// The same number with one digit more: "5 cm" becomes "5.0 cm". Empty if the text is not a number.
 [[nodiscard]] QString finer_text(const QString& text);
 
 /// Where the value of a field comes from.

@@ -144,15 +144,15 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   take_places();
   if (columns_before != source_->columns()) {
     history_.clear();
-    wish_ = whole_view(rows_, source_->columns());
+    wanted_view_ = whole_view(rows_, source_->columns());
   }
-  plot_->set_view(plot_->shown_view(wish_));
+  plot_->set_view(plot_->shown_view(wanted_view_));
   plot_->set_selection(std::nullopt);
   begin_overview();
   watch_.start(watch_ms);
   show_info();
   show_problems();
-  change_view(wish_);
+  change_view(wanted_view_);
   emit opened();
 }
 
@@ -275,7 +275,7 @@ void ImageViewer::look_at_file() {
 }
 
 void ImageViewer::take_rows(std::size_t rows) {
-  const bool whole = wish_ == whole_view(rows_, source_->columns());
+  const bool whole = wanted_view_ == whole_view(rows_, source_->columns());
   rows_ = rows;
   plot_->set_size(rows_, source_->columns());
   take_places();
@@ -295,12 +295,12 @@ void ImageViewer::set_look(const PartLook& look) {
   controls_->show_look(look_, source_ ? source_->info().value : raster::ImageValue::complex, value_unit());
   if (overview_shown_) show_overview();
   if (statistics_) show_statistics();
-  change_view(wish_);
+  change_view(wanted_view_);
 }
 
 void ImageViewer::change_view(const ImageView& view, bool tell) {
   if (!source_) return;
-  wish_ = mended(view, rows_, source_->columns());
+  wanted_view_ = mended(view, rows_, source_->columns());
   const ImageView wanted = plot_->shown_view(view);
   const bool moved = wanted != plot_->view();
   plot_->set_view(wanted);

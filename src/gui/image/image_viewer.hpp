@@ -156,7 +156,7 @@ class ImageViewer : public QWidget {
   std::filesystem::file_time_type file_time_;
   std::optional<std::pair<dev_t, ino_t>> file_number_;  // of what is open
   PartLook look_;
-  ImageView wish_;  // what was asked to be seen; more is, where scales are equal
+  ImageView wanted_view_;  // as asked for; equal scales may show more
   bool look_set_ = false;
   picture::ViewHistory<ImageView> history_;
   std::uint64_t request_ = 0;

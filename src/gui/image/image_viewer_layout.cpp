@@ -220,7 +220,7 @@ void ImageViewer::connect_all() {
   connect(plot_, &ImagePlot::whole_wanted, this, &ImageViewer::show_whole);
   connect(plot_, &ImagePlot::resized, this, [this] {
     if (source_)
-      change_view(wish_, false);
+      change_view(wanted_view_, false);
     else
       read_soon();
   });
