@@ -22,11 +22,13 @@
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "picture/live/live_product_file.hpp"
 #include "scene/language/format_mark.hpp"
+#include "workflow/focus/focus_options.hpp"
 
 namespace sarsim::gui {
 
@@ -36,7 +38,6 @@ using workflow::FocusAlgorithm;
 
 constexpr std::array algorithms{FocusAlgorithm::automatic, FocusAlgorithm::omega_k, FocusAlgorithm::range_doppler,
                                 FocusAlgorithm::chirp_scaling, FocusAlgorithm::back_projection};
-constexpr std::array windows{"rectangular", "hamming", "hann", "kaiser", "taylor"};
 constexpr std::array maps{picture::ColourMap::ocean, picture::ColourMap::ember, picture::ColourMap::grey};
 constexpr int blink_ms = 500;
 constexpr int busy_after_ms = 150;  // a bar for less would flicker
@@ -60,13 +61,10 @@ QToolButton* word_button(QWidget* parent, const QString& text, const QString& na
   return button;
 }
 
-// So many lines, whatever it says.
-QLabel* steady_label(QWidget* parent, const QString& name, int lines) {
-  auto* const label = named(new QLabel(parent), name, {}, {});
-  label->setTextFormat(Qt::PlainText);
-  label->setWordWrap(lines > 1);
-  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  label->setFixedHeight(lines * label->fontMetrics().lineSpacing());
+// Takes as little width as the panel has.
+ReservedLabel* steady_label(QWidget* parent, const QString& name, int lines) {
+  auto* const label = new ReservedLabel(lines, parent);
+  label->setObjectName(name);
   label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   return label;
 }
@@ -164,7 +162,7 @@ void LivePanel::make_options() {
   algorithm_->addItem(tr("automatic"));
   for (std::size_t i = 1; i < algorithms.size(); ++i) algorithm_->addItem(workflow::word_of(algorithms.at(i)));
   window_ = narrow_list(options_, "live_window", tr("Window"), tr("Weighting: lower sidelobes for wider peaks"));
-  for (const char* name : windows) window_->addItem(name);
+  for (const char* name : workflow::window_words) window_->addItem(name);
   compensation_ = named(new QCheckBox(tr("Motion compensation"), options_), "live_compensation",
                         tr("Motion compensation"), tr("Takes out of the echoes how the flight leaves a straight line"));
   compensation_->setChecked(true);
@@ -335,8 +333,8 @@ void LivePanel::compute() {
     complete_ = true;
     progress_->hide();
     show_image();
-    state_->setText(tr("No recording is stored yet: make one under Previously Stored, with New."));
-    problems_->clear();
+    state_->say(tr("No recording is stored yet: make one under Previously Stored, with New."));
+    problems_->say({});
     emit finished();
     return;
   }
@@ -388,7 +386,7 @@ void LivePanel::show_event() {
 void LivePanel::show_problems(const core::Problems& problems) {
   QStringList texts;
   for (const core::Problem& problem : problems) texts << problem_text(problem);
-  problems_->setText(texts.isEmpty() ? QString() : texts.first());
+  problems_->say(texts.isEmpty() ? QString() : texts.first());
   problems_->setToolTip(texts.join(QStringLiteral("\n\n")));
 }
 
@@ -426,7 +424,7 @@ void LivePanel::show_image() {
 
 void LivePanel::show_state() {
   if (!image_) {
-    state_->setText(complete_ ? tr("No image") : QString());
+    state_->say(complete_ ? tr("No image") : QString());
     return;
   }
   const picture::LiveImage& shown = before_is_seen_ ? *kept_ : *image_;
@@ -436,8 +434,7 @@ void LivePanel::show_state() {
   if (comparing() == Compare::difference) text = tr("Now minus before. ") + text;
   if (comparing() == Compare::blink) text = (before_is_seen_ ? tr("Before. ") : tr("Now. ")) + text;
   if (comparing() == Compare::side_by_side) text = tr("Before, now. ") + text;
-  state_->setText(text);
-  state_->setToolTip(text);
+  state_->say(text);
 }
 
 void LivePanel::keep() {
@@ -462,7 +459,7 @@ void LivePanel::open_in_viewer() {
   folder_ = std::make_shared<QTemporaryDir>();
   made_file_ = folder_->filePath("image.npy");
   open_->setEnabled(false);
-  state_->setText(tr("Making the image with all its samples…"));
+  state_->say(tr("Making the image with all its samples…"));
   job_.start(
       [wanted = request(), file = made_file_.toStdString()](const core::StopFlag& stop, const BackgroundJob::Report&) {
         picture::write_live_product(wanted, file, &stop);

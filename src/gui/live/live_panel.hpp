@@ -19,7 +19,6 @@ class QBoxLayout;
 class QCheckBox;
 class QComboBox;
 class QGridLayout;
-class QLabel;
 class QProgressBar;
 class QSpinBox;
 class QTemporaryDir;
@@ -29,6 +28,7 @@ namespace sarsim::gui {
 
 class FigurePlot;
 class ImageViewers;
+class ReservedLabel;
 
 /// The image of the scene as it is now: focused image, range-Doppler map, range profiles, image of a turning target or
 /// search picture, computed again whenever the scene or a choice changes. One image can be kept, to compare with what
@@ -117,10 +117,10 @@ class LivePanel : public QWidget {
   QBoxLayout* pictures_ = nullptr;
   FigurePlot* before_ = nullptr;
   FigurePlot* plot_ = nullptr;
-  QLabel* problems_ = nullptr;
+  ReservedLabel* problems_ = nullptr;
   QToolButton* keep_ = nullptr;
   QComboBox* compare_ = nullptr;
-  QLabel* state_ = nullptr;
+  ReservedLabel* state_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QAction* open_ = nullptr;
   QTimer soon_;

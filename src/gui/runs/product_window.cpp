@@ -35,13 +35,13 @@
 #include "scene/language/format_mark.hpp"
 #include "scene/model/scene_index.hpp"
 #include "scene/schema/quantity.hpp"
+#include "workflow/focus/focus_options.hpp"
 #include "workflow/options/option_words.hpp"
 
 namespace sarsim::gui {
 
 namespace {
 
-constexpr std::array weightings{"rectangular", "hamming", "hann", "kaiser", "taylor"};
 constexpr int product_bar_steps = 1000;
 constexpr std::size_t most_viewers = 8;  // that are opened for the images of one run
 constexpr qsizetype most_problems = 20;  // that are shown at a time
@@ -104,7 +104,7 @@ void ProductWindow::make_controls(QFormLayout* form) {
   choice_title_->setBuddy(choice_);
   weighting_ = named(new QComboBox(this), "products_window", tr("Window"),
                      tr("Weighting of range and azimuth, or of the pulses: lower sidelobes for wider peaks"));
-  for (const char* name : weightings) weighting_->addItem(name);
+  for (const char* name : workflow::window_words) weighting_->addItem(name);
   more_ = named(new QLineEdit(this), "products_more", tr("More options"),
                 tr("As on the command line, for instance: --memory 2G; quotes around words with spaces"));
   more_->setPlaceholderText(tr("as on the command line"));

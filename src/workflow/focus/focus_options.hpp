@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "workflow/focus/focus_request.hpp"
@@ -13,5 +14,8 @@ namespace sarsim::workflow {
 /// What an input and words for options ask for; the image is named after the input where they do not name it. Throws
 /// core::Refused for the first word that means nothing.
 [[nodiscard]] FocusRequest focus_request(const std::string& input, const GivenWords& given);
+
+/// The words of --window without their parameters, for lists: each means its usual ones.
+inline constexpr std::array window_words{"rectangular", "hamming", "hann", "kaiser", "taylor"};
 
 }  // namespace sarsim::workflow
