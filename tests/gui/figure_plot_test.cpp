@@ -259,6 +259,31 @@ class FigurePlotTest : public QObject {
     QCOMPARE(rect->axis(QCPAxis::atBottom)->label(), QString("East (km)"));
   }
 
+  void metres_stay_as_long_when_the_plot_gets_another_size_or_palette() {
+    picture::Figure figure = four_cells();
+    picture::FigurePanel& panel = figure.panels[0];
+    panel.x = {"East", "m", -900.0, 900.0, {}};
+    panel.y = {"North", "m", -700.0, 700.0, {}};
+    panel.image = picture::FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
+    gui::FigurePlot plot;
+    plot.resize(1000, 500);
+    plot.set_figure(figure);
+    plot.show();
+    for (const QSize size : {QSize(300, 700), QSize(800, 400)}) {
+      plot.resize(size);
+      QPalette other = plot.palette();
+      other.setColor(QPalette::Window, size.width() == 300 ? Qt::black : Qt::white);
+      plot.setPalette(other);
+      std::ranges::reverse(figure.panels[0].image->cells);
+      plot.set_figure(figure);
+      QTRY_VERIFY(plot.panel(0)->width() > 50);  // drawn once more
+      plot.grab();
+      const QPoint corner = pixel_of(plot, 500.0, 500.0);
+      const QPoint middle = pixel_of(plot, 0.0, 0.0);
+      QVERIFY(std::abs((corner.x() - middle.x()) - (middle.y() - corner.y())) <= 2);
+    }
+  }
+
   void long_strips_fill_the_picture_all_the_same() {
     picture::Figure figure = four_cells();
     picture::FigurePanel& panel = figure.panels[0];

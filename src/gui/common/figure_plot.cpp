@@ -84,6 +84,8 @@ FigurePlot::FigurePlot(QWidget* parent) : QCustomPlot(parent) {
   // The first legend would collect the curves of all panels.
   setAutoAddPlottableToLegend(false);
   setMinimumSize(200, 150);
+  // Whatever changes the lengths of the axes, scales are equal before anything is drawn.
+  connect(this, &QCustomPlot::afterLayout, this, &FigurePlot::keep_scales);
   rebuild();
 }
 
@@ -112,7 +114,6 @@ void FigurePlot::set_figure(const picture::Figure& figure) {
   rebuild();
   // Once for the lengths of the axes, once for marks that suit them.
   replot();
-  keep_scales();
   replot(rpQueuedReplot);
 }
 
@@ -334,7 +335,6 @@ void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const picture::Figur
 
 void FigurePlot::resizeEvent(QResizeEvent* event) {
   QCustomPlot::resizeEvent(event);
-  keep_scales();
   replot(rpQueuedReplot);
 }
 
