@@ -167,7 +167,7 @@ class LivePanelTest : public QObject {
     bench.wait();
     QVERIFY(bench.panel->image() == nullptr);
     QVERIFY(bench.part<QLabel>("live_problems").text().contains("Radar1") ||
-            bench.part<QLabel>("live_state").text().contains("No recording"));
+            bench.part<QLabel>("live_problems").text().contains("No recording"));
     bench.main.session().undo();
     bench.wait();
     QVERIFY(bench.panel->image() != nullptr);

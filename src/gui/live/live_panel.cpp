@@ -269,8 +269,8 @@ void LivePanel::show_simulations() {
     simulation_->clear();
     simulation_->addItems(names);
     simulation_->setCurrentIndex(std::min(chosen, simulation_->count() - 1));
-    simulation_->setVisible(simulation_->count() > 1);
   }
+  simulation_->setVisible(simulation_->count() > 1);
   show_choices();
 }
 
@@ -333,8 +333,7 @@ void LivePanel::compute() {
     complete_ = true;
     progress_->hide();
     show_image();
-    state_->say(tr("No recording is stored yet: make one under Previously Stored, with New."));
-    problems_->say({});
+    problems_->say(tr("No recording is stored yet: make one under Previously Stored, with New."));
     emit finished();
     return;
   }
