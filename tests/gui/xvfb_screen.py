@@ -78,8 +78,10 @@ class Screen:
             raise Failed(f"no picture {name}")
         return path
 
-    def differing_pixels(self, one, other):
-        done = subprocess.run(["compare", "-metric", "AE", "-fuzz", "5%", str(one), str(other), "null:"],
+    def differing_pixels(self, one, other, rows=SIZE[1]):
+        """How many pixels of the upper rows differ by more than 5 %."""
+        upper = f"[{SIZE[0]}x{rows}+0+0]"
+        done = subprocess.run(["compare", "-metric", "AE", "-fuzz", "5%", f"{one}{upper}", f"{other}{upper}", "null:"],
                               env=self.environment, capture_output=True, text=True, timeout=PATIENCE_S)
         return int(float(done.stderr.split()[0]))
 
@@ -142,11 +144,12 @@ def wait_until_drawn(screen, name, other=None):
     """A picture of the screen that does not change any more and, where another is given, differs from that."""
     def stands_still():
         one = screen.picture(name)
-        time.sleep(0.1)
-        two = screen.picture(f"{name}_again")
-        # A caret that blinks is no change.
-        still = screen.differing_pixels(one, two) < 100
-        return still and (other is None or screen.differing_pixels(two, other) > 50)
+        for _ in range(3):  # the live image comes coarse first and pauses before it is whole
+            time.sleep(0.15)
+            two = screen.picture(f"{name}_again")
+            if screen.differing_pixels(one, two) >= 100:  # fewer are a caret that blinks
+                return False
+        return other is None or screen.differing_pixels(two, other) > 50
     wait_for(f"the screen shows {name}", stands_still)
     (screen.pictures / f"{name}_again.png").unlink()
     return screen.pictures / f"{name}.png"
