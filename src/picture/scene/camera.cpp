@@ -10,7 +10,6 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr double nearest_part = 1e-3;   // of the viewer's distance: nothing is drawn nearer than that
 constexpr double fitted_part = 0.4;     // of the picture on either side of its middle
 constexpr double nearest_fitted = 0.5;  // of the viewer's distance: no fitted point comes nearer
 
@@ -103,7 +102,7 @@ double Camera::scale_at(double depth_m) const {
   if (!perspective) return pixels_per_m;
   const double viewer_m = viewer_distance_m();
   const double ahead_m = viewer_m + depth_m;
-  return ahead_m > nearest_part * viewer_m ? pixels_per_m * viewer_m / ahead_m : 0.0;
+  return ahead_m > nearest_seen_part * viewer_m ? pixels_per_m * viewer_m / ahead_m : 0.0;
 }
 
 std::optional<PicturePoint> Camera::project(const core::Vec3& world_m) const {
@@ -116,6 +115,15 @@ std::optional<PicturePoint> Camera::project(const core::Vec3& world_m) const {
 
 core::Vec3 Camera::unproject(double x_px, double y_px) const {
   return focus_world_m + world_step(*this, x_px - 0.5 * width_px, y_px - 0.5 * height_px);
+}
+
+Viewpoint Camera::viewpoint() const {
+  return {picture_from_world(),
+          focus_world_m,
+          pixels_per_m,
+          perspective ? 1.0 / viewer_distance_m() : 0.0,
+          width_px,
+          height_px};
 }
 
 Camera turned(Camera camera, double dx_px, double dy_px, double scale) {

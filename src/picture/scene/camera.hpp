@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/maths/vector.hpp"
+#include "picture/render/viewpoint.hpp"
 
 namespace sarsim::picture {
 
@@ -48,6 +49,8 @@ struct Camera {
   [[nodiscard]] double scale_at(double depth_m) const;
   /// Distance of the viewer of a perspective view from the focus [m].
   [[nodiscard]] double viewer_distance_m() const { return heights_away * height_px / pixels_per_m; }
+  /// The same for the rasteriser.
+  [[nodiscard]] Viewpoint viewpoint() const;
 };
 
 inline constexpr double smallest_pixels_per_m = 1e-7;
