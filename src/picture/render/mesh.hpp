@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/maths/vector.hpp"
@@ -19,7 +18,7 @@ struct Mesh {
   std::vector<raster::Rgb> colours;                     ///< One for each triangle, or one for all.
   /// Below 255 it is a veil: one layer over what is behind it, however many of its triangles lie upon each other.
   std::uint8_t opacity = 255;
-  std::optional<scene::ObjectId> object;  ///< What is picked at its pixels; nothing for scenery.
+  std::vector<scene::ObjectId> objects;  ///< What is picked: one for each triangle, or one for all; empty: nothing.
 };
 
 /// Meshes, of which those that stay the same from picture to picture are shared.

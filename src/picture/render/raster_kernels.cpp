@@ -153,10 +153,11 @@ HWY_INLINE void fill(const KeyRows& rows, const Corner* of_a, const Corner* of_b
     const float y = static_cast<float>(row) + 0.5F;
     const float on_long = whole.at(y);
     const float on_short = y < b.y ? upper.at(y) : lower.at(y);
-    const int first = std::max(first_pixel(turns_right ? on_long : on_short), 0);
-    const int last = std::min(first_pixel(turns_right ? on_short : on_long), rows.width);
+    const int first = std::max(first_pixel(turns_right ? on_long : on_short), rows.first_column);
+    const int last = std::min(first_pixel(turns_right ? on_short : on_long), rows.first_column + rows.width);
     if (first >= last) continue;
-    std::int64_t* const keys = rows.keys.data() + static_cast<std::ptrdiff_t>(row - rows.first_row) * rows.width;
+    std::int64_t* const keys =
+        rows.keys.data() + static_cast<std::ptrdiff_t>(row - rows.first_row) * rows.width - rows.first_column;
     fill_span(keys, first, last, plane, a.nearness + (y - a.y) * plane.per_y, number);
   }
 }
@@ -168,7 +169,7 @@ void fill_one_on_target(const KeyRows& rows, const std::array<Corner, 3>& c, std
 void fill_many_on_target(const KeyRows& rows, const Corner* corners,
                          std::span<const std::array<std::uint32_t, 3>> triangles, std::uint32_t first_number,
                          std::vector<std::uint32_t>& odd) {
-  const float right = static_cast<float>(rows.width) + guard_px;
+  const float right = static_cast<float>(rows.first_column + rows.width) + guard_px;
   const float bottom = static_cast<float>(rows.first_row + rows.rows) + guard_px;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const Corner* const a = corners + triangles[i][0];

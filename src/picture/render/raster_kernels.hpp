@@ -25,11 +25,12 @@ struct Corner {
 /// @param corners  as many as points
 void project_points(const Viewpoint& view, std::span<const core::Vec3> points_world_m, std::span<Corner> corners);
 
-/// What is nearest at the pixels of some rows: the nearness in the upper half, in an order of whole numbers, and in the
-/// lower half the number of the triangle, where the lower number counts as nearer. The nearest is therefore the same in
-/// whichever order triangles are drawn.
+/// What is nearest at the pixels of a part of the picture: the nearness in the upper half, in an order of whole
+/// numbers, and in the lower half the number of the triangle, where the lower number counts as nearer. The nearest is
+/// therefore the same in whichever order triangles are drawn.
 struct KeyRows {
   std::span<std::int64_t> keys;  ///< `width` for each row.
+  int first_column = 0;
   int width = 0;
   int first_row = 0;
   int rows = 0;

@@ -80,13 +80,21 @@ raster::Rgb colour_of(const Mesh& mesh, std::size_t triangle) {
 
 bool is_finite(const core::Vec3& v) { return std::isfinite(v.x + v.y + v.z); }
 
-// True where nothing of a triangle is in the picture, as far as it is easily said.
-bool out_of_sight(const Corner& a, const Corner& b, const Corner& c, int width, int height) {
+// True where nothing of a triangle is in the part that is drawn, as far as it is easily said.
+bool out_of_sight(const Corner& a, const Corner& b, const Corner& c, const KeyRows& rows) {
   const int behind = behind_viewer(a) + behind_viewer(b) + behind_viewer(c);
   if (behind != 0) return behind == 3;
   const Bounds bounds = bounds_of(a, b, c);
-  return bounds.right < 0.0F || bounds.left > static_cast<float>(width) || bounds.bottom < 0.0F ||
-         bounds.top > static_cast<float>(height);
+  return bounds.right < static_cast<float>(rows.first_column) ||
+         bounds.left > static_cast<float>(rows.first_column + rows.width) ||
+         bounds.bottom < static_cast<float>(rows.first_row) ||
+         bounds.top > static_cast<float>(rows.first_row + rows.rows);
+}
+
+// What is not seen of a pixel whose nearest key is known.
+void keep(std::int64_t key, float samples, std::size_t at, Rendering& out) {
+  out.nearness[at] = key == empty_key ? nothing_near : nearness_of(key) / samples;
+  out.triangle[at] = key == empty_key ? no_triangle : triangle_of(key);
 }
 
 // A mesh that cannot be drawn is left out, rather than read beyond its ends.
@@ -136,22 +144,48 @@ void Rasteriser::draw_chunk(const Mesh& mesh, const Chunk& chunk, const Viewpoin
   fill_triangles(rows, corners, std::span(mesh.triangles).subspan(chunk.first, chunk.count), number, odd);
   for (const std::uint32_t i : odd) {
     const auto& [a, b, c] = mesh.triangles[chunk.first + i];
-    if (out_of_sight(corners[a], corners[b], corners[c], width_, height_)) continue;
+    if (out_of_sight(corners[a], corners[b], corners[c], rows)) continue;
     const std::array points{mesh.points_world_m[a], mesh.points_world_m[b], mesh.points_world_m[c]};
     if (!std::ranges::all_of(points, is_finite)) continue;
     for (const std::array<Corner, 3>& part : cut_triangle(view, points)) fill_triangle(rows, part, number + i);
   }
 }
 
+// The least part of the picture that holds all corners; the whole of it where one is behind the viewer.
+Rasteriser::Part Rasteriser::seen_part(int width, int height, int samples) const {
+  Bounds bounds{HUGE_VALF, -HUGE_VALF, HUGE_VALF, -HUGE_VALF};
+  for (const Corner& corner : corners_) {
+    if (behind_viewer(corner)) return {0, 0, samples * width, samples * height};
+    bounds.left = std::min(bounds.left, corner.x);
+    bounds.right = std::max(bounds.right, corner.x);
+    bounds.top = std::min(bounds.top, corner.y);
+    bounds.bottom = std::max(bounds.bottom, corner.y);
+  }
+  const auto whole = [&](float place, int most) {
+    return static_cast<int>(
+        std::clamp(std::floor(place / static_cast<float>(samples)), 0.0F, static_cast<float>(most)));
+  };
+  const int left = whole(bounds.left, width);
+  const int top = whole(bounds.top, height);
+  const int right = std::min(width, whole(bounds.right, width) + 1);
+  const int bottom = std::min(height, whole(bounds.bottom, height) + 1);
+  if (!(bounds.left <= bounds.right) || bounds.right < 0.0F || bounds.bottom < 0.0F) return {};
+  return {samples * left, samples * top, samples * (right - left), samples * (bottom - top)};
+}
+
+KeyRows Rasteriser::key_rows(std::vector<std::int64_t>& keys, int first_row, int rows) const {
+  return {keys, part_.left, part_.width, part_.top + first_row, rows};
+}
+
 // Each thread draws into a picture of its own, which needs no locks; as the nearest key wins it does not matter which
 // thread drew what.
 void Rasteriser::draw_solids(const MeshList& meshes, const Viewpoint& view, unsigned threads) {
-  const std::size_t samples = place_of(0, height_, width_);
+  const std::size_t samples = place_of(0, part_.height, part_.width);
   keys_.resize(threads);
   std::atomic<std::size_t> next{0};
   core::parallel_ranges(threads, 1, {threads, nullptr}, [&](std::size_t thread, std::size_t) {
     keys_[thread].assign(samples, empty_key);
-    const KeyRows rows{keys_[thread], width_, 0, height_};
+    const KeyRows rows = key_rows(keys_[thread], 0, part_.height);
     std::vector<std::uint32_t> odd;
     for (std::size_t i = next++; i < chunks_.size(); i = next++)
       if (const Mesh& mesh = *meshes[chunks_[i].mesh]; mesh.opacity == 255)
@@ -160,13 +194,13 @@ void Rasteriser::draw_solids(const MeshList& meshes, const Viewpoint& view, unsi
 }
 
 std::size_t Rasteriser::mesh_of(std::int64_t key) const {
-  if (places_.size() == 1) return 0;
   const auto after = std::ranges::upper_bound(places_, triangle_of(key), {}, &MeshPlace::first_triangle);
   return static_cast<std::size_t>(after - places_.begin()) - 1;
 }
 
 std::span<const std::int64_t> Rasteriser::solid_keys(const Band& band) const {
-  return std::span(keys_.front()).subspan(place_of(0, band.first_row, width_), place_of(0, band.rows, width_));
+  return std::span(keys_.front())
+      .subspan(place_of(0, band.first_row, part_.width), place_of(0, band.rows, part_.width));
 }
 
 void Rasteriser::colour_solids(const MeshList& meshes, Band& band) const {
@@ -190,7 +224,7 @@ void Rasteriser::lay_veil(const Mesh& mesh, std::size_t number, const Viewpoint&
   const std::span<const std::int64_t> solid = solid_keys(band);
   band.veil.assign(solid.size(), empty_key);
   for (const Chunk& chunk : chunks_)
-    if (chunk.mesh == number) draw_chunk(mesh, chunk, view, {band.veil, width_, band.first_row, band.rows}, band.odd);
+    if (chunk.mesh == number) draw_chunk(mesh, chunk, view, key_rows(band.veil, band.first_row, band.rows), band.odd);
   for (std::size_t i = 0; i < band.veil.size(); ++i) {
     const std::int64_t key = band.veil[i];
     if (key == empty_key) continue;
@@ -202,8 +236,8 @@ void Rasteriser::lay_veil(const Mesh& mesh, std::size_t number, const Viewpoint&
 }
 
 void Rasteriser::finish_band(const MeshList& meshes, const Viewpoint& view, int samples, Band& band, Rendering& out) {
-  const std::size_t first = place_of(0, band.first_row, width_);
-  const std::size_t count = place_of(0, band.rows, width_);
+  const std::size_t first = place_of(0, band.first_row, part_.width);
+  const std::size_t count = place_of(0, band.rows, part_.width);
   for (std::size_t thread = 1; thread < keys_.size(); ++thread)
     keep_nearer(std::span(keys_.front()).subspan(first, count), std::span(keys_[thread]).subspan(first, count));
   colour_solids(meshes, band);
@@ -221,7 +255,7 @@ void Rasteriser::store(const Band& band, int samples, Rendering& out) const {
       std::int64_t nearest = empty_key;
       for (int sy = y * samples; sy < (y + 1) * samples; ++sy)
         for (int sx = x * samples; sx < (x + 1) * samples; ++sx) {
-          const std::size_t at = place_of(sx, sy, width_);
+          const std::size_t at = place_of(sx, sy, part_.width);
           sum.add(band.argb[at]);
           nearest = std::max(nearest, keys[at]);
         }
@@ -238,46 +272,50 @@ void Rasteriser::store_samples(const Band& band, Rendering& out) const {
   for (std::size_t i = 0; i < keys.size(); ++i) keep(keys[i], 1.0F, first + i, out);
 }
 
-void Rasteriser::keep(std::int64_t key, float samples, std::size_t at, Rendering& out) const {
-  out.nearness[at] = key == empty_key ? nothing_near : nearness_of(key) / samples;
-  out.mesh[at] = key == empty_key ? 0U : static_cast<std::uint32_t>(mesh_of(key)) + 1U;
-}
-
 void Rasteriser::render(const MeshList& meshes, const Viewpoint& view, const RenderControl& control, Rendering& out) {
   const int samples = std::clamp(control.samples, 1, 2);
-  out.width = whole_pixels(view.width_px);
-  out.height = whole_pixels(view.height_px);
-  const std::size_t pixels = static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height);
-  out.argb.resize(pixels);
-  out.nearness.resize(pixels);
-  out.mesh.resize(pixels);
-  width_ = samples * out.width;
-  height_ = samples * out.height;
   Viewpoint finer = view;
   finer.pixels_per_m *= samples;
   finer.width_px *= samples;
   finer.height_px *= samples;
   place_meshes(meshes);
-  const auto most = static_cast<unsigned>(std::clamp<std::size_t>(chunks_.size(), 1, most_threads));
+  const auto most = static_cast<unsigned>(std::clamp<std::size_t>(corners_.size() / chunk_triangles, 1, most_threads));
   const unsigned threads = std::clamp(control.threads, 1U, most);
   project(meshes, finer, threads);
+  part_ = seen_part(whole_pixels(view.width_px), whole_pixels(view.height_px), samples);
+  make_room(samples, out);
   draw_solids(meshes, finer, threads);
-  const auto bands = static_cast<std::size_t>((height_ + band_rows - 1) / band_rows);
+  const auto bands = static_cast<std::size_t>((part_.height + band_rows - 1) / band_rows);
   core::parallel_ranges(bands, 1, {threads, nullptr}, [&](std::size_t number, std::size_t) {
     bands_.lend([&](Band& band) {
       band.first_row = static_cast<int>(number) * band_rows;
-      band.rows = std::min(band_rows, height_ - band.first_row);
+      band.rows = std::min(band_rows, part_.height - band.first_row);
       finish_band(meshes, finer, samples, band, out);
     });
   });
+}
+
+void Rasteriser::make_room(int samples, Rendering& out) const {
+  out.left = part_.left / samples;
+  out.top = part_.top / samples;
+  out.width = part_.width / samples;
+  out.height = part_.height / samples;
+  const std::size_t pixels = place_of(0, out.height, out.width);
+  out.argb.resize(pixels);
+  out.nearness.resize(pixels);
+  out.triangle.resize(pixels);
+  out.first_triangle.clear();
+  for (const MeshPlace& place : places_) out.first_triangle.push_back(place.first_triangle);
 }
 
 namespace {
 
 // The place of a pixel in the lists of a rendering; nothing outside of it.
 std::optional<std::size_t> pixel_at(const Rendering& rendering, double x_px, double y_px) {
-  if (!(x_px >= 0.0 && y_px >= 0.0 && x_px < rendering.width && y_px < rendering.height)) return std::nullopt;
-  return static_cast<std::size_t>(y_px) * static_cast<std::size_t>(rendering.width) + static_cast<std::size_t>(x_px);
+  const double x = std::floor(x_px) - rendering.left;
+  const double y = std::floor(y_px) - rendering.top;
+  if (!(x >= 0.0 && y >= 0.0 && x < rendering.width && y < rendering.height)) return std::nullopt;
+  return place_of(static_cast<int>(x), static_cast<int>(y), rendering.width);
 }
 
 }  // namespace
@@ -288,9 +326,13 @@ bool is_hidden(const Rendering& rendering, const Viewpoint& view, double x_px, d
   return static_cast<float>(nearness_px) < rendering.nearness[*at] - seen_through(view, nearness_px);
 }
 
-std::size_t mesh_at(const Rendering& rendering, double x_px, double y_px) {
+std::optional<SeenTriangle> triangle_at(const Rendering& rendering, double x_px, double y_px) {
   const auto at = pixel_at(rendering, x_px, y_px);
-  return at && rendering.mesh[*at] != 0 ? rendering.mesh[*at] - 1 : no_mesh;
+  if (!at || rendering.triangle[*at] == no_triangle) return std::nullopt;
+  const std::uint32_t number = rendering.triangle[*at];
+  const auto after = std::ranges::upper_bound(rendering.first_triangle, number);
+  const auto mesh = static_cast<std::size_t>(after - rendering.first_triangle.begin()) - 1;
+  return SeenTriangle{mesh, number - rendering.first_triangle[mesh]};
 }
 
 }  // namespace sarsim::picture
