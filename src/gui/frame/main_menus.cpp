@@ -76,6 +76,7 @@ void MainWindow::add_switch(QMenu* menu, const QString& text, const char* name, 
     picture::DrawingOptions options = scene_->scene().options();
     options.*option = on;
     scene_->scene().set_options(options);
+    scene_->show_time();  // what is seen may ask for more of the snapshot
   });
 }
 
@@ -287,6 +288,10 @@ void MainWindow::make_view_menu() {
   add_switch(view, tr("&Labels"), "view_labels", &picture::DrawingOptions::labels);
   add_switch(view, tr("&Trails"), "view_trails", &picture::DrawingOptions::trails);
   add_switch(view, tr("Pattern L&obes"), "view_lobes", &picture::DrawingOptions::lobes);
+  add_switch(view, tr("Platform Symbols"), "view_symbols", &picture::DrawingOptions::symbols);
+  add_switch(view, tr("Illuminated Ground"), "view_illuminated", &picture::DrawingOptions::illuminated);
+  add_switch(view, tr("Sky"), "view_sky", &picture::DrawingOptions::sky);
+  make_track_menu(view->addMenu(tr("Colours of Trails")));
   view->addSeparator();
   QMenu* looks = view->addMenu(tr("Colo&urs"));
   auto* group = new QActionGroup(this);
@@ -317,6 +322,23 @@ void MainWindow::make_view_menu() {
   add_action(
       view, tr("Reset Layout"), "view_reset", {}, [this] { reset_layout(); },
       tr("Put all windows back to their first places"));
+}
+
+void MainWindow::make_track_menu(QMenu* menu) {
+  using Tracks = picture::DrawingOptions::Tracks;
+  auto* group = new QActionGroup(this);
+  for (const auto& [text, name, tracks] : {std::tuple{tr("&Plain"), "trails_plain", Tracks::plain},
+                                           std::tuple{tr("By &Time"), "trails_time", Tracks::by_time},
+                                           std::tuple{tr("By &Speed"), "trails_speed", Tracks::by_speed}}) {
+    QAction* action = add_action(menu, text, name, {}, [this, tracks = tracks] {
+      picture::DrawingOptions options = scene_->scene().options();
+      options.tracks = tracks;
+      scene_->scene().set_options(options);
+    });
+    action->setCheckable(true);
+    action->setChecked(tracks == Tracks::plain);
+    group->addAction(action);
+  }
 }
 
 void MainWindow::make_help_menu() {

@@ -97,6 +97,7 @@ class MainWindow : public QMainWindow {
   void make_simulation_menu();
   void make_view_menu();
   void make_hand_entries(QMenu* view);
+  void make_track_menu(QMenu* menu);
   void make_help_menu();
   void make_tool_bar();
   QAction* add_action(QMenu* menu, const QString& text, const char* name, const QKeySequence& keys,

@@ -1,10 +1,11 @@
 #include "gui/scene/scene_painter.hpp"
 
 #include <QFontMetricsF>
+#include <QImage>
+#include <QLinearGradient>
 #include <QList>
 #include <QPainter>
 #include <QPainterPath>
-#include <QPolygonF>
 
 #include <cmath>
 
@@ -21,28 +22,34 @@ QColor paint_of(picture::Role role, bool dark) {
   return {rgb.red, rgb.green, rgb.blue};
 }
 
-void paint_polygons(QPainter& painter, const std::vector<picture::Drawing::Polygon>& polygons, double pixel_scale,
-                    bool dark) {
-  for (const picture::Drawing::Polygon& polygon : polygons) {
-    QPolygonF corners;
-    for (const picture::PicturePoint& corner : polygon.corners) corners << QPointF(corner.x, corner.y);
-    const bool marked = polygon.role != picture::Role::surface;
-    painter.setPen(QPen(paint_of(polygon.role, dark), (marked ? 2.0 : 1.0) * pixel_scale));
-    const raster::Rgb fill = picture::surface_fill(polygon.shade, dark);
-    painter.setBrush(polygon.filled ? QBrush(QColor(fill.red, fill.green, fill.blue)) : QBrush(Qt::NoBrush));
-    painter.drawPolygon(corners);
-  }
+// Lighter towards the horizon.
+void paint_sky(QPainter& painter, const QRectF& area, double horizon_px, bool dark) {
+  QLinearGradient sky(0.0, 0.0, 0.0, std::max(1.0, horizon_px));
+  sky.setColorAt(0.0, paint_of(picture::Role::sky, dark));
+  sky.setColorAt(1.0, paint_of(picture::Role::background, dark));
+  painter.fillRect(QRectF(area.left(), area.top(), area.width(), horizon_px), sky);
+  painter.fillRect(QRectF(area.left(), horizon_px, area.width(), 1.0), paint_of(picture::Role::faint, dark));
+}
+
+// The bytes are the rendering's own: nothing is copied.
+void paint_solids(QPainter& painter, const picture::Rendering& solids) {
+  if (solids.empty()) return;
+  const QImage image(reinterpret_cast<const uchar*>(solids.argb.data()), solids.width, solids.height,
+                     QImage::Format_ARGB32_Premultiplied);
+  painter.drawImage(QPointF(solids.left, solids.top), image);
 }
 
 // One call of the painter for all lines of a pen; pens in the order of their roles, so that faint lines lie below.
 void paint_lines(QPainter& painter, const std::vector<picture::Drawing::Line>& lines, bool dark) {
   const bool fine = lines.size() <= most_fine_lines;
-  std::map<std::tuple<picture::Role, float, bool>, QList<QLineF>> of_pen;
+  std::map<std::tuple<picture::Role, std::uint8_t, float, bool>, QList<QLineF>> of_pen;
   for (const picture::Drawing::Line& line : lines)
-    of_pen[{line.role, line.width_px, line.dotted && fine}].append(QLineF(line.x0, line.y0, line.x1, line.y1));
+    of_pen[{line.role, line.tone, line.width_px, line.dotted && fine}].append(
+        QLineF(line.x0, line.y0, line.x1, line.y1));
   for (const auto& [key, group] : of_pen) {
-    const auto& [role, width_px, dotted] = key;
-    QPen pen(paint_of(role, dark), width_px);
+    const auto& [role, tone, width_px, dotted] = key;
+    const raster::Rgb rgb = picture::colour_of({0, 0, 0, 0, role, 1.0F, false, tone}, dark);
+    QPen pen(QColor(rgb.red, rgb.green, rgb.blue), width_px);
     if (dotted) pen.setDashPattern({1.0, 3.0});
     pen.setCapStyle(Qt::FlatCap);
     painter.setPen(pen);
@@ -91,7 +98,8 @@ void paint_texts(QPainter& painter, const std::vector<picture::Drawing::Text>& t
 void ScenePainter::paint(QPainter& painter, const QRectF& area, const picture::Drawing& drawing, const Look& look) {
   painter.fillRect(area, paint_of(picture::Role::background, look.dark));
   painter.setRenderHint(QPainter::Antialiasing, true);
-  paint_polygons(painter, drawing.polygons, look.pixel_scale, look.dark);
+  if (drawing.horizon_px) paint_sky(painter, area, *drawing.horizon_px, look.dark);
+  paint_solids(painter, drawing.solids);
   paint_lines(painter, drawing.lines, look.dark);
   painter.setRenderHint(QPainter::Antialiasing, true);
   paint_discs(painter, drawing.discs, look.dark);

@@ -196,7 +196,7 @@ void ScenePanel::take_scene(const scene::SceneChange& change) {
 
 void ScenePanel::show_time() {
   const auto [first_s, last_s] = maker_->time_span_s();
-  picture::Snapshot snapshot = maker_->at(session_.time_s(), last_s - first_s);
+  picture::Snapshot snapshot = maker_->at(session_.time_s(), last_s - first_s, scene_->options().illuminated);
   scene_->set_snapshot(std::move(snapshot));
   move_camera();
   show_marks();

@@ -80,6 +80,9 @@ class ScenePanel : public QWidget {
   void set_own_axes(bool own);
   [[nodiscard]] bool own_axes() const { return own_axes_; }
 
+  /// Shows the scene at the present time, after what is asked of its picture has changed.
+  void show_time();
+
  signals:
   void ride_changed();                                  ///< The view moves in another way as time runs.
   void own_axes_changed(bool own);                      ///< The handles lie along other axes.
@@ -95,7 +98,6 @@ class ScenePanel : public QWidget {
  private:
   void connect_gestures();
   void take_scene(const scene::SceneChange& change);
-  void show_time();
   void show_marks();
   void show_camera();
   void take_camera();

@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/scene/framing.hpp"
 
@@ -26,6 +27,8 @@ auto* found_in(const Objects& objects, scene::ObjectId id) {
 
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   options_.ground_grid = true;
+  options_.threads = core::thread_count(0);
+  options_.samples = 2;
   options_.footprints = true;
   setObjectName(QStringLiteral("scene_view"));
   setAccessibleName(tr("Scene"));
@@ -78,13 +81,18 @@ void SceneWidget::set_options(picture::DrawingOptions options) {
   options.ruler_words = options_.ruler_words;
   options.pixel_scale = options_.pixel_scale;
   options.coarse = false;
+  options.dark = dark_;
+  options.threads = options_.threads;
+  options.samples = options_.samples;
   options_ = std::move(options);
   redraw();
 }
 
 void SceneWidget::set_dark(bool dark) {
+  if (dark == dark_) return;
   dark_ = dark;
-  update();
+  options_.dark = dark;
+  redraw();
 }
 
 void SceneWidget::set_namer(std::function<std::string(scene::ObjectId)> namer) { namer_ = std::move(namer); }

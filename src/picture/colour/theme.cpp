@@ -27,6 +27,8 @@ constexpr std::array<Tones, static_cast<std::size_t>(Role::count)> tones{{
     {Role::warning, {133, 86, 0}, {240, 192, 96}},     {Role::curve, {0, 96, 180}, {106, 180, 255}},
     {Role::curve_2, {179, 71, 0}, {255, 166, 87}},     {Role::curve_3, {0, 122, 90}, {95, 215, 176}},
     {Role::curve_4, {120, 0, 110}, {228, 72, 180}},    {Role::curve_5, {30, 32, 36}, {240, 240, 60}},
+    {Role::solid, {118, 126, 138}, {196, 205, 216}},   {Role::sky, {222, 235, 248}, {10, 15, 26}},
+    {Role::globe, {236, 241, 245}, {33, 39, 47}},      {Role::track, {52, 98, 175}, {110, 170, 230}},
 }};
 
 constexpr bool in_order() {
@@ -58,6 +60,21 @@ raster::Rgb surface_fill(std::uint8_t shade, bool dark) {
   const int grey = dark ? 45 + shade / 2 : shade * 220 / 255;
   const auto channel = static_cast<std::uint8_t>(grey);
   return {channel, channel, channel};
+}
+
+raster::Rgb track_colour(double part, bool dark) {
+  using Path = std::array<raster::Rgb, 3>;
+  const Path path = dark ? Path{{{190, 130, 255}, {70, 160, 255}, {90, 235, 150}}}
+                         : Path{{{110, 30, 160}, {20, 105, 210}, {0, 135, 85}}};
+  const double at = 2.0 * std::clamp(part, 0.0, 1.0);
+  const std::size_t first = at < 1.0 ? 0 : 1;
+  const double t = at - static_cast<double>(first);
+  const auto mix = [&](std::uint8_t a, std::uint8_t b) {
+    return static_cast<std::uint8_t>(std::lround(a + t * (b - a)));
+  };
+  const raster::Rgb& a = path[first];
+  const raster::Rgb& b = path[first + 1];
+  return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
 double contrast(raster::Rgb a, raster::Rgb b) {

@@ -51,12 +51,34 @@ TEST(Theme, ContrastOfBlackAndWhiteIs21) {
               1e-12);
 }
 
+TEST(Theme, MarksAreReadableOnTheOtherGroundsToo) {
+  for (const bool dark : {false, true})
+    for (const Role ground : {Role::sky, Role::globe})
+      for (const Role role : {Role::text, Role::x_axis, Role::y_axis, Role::z_axis, Role::target, Role::radar,
+                              Role::beam, Role::platform, Role::selected, Role::hovered})
+        EXPECT_GE(contrast(colour(role, dark), colour(ground, dark)), 3.5) << static_cast<int>(role) << dark;
+}
+
+TEST(Theme, TonesOfTracksAreReadableAndChangeSteadily) {
+  for (const bool dark : {false, true})
+    for (int i = 0; i <= 20; ++i) {
+      EXPECT_GE(contrast(track_colour(i / 20.0, dark), colour(Role::background, dark)), 3.0) << i << dark;
+      if (i > 0) {
+        EXPECT_GT(difference(track_colour(i / 20.0, dark), track_colour((i - 1) / 20.0, dark), eyes[0]), 1.0) << i;
+      }
+    }
+}
+
 TEST(Theme, EveryRoleIsReadableOnBothBackgrounds) {
   for (const bool dark : {false, true}) {
     const raster::Rgb background = colour(Role::background, dark);
     for (int i = 1; i < static_cast<int>(Role::count); ++i) {
       const Role role = static_cast<Role>(i);
-      const double least = role == Role::faint ? 1.5 : role == Role::surface ? 1.2 : 4.5;
+      if (role == Role::sky || role == Role::globe) continue;
+      const double least = role == Role::solid || role == Role::track ? 3.0
+                           : role == Role::faint                      ? 1.5
+                           : role == Role::surface                    ? 1.2
+                                                                      : 4.5;
       EXPECT_GE(contrast(colour(role, dark), background), least) << "role " << i << (dark ? " dark" : " light");
     }
   }

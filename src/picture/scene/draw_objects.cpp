@@ -3,8 +3,10 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/scene/drawing_pen.hpp"
+#include "scene/schema/quantity.hpp"
 
 namespace sarsim::picture {
 
@@ -63,7 +65,7 @@ std::vector<SeenTarget> seen_targets(const Pen& pen, const std::vector<Snapshot:
     const bool marked = selected[target.id.index];
     if (hidden[target.id.index] || (i % stride != 0 && !marked && !pen.hovered(target.id))) continue;
     const auto at = pen.project(target.position_world_m);
-    if (at && pen.visible(*at)) seen.push_back({&target, *at, marked});
+    if (at && pen.visible(*at) && (marked || !pen.hides(*at))) seen.push_back({&target, *at, marked});
   }
   std::ranges::stable_sort(seen, std::ranges::greater{}, [](const SeenTarget& s) { return s.at.depth_m; });
   return seen;
@@ -153,10 +155,68 @@ void draw_radar(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& at) 
 
 // --- Platforms ------------------------------------------------------------------------------------------------------
 
-void draw_trail(Pen& pen, const Snapshot::Platform& platform) {
+// What the colour of a trail says: a value at each of its parts.
+std::vector<double> tone_values(const Snapshot::Platform& platform, DrawingOptions::Tracks tracks) {
+  std::vector<double> values;
+  for (std::size_t i = 1; i < platform.trail_s.size(); ++i) {
+    const double step_s = platform.trail_s[i] - platform.trail_s[i - 1];
+    const double way_m = core::norm(platform.trail_world_m[i] - platform.trail_world_m[i - 1]);
+    const bool by_time = tracks == DrawingOptions::Tracks::by_time;
+    values.push_back(by_time ? platform.trail_s[i - 1] + 0.5 * step_s : step_s > 0.0 ? way_m / step_s : 0.0);
+  }
+  return values;
+}
+
+// The least and the largest value of all trails that are drawn.
+struct ToneRange {
+  double least = HUGE_VAL;
+  double most = -HUGE_VAL;
+
+  [[nodiscard]] std::uint8_t tone(double value) const {
+    // Speeds that differ by rounding alone are one speed.
+    const double size = std::max({std::abs(least), std::abs(most), 1e-300});
+    const double part = most - least > 1e-6 * size ? (value - least) / (most - least) : 0.5;
+    return static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(part, 0.0, 1.0)));
+  }
+};
+
+ToneRange tone_range(const Pen& pen, const std::vector<Snapshot::Platform>& platforms) {
+  ToneRange range;
+  for (const Snapshot::Platform& platform : platforms)
+    if (!pen.hidden(platform.id))
+      for (const double value : tone_values(platform, pen.options().tracks)) {
+        range.least = std::min(range.least, value);
+        range.most = std::max(range.most, value);
+      }
+  return range;
+}
+
+void draw_trail(Pen& pen, const Snapshot::Platform& platform, const ToneRange& range) {
   const std::vector<core::Vec3>& trail = platform.trail_world_m;
+  const bool plain = pen.options().tracks == DrawingOptions::Tracks::plain;
+  const std::vector<double> values = plain ? std::vector<double>() : tone_values(platform, pen.options().tracks);
   for (std::size_t i = 1; i < trail.size(); ++i)
-    pen.world_line(trail[i - 1], trail[i], pen.role_of(platform.id, Role::faint), 1.0);
+    if (plain)
+      pen.world_line(trail[i - 1], trail[i], pen.role_of(platform.id, Role::faint), 1.0);
+    else
+      pen.world_line(trail[i - 1], trail[i], Role::track, 2.0, false, range.tone(values[i - 1]));
+}
+
+// A bar of the colours at the lower edge, between the scale bar and the triad.
+void draw_tone_bar(Pen& pen, const ToneRange& range) {
+  constexpr int parts = 32;
+  constexpr double bar_width_px = 120.0;
+  const bool by_time = pen.options().tracks == DrawingOptions::Tracks::by_time;
+  const scene::Quantity quantity = by_time ? scene::Quantity::time : scene::Quantity::speed;
+  const double y = pen.camera().height_px - pen.px(20.0);
+  const double left = 0.5 * (pen.camera().width_px - pen.px(bar_width_px));
+  const double step = pen.px(bar_width_px) / parts;
+  for (int i = 0; i < parts; ++i)
+    pen.line({left + i * step, y, 0.0}, {left + (i + 1) * step, y, 0.0}, Role::track, 5.0, false,
+             static_cast<std::uint8_t>(255 * i / (parts - 1)));
+  const auto words = [&](double value) { return scene::quantity_text(core::tidy(value, 4), quantity); };
+  pen.text(left + 0.5 * pen.px(bar_width_px), y - pen.px(8.0), words(range.least) + " to " + words(range.most),
+           Role::text, false, true);
 }
 
 void draw_square(Pen& pen, const PicturePoint& at, double side_px, Role role) {
@@ -187,7 +247,8 @@ void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
   const bool world = core::equal_ignoring_case(platform.name, "Earth");  // The main axes are its own (thesis 4.1).
   const bool marked = pen.selected(platform.id) || pen.hovered(platform.id);
   const core::Vec3& p = platform.pose.position_world_m;
-  if (options.elevation_lines && p.z != 0.0) pen.world_line(p, {p.x, p.y, 0.0}, Role::faint, 1.0, true);
+  if (options.elevation_lines && p != platform.foot_world_m)
+    pen.world_line(p, platform.foot_world_m, Role::faint, 1.0, true);
   if (options.coordinate_systems && !world)
     draw_axes(pen, *at, platform.pose.world_from_platform, platform_axis_px, marked ? 2.0 : 1.0,
               options.labels && !options.coarse);
@@ -202,17 +263,11 @@ void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
 
 // --- Surfaces -------------------------------------------------------------------------------------------------------
 
-// Grey by the elevation of the normal, white where it points down (thesis 4.1).
-std::uint8_t shade_of(const core::Vec3& normal_world) {
-  const double elevation = core::elevation_rad(normal_world);
-  if (elevation < 0.0) return 255;
-  return static_cast<std::uint8_t>(std::lround(100.0 + 154.0 * elevation / (0.5 * core::pi)));
-}
-
 void draw_surface(Pen& pen, const Snapshot::Surface& surface) {
   const auto& c = surface.corner_world_m;
   const DrawingOptions& options = pen.options();
-  pen.polygon(c, pen.role_of(surface.id, Role::surface), shade_of(surface.normal_world), options.filled_surfaces);
+  const Role rim = pen.role_of(surface.id, Role::surface);
+  for (std::size_t i = 0; i < 3; ++i) pen.world_line(c[i], c[(i + 1) % 3], rim, rim == Role::surface ? 1.0 : 2.0);
   if (options.elevation_lines && !options.coarse)
     for (const core::Vec3& corner : c)
       if (corner.z != 0.0) pen.world_line(corner, {corner.x, corner.y, 0.0}, Role::faint, 1.0, true);
@@ -255,12 +310,15 @@ void draw_radars(Pen& pen, const std::vector<Snapshot::Radar>& radars) {
 }
 
 void draw_platforms(Pen& pen, const std::vector<Snapshot::Platform>& platforms) {
+  const bool toned = pen.options().trails && pen.options().tracks != DrawingOptions::Tracks::plain;
+  const ToneRange range = toned ? tone_range(pen, platforms) : ToneRange{};
   for (const Snapshot::Platform& platform : platforms) {
     if (pen.hidden(platform.id)) continue;
-    if (pen.options().trails) draw_trail(pen, platform);
+    if (pen.options().trails) draw_trail(pen, platform, range);
     if (pen.selected(platform.id)) draw_path(pen, platform);
     draw_platform(pen, platform);
   }
+  if (range.least <= range.most) draw_tone_bar(pen, range);
 }
 
 }  // namespace sarsim::picture

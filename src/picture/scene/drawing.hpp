@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "picture/colour/theme.hpp"
+#include "picture/render/rasteriser.hpp"
 #include "picture/scene/camera.hpp"
 #include "picture/scene/gizmo.hpp"
 #include "picture/scene/ruler.hpp"
@@ -33,6 +36,13 @@ struct DrawingOptions {
   bool ground_grid = false;  ///< Lines of the plane z = 0 with their distances.
   bool footprints = false;   ///< Beams down to the ground, and the slant ranges that are recorded.
   bool lobes = false;        ///< Pattern lobes instead of cones.
+  bool symbols = true;       ///< Solids that stand for moving platforms.
+  bool illuminated = false;  ///< The ground that was illuminated so far, which the snapshot must have.
+  bool sky = true;           ///< Above the horizon of a perspective view of a plane ground.
+  enum class Tracks { plain, by_time, by_speed } tracks = Tracks::plain;  ///< Colours of trails.
+  bool dark = false;                                                      ///< Light marks on a dark ground.
+  unsigned threads = 1;      ///< For solids; changes nothing in the picture.
+  int samples = 1;           ///< For each side of a pixel of solids (RenderControl).
   bool coarse = false;       ///< Less detail while the mouse drags: no labels and drop lines of targets, at most
                              ///< `coarse_targets` discs.
   double pixel_scale = 1.0;  ///< Device pixels per pixel of the screen: sizes are multiplied by it.
@@ -49,7 +59,7 @@ struct DrawingOptions {
 };
 inline constexpr std::size_t coarse_targets = 2000;
 
-/// The scene as marks on a picture, back to front. Coordinates in device pixels.
+/// The scene as solids and marks on a picture, back to front. Coordinates in device pixels.
 struct Drawing {
   /// A straight line.
   struct Line {
@@ -57,6 +67,7 @@ struct Drawing {
     Role role;
     float width_px;
     bool dotted;
+    std::uint8_t tone = 0;  ///< Of Role::track: 0 to 255.
   };
   /// A filled circle, or a ring.
   struct Disc {
@@ -64,13 +75,6 @@ struct Drawing {
     float diameter_px;
     Role role;
     bool outlined;
-  };
-  /// A plane part of a surface.
-  struct Polygon {
-    std::vector<PicturePoint> corners;
-    Role role;
-    std::uint8_t shade;  ///< 0 to 255: grey of a filled surface by its normal's elevation (thesis 4.1).
-    bool filled;
   };
   /// Words.
   struct Text {
@@ -89,26 +93,36 @@ struct Drawing {
     float depth_m = 0.0F;
     std::optional<std::size_t> path_point = std::nullopt;  ///< It moves this point of the platform's path.
   };
-  std::vector<Polygon> polygons;  ///< Drawn first, farthest first.
-  std::vector<Line> lines;        ///< Then lines,
-  std::vector<Disc> discs;        ///< discs,
-  std::vector<Text> texts;        ///< and words.
+  /// The row [px] of the horizon, above which there is sky; nothing: no sky.
+  std::optional<double> horizon_px;
+  MeshList meshes;          ///< Solids, whose numbers are those of `solids`,
+  std::size_t scenery = 0;  ///< of which the first so many hide what is behind them.
+  Rendering solids;         ///< Drawn first,
+  std::vector<Line> lines;  ///< then lines,
+  std::vector<Disc> discs;  ///< discs,
+  std::vector<Text> texts;  ///< and words.
   std::vector<Handle> handles;
+  std::shared_ptr<Rasteriser> rasteriser;  ///< Keeps its room for the next picture.
 };
+
+/// The colour of a line.
+[[nodiscard]] raster::Rgb colour_of(const Drawing::Line& line, bool dark);
 
 /// Draws a snapshot, whose objects are in the order of their lists, after the rules of the thesis (4.1.2): main axes
 /// 200 px long with a mark at a round distance, corner triad, platforms with own axes of 50 px and name, targets as
 /// discs of 7 px with drop lines and, where directional, the normal of 20 px, surfaces with their normal, radars as
 /// discs of 10 px with the cone of their beam (50 px, 16 points, 4 ribs) or a dotted circle where isotropic. Beyond
 /// them: a scale bar with the main axes, the names of radars, trails, and of selected platforms the points that make
-/// the path, squares of 7 px, on the whole of it. What is selected or hovered has its own role and is larger. Marks end
-/// at most 64 pixels of the screen outside the picture. Drop lines of platforms and surfaces end at the world's z = 0.
-/// Fills `drawing`, whose room is used again. About 1 ms for 10 000 targets.
+/// the path, squares of 7 px, on the whole of it; solid symbols of moving platforms, the globe with meridians and
+/// parallels where an Earth is seen from so far that it is round. The globe and filled surfaces hide marks behind them.
+/// What is selected or hovered has its own role and is larger. Marks end at most 64 pixels of the screen outside the
+/// picture. Drop lines of platforms and surfaces end at the world's z = 0. Fills `drawing`, whose room is used again.
+/// About 1 ms for 10 000 targets.
 void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOptions& options, Drawing& drawing);
 
 /// The object under a picture point: the nearest handle within `reach_px`, targets and radars before platforms, the
-/// nearer to the viewer first where two are equally near (to half a pixel); else the nearest surface whose triangle
-/// holds the point or has its rim within reach. Only what `draw_scene` put into `drawing`.
+/// nearer to the viewer first where two are equally near (to half a pixel); else what is solid there; else the nearest
+/// surface whose triangle holds the point or has its rim within reach. Only what `draw_scene` put into `drawing`.
 [[nodiscard]] std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& snapshot,
                                                     const Camera& camera, double x_px, double y_px, double reach_px);
 

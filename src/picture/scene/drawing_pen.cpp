@@ -9,6 +9,8 @@ namespace {
 
 constexpr double margin_px = 64.0;            // about the picture, of the screen
 constexpr double nearest_stroke_part = 1e-2;  // of the viewer's distance
+constexpr double piece_px = 4.0;              // of a line, which is seen or hidden
+constexpr int most_pieces = 2000;
 
 struct Frame {
   double left, top, right, bottom;
@@ -42,35 +44,6 @@ bool clip_segment(PicturePoint& a, PicturePoint& b, const Frame& frame) {
   return true;
 }
 
-// The part of a polygon where `room` is not negative (Sutherland and Hodgman 1974); `between(a, b, t)` mixes corners.
-template <class Corner, class Room, class Between>
-std::vector<Corner> clip_polygon(const std::vector<Corner>& corners, const Room& room, const Between& between) {
-  std::vector<Corner> kept;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const Corner& a = corners[i];
-    const Corner& b = corners[(i + 1) % corners.size()];
-    const double room_a = room(a);
-    const double room_b = room(b);
-    if (room_a >= 0.0) kept.push_back(a);
-    if ((room_a >= 0.0) != (room_b >= 0.0)) kept.push_back(between(a, b, room_a / (room_a - room_b)));
-  }
-  return kept;
-}
-
-std::vector<PicturePoint> clip_to_frame(std::vector<PicturePoint> corners, const Frame& frame) {
-  const auto between = [](const PicturePoint& a, const PicturePoint& b, double t) {
-    return PicturePoint{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.depth_m + t * (b.depth_m - a.depth_m)};
-  };
-  corners = clip_polygon(
-      corners, [&](const PicturePoint& p) { return p.x - frame.left; }, between);
-  corners = clip_polygon(
-      corners, [&](const PicturePoint& p) { return frame.right - p.x; }, between);
-  corners = clip_polygon(
-      corners, [&](const PicturePoint& p) { return p.y - frame.top; }, between);
-  return clip_polygon(
-      corners, [&](const PicturePoint& p) { return frame.bottom - p.y; }, between);
-}
-
 }  // namespace
 
 Pen::Pen(const Camera& camera, const DrawingOptions& options, Drawing& drawing)
@@ -78,6 +51,7 @@ Pen::Pen(const Camera& camera, const DrawingOptions& options, Drawing& drawing)
       options_(options),
       drawing_(drawing),
       picture_from_world_(camera.picture_from_world()),
+      viewpoint_(camera.viewpoint()),
       nearest_depth_m_(-(1.0 - nearest_stroke_part) * camera.viewer_distance_m()) {}
 
 core::Vec3 Pen::in_picture_axes(const core::Vec3& world_m) const {
@@ -108,16 +82,27 @@ PicturePoint Pen::along(const PicturePoint& start, const core::Vec3& direction_w
   return {start.x + step.x, start.y - step.y, start.depth_m};
 }
 
-void Pen::line(const PicturePoint& a, const PicturePoint& b, Role role, double width_px, bool dotted) {
+bool Pen::hides(const PicturePoint& point) const {
+  return hides_at(point.x, point.y, -point.depth_m * camera_.scale_at(point.depth_m));
+}
+
+bool Pen::hides_at(double x_px, double y_px, double nearness_px) const {
+  if (drawing_.scenery == 0 || !is_hidden(drawing_.solids, viewpoint_, x_px, y_px, nearness_px)) return false;
+  const auto by = triangle_at(drawing_.solids, x_px, y_px);
+  return by && by->mesh < drawing_.scenery;
+}
+
+void Pen::line(const PicturePoint& a, const PicturePoint& b, Role role, double width_px, bool dotted,
+               std::uint8_t tone) {
   PicturePoint from = a;
   PicturePoint to = b;
   if (!clip_segment(from, to, frame_of(camera_, options_.pixel_scale))) return;
   drawing_.lines.push_back({static_cast<float>(from.x), static_cast<float>(from.y), static_cast<float>(to.x),
-                            static_cast<float>(to.y), role, static_cast<float>(px(width_px)), dotted});
+                            static_cast<float>(to.y), role, static_cast<float>(px(width_px)), dotted, tone});
 }
 
-void Pen::world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, Role role, double width_px,
-                     bool dotted) {
+void Pen::world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, Role role, double width_px, bool dotted,
+                     std::uint8_t tone) {
   core::Vec3 a = in_picture_axes(a_world_m);
   core::Vec3 b = in_picture_axes(b_world_m);
   if (camera_.perspective) {
@@ -128,32 +113,43 @@ void Pen::world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, R
     if (room_a <= 0.0) a = crossing;
     if (room_b <= 0.0) b = crossing;
   }
-  const PicturePoint from = point_of(a);
-  const PicturePoint to = point_of(b);
+  PicturePoint from = point_of(a);
+  PicturePoint to = point_of(b);
   if (!std::isfinite(from.x + from.y + to.x + to.y)) return;
-  line(from, to, role, width_px, dotted);
+  if (drawing_.scenery == 0 || drawing_.solids.empty()) {
+    line(from, to, role, width_px, dotted, tone);
+    return;
+  }
+  // Nearness, not depth, is linear along a line of the picture.
+  from.depth_m = -from.depth_m * camera_.scale_at(from.depth_m);
+  to.depth_m = -to.depth_m * camera_.scale_at(to.depth_m);
+  seen_parts(from, to, role, width_px, dotted, tone);
+}
+
+// Pieces of some pixels are seen or hidden as their middle is; those that are seen are joined again.
+void Pen::seen_parts(PicturePoint from, PicturePoint to, Role role, double width_px, bool dotted, std::uint8_t tone) {
+  if (!clip_segment(from, to, frame_of(camera_, options_.pixel_scale))) return;
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const int pieces = std::clamp(static_cast<int>(length / px(piece_px)), 1, most_pieces);
+  const auto at = [&](double t) {
+    return PicturePoint{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
+                        from.depth_m + t * (to.depth_m - from.depth_m)};
+  };
+  const auto hidden_piece = [&](const PicturePoint& p) { return hides_at(p.x, p.y, p.depth_m); };
+  int first = -1;  // of the pieces that are seen, up to now
+  for (int i = 0; i <= pieces; ++i) {
+    const bool seen = i < pieces && !hidden_piece(at((i + 0.5) / pieces));
+    if (seen && first < 0) first = i;
+    if (seen || first < 0) continue;
+    line(at(static_cast<double>(first) / pieces), at(static_cast<double>(i) / pieces), role, width_px, dotted, tone);
+    first = -1;
+  }
 }
 
 void Pen::disc(const PicturePoint& at, double diameter_px, Role role, bool outlined) {
   if (!visible(at)) return;
   drawing_.discs.push_back(
       {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(px(diameter_px)), role, outlined});
-}
-
-void Pen::polygon(const std::array<core::Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled) {
-  std::vector<core::Vec3> corners(corners_world_m.begin(), corners_world_m.end());
-  for (core::Vec3& corner : corners) corner = in_picture_axes(corner);
-  if (camera_.perspective)
-    corners = clip_polygon(
-        corners, [&](const core::Vec3& p) { return -p.z - nearest_depth_m_; },
-        [](const core::Vec3& a, const core::Vec3& b, double t) { return a + t * (b - a); });
-  Drawing::Polygon polygon{{}, role, shade, filled};
-  polygon.corners.reserve(corners.size());
-  for (const core::Vec3& corner : corners) polygon.corners.push_back(point_of(corner));
-  for (const PicturePoint& corner : polygon.corners)
-    if (!std::isfinite(corner.x + corner.y)) return;
-  polygon.corners = clip_to_frame(std::move(polygon.corners), frame_of(camera_, options_.pixel_scale));
-  if (polygon.corners.size() >= 3) drawing_.polygons.push_back(std::move(polygon));
 }
 
 void Pen::text(double x, double y, const std::string& words, Role role, bool bold, bool centred) {

@@ -30,14 +30,17 @@ class Pen {
                                    double length_px) const;
 
   /// A line in the picture; widths are pixels of the screen.
-  void line(const PicturePoint& a, const PicturePoint& b, Role role, double width_px, bool dotted = false);
-  /// A line in space; of one that passes the viewer of a perspective view the part in front.
+  void line(const PicturePoint& a, const PicturePoint& b, Role role, double width_px, bool dotted = false,
+            std::uint8_t tone = 0);
+  /// Whether scenery is in front of a point.
+  [[nodiscard]] bool hides(const PicturePoint& point) const;
+  /// A line in space; of one that passes the viewer of a perspective view the part in front, and of that what no
+  /// scenery hides.
+  /// @param tone  of Role::track
   void world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, Role role, double width_px,
-                  bool dotted = false);
+                  bool dotted = false, std::uint8_t tone = 0);
   /// A disc about a point of the picture; its diameter in pixels of the screen.
   void disc(const PicturePoint& at, double diameter_px, Role role, bool outlined);
-  /// A triangle in space; of one that passes the viewer of a perspective view the part in front.
-  void polygon(const std::array<core::Vec3, 3>& corners_world_m, Role role, std::uint8_t shade, bool filled);
   /// Words at a place of the picture: the left end of their base line, or its middle.
   void text(double x, double y, const std::string& words, Role role, bool bold, bool centred);
   /// Makes an object, or a point of its path, be picked at a point.
@@ -52,17 +55,23 @@ class Pen {
  private:
   [[nodiscard]] core::Vec3 in_picture_axes(const core::Vec3& world_m) const;
   [[nodiscard]] PicturePoint point_of(const core::Vec3& picture_m) const;
+  [[nodiscard]] bool hides_at(double x_px, double y_px, double nearness_px) const;
+  // Of a line whose depths are nearness.
+  void seen_parts(PicturePoint from, PicturePoint to, Role role, double width_px, bool dotted, std::uint8_t tone);
 
   const Camera& camera_;
   const DrawingOptions& options_;
   Drawing& drawing_;
   core::Mat3 picture_from_world_;
+  Viewpoint viewpoint_;
   double nearest_depth_m_;  // of what is drawn in perspective
 };
 
 /// Lines of the plane z = 0 at round distances, about 90 pixels apart, under what the camera looks at, with the
 /// distances from the origin at their nearer ends.
 void draw_ground_grid(Pen& pen);
+/// Meridians and parallels at round angles about what the camera looks at, with their degrees.
+void draw_graticule(Pen& pen, const radar::EarthFrame& earth);
 /// The axes of the world through its origin.
 void draw_main_axes(Pen& pen);
 /// The directions of the world's axes in a corner of the picture.

@@ -197,7 +197,7 @@ TEST(Drawing, HiddenObjectsLeaveNoMarkAndNoHandle) {
   const Drawing drawing = drawn(snapshot, front_camera(), options);
   EXPECT_TRUE(drawing.discs.empty());
   EXPECT_TRUE(drawing.lines.empty());
-  EXPECT_TRUE(drawing.polygons.empty());
+  EXPECT_TRUE(drawing.solids.empty());
   EXPECT_TRUE(drawing.texts.empty());
   EXPECT_TRUE(drawing.handles.empty());
 }
@@ -388,32 +388,71 @@ TEST(Drawing, TrailFollowsThePath) {
 
 // --- Surfaces -------------------------------------------------------------------------------------------------------
 
+// The colour of solids at a pixel.
+std::uint32_t solid_at(const Drawing& drawing, int x, int y) {
+  const Rendering& r = drawing.solids;
+  if (x < r.left || y < r.top || x >= r.left + r.width || y >= r.top + r.height) return 0;
+  return r.argb.at(static_cast<std::size_t>(y - r.top) * static_cast<std::size_t>(r.width) +
+                   static_cast<std::size_t>(x - r.left));
+}
+
+std::uint32_t opaque_grey(std::uint8_t shade) {
+  const raster::Rgb grey = surface_fill(shade, false);
+  return 0xFF000000U | (std::uint32_t{grey.red} << 16U) | (std::uint32_t{grey.green} << 8U) | grey.blue;
+}
+
 TEST(Drawing, FilledSurfaceIsGreyByTheElevationOfItsNormalAndWhiteFromBelow) {
   const std::array<core::Vec3, 3> corners{core::Vec3{0, 0, 0}, core::Vec3{50, 0, 0}, core::Vec3{0, 0, 50}};
   DrawingOptions options = bare_options();
   options.filled_surfaces = true;
-  const auto shade = [&](const core::Vec3& normal) {
+  const auto seen = [&](const core::Vec3& normal) {
     Snapshot snapshot;
     snapshot.surfaces = {surface_of(corners, normal)};
-    return static_cast<int>(drawn(snapshot, front_camera(), options).polygons.at(0).shade);
+    return solid_at(drawn(snapshot, front_camera(), options), 410, 290);
   };
-  EXPECT_EQ(shade({0, 0, 1}), 254);
-  EXPECT_EQ(shade({0, -1, 0}), 100);
-  EXPECT_EQ(shade({0, -std::sqrt(0.5), std::sqrt(0.5)}), 177);
-  EXPECT_EQ(shade({0, 0, -1}), 255);
+  EXPECT_EQ(seen({0, 0, 1}), opaque_grey(254));
+  EXPECT_EQ(seen({0, -1, 0}), opaque_grey(100));
+  EXPECT_EQ(seen({0, -std::sqrt(0.5), std::sqrt(0.5)}), opaque_grey(177));
+  EXPECT_EQ(seen({0, 0, -1}), opaque_grey(255));
+  options.filled_surfaces = false;
+  EXPECT_EQ(seen({0, 0, 1}), 0U);
 }
 
-TEST(Drawing, FartherSurfacesAreDrawnFirst) {
+TEST(Drawing, TheNearestSurfaceIsSeenWherePartsOfTwoAreInFrontOfEachOther) {
+  // Two that cross along the line x = 20: no order of painting shows both parts.
   Snapshot snapshot;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const double y = std::array{5.0, 80.0, -20.0, 30.0}.at(i);
-    snapshot.surfaces.push_back(
-        surface_of({core::Vec3{0, y, 0}, core::Vec3{50, y, 0}, core::Vec3{0, y, 50}}, {0, -1, 0}, i));
-  }
-  const Drawing drawing = drawn(snapshot, front_camera(), bare_options());
-  ASSERT_EQ(drawing.polygons.size(), 4U);
-  for (std::size_t i = 1; i < 4; ++i)
-    EXPECT_LT(drawing.polygons[i].corners[0].depth_m, drawing.polygons[i - 1].corners[0].depth_m);
+  snapshot.surfaces = {
+      surface_of({core::Vec3{0, -20, 0}, core::Vec3{40, 20, 0}, core::Vec3{20, 0, 40}}, {0, 0, 1}, 0),
+      surface_of({core::Vec3{0, 20, 0}, core::Vec3{40, -20, 0}, core::Vec3{20, 0, 40}}, {0, -1, 0}, 1)};
+  DrawingOptions options = bare_options();
+  options.filled_surfaces = true;
+  const Drawing drawing = drawn(snapshot, front_camera(), options);
+  EXPECT_EQ(solid_at(drawing, 412, 294), opaque_grey(254));
+  EXPECT_EQ(solid_at(drawing, 428, 294), opaque_grey(100));
+  EXPECT_EQ(picked(drawing, snapshot, front_camera(), 412.5, 294.5, 0.5), snapshot.surfaces[0].id);
+  EXPECT_EQ(picked(drawing, snapshot, front_camera(), 428.5, 294.5, 0.5), snapshot.surfaces[1].id);
+}
+
+TEST(Drawing, FilledSurfacesHideWhatIsBehindThemAndOutlinesDoNot) {
+  Snapshot snapshot;
+  snapshot.surfaces = {surface_of({core::Vec3{-50, 0, -50}, core::Vec3{50, 0, -50}, core::Vec3{0, 0, 50}}, {0, -1, 0})};
+  snapshot.targets = {target_at(0, {0, 10, 0}), target_at(1, {0, -10, 0}), target_at(2, {0, 0, 0})};
+  snapshot.platforms = {platform_at("Plane", {300, 0, 0})};
+  snapshot.platforms[0].trail_world_m = {{-100, 10, 0}, {100, 10, 0}};
+  DrawingOptions options = bare_options();
+  EXPECT_EQ(drawn(snapshot, front_camera(), options).discs.size(), 3U);
+  EXPECT_EQ(lines_of(drawn(snapshot, front_camera(), options), Role::faint).size(), 1U);
+  options.filled_surfaces = true;
+  const Drawing drawing = drawn(snapshot, front_camera(), options);
+  EXPECT_EQ(drawing.discs.size(), 2U) << "that on the surface is seen";
+  const auto trail = lines_of(drawing, Role::faint);
+  ASSERT_EQ(trail.size(), 2U);
+  EXPECT_NEAR(trail[0].x0, 300.0, 1e-3);
+  EXPECT_NEAR(trail[0].x1, 375.0, 4.0);  // the edge at half the height
+  EXPECT_NEAR(trail[1].x0, 425.0, 4.0);
+  EXPECT_NEAR(trail[1].x1, 500.0, 1e-3);
+  options.selected = {snapshot.targets[0].id};
+  EXPECT_EQ(drawn(snapshot, front_camera(), options).discs.size(), 3U) << "what is selected is always seen";
 }
 
 TEST(Drawing, SurfaceCarriesItsNormalAtItsCentroid) {
@@ -458,8 +497,8 @@ TEST(Drawing, NoMarkIsFarOutsideThePicture) {
         for (const Drawing::Text& text : drawing.texts) ASSERT_TRUE(inside(text.x, text.y));
         for (const Drawing::Line& line : drawing.lines)
           ASSERT_TRUE(inside(line.x0, line.y0) && inside(line.x1, line.y1));
-        for (const Drawing::Polygon& polygon : drawing.polygons)
-          for (const PicturePoint& corner : polygon.corners) ASSERT_TRUE(inside(corner.x, corner.y));
+        ASSERT_LE(drawing.solids.left + drawing.solids.width, 800);
+        ASSERT_LE(drawing.solids.top + drawing.solids.height, 600);
       }
 }
 
@@ -516,7 +555,7 @@ TEST(Drawing, RoomIsUsedAgainAndNothingIsLeftOver) {
   EXPECT_EQ(drawing.lines.size(), lines);
   draw_scene({}, front_camera(), bare_options(), drawing);
   EXPECT_TRUE(drawing.lines.empty());
-  EXPECT_TRUE(drawing.polygons.empty());
+  EXPECT_TRUE(drawing.solids.empty());
 }
 
 TEST(Drawing, PointsToFitAreThoseOfObjects) {

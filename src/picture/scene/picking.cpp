@@ -69,6 +69,15 @@ bool drawn(const Drawing& drawing, const scene::ObjectId& id) {
   return std::ranges::any_of(drawing.handles, [&](const Drawing::Handle& handle) { return handle.id == id; });
 }
 
+// What is solid at a point, and can be picked.
+std::optional<scene::ObjectId> solid_under(const Drawing& drawing, double x_px, double y_px) {
+  const auto seen = triangle_at(drawing.solids, x_px, y_px);
+  if (!seen || seen->mesh >= drawing.meshes.size()) return std::nullopt;
+  const std::vector<scene::ObjectId>& objects = drawing.meshes[seen->mesh]->objects;
+  if (objects.empty()) return std::nullopt;
+  return objects.size() == 1 ? objects.front() : objects.at(seen->triangle);
+}
+
 std::optional<scene::ObjectId> surface_under(const Drawing& drawing, const Snapshot& snapshot, const Camera& camera,
                                              double x_px, double y_px, double reach_px) {
   std::optional<scene::ObjectId> best;
@@ -95,6 +104,7 @@ std::optional<scene::ObjectId> picked(const Drawing& drawing, const Snapshot& sn
   };
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, small)) return handle->id;
   if (const Drawing::Handle* handle = nearest_handle(drawing, x_px, y_px, reach_px, platform)) return handle->id;
+  if (const auto solid = solid_under(drawing, x_px, y_px)) return solid;
   return surface_under(drawing, snapshot, camera, x_px, y_px, reach_px);
 }
 

@@ -7,8 +7,10 @@
 #include <stdexcept>
 
 #include "picture/scene/footprint.hpp"
+#include "picture/scene/globe.hpp"
 #include "picture/scene/half_power.hpp"
 #include "picture/scene/snapshot_beam.hpp"
+#include "picture/scene/snapshot_symbol.hpp"
 #include "scene/edit/path_points.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/route.hpp"
@@ -25,6 +27,7 @@ constexpr double shortest_envelope_s = 1e-6;  // of an integration envelope; bel
 constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass function's knots
 constexpr int trail_steps = 48;
 constexpr int route_steps = 400;
+constexpr int illuminated_steps = 64;
 constexpr std::size_t most_trail_knots = 256;
 constexpr std::size_t most_drawn_cloud_points = 5000;
 
@@ -195,6 +198,7 @@ struct Path {
   std::array<core::Interpolator, 3> position_m;
   std::vector<double> knots_s;  // of all three, ascending: where a path of straight lines bends
   bool moves = false;
+  bool orbits = false;
   const radar::Track* track = nullptr;  // of a path that is no function of points
 
   [[nodiscard]] core::Vec3 at(double time_s) const {
@@ -206,6 +210,7 @@ struct Path {
 // @param platform  cleaned
 Path path_of(const scene::Platform& platform, const radar::Track& track, core::InterpolationRules rule) {
   Path path;
+  path.orbits = platform.path == scene::Platform::Path::orbit || platform.path == scene::Platform::Path::ephemeris;
   const bool of_points = platform.path == scene::Platform::Path::trajectory;
   if (!platform.parent.empty() || (!of_points && platform.path != scene::Platform::Path::stationary)) {
     path.track = &track;
@@ -245,12 +250,11 @@ void rest_unless_flown(scene::Platform& platform) {
   platform.position_m = points.empty() ? core::Vec3{} : finite_or_zero(points.front());
 }
 
-std::vector<core::Vec3> trail_of(const Path& path, double time_s, double length_s) {
-  std::vector<core::Vec3> trail;
-  if (!path.moves || !(length_s > 0.0) || !std::isfinite(length_s)) return trail;
+std::vector<double> trail_times_of(const Path& path, double time_s, double length_s) {
+  std::vector<double> times_s;
+  if (!path.moves || !(length_s > 0.0) || !std::isfinite(length_s)) return times_s;
   const double start_s = time_s - 0.5 * length_s;
   const double end_s = time_s + 0.5 * length_s;
-  std::vector<double> times_s;
   for (int i = 0; i <= trail_steps; ++i) times_s.push_back(start_s + length_s * i / trail_steps);
   const auto first = std::ranges::upper_bound(path.knots_s, start_s);
   const auto last = std::ranges::lower_bound(path.knots_s, end_s);
@@ -258,11 +262,25 @@ std::vector<core::Vec3> trail_of(const Path& path, double time_s, double length_
     times_s.insert(times_s.end(), first, last);
     std::ranges::sort(times_s);
   }
-  for (const double at_s : times_s) {
+  return times_s;
+}
+
+void put_trail(const Path& path, double time_s, double length_s, Snapshot::Platform& platform) {
+  for (const double at_s : trail_times_of(path, time_s, length_s)) {
     const core::Vec3 point = path.at(at_s);
-    if (is_finite(point)) trail.push_back(point);
+    if (!is_finite(point)) continue;
+    platform.trail_world_m.push_back(point);
+    platform.trail_s.push_back(at_s);
   }
-  return trail;
+}
+
+// Which way a platform goes: now, or where it stands now, over all its time.
+core::Vec3 way_of(const Path& path, double time_s, const std::array<double, 2>& span_s) {
+  constexpr double step_s = 1e-3;
+  if (!path.moves) return {};
+  const core::Vec3 now = path.at(time_s + step_s) - path.at(time_s - step_s);
+  if (core::norm(now) > 0.0 && is_finite(now)) return now;
+  return path.at(span_s[1]) - path.at(span_s[0]);
 }
 
 // Positions in the list of resolved platforms; unknown names mean the world, which comes last.
@@ -315,6 +333,7 @@ struct SnapshotMaker::Prepared {
     radar::Beam beam;
     BeamShape shape;
     std::array<double, 2> recorded_m{};  // slant ranges of its first recording; 0: none
+    std::array<double, 2> recorded_s{};  // and its times
   };
   // Where a platform is at the snapshot's time.
   struct Frame {
@@ -338,7 +357,12 @@ struct SnapshotMaker::Prepared {
   void put_targets(const std::vector<Frame>& frames, Snapshot& snapshot) const;
   void put_clouds(const std::vector<Frame>& frames, Snapshot& snapshot) const;
   void put_surfaces(const std::vector<Frame>& frames, Snapshot& snapshot) const;
-  void put_radars(const std::vector<Frame>& frames, Snapshot& snapshot) const;
+  void put_radars(const std::vector<Frame>& frames, bool illuminated, Snapshot& snapshot) const;
+  void take_earth(std::optional<radar::EarthFrame> frame);
+  [[nodiscard]] std::vector<std::optional<core::Vec3>> footprint_at(const Radar& radar, const radar::Pose& pose,
+                                                                    double time_s) const;
+  [[nodiscard]] std::vector<std::vector<std::optional<core::Vec3>>> illuminated_until(const Radar& radar,
+                                                                                      double time_s) const;
 
   simulate::ResolvedScene resolved;
   std::vector<Path> paths;
@@ -349,6 +373,7 @@ struct SnapshotMaker::Prepared {
   std::vector<Radar> radars;
   std::optional<radar::Repetition> repetition;
   std::optional<radar::EarthFrame> earth;
+  std::array<std::shared_ptr<const Mesh>, 2> globe;  // in light and in dark
   std::array<double, 2> span_s{};
 };
 
@@ -443,9 +468,20 @@ void SnapshotMaker::Prepared::add_radars(const scene::Scene& scene, PlatformFind
     const auto recording = std::ranges::find(scene.simulations, scene.radars[i].name, &scene::Simulation::radar);
     if (recording != scene.simulations.end())
       radars.back().recorded_m = {recording->range_start_m, recording->range_end_m};
+    radars.back().recorded_s =
+        recording != scene.simulations.end() ? std::array{recording->time_start_s, recording->time_end_s} : span_s;
   }
-  earth = scene::earth_of(scene.world);
+  take_earth(scene::earth_of(scene.world));
   repetition = scene.radars.empty() ? std::nullopt : repetition_of(scene.radars.front());
+}
+
+// The globe is made anew where it is seen from another anchor alone.
+void SnapshotMaker::Prepared::take_earth(std::optional<radar::EarthFrame> frame) {
+  const bool same = earth && frame && earth->anchor() == frame->anchor();
+  earth = std::move(frame);
+  if (same) return;
+  for (const bool dark : {false, true})
+    globe.at(dark ? 1 : 0) = earth ? std::make_shared<const Mesh>(globe_mesh(*earth, dark)) : nullptr;
 }
 
 // The scene has the same objects, which mean the same platforms by name or say so themselves.
@@ -489,12 +525,16 @@ void SnapshotMaker::Prepared::put_platforms(const std::vector<Frame>& frames, do
         points_world_m.push_back(radar::world_position_m(frames[route.parent].pose, point));
       return points_world_m;
     };
-    snapshot.platforms.push_back({{scene::ObjectKind::platform, i},
-                                  resolved.platforms[i].name,
-                                  frames[i].pose,
-                                  trail_of(paths[i], snapshot.time_s, trail_s),
-                                  in_world(route.points_m),
-                                  in_world(route.line_m)});
+    Snapshot::Platform shown;
+    shown.id = {scene::ObjectKind::platform, i};
+    shown.name = resolved.platforms[i].name;
+    shown.pose = frames[i].pose;
+    put_trail(paths[i], snapshot.time_s, trail_s, shown);
+    shown.foot_world_m = ground_below(shown.pose.position_world_m, earth);
+    shown.symbol = symbol_of(shown.pose, way_of(paths[i], snapshot.time_s, span_s), paths[i].orbits, earth);
+    shown.path_points_world_m = in_world(route.points_m);
+    shown.path_world_m = in_world(route.line_m);
+    snapshot.platforms.push_back(std::move(shown));
   }
 }
 
@@ -539,7 +579,34 @@ void SnapshotMaker::Prepared::put_surfaces(const std::vector<Frame>& frames, Sna
   }
 }
 
-void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snapshot& snapshot) const {
+std::vector<std::optional<core::Vec3>> SnapshotMaker::Prepared::footprint_at(const Radar& radar,
+                                                                             const radar::Pose& pose,
+                                                                             double time_s) const {
+  const radar::PointingRule rule = resolved.conventions.pointing;
+  const radar::Pointing pointing(radar.beam, rule, time_s, pose.position_world_m, pose.world_from_platform,
+                                 pose.rotation_rad);
+  std::vector<std::optional<core::Vec3>> edges;
+  for (const std::optional<radar::BeamOffset>& offset : radar.shape.outline)
+    edges.push_back(offset ? std::optional(beam_direction(pointing, rule, *offset)) : std::nullopt);
+  return ground_points(pose.position_world_m, edges, earth);
+}
+
+std::vector<std::vector<std::optional<core::Vec3>>> SnapshotMaker::Prepared::illuminated_until(const Radar& radar,
+                                                                                               double time_s) const {
+  std::vector<std::vector<std::optional<core::Vec3>>> footprints;
+  const double first_s = radar.recorded_s[0];
+  const double last_s = std::min(time_s, radar.recorded_s[1]);
+  if (radar.shape.outline.empty() || !(last_s >= first_s)) return footprints;
+  const radar::Track& track = resolved.platforms[radar.platform].track;
+  for (int i = 0; i <= illuminated_steps; ++i) {
+    const double at_s = first_s + (last_s - first_s) * i / illuminated_steps;
+    const radar::Pose pose = track.at(at_s, 0);
+    if (is_finite(pose.position_world_m)) footprints.push_back(footprint_at(radar, pose, at_s));
+  }
+  return footprints;
+}
+
+void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, bool illuminated, Snapshot& snapshot) const {
   for (std::size_t i = 0; i < radars.size(); ++i) {
     const Radar& radar = radars[i];
     if (!frames[radar.platform].usable) continue;
@@ -566,13 +633,10 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, Snaps
     shown.lobe_world = radar.shape.lobe_antenna;
     for (std::vector<core::Vec3>& row : shown.lobe_world)
       for (core::Vec3& point : row) point = world_from_antenna * point;
-    std::vector<std::optional<core::Vec3>> edges;
-    for (const std::optional<radar::BeamOffset>& offset : radar.shape.outline)
-      edges.push_back(offset ? std::optional(beam_direction(pointing, resolved.conventions.pointing, *offset))
-                             : std::nullopt);
-    shown.footprint_world_m = ground_points(shown.position_world_m, edges, earth);
+    shown.footprint_world_m = footprint_at(radar, pose, snapshot.time_s);
     for (std::size_t end = 0; end < 2; ++end)
       shown.swath_world_m.at(end) = range_on_ground(shown, radar.recorded_m.at(end), earth);
+    if (illuminated) shown.illuminated_world_m = illuminated_until(radar, snapshot.time_s);
     snapshot.radars.push_back(std::move(shown));
   }
 }
@@ -590,15 +654,17 @@ SnapshotMaker::~SnapshotMaker() = default;
 SnapshotMaker::SnapshotMaker(SnapshotMaker&&) noexcept = default;
 SnapshotMaker& SnapshotMaker::operator=(SnapshotMaker&&) noexcept = default;
 
-Snapshot SnapshotMaker::at(double time_s, double trail_s) const {
+Snapshot SnapshotMaker::at(double time_s, double trail_s, bool illuminated) const {
   Snapshot snapshot;
+  snapshot.earth = prepared_->earth;
+  snapshot.globe = prepared_->globe;
   snapshot.time_s = std::clamp(finite_or_zero(time_s), -longest_time_s, longest_time_s);
   const std::vector<Prepared::Frame> frames = prepared_->frames_at(snapshot.time_s);
   prepared_->put_platforms(frames, trail_s, snapshot);
   prepared_->put_targets(frames, snapshot);
   prepared_->put_clouds(frames, snapshot);
   prepared_->put_surfaces(frames, snapshot);
-  prepared_->put_radars(frames, snapshot);
+  prepared_->put_radars(frames, illuminated, snapshot);
   return snapshot;
 }
 

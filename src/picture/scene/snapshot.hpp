@@ -6,12 +6,21 @@
 #include <string>
 #include <vector>
 
+#include "picture/render/mesh.hpp"
+#include "picture/render/shapes.hpp"
+#include "radar/earth/earth_frame.hpp"
 #include "radar/motion/track.hpp"
 #include "scene/edit/scene_change.hpp"
 #include "scene/model/object.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::picture {
+
+/// What stands for a platform that moves.
+struct PlatformSymbol {
+  Symbol symbol = Symbol::aircraft;
+  core::Mat3 world_from_symbol;  ///< Columns: nose, left, up.
+};
 
 /// Where everything in a scene stands at one time, for drawing. Faulty objects (a half-typed scene) are left out or
 /// stand where the rest of them can be understood; nothing throws.
@@ -22,6 +31,9 @@ struct Snapshot {
     std::string name;
     radar::Pose pose;
     std::vector<core::Vec3> trail_world_m;  ///< Its path around the time; empty where it does not move.
+    std::vector<double> trail_s;            ///< The times at which it is there.
+    core::Vec3 foot_world_m;                ///< The ground below it (`ground_below`).
+    std::optional<PlatformSymbol> symbol;   ///< Nothing where it is at rest.
     /// Of legs and waypoints the points of `scene::path_points`,
     std::vector<core::Vec3> path_points_world_m;
     std::vector<core::Vec3> path_world_m;  ///< and the path from the first to the last of them.
@@ -59,6 +71,8 @@ struct Snapshot {
     std::vector<std::optional<core::Vec3>> footprint_world_m = {};
     /// The ground at both ends of the slant range of the radar's first recording (`range_on_ground`).
     std::array<std::vector<core::Vec3>, 2> swath_world_m = {};
+    /// Footprints from the beginning of its first recording to now, where they are asked for.
+    std::vector<std::vector<std::optional<core::Vec3>>> illuminated_world_m = {};
   };
   double time_s = 0.0;
   std::vector<Platform> platforms;
@@ -66,6 +80,8 @@ struct Snapshot {
   std::vector<Target> cloud_points;  ///< At most 5000 of each cloud, evenly chosen, each with the id of its cloud.
   std::vector<Surface> surfaces;
   std::vector<Radar> radars;
+  std::optional<radar::EarthFrame> earth;
+  std::array<std::shared_ptr<const Mesh>, 2> globe;  ///< `globe_mesh` in light and in dark, where there is an Earth.
 };
 
 /// Where an object is: its origin, the middle of a surface's corners, or the first point of a cloud; nothing where the
@@ -91,7 +107,8 @@ class SnapshotMaker {
   /// @param time_s   taken as 0 where it is not a finite number
   /// @param trail_s  length of the trails, half before and half after the time; 0: none. Trails follow the nominal
   /// path.
-  [[nodiscard]] Snapshot at(double time_s, double trail_s = 0.0) const;
+  /// @param illuminated  the ground that radars illuminated until then is asked for as well
+  [[nodiscard]] Snapshot at(double time_s, double trail_s = 0.0, bool illuminated = false) const;
   /// From the first to the last time that a trajectory, rotation, steered beam, simulation or geometry table of the
   /// scene mentions; 1 s from the only one, 0 to 1 s where there is none.
   [[nodiscard]] std::array<double, 2> time_span_s() const;
