@@ -561,5 +561,59 @@ TEST_F(PlotArguments, NamingAFileThatIsNotThereAreRefused) {
   EXPECT_NE(sarsim({"plot", "nothing.npy", "-o", "a.png"}).status, 0);
 }
 
+TEST_F(Plot, OfTheSceneIsOnePictureOrMany) {
+  write_scene({});
+  const Finished one = sarsim({"plot", "scene.scr", "--kind", "scene", "--size", "320", "240", "-o", "a.png"});
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(png_width(folder_ / "a.png"), 320U);
+  const std::string from_start = text_of(folder_ / "a.png");
+  for (const std::vector<std::string>& view : {std::vector<std::string>{"--view", "top"},
+                                               {"--view", "beam"},
+                                               {"--look", "10", "45"},
+                                               {"--perspective"},
+                                               {"--dark"}}) {
+    std::vector<std::string> words{"plot", "scene.scr", "--kind", "scene", "--size",
+                                   "320",  "240",       "-o",     "b.png", "--force"};
+    words.insert(words.end(), view.begin(), view.end());
+    const Finished other = sarsim(words);
+    EXPECT_EQ(other.status, 0) << view[0] << other.err;
+    EXPECT_NE(text_of(folder_ / "b.png"), from_start) << view[0];
+  }
+  const std::vector<std::string> film{"plot", "scene.scr", "--kind", "scene", "--frames", "3",  "--size",
+                                      "320",  "240",       "--time", "0",     "1",        "-o", "film.png"};
+  EXPECT_EQ(sarsim(film).status, 0);
+  for (const char* name : {"film-0001.png", "film-0002.png", "film-0003.png"})
+    EXPECT_EQ(png_width(folder_ / name), 320U) << name;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "film.png"));
+  const Finished again = sarsim(film);
+  EXPECT_EQ(again.status, 2);
+  EXPECT_NE(again.err.find("film-0001.png"), std::string::npos) << again.err;
+}
+
+TEST_F(PlotArguments, OfASceneThatContradictOrMeanNothingAreRefused) {
+  write_scene({});
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "npy", "--quiet"}).status, 0);
+  const auto refused = [&](std::vector<std::string> more, const std::string& message) {
+    more.insert(more.begin(), {"plot", "scene.scr", "-o", "a.png"});
+    const Finished done = sarsim(more);
+    EXPECT_EQ(done.status, 2) << message;
+    EXPECT_NE(done.err.find(message), std::string::npos) << done.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.png"));
+  };
+  const std::string kind = "--kind";
+  refused({kind, "scene", "--time", "0", "1"}, "--frames");
+  refused({kind, "scene", "--at-time", "0", "--frames", "2"}, "--at-time and --frames");
+  refused({kind, "scene", "--view", "top", "--look", "1", "2"}, "--view and --look");
+  refused({kind, "scene", "--look", "1", "91"}, "91 deg");
+  refused({kind, "scene", "--follow", "Nobody"}, "no platform 'Nobody'");
+  refused({kind, "scene", "--radar", "Nobody"}, "Nobody");
+  refused({kind, "scene", "--title", "A"}, "--title");
+  refused({kind, "scene", "--show", "db"}, "--show means nothing for --kind scene");
+  refused({kind, "pulse", "--frames", "2"}, "--frames means nothing for --kind pulse");
+  const Finished file = sarsim({"plot", "sim.npy", "--kind", "scene", "-o", "a.png"});
+  EXPECT_EQ(file.status, 2);
+  EXPECT_NE(file.err.find("is no scene"), std::string::npos) << file.err;
+}
+
 }  // namespace plot_test
 }  // namespace sarsim::test

@@ -26,11 +26,13 @@ namespace {
 
 const std::vector<std::pair<std::string, PlotKind>>& kind_words() {
   static const std::vector<std::pair<std::string, PlotKind>> words{
-      {"picture", PlotKind::picture},    {"pulse", PlotKind::pulse},           {"range", PlotKind::range},
-      {"profile", PlotKind::profile},    {"doppler", PlotKind::range_doppler}, {"doppler-time", PlotKind::doppler_time},
-      {"spectrum", PlotKind::spectrum},  {"phase", PlotKind::phase},           {"antenna", PlotKind::antenna},
-      {"sent", PlotKind::sent},          {"function", PlotKind::function},     {"track", PlotKind::track},
-      {"footprint", PlotKind::footprint}};
+      {"picture", PlotKind::picture},       {"pulse", PlotKind::pulse},
+      {"range", PlotKind::range},           {"profile", PlotKind::profile},
+      {"doppler", PlotKind::range_doppler}, {"doppler-time", PlotKind::doppler_time},
+      {"spectrum", PlotKind::spectrum},     {"phase", PlotKind::phase},
+      {"antenna", PlotKind::antenna},       {"sent", PlotKind::sent},
+      {"function", PlotKind::function},     {"track", PlotKind::track},
+      {"footprint", PlotKind::footprint},   {"scene", PlotKind::scene}};
   return words;
 }
 
@@ -55,7 +57,8 @@ void expect_names(const PlotArguments& a) {
                         fmt::format("end it with {}", picture::picture_endings));
   std::vector<fs::path> paths;
   for (const std::string& path : {a.out, a.csv})
-    if (!path.empty()) paths.emplace_back(path);
+    if (!path.empty() && !(a.frames && path == a.out))
+      paths.emplace_back(path);  // Pictures of a film have names of their own.
   workflow::OutputCare care{{a.input}, a.force, "-o or --csv"};
   care.sources.insert(care.sources.end(), a.others.begin(), a.others.end());
   std::ranges::move(workflow::files_of(a.overrides, fs::path(a.input).parent_path()), std::back_inserter(care.sources));
@@ -110,14 +113,19 @@ void expect_used(const PlotArguments& a) {
                               K::doppler_time, K::spectrum, K::antenna, K::sent};
   const std::vector<K> colours{K::picture};
   std::vector<K> timed = echoes;
-  timed.insert(timed.end(), {K::track, K::footprint});
+  timed.insert(timed.end(), {K::track, K::footprint, K::scene});
   std::vector<K> of_scenes = of_radars;
-  of_scenes.insert(of_scenes.end(), {K::track, K::footprint});
+  of_scenes.insert(of_scenes.end(), {K::track, K::footprint, K::scene});
+  std::vector<K> of_one_radar = of_radars;
+  of_one_radar.insert(of_one_radar.end(), {K::footprint, K::scene});
+  std::vector<K> of_one_time = of_samples;
+  of_one_time.push_back(K::scene);
+  const std::vector<K> views{K::scene};
   of_radars.push_back(K::footprint);
   const std::vector<K> of_curves{K::pulse, K::range, K::profile, K::spectrum, K::phase, K::antenna, K::sent};
   const std::vector<Use> uses{
       {"--simulation", a.simulation.has_value(), of_radars},
-      {"--radar", !a.radar.empty(), of_radars},
+      {"--radar", !a.radar.empty(), of_one_radar},
       {"--data", a.processing.has_value(), echoes},
       {"--range", !a.range_m.empty(), echoes},
       {"--time", !a.time_s.empty(), timed},
@@ -129,7 +137,7 @@ void expect_used(const PlotArguments& a) {
       {"--set", !a.overrides.settings.empty(), of_scenes},
       {"--targets", !a.overrides.targets.empty(), of_scenes},
       {"--at-range", a.at_m.has_value(), {K::range, K::range_doppler, K::doppler_time, K::phase}},
-      {"--at-time", a.at_s.has_value(), of_samples},
+      {"--at-time", a.at_s.has_value(), of_one_time},
       {"--at-azimuth", a.at_azimuth_m.has_value(), cuts},
       {"--pulses", a.pulses.has_value(), {K::range, K::profile, K::range_doppler, K::doppler_time, K::phase}},
       {"--interval", a.interval.has_value(), {K::doppler_time}},
@@ -144,6 +152,13 @@ void expect_used(const PlotArguments& a) {
       {"--function", !a.function.empty(), {K::function}},
       {"--compare", a.compare, {K::function}},
       {"--angles", !a.angles_deg.empty(), {K::antenna}},
+      {"--view", a.view.has_value(), views},
+      {"--look", !a.look_deg.empty(), views},
+      {"--follow", !a.followed.empty(), views},
+      {"--perspective", a.perspective, views},
+      {"--illuminated", a.illuminated, views},
+      {"--trails", a.tracks.has_value(), views},
+      {"--frames", a.frames.has_value(), views},
       {"--with", !a.others.empty(), of_curves},
       {"--vary", !a.variations.empty(), of_curves},
       {"--draw", a.draw_as.has_value(), colours},
@@ -233,6 +248,10 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
   expect_used_by_input(a);
   expect_size(a);
   expect_limits(a);
+  if (a.kind == PlotKind::scene) {
+    plot_view(a, streams);
+    return exit_done;
+  }
   const auto plot_one = [&streams](const PlotArguments& one) {
     expect_used_by_input(one);
     return is_script(one) ? plot_scene(one, streams) : plot_file(one, streams);
@@ -251,7 +270,7 @@ void add_kind(CLI::App& app, PlotArguments& a) {
       app, "--kind", a.wanted_kind, kind_words(),
       "the rows (default), one pulse against range, one range against time; profile, range-Doppler map "
       "or phase of several pulses; spectrum of one; antennas, the pulse sent, a user-defined function; the platforms' "
-      "paths, an antenna's footprint");
+      "paths, an antenna's footprint; the scene in three dimensions");
 }
 
 bool is_positive(double number) { return number > 0.0; }
@@ -306,6 +325,25 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
   app.add_flag("--compare", a.compare, "a function by all three interpolations");
   add_two_reals(app, "--angles", a.angles_deg, "FROM TO",
                 "offsets of an antenna pattern, -360 to 360 deg (default: -90 90)");
+}
+
+void add_view(CLI::App& app, PlotArguments& a) {
+  using From = picture::SceneLook::From;
+  using Tracks = picture::DrawingOptions::Tracks;
+  add_choice<From>(
+      app, "--view", a.view,
+      {{"start", From::start}, {"top", From::top}, {"front", From::front}, {"side", From::side}, {"beam", From::beam}},
+      "scene: from where it is seen; beam: along that of --radar (default: start)");
+  add_two_reals(app, "--look", a.look_deg, "AZIMUTH ELEVATION",
+                "scene: direction to the viewer, deg, instead of --view");
+  add_text(app, "--follow", a.followed, "PLATFORM", "scene: what stays in the middle");
+  app.add_flag("--perspective", a.perspective, "scene: what is farther is smaller");
+  app.add_flag("--illuminated", a.illuminated, "scene: the ground that was illuminated so far");
+  add_choice<Tracks>(app, "--trails", a.tracks,
+                     {{"plain", Tracks::plain}, {"time", Tracks::by_time}, {"speed", Tracks::by_speed}},
+                     "scene: what the colours of paths say (default: plain)");
+  add_integer(app, "--frames", a.frames, 1, 9999,
+              "scene: so many pictures from --time FROM to TO, NAME-0001.png and so on");
 }
 
 void add_look(CLI::App& app, PlotArguments& a) {
@@ -381,6 +419,7 @@ Action add_plot(CLI::App& app) {
   add_kind(app, *a);
   add_choice_of_samples(app, *a);
   add_choice_of_values(app, *a);
+  add_view(app, *a);
   add_look(app, *a);
   app.add_option("--with", a->others,
                  "lay the same curves of another script, recording or image over these; repeatable")
@@ -403,6 +442,8 @@ Action add_plot(CLI::App& app) {
              "-o c.png",
              "two curves in one picture"},
             {"sarsim plot sar_r.toml --kind track -o paths.svg", "a map of the platforms' paths, and their heights"},
+            {"sarsim plot sar_r.toml --kind scene --illuminated -o view.png", "the scene, as the workbench shows it"},
+            {"sarsim plot sar_r.toml --kind scene --frames 100 --follow Plane -o flight.png", "pictures for a film"},
             {"sarsim plot sar_r.toml --kind antenna --csv pattern.csv", "a table alone"}});
   return [a](Streams& streams) { return plot(*a, streams); };
 }

@@ -8,6 +8,7 @@
 #include "picture/colour/display_quantity.hpp"
 #include "picture/echo/echo_window.hpp"
 #include "picture/echo/radar_figures.hpp"
+#include "picture/scene/scene_view.hpp"
 #include "workflow/input/sample_input.hpp"
 #include "workflow/input/scene_input.hpp"
 
@@ -28,6 +29,7 @@ enum class PlotKind {
   function,       ///< A user-defined function.
   track,          ///< Paths of the platforms on a map, and their heights.
   footprint,      ///< What an antenna sees of the ground.
+  scene,          ///< The scene in three dimensions.
 };
 
 /// The command line of `sarsim plot`.
@@ -65,6 +67,14 @@ struct PlotArguments {
   std::string function;
   bool compare = false;
   std::vector<double> angles_deg;
+  // From where the scene is seen.
+  std::optional<picture::SceneLook::From> view;
+  std::vector<double> look_deg;  ///< Azimuth and elevation.
+  std::string followed;
+  bool perspective = false;
+  bool illuminated = false;
+  std::optional<picture::DrawingOptions::Tracks> tracks;
+  std::optional<std::int64_t> frames;
   // How it looks.
   std::optional<picture::DrawAs> draw_as;
   std::optional<picture::ColourMap> map;
@@ -95,6 +105,8 @@ void take_look(const PlotArguments& arguments, picture::DisplayQuantity usual, p
 
 /// Of a script; throws core::Refused for what it does not have.
 [[nodiscard]] Plotted plot_scene(const PlotArguments& arguments, Streams& streams);
+/// The scene in three dimensions, which writes its pictures itself; throws as `plot_scene`.
+void plot_view(const PlotArguments& arguments, Streams& streams);
 /// Of a file of samples or a focused image; throws core::Refused for what it does not say.
 [[nodiscard]] Plotted plot_file(const PlotArguments& arguments, Streams& streams);
 

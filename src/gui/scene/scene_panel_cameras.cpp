@@ -8,7 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
-#include "picture/scene/ground_point.hpp"
+#include "picture/scene/scene_view.hpp"
 
 namespace sarsim::gui {
 
@@ -69,14 +69,8 @@ bool ScenePanel::look_along_beam(std::optional<scene::ObjectId> radar) {
 // As far as to the ground; a beam that misses it, as far as the focus was.
 std::optional<picture::Camera> ScenePanel::beam_camera() const {
   const auto& radars = scene_->snapshot().radars;
-  const auto radar = std::ranges::find(radars, *rides_on_, &picture::Snapshot::Radar::id);
-  if (radar == radars.end()) return std::nullopt;
-  const core::Vec3& antenna = radar->position_world_m;
-  const auto ground = picture::ground_along({antenna, radar->axis_world, 0.0}, earth_);
-  double reach_m = ground ? core::norm(*ground - antenna) : 0.0;
-  if (!(reach_m > 1.0)) reach_m = std::max(1.0, scene_->camera().viewer_distance_m());
-  const double width_rad = radar->isotropic ? 0.0 : std::max(radar->azimuth_width_rad, radar->elevation_width_rad);
-  return picture::along_beam(scene_->camera(), antenna, radar->axis_world, width_rad, reach_m);
+  if (std::ranges::find(radars, *rides_on_, &picture::Snapshot::Radar::id) == radars.end()) return std::nullopt;
+  return picture::beam_camera(scene_->camera(), scene_->snapshot(), rides_on_->index);
 }
 
 // Where the ride has come to.

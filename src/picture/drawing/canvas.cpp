@@ -119,8 +119,8 @@ PangoLayout* layout_of(const Canvas& canvas, const std::string& text, bool bold)
 
 }  // namespace
 
-Words::Words(const Canvas& canvas, const std::string& text)
-    : canvas_(&canvas), layout_(layout_of(canvas, text, false)) {
+Words::Words(const Canvas& canvas, const std::string& text, bool bold)
+    : canvas_(&canvas), layout_(layout_of(canvas, text, bold)) {
   measure();
 }
 
@@ -146,6 +146,17 @@ void Words::measure() {
 void Words::draw(double left, double top) const {
   cairo_move_to(canvas_->cairo(), left, top);
   pango_cairo_show_layout(canvas_->cairo(), layout_.get());
+}
+
+double Words::base_line() const { return static_cast<double>(pango_layout_get_baseline(layout_.get())) / PANGO_SCALE; }
+
+void Words::outline(double left, double base_line, double width) const {
+  cairo_t* const cairo = canvas_->cairo();
+  cairo_move_to(cairo, left, base_line - this->base_line());
+  pango_cairo_layout_path(cairo, layout_.get());
+  cairo_set_line_width(cairo, width);
+  cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_stroke(cairo);
 }
 
 void Words::draw_turned(double x, double y, bool downwards) const {

@@ -61,7 +61,7 @@ class Canvas {
 class Words {
  public:
   /// One line, as long as it is.
-  Words(const Canvas& canvas, const std::string& text);
+  Words(const Canvas& canvas, const std::string& text, bool bold = false);
   /// Centred in lines of a width; what is longer than three lines ends with dots.
   Words(const Canvas& canvas, const std::string& text, double width, bool bold);
 
@@ -69,6 +69,10 @@ class Words {
   [[nodiscard]] double height() const { return height_; }
   /// Draws them with their upper left corner at a place.
   void draw(double left, double top) const;
+  /// Of the first line, from its upper edge.
+  [[nodiscard]] double base_line() const;
+  /// Draws their outlines as lines of a width, with the left end of the base line at a place.
+  void outline(double left, double base_line, double width) const;
   /// Draws them upwards (or, from above, downwards) with their middle at a place.
   void draw_turned(double x, double y, bool downwards) const;
 

@@ -11,6 +11,8 @@ namespace sarsim::picture {
 struct DrawingModule {
   /// See `draw_picture`.
   std::string (*draw)(const Figure& figure, PictureKind kind, const PictureStyle& style);
+  /// See `draw_sheet`.
+  std::string (*draw_sheet)(const Sheet& sheet, PictureKind kind, const PictureStyle& style);
 };
 
 /// The module, which the first call loads and which then stays. May be called from many threads at once.

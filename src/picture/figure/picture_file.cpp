@@ -27,13 +27,34 @@ std::string draw_picture(const Figure& figure, PictureKind kind, const PictureSt
   return drawing_module().draw(figure, kind, style);
 }
 
-void write_picture(const Figure& figure, const std::filesystem::path& path, const PictureStyle& style) {
+std::string draw_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style) {
+  CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
+  CORE_EXPECT(style.scale > 0.0);
+  return drawing_module().draw_sheet(sheet, kind, style);
+}
+
+namespace {
+
+PictureKind kind_by_name(const std::filesystem::path& path) {
   const std::optional<PictureKind> kind = picture_kind_of(path);
   CORE_EXPECT(kind.has_value());
-  const std::string bytes = draw_picture(figure, *kind, style);
+  return *kind;
+}
+
+void write_bytes(const std::string& bytes, const std::filesystem::path& path) {
   core::OutputFile file(path, true);
   file.write(std::as_bytes(std::span(bytes)));
   file.commit();
+}
+
+}  // namespace
+
+void write_picture(const Figure& figure, const std::filesystem::path& path, const PictureStyle& style) {
+  write_bytes(draw_picture(figure, kind_by_name(path), style), path);
+}
+
+void write_picture(const Sheet& sheet, const std::filesystem::path& path, const PictureStyle& style) {
+  write_bytes(draw_sheet(sheet, kind_by_name(path), style), path);
 }
 
 }  // namespace sarsim::picture

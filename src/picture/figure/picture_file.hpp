@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "picture/figure/figure.hpp"
+#include "picture/figure/sheet.hpp"
 
 namespace sarsim::picture {
 
@@ -31,8 +32,13 @@ inline constexpr std::string_view picture_endings = ".png, .svg or .pdf";
 /// @throws std::runtime_error where the module that draws cannot be loaded, or the picture is too large to be drawn
 [[nodiscard]] std::string draw_picture(const Figure& figure, PictureKind kind, const PictureStyle& style);
 
+/// The same of a sheet, whose places fit the size of the style.
+[[nodiscard]] std::string draw_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style);
+
 /// Draws a figure into a file, whose name must end as a picture's; what stood there stays until the picture is whole.
 /// @throws as `draw_picture`; std::system_error where the file cannot be written
 void write_picture(const Figure& figure, const std::filesystem::path& path, const PictureStyle& style);
+/// The same of a sheet.
+void write_picture(const Sheet& sheet, const std::filesystem::path& path, const PictureStyle& style);
 
 }  // namespace sarsim::picture

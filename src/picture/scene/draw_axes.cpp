@@ -71,7 +71,7 @@ void put_mark_label(Pen& pen, const PicturePoint& origin, const PicturePoint& ma
   if (steep ? across_x < 0.0 : across_y < 0.0) across_x = -across_x, across_y = -across_y;
   pen.text(mark.x + pen.px(label_gap_px * across_x),
            mark.y + pen.px(label_gap_px * across_y + letter_drop_px * (1.0 + across_y)), words, Role::text, false,
-           !steep);
+           !steep, Drawing::Hold::spare);
 }
 
 // One axis from the world's origin with the mark at a round distance.

@@ -59,7 +59,8 @@ void put_distance(Pen& pen, const core::Vec3& one, const core::Vec3& other, doub
   if (length < 1.0 || !pen.visible(near)) return;
   const double out = pen.px(label_out_px) / length;
   pen.text(near.x + out * (near.x - far.x), near.y + out * (near.y - far.y) + pen.px(4.0),
-           scene::quantity_text(core::tidy(value_m, 6), scene::Quantity::length), Role::text, false, true);
+           scene::quantity_text(core::tidy(value_m, 6), scene::Quantity::length), Role::text, false, true,
+           Drawing::Hold::spare);
 }
 
 }  // namespace

@@ -150,7 +150,8 @@ void draw_radar(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& at) 
   pen.disc(at, radar_px + emphasis_px(pen, radar.id), pen.role_of(radar.id, Role::radar), true);
   pen.handle(radar.id, at);
   if (options.labels && !options.coarse)
-    pen.text(at.x, at.y + pen.px(24.0), radar.name, pen.role_of(radar.id, Role::radar), pen.selected(radar.id), true);
+    pen.text(at.x, at.y + pen.px(24.0), radar.name, pen.role_of(radar.id, Role::radar), pen.selected(radar.id), true,
+             Drawing::Hold::movable);
 }
 
 // --- Platforms ------------------------------------------------------------------------------------------------------
@@ -215,7 +216,9 @@ void draw_tone_bar(Pen& pen, const ToneRange& range) {
     pen.line({left + i * step, y, 0.0}, {left + (i + 1) * step, y, 0.0}, Role::track, 5.0, false,
              static_cast<std::uint8_t>(255 * i / (parts - 1)));
   const auto words = [&](double value) { return scene::quantity_text(core::tidy(value, 4), quantity); };
-  pen.text(left + 0.5 * pen.px(bar_width_px), y - pen.px(8.0), words(range.least) + " to " + words(range.most),
+  const std::string least = words(range.least);
+  const std::string most = words(range.most);
+  pen.text(left + 0.5 * pen.px(bar_width_px), y - pen.px(8.0), least == most ? least : least + " to " + most,
            Role::text, false, true);
 }
 
@@ -257,7 +260,8 @@ void draw_platform(Pen& pen, const Snapshot::Platform& platform) {
   pen.handle(platform.id, *at);
   if (!options.labels) return;
   const double above = at->y - pen.px(10.0);
-  pen.text(at->x, above, platform.name, pen.role_of(platform.id, Role::platform), pen.selected(platform.id), true);
+  pen.text(at->x, above, platform.name, pen.role_of(platform.id, Role::platform), pen.selected(platform.id), true,
+           Drawing::Hold::movable);
   pen.handle(platform.id, {at->x, above - pen.px(4.0), at->depth_m});
 }
 

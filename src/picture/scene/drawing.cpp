@@ -5,6 +5,7 @@
 
 #include "picture/scene/drawing_pen.hpp"
 #include "picture/scene/globe.hpp"
+#include "picture/scene/place_labels.hpp"
 #include "picture/scene/solids.hpp"
 
 namespace sarsim::picture {
@@ -60,6 +61,7 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
   draw_radars(pen, snapshot.radars);
   draw_platforms(pen, snapshot.platforms);
   draw_hands(pen);
+  place_labels(drawing.texts, camera, options.pixel_scale);
 }
 
 std::vector<core::Vec3> points_of(const Snapshot& snapshot) {

@@ -76,6 +76,12 @@ struct Drawing {
     Role role;
     bool outlined;
   };
+  /// What becomes of words where there is no room (`place_labels`).
+  enum class Hold {
+    fixed,    ///< They stay.
+    movable,  ///< They go up or down.
+    spare,    ///< They are left out.
+  };
   /// Words.
   struct Text {
     float x, y;  ///< Left end of the base line, or its middle.
@@ -83,6 +89,7 @@ struct Drawing {
     Role role;
     bool bold;
     bool centred;
+    Hold hold = Hold::fixed;
   };
   /// What can be picked: an object with a place of it. A platform has a second one at its name, because its radar
   /// covers its origin; the handle of a surface, at its centroid, says only that it was drawn.

@@ -152,9 +152,9 @@ void Pen::disc(const PicturePoint& at, double diameter_px, Role role, bool outli
       {static_cast<float>(at.x), static_cast<float>(at.y), static_cast<float>(px(diameter_px)), role, outlined});
 }
 
-void Pen::text(double x, double y, const std::string& words, Role role, bool bold, bool centred) {
+void Pen::text(double x, double y, const std::string& words, Role role, bool bold, bool centred, Drawing::Hold hold) {
   if (words.empty() || !visible({x, y, 0.0})) return;
-  drawing_.texts.push_back({static_cast<float>(x), static_cast<float>(y), words, role, bold, centred});
+  drawing_.texts.push_back({static_cast<float>(x), static_cast<float>(y), words, role, bold, centred, hold});
 }
 
 void Pen::handle(const scene::ObjectId& id, const PicturePoint& at, std::optional<std::size_t> path_point) {

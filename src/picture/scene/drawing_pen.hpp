@@ -42,7 +42,8 @@ class Pen {
   /// A disc about a point of the picture; its diameter in pixels of the screen.
   void disc(const PicturePoint& at, double diameter_px, Role role, bool outlined);
   /// Words at a place of the picture: the left end of their base line, or its middle.
-  void text(double x, double y, const std::string& words, Role role, bool bold, bool centred);
+  void text(double x, double y, const std::string& words, Role role, bool bold, bool centred,
+            Drawing::Hold hold = Drawing::Hold::fixed);
   /// Makes an object, or a point of its path, be picked at a point.
   void handle(const scene::ObjectId& id, const PicturePoint& at, std::optional<std::size_t> path_point = std::nullopt);
 

@@ -15,7 +15,7 @@ namespace sarsim::picture {
 namespace {
 
 constexpr int cell_deg = 2;
-constexpr double depth_m = -2000.0;   // a chord of a cell is 1 km below the ellipsoid at most
+constexpr double depth_m = -2000.0;   // of the corners; triangles reach 1.3 km deeper
 constexpr double dimmest_part = 0.9;  // of the colour, opposite of the anchor
 constexpr double curvature_px = 3.0;
 constexpr double line_px = 100.0;  // between meridians, about
@@ -85,7 +85,8 @@ void put_degrees(Pen& pen, const radar::EarthFrame& earth, double latitude, doub
                  bool beside) {
   const auto at = pen.project(earth.world_of(place_deg(latitude, longitude, 0.0)));
   if (!at || pen.hides(*at)) return;
-  pen.text(at->x + (beside ? pen.px(4.0) : 0.0), at->y - pen.px(4.0), words, Role::text, false, !beside);
+  pen.text(at->x + (beside ? pen.px(4.0) : 0.0), at->y - pen.px(4.0), words, Role::text, false, !beside,
+           Drawing::Hold::spare);
 }
 
 }  // namespace
