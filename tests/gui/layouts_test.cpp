@@ -66,6 +66,22 @@ class LayoutsTest : public QObject {
     QVERIFY(left(echoes) + echoes->width() <= left(image));
   }
 
+  // The window must not grow beyond the screen when the script is asked for.
+  void the_script_and_its_search_fit_beside_them() {
+    gui::MainWindow window;
+    window.use_layout("views");
+    window.resize(1280, 680);
+    window.show();
+    QVERIFY(window.documents().open_file(example("satellite.toml")));
+    window.simulation_windows().open_new(scene::Processing::raw);
+    window.findChild<QAction*>("display_script")->trigger();
+    window.findChild<QAction*>("script_find")->trigger();
+    QTest::qWait(50);
+    QVERIFY(window.findChild<QWidget*>("find_text")->isVisible());
+    QVERIFY2(window.width() <= 1280 && window.height() <= 680,
+             qPrintable(QString("%1 x %2").arg(window.width()).arg(window.height())));
+  }
+
   void a_layout_that_is_saved_comes_back_and_can_be_left() {
     gui::MainWindow window;
     window.show();

@@ -80,8 +80,12 @@ class Screen:
 
     def differing_pixels(self, one, other, rows=SIZE[1]):
         """How many pixels of the upper rows differ by more than 5 %."""
-        upper = f"[{SIZE[0]}x{rows}+0+0]"
-        done = subprocess.run(["compare", "-metric", "AE", "-fuzz", "5%", f"{one}{upper}", f"{other}{upper}", "null:"],
+        return self.differing_in(one, other, (0, 0, SIZE[0], rows))
+
+    def differing_in(self, one, other, area):
+        """The same of a part of the screen: left, top, width, height."""
+        part = "[{2}x{3}+{0}+{1}]".format(*area)
+        done = subprocess.run(["compare", "-metric", "AE", "-fuzz", "5%", f"{one}{part}", f"{other}{part}", "null:"],
                               env=self.environment, capture_output=True, text=True, timeout=PATIENCE_S)
         return int(float(done.stderr.split()[0]))
 

@@ -1,7 +1,6 @@
 #include "gui/common/find_bar.hpp"
 
 #include <QCheckBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -9,7 +8,15 @@
 #include <QTextBlock>
 #include <QToolButton>
 
+#include "gui/common/flow_layout.hpp"
+
 namespace sarsim::gui {
+
+namespace {
+
+constexpr int shortest_line_letters = 24;
+
+}  // namespace
 
 FindBar::FindBar(QPlainTextEdit* text, QWidget* parent)
     : QWidget(parent),
@@ -36,9 +43,10 @@ FindBar::FindBar(QPlainTextEdit* text, QWidget* parent)
   QToolButton* previous = button("find_previous", tr("Previous"), tr("Find the previous place (Shift+F3)"));
   QToolButton* next = button("find_next", tr("Next"), tr("Find the next place (F3)"));
   QToolButton* close = button("find_close", tr("Close"), tr("Close the search (Esc)"));
-  auto* layout = new QHBoxLayout(this);
+  auto* layout = new FlowLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(word_, 1);
+  word_->setMinimumWidth(word_->fontMetrics().averageCharWidth() * shortest_line_letters);
+  layout->addWidget(word_);
   for (QWidget* widget : {static_cast<QWidget*>(previous), static_cast<QWidget*>(next), static_cast<QWidget*>(case_),
                           static_cast<QWidget*>(result_), static_cast<QWidget*>(close)})
     layout->addWidget(widget);

@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QSplitter>
@@ -16,6 +15,7 @@
 #include <utility>
 
 #include "gui/common/find_bar.hpp"
+#include "gui/common/flow_layout.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/script/script_completer.hpp"
 #include "gui/script/script_text.hpp"
@@ -81,7 +81,7 @@ ScriptEditor::ScriptEditor(Session& session, QWidget* parent)
 ScriptEditor::~ScriptEditor() { text_->disconnect(); }
 
 void ScriptEditor::lay_out() {
-  auto* tools = new QHBoxLayout;
+  auto* tools = new FlowLayout;
   const int gap = fontMetrics().height() / 3;
   tools->setContentsMargins(gap, gap, gap, 0);
   for (QAction* action : {find_, copy_command_}) {
@@ -92,7 +92,6 @@ void ScriptEditor::lay_out() {
     button->setAccessibleName(action->text());
     tools->addWidget(button);
   }
-  tools->addStretch(1);
   tools->addWidget(state_);
   tools->addWidget(position_);
   auto* split = new QSplitter(Qt::Vertical, this);
