@@ -181,7 +181,7 @@ class Chapter3Test : public QObject {
     QCOMPARE(hands.shown("name"), QString("Radar1"));
     QCOMPARE(hands.shown("platform"), QString("Earth"));
     QCOMPARE(hands.shown("bandwidth_hz"), QString("50 MHz"));
-    QCOMPARE(hands.shown("pulse_width_s"), QString("5 us"));
+    QCOMPARE(hands.shown("pulse_width_s"), QString("5 µs"));
     QCOMPARE(hands.shown("prf_hz"), QString("1 kHz"));
     QCOMPARE(hands.shown("carrier_hz"), QString("1 GHz"));
     QCOMPARE(hands.shown("power_w"), QString("1 kW"));

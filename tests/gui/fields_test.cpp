@@ -11,6 +11,7 @@
 #include <set>
 
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
 #include "scene/edit/edit.hpp"
@@ -243,16 +244,16 @@ class FieldsTest : public QObject {
   void what_stands_in_the_script_is_shown() {
     every_field([&](Bench& bench, const Case& one) {
       const std::string before = bench.session.document().text();
-      QCOMPARE(bench.shown(one.field), QString::fromStdString(scene::field_text(one.object, one.field.id)));
+      QCOMPARE(bench.shown(one.field), gui::display_of(scene::field_text(one.object, one.field.id)));
       for (const Entry& entry : entries_for(one)) {
         // The text as the edit would write it, typed by hand.
         scene::Document other = scene::Document::from_text(before);
         other.perform(scene::replace_object(other.scene(), bench.id, entry.after, ""));
         bench.session.type_text(other.text());
-        QVERIFY2(bench.shown(one.field) == QString::fromStdString(scene::field_text(entry.after, one.field.id)),
+        QVERIFY2(bench.shown(one.field) == gui::display_of(scene::field_text(entry.after, one.field.id)),
                  where(one, entry.text + ": " + bench.shown(one.field)).c_str());
         bench.session.type_text(before);
-        QVERIFY2(bench.shown(one.field) == QString::fromStdString(scene::field_text(one.object, one.field.id)),
+        QVERIFY2(bench.shown(one.field) == gui::display_of(scene::field_text(one.object, one.field.id)),
                  where(one, entry.text).c_str());
       }
     });
@@ -290,8 +291,7 @@ class FieldsTest : public QObject {
         QVERIFY2(bench.widget(one.field)->accessibleDescription().startsWith("Error: "), place.c_str());
         ++refused;
         QTest::keyClick(bench.widget(one.field), Qt::Key_Escape);
-        QVERIFY2(bench.shown(one.field) == QString::fromStdString(scene::field_text(one.object, one.field.id)),
-                 place.c_str());
+        QVERIFY2(bench.shown(one.field) == gui::display_of(scene::field_text(one.object, one.field.id)), place.c_str());
         QVERIFY2(!bench.words_at(one.field).contains(typed), place.c_str());
       }
     });
@@ -346,9 +346,9 @@ class FieldsTest : public QObject {
         QVERIFY2(scene_of(bench.session.document().text()) == bench.session.scene(), field.id.c_str());
         const std::string after = bench.session.document().text();
         bench.session.type_text(before);
-        QCOMPARE(bench.shown(field), QString::fromStdString(scene::field_text(scene::RunOptions{}, field.id)));
+        QCOMPARE(bench.shown(field), gui::display_of(scene::field_text(scene::RunOptions{}, field.id)));
         bench.session.type_text(after);
-        QCOMPARE(bench.shown(field), QString::fromStdString(scene::field_text(wanted, field.id)));
+        QCOMPARE(bench.shown(field), gui::display_of(scene::field_text(wanted, field.id)));
       }
     }
     for (const char* text : {"-1", "18446744073709551616", "1.5", "much"}) {

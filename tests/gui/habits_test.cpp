@@ -12,7 +12,6 @@
 #include <QTabBar>
 #include <QtTest>
 
-#include "gui/frame/command_list.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/frame/pictures.hpp"

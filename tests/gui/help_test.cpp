@@ -118,9 +118,9 @@ class HelpTest : public QObject {
     QTest::newRow("targets") << "targets" << workbench << "Many targets";
     QTest::newRow("import") << "import" << workbench << "Many targets";
     QTest::newRow("function") << "function" << workbench << "Functions";
-    QTest::newRow("commands") << "commands"
-                              << "guide/windows.md"
-                              << "";
+    QTest::newRow("commands") << "commands" << workbench << "Search";
+    QTest::newRow("welcome") << "welcome" << workbench << "The first minutes";
+    QTest::newRow("tour") << "tour" << workbench << "The first minutes";
   }
 
   void f1_opens_the_page_of_the_window_that_has_the_keyboard() {
@@ -141,6 +141,44 @@ class HelpTest : public QObject {
     QVERIFY(help != nullptr);
     QCOMPARE(Bench::page(*help), page);
     if (!heading.isEmpty()) QCOMPARE(help->heading(), heading);
+  }
+
+  void the_button_help_of_a_dialog_does_what_f1_does() {
+    Bench bench;
+    for (const char* name : {"function", "import", "targets"}) {
+      QWidget* shown = bench.window.window_named(name);
+      shown->show();
+      auto* button = shown->findChild<QPushButton*>("help_button");
+      QVERIFY2(button != nullptr, name);
+      QTest::mouseClick(button, Qt::LeftButton);
+      const auto* help = bench.window.findChild<gui::HelpWindow*>("help_window");
+      QVERIFY2(help != nullptr && help->isVisible(), name);
+      QCOMPARE(help->heading(), QString(name) == "function" ? QString("Functions") : QString("Many targets"));
+    }
+  }
+
+  void pictures_fit_the_window_and_words_are_found() {
+    Bench bench;
+    auto* help = qobject_cast<gui::HelpWindow*>(bench.window.window_named("help"));
+    QVERIFY(help != nullptr);
+    help->resize(500, 400);
+    help->show();
+    QVERIFY(QTest::qWaitForWindowExposed(help));
+    help->show_page("guide/workbench.md");
+    QCoreApplication::processEvents();
+    auto* page = help->findChild<QTextBrowser*>();
+    QVERIFY(page->document()->size().width() <= page->viewport()->width() + 1);
+    auto* find = help->findChild<QLineEdit*>("help_find");
+    QTest::keyClicks(find, "scrubber");
+    const int first = page->textCursor().selectionStart();
+    QCOMPARE(page->textCursor().selectedText(), QString("scrubber"));
+    QTest::keyClick(find, Qt::Key_Return);
+    QCOMPARE(page->textCursor().selectedText(), QString("scrubber"));
+    find->clear();
+    QTest::keyClicks(find, "no such word");
+    QVERIFY(!page->textCursor().hasSelection());
+    QVERIFY(find->palette().color(QPalette::Text) != help->palette().color(QPalette::Text));
+    QVERIFY(first > 0);
   }
 
   void f1_in_the_scene_and_in_the_bar_of_the_time_differ() {

@@ -17,6 +17,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/gui_test.hpp"
 #include "gui/objects/property_panel.hpp"
+#include "picture/facts/display_text.hpp"
 #include "scene/language/recorded_text.hpp"
 #include "scene/script/reader.hpp"
 #include "small_scene.hpp"
@@ -169,7 +170,7 @@ void round_trip(const scene::AnyObject& object, const scene::Field& field) {
     QCOMPARE(wanted[0][1].toString().toStdString(), field.id);
     return;
   }
-  QCOMPARE(shown_in(widget), scene::field_text(object, field.id));
+  QCOMPARE(shown_in(widget), picture::display_text(scene::field_text(object, field.id)));
   const std::string value = another_value(object, field);
   QVERIFY2(!value.empty(), where.c_str());
   const scene::Scene before = bench.session.scene();
@@ -179,13 +180,13 @@ void round_trip(const scene::AnyObject& object, const scene::Field& field) {
 
   enter(widget, value);
   QVERIFY2(scene::object_of(bench.session.scene(), id) == expected, where.c_str());
-  QCOMPARE(shown_in(widget), scene::field_text(expected, field.id));
+  QCOMPARE(shown_in(widget), picture::display_text(scene::field_text(expected, field.id)));
   const scene::ScriptReading reading = scene::read_script(bench.session.document().text(), "test.scr", {});
   QVERIFY2(reading.scene == bench.session.scene(), where.c_str());
   bench.session.undo();
   QVERIFY2(bench.session.scene() == before, where.c_str());
   QCOMPARE(bench.session.document().text(), text_before);
-  QCOMPARE(shown_in(widget), scene::field_text(object, field.id));
+  QCOMPARE(shown_in(widget), picture::display_text(scene::field_text(object, field.id)));
 }
 
 }  // namespace
@@ -296,7 +297,7 @@ class PanelTest : public QObject {
     bench.session.select_only(test::target(1));
     QCOMPARE(bench.session.scene().targets[0].rcs_m2, 7.0);
     QCOMPARE(bench.session.scene().targets[1].rcs_m2, 1.0);
-    QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m2"));
+    QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m²"));
     bench.type("rcs_m2", "8 m2", false);
     bench.session.select_only(test::radar(0));
     QCOMPARE(bench.session.scene().targets[1].rcs_m2, 8.0);
@@ -406,7 +407,7 @@ class PanelTest : public QObject {
     QLineEdit* edit = bench.line("rcs_m2");
     edit->setFocus();
     QTest::keyClick(edit, Qt::Key_Down);
-    QCOMPARE(edit->text(), QString("0.9 m2"));
+    QCOMPARE(edit->text(), QString("0.9 m\u00B2"));
     for (int i = 0; i < 10; ++i) QTest::keyClick(edit, Qt::Key_Down);
     QVERIFY(bench.session.scene().targets[0].rcs_m2 > 0.0);
     bench.session.select_only({scene::ObjectKind::simulation, 0});
@@ -437,7 +438,7 @@ class PanelTest : public QObject {
     Bench bench;
     bench.session.select({test::target(0), test::target(1), test::target(2)});
     QCOMPARE(bench.title(), QString("3 targets"));
-    QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m2"));
+    QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m²"));
     QCOMPARE(bench.line("position_m.x")->text(), QString());
     QCOMPARE(bench.line("position_m.x")->placeholderText(), QString("(different)"));
     QCOMPARE(qobject_cast<QComboBox*>(bench.field("platform"))->currentIndex(), -1);
@@ -604,7 +605,7 @@ class PanelTest : public QObject {
     timer.start();
     bench.session.select(all);
     qInfo() << "10000 targets in the panel:" << timer.elapsed() << "ms";
-    QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m2"));
+    QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m²"));
     QVERIFY(timer.elapsed() < 5000);
   }
 };

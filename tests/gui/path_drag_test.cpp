@@ -132,7 +132,7 @@ class PathDragTest : public QObject {
     QVERIFY(!place(flat)->isVisible());
     flat.hover(flat.pixel_of({500.0, -700.0, 0.0}));
     QVERIFY(place(flat)->isVisible());
-    QCOMPARE(place(flat)->text(), QString("x 500 m  y -700 m  z 0 m"));
+    QCOMPARE(place(flat)->text(), QString("x 500 m  y \u2212700 m  z 0 m"));
     flat.hover(flat.pixel_of(flat.points()[1]));
     QCOMPARE(place(flat)->text(), QString("x 0 m  y 1 km  z 1 km"));
     QEvent leave(QEvent::Leave);

@@ -144,7 +144,7 @@ class TypedPanelTest : public QObject {
     QVERIFY(bench.reset("rcs_m2")->isVisible());
     bench.reset("rcs_m2")->trigger();
     QVERIFY(!bench.says("rcs"));
-    QCOMPARE(bench.field("rcs_m2")->text(), QString("1 m2"));
+    QCOMPARE(bench.field("rcs_m2")->text(), QString("1 m²"));
     QVERIFY(is_grey(bench.field("rcs_m2"), QPalette::Text));
     QVERIFY(!bench.reset("rcs_m2")->isVisible());
     bench.session.undo();

@@ -39,6 +39,7 @@
 #include "gui/script/script_coding.hpp"
 #include "gui/script/script_editor.hpp"
 #include "gui/script/script_text.hpp"
+#include "gui/start/tour_panel.hpp"
 #include "scene/edit/edit_test_support.hpp"
 #include "scene/script/reader.hpp"
 #include "small_scene.hpp"
@@ -250,11 +251,22 @@ void take_best_lsb(gui::MainWindow& window) {
 
 const std::set<scene::ObjectId> some{platform(1), target(0)};
 
+// "Show Me" of the step that types the cross-section of the newest target.
+void take_tour_step(gui::MainWindow& window) {
+  auto* tour = qobject_cast<gui::TourPanel*>(window.window_named("tour"));
+  tour->begin();
+  tour->show();
+  for (int step = 0; step < 4; ++step) tour->findChild<QPushButton*>("tour_next")->click();
+  tour->findChild<QPushButton*>("tour_show")->click();
+  tour->close();
+}
+
 const Command all_commands[] = {
     {"main_window.cpp", "new target", {}, [](gui::MainWindow& w) { trigger(w, "new_target"); }},
     {"main_window.cpp", "new platform", {}, [](gui::MainWindow& w) { trigger(w, "new_platform"); }},
     {"main_window.cpp", "new radar", {}, [](gui::MainWindow& w) { trigger(w, "new_radar"); }},
     {"main_window.cpp", "new surface", {}, [](gui::MainWindow& w) { trigger(w, "new_surface"); }},
+    {"main_start.cpp", "a step of the tour", {}, take_tour_step},
     {"data_saver.cpp", "settings to the script only", {}, save_settings_only},
     {"simulation_window.cpp",
      "store a simulation",

@@ -72,6 +72,9 @@ ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
   }
   const scene::StartingScene& scene = chosen(arguments.purpose);
   const scene::Language language = language_of(arguments);
+  if (language == scene::Language::script && scene.script.empty())
+    throw core::Refused(fmt::format("the language of 1998 cannot say the scene for '{}'", scene.purpose),
+                        "leave out --language, and end the name with .toml");
   const std::filesystem::path path =
       arguments.output.empty() ? fmt::format("{}{}", scene.stem, ending_of(language)) : arguments.output;
   workflow::expect_free_outputs({path}, {{}, arguments.force, "-o"});

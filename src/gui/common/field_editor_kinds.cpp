@@ -19,6 +19,7 @@
 #include "gui/common/field_editor.hpp"
 #include "gui/common/palette_colours.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 
 namespace sarsim::gui {
 
@@ -31,7 +32,7 @@ QString rounded_text(const QString& value, scene::Quantity quantity) {
   constexpr int digits = 5;
   const scene::QuantityReading reading = scene::read_quantity(value.toStdString(), quantity);
   if (!reading.value) return value;
-  return QString::fromStdString(scene::quantity_text(core::tidy(*reading.value, digits), quantity));
+  return read_out(scene::quantity_text(core::tidy(*reading.value, digits), quantity));
 }
 
 // The values that keys may step to: magnitudes do not become nothing, nor negative, because an arrow was pressed once
@@ -114,12 +115,16 @@ class LineField : public FieldEditor {
 
  protected:
   void display() override {
-    displayed_ = different_ ? QString() : content_.expression.isEmpty() ? content_.value : content_.expression;
+    displayed_ = different_ ? QString() : content_.expression.isEmpty() ? value_text() : content_.expression;
     edit_->setPlaceholderText(different_ ? different_text() : QString());
     if (edit_->text() == displayed_) return show_result();
     edit_->setText(displayed_);
     // Of a long text the beginning matters; the caret stays where somebody types.
     if (!edit_->hasFocus()) edit_->setCursorPosition(0);
+  }
+
+  [[nodiscard]] QString value_text() const {
+    return field().kind == scene::FieldKind::quantity ? display_of(content_.value.toStdString()) : content_.value;
   }
 
   // During a run of steps the unit stays as it was: 999 MHz is followed by 1000 MHz, not by 1 GHz and 2 GHz.

@@ -12,6 +12,7 @@
 
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 
 namespace sarsim::gui {
 
@@ -90,7 +91,7 @@ void show_row(QFormLayout* form, QWidget* field, bool shown) {
 
 void show_number(QLineEdit* field, double value, scene::Quantity kind) {
   if (field->isModified() && field->hasFocus()) return;
-  field->setText(QString::fromStdString(scene::quantity_text(value, kind)));
+  field->setText(display_of(scene::quantity_text(value, kind)));
   field->setCursorPosition(0);
   field->setModified(false);
 }

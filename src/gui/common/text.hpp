@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "picture/facts/display_text.hpp"
+
 namespace sarsim::gui {
 
 /// A text, in UTF-8, as Qt has it.
@@ -13,6 +15,14 @@ namespace sarsim::gui {
 }
 
 [[nodiscard]] inline QString text_of(const std::string& text) { return QString::fromStdString(text); }
+
+/// A quantity as a field shows it, with µ and ² (picture/facts/display_text.hpp).
+[[nodiscard]] inline QString display_of(const std::string& quantity) {
+  return text_of(picture::display_text(quantity));
+}
+
+/// The same where it is only read, with the sign of minus.
+[[nodiscard]] inline QString read_out(const std::string& quantity) { return text_of(picture::read_out_text(quantity)); }
 
 /// A path as people read it.
 [[nodiscard]] inline QString text_of(const std::filesystem::path& path) { return text_of(path.string()); }

@@ -165,7 +165,7 @@ void EchoControls::make_colour_group(QFormLayout* form) {
 
 void EchoControls::make_reference_rows(QFormLayout* form) {
   reference_ = add_list(form, {tr("0 dB is"), "echo_reference", tr("What decibels count from")},
-                        {tr("the largest magnitude"), tr("a voltage")}, [](picture::EchoWindow& w, int index) {
+                        {tr("the largest value"), tr("a voltage")}, [](picture::EchoWindow& w, int index) {
                           w.decibels.reference = static_cast<picture::Decibels::Reference>(index);
                         });
   reference_v_ = rows_.add_number(

@@ -56,7 +56,7 @@ QString read_out_text(const picture::ReadOut& read) {
 QString difference_text(const picture::CursorDifference& d) {
   constexpr int digits = 9;
   const auto text = [](double value, scene::Quantity kind) {
-    return text_of(scene::quantity_text(core::tidy(value, digits), kind));
+    return read_out(scene::quantity_text(core::tidy(value, digits), kind));
   };
   QStringList parts{"Range " + text(d.range_m, scene::Quantity::length),
                     "Delay " + text(d.delay_s, scene::Quantity::time), "Time " + text(d.time_s, scene::Quantity::time),

@@ -91,6 +91,7 @@ bool DocumentKeeper::open_example(const QString& path) {
   // What stands in files beside the example is not found from a copy.
   if (example.path().empty() || core::has_errors(copy.problems())) return open_file(path);
   session_.take(std::move(copy));
+  if (core::has_errors(session_.document().problems())) return open_file(path);
   example_ = QFileInfo(path).fileName();
   emit session_.document_changed();
   session_.log(core::Severity::note, tr("Opened a copy of the example %1").arg(QFileInfo(path).fileName()));
@@ -101,6 +102,14 @@ QString DocumentKeeper::shown_name() const {
   const std::filesystem::path& path = session_.document().path();
   if (!path.empty()) return text_of(path);
   return example_.isEmpty() ? tr("New scene") : tr("%1 (copy of the example)").arg(example_);
+}
+
+bool DocumentKeeper::begin_with(const scene::StartingScene& starting) {
+  session_.take(scene::Document::from_text(std::string(starting.format_2)));
+  example_.clear();
+  emit session_.document_changed();
+  session_.log(core::Severity::note, tr("A new scene: %1").arg(text_of(starting.meaning)));
+  return true;
 }
 
 bool DocumentKeeper::save() {

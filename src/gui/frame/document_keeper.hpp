@@ -13,6 +13,7 @@
 #include "gui/common/session.hpp"
 #include "scene/edit/document_data.hpp"
 #include "scene/edit/recovery.hpp"
+#include "scene/edit/starting_scenes.hpp"
 
 class QWidget;
 
@@ -54,6 +55,8 @@ class DocumentKeeper : public QObject {
   bool open_file(const QString& name);
   /// Opens a copy without a file, so that saving it does not change the example.
   bool open_example(const QString& path);
+  /// Begins a new document with a scene that the program carries.
+  bool begin_with(const scene::StartingScene& starting);
   bool save();
   bool save_as();
   bool save_to(const QString& name);

@@ -37,7 +37,9 @@ constexpr NamedPlace places[] = {
     {"script_editor", "formats/scene.md", ""},
     {"geometry_window", "formats/geometry-table.md", ""},
     {"log_panel", "guide/troubleshooting.md", ""},
-    {"command_list", "guide/windows.md", ""},
+    {"search_box", workbench, "Search"},
+    {"welcome_page", workbench, "The first minutes"},
+    {"tour", workbench, "The first minutes"},
 };
 
 }  // namespace
@@ -58,6 +60,10 @@ std::vector<HelpPlace> all_help_places() {
 HelpKey::HelpKey(QObject* parent) : QObject(parent) { qApp->installEventFilter(this); }
 
 bool HelpKey::eventFilter(QObject* watched, QEvent* event) {
+  if (auto* button = qobject_cast<QWidget*>(watched); button != nullptr && event->type() == QEvent::HelpRequest) {
+    emit pressed(button);
+    return true;
+  }
   if (event->type() != QEvent::KeyPress || QApplication::activePopupWidget() != nullptr)
     return QObject::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);

@@ -5,6 +5,8 @@
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFileInfo>
+#include <QImage>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QTextBlock>
@@ -14,17 +16,38 @@
 #include <QTextTable>
 #include <QVBoxLayout>
 
+#include "gui/common/palette_colours.hpp"
 #include "gui/frame/guide_site.hpp"
 
 namespace sarsim::gui {
 
 namespace {
 
+// Pictures that are wider than the window are shown smaller.
+class GuidePage : public QTextBrowser {
+ public:
+  QVariant loadResource(int type, const QUrl& name) override {
+    const QVariant resource = QTextBrowser::loadResource(type, name);
+    if (type != QTextDocument::ImageResource) return resource;
+    QImage picture = resource.userType() == QMetaType::QByteArray ? QImage::fromData(resource.toByteArray())
+                                                                  : resource.value<QImage>();
+    if (picture.isNull()) return resource;
+    // With room for the scroll bar, which may come later.
+    const int bar = verticalScrollBar()->sizeHint().width();
+    const int most = width() - 2 * frameWidth() - bar - 3 * static_cast<int>(document()->documentMargin());
+    const double scale = devicePixelRatioF();
+    if (most < fontMetrics().height() || picture.width() <= most) return picture;
+    picture = picture.scaledToWidth(qRound(most * scale), Qt::SmoothTransformation);
+    picture.setDevicePixelRatio(scale);
+    return picture;
+  }
+};
+
 bool is_heading(const QTextBlock& block) { return block.blockFormat().headingLevel() > 0; }
 
 }  // namespace
 
-HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new QTextBrowser) {
+HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new GuidePage), find_(new QLineEdit) {
   setObjectName("help_window");
   setWindowTitle(tr("Help"));
   browser_->setObjectName("help_page");
@@ -37,13 +60,21 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new QTextBro
   auto* back = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
   auto* home = buttons->addButton(tr("&Contents"), QDialogButtonBox::ActionRole);
   buttons->addButton(QDialogButtonBox::Close);
+  for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   back->setEnabled(false);
   connect(browser_, &QTextBrowser::anchorClicked, this, &HelpWindow::follow);
   connect(browser_, &QTextBrowser::backwardAvailable, back, &QWidget::setEnabled);
   connect(back, &QPushButton::clicked, browser_, &QTextBrowser::backward);
   connect(home, &QPushButton::clicked, this, [this] { show_page("README.md"); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+  find_->setObjectName("help_find");
+  find_->setPlaceholderText(tr("Find in this page"));
+  find_->setAccessibleName(tr("Find in this page"));
+  find_->setToolTip(tr("Enter goes on to the next place. Ctrl+K in the main window finds pages and headings."));
+  connect(find_, &QLineEdit::textEdited, this, [this] { find_next(true); });
+  connect(find_, &QLineEdit::returnPressed, this, [this] { find_next(false); });
   auto* layout = new QVBoxLayout(this);
+  layout->addWidget(find_);
   layout->addWidget(browser_);
   layout->addWidget(buttons);
   resize(fontMetrics().averageCharWidth() * 100, fontMetrics().height() * 40);
@@ -96,6 +127,21 @@ bool HelpWindow::scroll_to(const QString& anchor) {
     return true;
   }
   return false;
+}
+
+// Round the end; in red where there is no such place.
+void HelpWindow::find_next(bool from_here) {
+  QTextCursor cursor = browser_->textCursor();
+  if (from_here) cursor.setPosition(cursor.selectionStart());
+  browser_->setTextCursor(cursor);
+  bool found = find_->text().isEmpty() || browser_->find(find_->text());
+  if (!found) {
+    browser_->moveCursor(QTextCursor::Start);
+    found = browser_->find(find_->text());
+  }
+  QPalette colours = palette();
+  if (!found) colours.setColor(QPalette::Text, colour_of(picture::Role::error, colours));
+  find_->setPalette(colours);
 }
 
 QString HelpWindow::heading() const {

@@ -2,6 +2,7 @@
 
 #include <QDialog>
 
+class QLineEdit;
 class QTextBrowser;
 class QUrl;
 
@@ -26,8 +27,10 @@ class HelpWindow : public QDialog {
   bool scroll_to(const QString& anchor);
   void follow(const QUrl& link);
   void lay_out_tables();
+  void find_next(bool from_here);
 
   QTextBrowser* browser_;
+  QLineEdit* find_;
 };
 
 }  // namespace sarsim::gui

@@ -15,6 +15,7 @@
 
 #include "core/build/build.hpp"
 #include "core/os/standard_streams.hpp"
+#include "gui/common/icons.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/frame/pictures.hpp"
@@ -159,5 +160,7 @@ int main(int argc, char** argv) {
   QApplication::setStyle(sarsim::gui::make_style());
   QCoreApplication::setOrganizationName("Sarsim");
   QCoreApplication::setApplicationName("sarsim-gui");
+  QApplication::setWindowIcon(sarsim::gui::program_icon());
+  QApplication::setDesktopFileName("sarsim-gui");
   return run(application, options);
 }

@@ -90,7 +90,7 @@ void MainWindow::size_docks() {
   const bool left = dockWidgetArea(docks_["properties"]) == Qt::LeftDockWidgetArea;
   const auto share = [&](double part, int most) { return std::min(static_cast<int>(part * width), most); };
   resizeDocks({docks_["objects"], docks_["properties"]},
-              {share(left ? 0.22 : 0.16, letter * 52), share(left ? 0.22 : 0.22, letter * 62)}, Qt::Horizontal);
+              {share(left ? 0.22 : 0.16, letter * 52), share(0.23, letter * 64)}, Qt::Horizontal);
   const int view = share(views ? 0.26 : 0.34, width);
   resizeDocks({docks_["echoes"], docks_["image"]}, {view, view}, Qt::Horizontal);
   if (left) resizeDocks({docks_["objects"], docks_["properties"]}, {height() * 2 / 5, height() * 3 / 5}, Qt::Vertical);

@@ -1,5 +1,6 @@
 // The menus, the tool bar and the small dialogs of the main window.
 
+#include <qcustomplot.h>
 #include <QActionGroup>
 #include <QApplication>
 #include <QComboBox>
@@ -14,19 +15,19 @@
 #include <QMessageBox>
 #include <QSettings>
 #include <QTimer>
-#include <QToolBar>
 
 #include "core/build/version.hpp"
 #include "core/maths/rounding.hpp"
+#include "gui/common/icons.hpp"
 #include "gui/echo/data_saver.hpp"
 #include "gui/echo/radar_view_window.hpp"
 #include "gui/echo/simulation_window.hpp"
 #include "gui/echo/simulation_windows.hpp"
-#include "gui/frame/command_list.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/help_key.hpp"
 #include "gui/frame/help_window.hpp"
 #include "gui/frame/main_window.hpp"
+#include "gui/frame/tool_bar.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/image/open_image_dialog.hpp"
@@ -43,6 +44,9 @@
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
 #include "gui/script/script_editor.hpp"
+#include "gui/start/search_box.hpp"
+#include "gui/start/tour_panel.hpp"
+#include "gui/start/welcome_page.hpp"
 #include "picture/figure/ticks.hpp"
 #include "scene/schema/fields.hpp"
 
@@ -80,6 +84,38 @@ void MainWindow::add_switch(QMenu* menu, const QString& text, const char* name, 
   });
 }
 
+// Icons of commands: in menus, and in the tool bar, where some have shorter words.
+void MainWindow::give_icons() {
+  struct Look {
+    const char* action;
+    const char* icon;
+    QString words;  // in the tool bar; empty: those of the menu
+  };
+  const Look looks[] = {{"file_new", "new", {}},
+                        {"file_open", "open", tr("Open")},
+                        {"file_save", "save", {}},
+                        {"edit_undo", "undo", tr("Undo")},
+                        {"edit_redo", "redo", tr("Redo")},
+                        {"edit_search", "search", tr("Search")},
+                        {"new_target", "target", tr("Target")},
+                        {"new_surface", "surface", tr("Surface")},
+                        {"new_platform", "platform", tr("Platform")},
+                        {"new_radar", "radar", tr("Radar")},
+                        {"view_focus", "focus", tr("Focus")},
+                        {"view_fit", "fit", tr("Show All")},
+                        {"simulation_raw", "echoes", tr("Echoes")},
+                        {"display_products", "image", tr("Image")},
+                        {"simulation_run", "run", tr("Run")},
+                        {"help_welcome", "welcome", {}},
+                        {"help_tour", "tour", {}},
+                        {"help_contents", "help", tr("Help")}};
+  for (const Look& look : looks)
+    if (auto* action = findChild<QAction*>(look.action)) {
+      action->setIcon(icon_of(look.icon));
+      if (!look.words.isEmpty()) action->setIconText(look.words);
+    }
+}
+
 void MainWindow::make_menus() {
   make_file_menu();
   make_edit_menu();
@@ -87,6 +123,7 @@ void MainWindow::make_menus() {
   make_simulation_menu();
   make_view_menu();
   make_help_menu();
+  give_icons();
 }
 
 void MainWindow::make_file_menu() {
@@ -142,9 +179,6 @@ void MainWindow::make_edit_menu() {
     session_.undo();
   });
   QAction* redo = add_action(edit, tr("&Redo"), "edit_redo", QKeySequence::Redo, [this] { session_.redo(); });
-  // Buttons of the tool bar stay where they are, whatever is undone.
-  undo->setIconText(tr("Undo"));
-  redo->setIconText(tr("Redo"));
   redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
   const auto show = [this, undo, redo] {
     const scene::History& history = session_.document().history();
@@ -182,9 +216,10 @@ void MainWindow::make_edit_menu() {
     docks_["properties"]->raise();
   });
   edit->addSeparator();
-  add_action(
-      edit, tr("&Commands…"), "edit_commands", QKeySequence("Ctrl+Shift+P"), [this] { show_commands(); },
-      tr("Find a command by its name"));
+  QAction* search = add_action(
+      edit, tr("Searc&h…"), "edit_search", QKeySequence("Ctrl+K"), [this] { show_search(); },
+      tr("Find a command, a field of the scene or a page of the guide by a few letters"));
+  search->setShortcuts({QKeySequence("Ctrl+K"), QKeySequence("Ctrl+Shift+P")});
 }
 
 void MainWindow::make_geometry_menu() {
@@ -350,26 +385,33 @@ void MainWindow::make_help_menu() {
       tr("The page of the guide for the panel that has the keyboard"));
   connect(new HelpKey(this), &HelpKey::pressed, this,
           [this](const QWidget* where) { show_help(help_place_of(where)); });
+  help->addSeparator();
+  add_action(
+      help, tr("W&elcome"), "help_welcome", {}, [this] { show_welcome(); },
+      tr("Examples as pictures, scenes to begin with, recent files"));
+  add_action(
+      help, tr("&Tour"), "help_tour", {}, [this] { show_tour(); },
+      tr("The first example of the thesis, step by step: one radar, one target and its echo"));
+  help->addSeparator();
   add_action(help, tr("&About"), "help_about", {}, [this] { show_about(); });
 }
 
 void MainWindow::make_tool_bar() {
-  QToolBar* bar = addToolBar(tr("Tools"));
+  auto* bar = new ToolBar(tr("Tools"));
+  addToolBar(bar);
   bar->setObjectName("tool_bar");
-  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
-  const auto put = [&](const char* name) { bar->addAction(findChild<QAction*>(name)); };
-  for (const char* name : {"file_open", "file_save"}) put(name);
-  bar->addSeparator();
-  for (const char* name : {"edit_undo", "edit_redo"}) put(name);
-  bar->addSeparator();
-  for (const char* name : {"new_target", "new_surface", "new_platform", "new_radar"}) put(name);
-  bar->addSeparator();
-  for (const char* name : {"view_focus", "view_fit", "simulation_run"}) put(name);
-  auto* gap = new QWidget(bar);
-  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(gap);
-  put("help_contents");
-  findChild<QAction*>("help_contents")->setIconText(tr("Help"));
+  const auto put = [&](std::initializer_list<const char*> names) {
+    for (const char* name : names) bar->addAction(findChild<QAction*>(name));
+    bar->addSeparator();
+  };
+  put({"file_open", "file_save"});
+  put({"edit_undo", "edit_redo"});
+  put({"new_target", "new_surface", "new_platform", "new_radar"});
+  put({"view_focus", "view_fit"});
+  for (const char* name : {"simulation_raw", "display_products"}) bar->add_worded(findChild<QAction*>(name));
+  bar->add_primary(findChild<QAction*>("simulation_run"));
+  bar->add_gap();
+  for (const char* name : {"edit_search", "help_contents"}) bar->addAction(findChild<QAction*>(name));
 }
 
 // Thesis 4.7: a platform that is followed, or a point.
@@ -445,11 +487,18 @@ void MainWindow::show_help_window(const HelpPlace& place) {
 }
 
 void MainWindow::show_about() {
-  QMessageBox::about(this, tr("About Sarsim"),
-                     tr("<b>Sarsim %1</b><p>Radar echo simulator: from a scene to complex baseband samples.</p>"
-                        "<p>Free software under the GNU General Public License, version 3 or later, without any "
-                        "warranty.</p>")
-                         .arg(core::program_version));
+  QMessageBox box(QMessageBox::NoIcon, tr("About Sarsim"),
+                  tr("<h3>Sarsim %1</h3><p>Radar echo simulator: from a scene to complex baseband samples.</p>"
+                     "<p>Qt %2, QCustomPlot %3, HDF5 %4</p>"
+                     "<p>Free software under the <a href=\"https://www.gnu.org/licenses/gpl-3.0.html\">GNU General "
+                     "Public License</a>, version 3 or later, without any warranty.</p>")
+                      .arg(core::program_version, qVersion(), QCUSTOMPLOT_VERSION_STR, core::hdf5_version),
+                  QMessageBox::Ok, this);
+  box.setObjectName("about");
+  box.setIconPixmap(program_icon().pixmap(box.fontMetrics().height() * 5));
+  box.setTextFormat(Qt::RichText);
+  box.setTextInteractionFlags(Qt::TextBrowserInteraction);
+  box.exec();
 }
 
 QWidget* MainWindow::show_products() {
@@ -465,7 +514,7 @@ QStringList MainWindow::window_names() {
   return {"main",       "objects",       "properties", "script",   "simulations",   "log",           "geometry",
           "simulation", "compressed",    "targets",    "function", "commands",      "help",          "import",
           "viewer",     "output",        "save_data",  "saving",   "range_profile", "range_doppler", "doppler_time",
-          "spectrum",   "phase_history", "products",   "image"};
+          "spectrum",   "phase_history", "products",   "welcome",  "tour",          "image"};
 }
 
 // A window of echoes: of the stored simulation that is selected, otherwise a new one.
@@ -515,7 +564,9 @@ QWidget* MainWindow::window_named(const QString& name) {
   if (QWidget* of_simulation = simulation_part(name)) return of_simulation;
   if (name == "targets") return show_targets(), targets_;
   if (name == "help") return show_help_window({"README.md", {}}), findChild<HelpWindow*>("help_window");
-  if (name == "commands") return new CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this);
+  if (name == "commands") return new SearchBox(search_entries(), this);
+  if (name == "welcome") return show_welcome(), welcome_;
+  if (name == "tour") return tour_panel();
   if (name == "import") return new ImportDialog(session_, this);
   if (name != "function") return nullptr;
   // The first function that the scene has.

@@ -19,7 +19,6 @@
 #include "gui/echo/data_saver.hpp"
 #include "gui/echo/simulation_window.hpp"
 #include "gui/echo/simulation_windows.hpp"
-#include "gui/frame/command_list.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/frame/log_panel.hpp"
 #include "gui/frame/problem_badge.hpp"
@@ -40,6 +39,7 @@
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
 #include "gui/script/script_editor.hpp"
+#include "gui/start/welcome_page.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/model/object_lists.hpp"
 #include "workflow/input/cloud_input.hpp"
@@ -67,6 +67,7 @@ MainWindow::MainWindow(QWidget* parent)
   make_badge();
   make_menus();
   make_tool_bar();
+  make_start();
   ask_end_work = [this](const QStringList& work) {
     QMessageBox box(QMessageBox::Question, tr("Close"), tr("This is still under way and would be ended:"),
                     QMessageBox::Yes | QMessageBox::No, this);
@@ -124,7 +125,7 @@ void MainWindow::make_docks() {
           [this](const scene::Simulation& simulation, SimulationWindow* from) { saver_->ask(simulation, *from); });
   const int letter = fontMetrics().averageCharWidth();
   tree_->setMinimumWidth(letter * 24);
-  panel_->setMinimumWidth(letter * 50);
+  panel_->setMinimumWidth(letter * 51);
   add_dock(tree_, tr("Objects"), "objects", Qt::LeftDockWidgetArea);
   add_dock(panel_, tr("Properties"), "properties", Qt::RightDockWidgetArea);
   QDockWidget* script = add_dock(script_, tr("Script File"), "script", Qt::BottomDockWidgetArea);
@@ -144,7 +145,10 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (sized_) return;
   sized_ = true;
-  scene_->scene().setFocus();
+  if (welcome_->isHidden())
+    scene_->scene().setFocus();
+  else
+    welcome_->setFocus();
   restore_layout();
   // Docks take sizes only once the window has its own.
   if (!layout_is_kept_) QTimer::singleShot(0, this, &MainWindow::size_docks);
@@ -263,10 +267,6 @@ void MainWindow::show_targets() {
   targets_->show();
   targets_->raise();
   targets_->activateWindow();
-}
-
-void MainWindow::show_commands() {
-  CommandList(findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly), this).exec();
 }
 
 void MainWindow::set_appearance(Appearance appearance) {

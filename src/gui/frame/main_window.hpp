@@ -29,9 +29,13 @@ class ProductWindow;
 class PropertyPanel;
 class ScenePanel;
 class ScriptEditor;
+struct SearchEntry;
 class SimulationWindow;
 class SimulationWindows;
 class StoredSimulations;
+class TourPanel;
+struct TourStep;
+class WelcomePage;
 
 /// The workbench: the scene in the middle, objects, properties, script and stored simulations around it (thesis 4.1).
 /// Menus carry the words of the thesis.
@@ -53,9 +57,9 @@ class MainWindow : public QMainWindow {
   bool open_any(const QString& path);
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
   /// simulation, compressed, save_data, saving, range_profile, range_doppler, doppler_time, spectrum, phase_history,
-  /// products, image, viewer, output, targets, function, commands, help, import. Null for another name; some need a
-  /// scene that has what they show. Simulation and what belongs to it show the stored simulation that is selected;
-  /// where none is, a new window of raw echoes.
+  /// products, image, viewer, output, targets, function, commands, help, import, welcome, tour. Null for another name;
+  /// some need a scene that has what they show. Simulation and what belongs to it show the stored simulation that is
+  /// selected; where none is, a new window of raw echoes.
   [[nodiscard]] QWidget* window_named(const QString& name);
   /// The names that `window_named` knows.
   [[nodiscard]] static QStringList window_names();
@@ -124,7 +128,15 @@ class MainWindow : public QMainWindow {
   void show_targets();
   QWidget* show_products();
   void show_focus();
-  void show_commands();
+  void give_icons();
+  void make_start();
+  [[nodiscard]] std::vector<SearchEntry> search_entries();
+  void show_search();
+  void show_welcome();
+  [[nodiscard]] std::vector<TourStep> tour_steps();
+  TourPanel* tour_panel();
+  void show_tour();
+  void go_to_field(scene::ObjectKind kind, const QString& field);
   void show_help(const HelpPlace& place);
   void show_help_window(const HelpPlace& place);
   void show_about();
@@ -153,6 +165,8 @@ class MainWindow : public QMainWindow {
   ProductWindow* products_ = nullptr;
   QMenu* recent_ = nullptr;
   QLabel* state_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  TourPanel* tour_ = nullptr;
   std::map<QString, QDockWidget*> docks_;
   QString first_layout_ = "scene";
   QString wanted_layout_;

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "gui/common/form_rows.hpp"
+#include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_part.hpp"
@@ -141,6 +142,7 @@ OpenImageDialog::OpenImageDialog(QWidget* parent) : QDialog(parent) {
   problems_->setObjectName("open_image_problems");
   layout->addWidget(problems_);
   auto* const buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Cancel, this);
+  add_help_button(*buttons);
   open_ = buttons->button(QDialogButtonBox::Open);
   layout->addWidget(buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);

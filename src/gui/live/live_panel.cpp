@@ -149,6 +149,7 @@ void LivePanel::make_choices() {
   static_cast<QVBoxLayout*>(layout())->addLayout(row);
   for (QComboBox* list : {product_, simulation_})
     connect(list, &QComboBox::activated, this, [this] {
+      simulation_->setToolTip(tr("Whose echoes are used: %1").arg(simulation_->currentText()));
       show_choices();
       compute_soon();
     });
@@ -215,7 +216,7 @@ void LivePanel::make_foot() {
   auto* const row = new QHBoxLayout;
   keep_ = word_button(this, tr("Keep"), "live_keep", tr("Keep this image, to compare it with what comes"));
   compare_ = narrow_list(this, "live_compare", tr("Compare"), tr("With the image that was kept"));
-  compare_->addItems({tr("Do not compare"), tr("Side by side"), tr("Blink"), tr("Difference")});
+  compare_->addItems({tr("Now alone"), tr("Side by side"), tr("Blink"), tr("Difference")});
   progress_ = named(new QProgressBar(this), "live_progress", tr("The image is being computed"), {});
   progress_->setRange(0, 0);
   progress_->setTextVisible(false);
@@ -270,6 +271,7 @@ void LivePanel::show_simulations() {
     simulation_->addItems(names);
     simulation_->setCurrentIndex(std::min(chosen, simulation_->count() - 1));
   }
+  simulation_->setToolTip(tr("Whose echoes are used: %1").arg(simulation_->currentText()));
   simulation_->setVisible(simulation_->count() > 1);
   show_choices();
 }

@@ -17,6 +17,7 @@
 #include <QVBoxLayout>
 
 #include "gui/common/field_editor.hpp"
+#include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/objects/function_editor.hpp"
 #include "gui/objects/function_plot.hpp"
@@ -78,6 +79,7 @@ void FunctionEditor::make_layout() {
   split->setChildrenCollapsible(false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
   buttons->setObjectName("function_buttons");
+  add_help_button(*buttons);
   connect(buttons, &QDialogButtonBox::accepted, this, &FunctionEditor::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &FunctionEditor::reject);
   auto* layout = new QVBoxLayout(this);

@@ -15,6 +15,7 @@
 #include <QStringDecoder>
 #include <QVBoxLayout>
 
+#include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/script/reader.hpp"
@@ -113,6 +114,7 @@ void ImportDialog::make_widgets() {
   connect(browse_button, &QPushButton::clicked, this, &ImportDialog::browse);
   connect(file_, &QLineEdit::editingFinished, this, &ImportDialog::read_file);
   connect(platform_, &QComboBox::currentIndexChanged, this, &ImportDialog::interpret);
+  add_help_button(*buttons_);
   connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }

@@ -16,6 +16,7 @@
 #include "core/text/number_text.hpp"
 #include "gui/common/field_editor.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 
 namespace sarsim::gui {
 
@@ -301,9 +302,8 @@ void PropertyPanel::show_figures(const std::vector<picture::DerivedFigure>& figu
     for (int column = 0; column < 2; ++column) {
       QTableWidgetItem* item = derived_->item(row, column);
       if (item == nullptr) derived_->setItem(row, column, item = new QTableWidgetItem);
-      item->setText(QString::fromStdString(column == 0 ? figure.label : figure.text));
-      item->setToolTip(QStringLiteral("<p><b>%1</b></p>").arg(QString::fromStdString(figure.text).toHtmlEscaped()) +
-                       formula);
+      item->setText(column == 0 ? text_of(figure.label) : read_out(figure.text));
+      item->setToolTip(QStringLiteral("<p><b>%1</b></p>").arg(read_out(figure.text).toHtmlEscaped()) + formula);
       item->setData(Qt::AccessibleDescriptionRole, QString::fromStdString(figure.formula));
     }
   }

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <set>
 
+#include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/objects/import_dialog.hpp"
 #include "gui/objects/target_table_delegate.hpp"
@@ -314,6 +315,7 @@ TargetTableDialog::TargetTableDialog(Session& session, QWidget* parent)
   setWindowTitle(tr("Targets"));
   setModal(false);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+  add_help_button(*buttons);
   buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);

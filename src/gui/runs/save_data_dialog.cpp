@@ -19,6 +19,7 @@
 #include "core/maths/rounding.hpp"
 #include "core/task/parallel.hpp"
 #include "core/text/number_text.hpp"
+#include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 #include "raster/table/formats.hpp"
@@ -84,6 +85,7 @@ SaveDataDialog::SaveDataDialog(Session& session, const scene::Simulation& record
   column->addWidget(problems_);
   column->addStretch(1);
   column->addWidget(buttons_);
+  add_help_button(*buttons_);
   connect(buttons_, &QDialogButtonBox::accepted, this, &SaveDataDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
   connect(&planning_, &LatestWork::ended, this, &SaveDataDialog::show_forecast);

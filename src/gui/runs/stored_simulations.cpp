@@ -11,6 +11,7 @@
 
 #include <array>
 
+#include "gui/common/text.hpp"
 #include "gui/runs/run_panel.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/schema/quantity.hpp"
@@ -23,9 +24,7 @@ namespace {
 
 enum Column { processing, radar, slant_range, azimuth_range, rate, bits, lsb, file, column_count };
 
-QString text(double value, scene::Quantity quantity) {
-  return QString::fromStdString(scene::quantity_text(value, quantity));
-}
+QString text(double value, scene::Quantity quantity) { return read_out(scene::quantity_text(value, quantity)); }
 
 QString span_text(double from, double to, scene::Quantity quantity) {
   return StoredSimulations::tr("%1 to %2").arg(text(from, quantity), text(to, quantity));

@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/rounding.hpp"
 #include "gui/common/palette_colours.hpp"
+#include "gui/common/text.hpp"
 #include "gui/scene/camera_bar.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "gui/scene/time_bar.hpp"
@@ -35,7 +36,7 @@ core::Vec3 moved(const core::Vec3& from, const core::Vec3& way) {
 QString place_text(const core::Vec3& world_m, const std::optional<radar::EarthFrame>& earth, double pixel_m) {
   const double step = picture::round_below(pixel_m);
   const auto length = [&](double m) {
-    return QString::fromStdString(scene::quantity_text(core::rounded_to(m, step), scene::Quantity::length));
+    return read_out(scene::quantity_text(core::rounded_to(m, step), scene::Quantity::length));
   };
   if (!earth) return ScenePanel::tr("x %1  y %2  z %3").arg(length(world_m.x), length(world_m.y), length(world_m.z));
   const radar::Geodetic place = earth->geodetic_of(world_m);

@@ -20,6 +20,7 @@
 
 #include "core/maths/rounding.hpp"
 #include "gui/common/palette_colours.hpp"
+#include "gui/common/text.hpp"
 #include "picture/figure/ticks.hpp"
 #include "scene/schema/quantity.hpp"
 
@@ -32,7 +33,7 @@ constexpr int repeat_ms = 100;       // of a held button (thesis 4.1.1)
 constexpr int frame_ms = 33;         // while playing
 constexpr double frame_parts = 1e5;  // of the span: times that playing announces are rounded to about one of them
 
-QString time_text(double time_s) { return QString::fromStdString(scene::quantity_text(time_s, scene::Quantity::time)); }
+QString time_text(double time_s) { return display_of(scene::quantity_text(time_s, scene::Quantity::time)); }
 
 // The clock of a moment to a millisecond, always as wide.
 QString clock_text(const radar::Instant& moment) {

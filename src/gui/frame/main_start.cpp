@@ -1,0 +1,219 @@
+// What helps at the beginning, and what finds things: the welcome page, the tour, the search box.
+
+#include <QAction>
+#include <QDir>
+#include <QDockWidget>
+#include <QLabel>
+
+#include <cmath>
+
+#include "gui/common/text.hpp"
+#include "gui/echo/simulation_windows.hpp"
+#include "gui/frame/document_keeper.hpp"
+#include "gui/frame/help_key.hpp"
+#include "gui/frame/help_window.hpp"
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/property_panel.hpp"
+#include "gui/scene/scene_panel.hpp"
+#include "gui/start/help_headings.hpp"
+#include "gui/start/search_box.hpp"
+#include "gui/start/tour_panel.hpp"
+#include "gui/start/welcome_page.hpp"
+#include "scene/edit/edit.hpp"
+#include "scene/edit/starting_scenes.hpp"
+#include "scene/schema/fields.hpp"
+
+namespace sarsim::gui {
+
+namespace {
+
+constexpr scene::ObjectKind kinds_with_fields[] = {
+    scene::ObjectKind::radar, scene::ObjectKind::target,     scene::ObjectKind::platform, scene::ObjectKind::surface,
+    scene::ObjectKind::cloud, scene::ObjectKind::simulation, scene::ObjectKind::geometry};
+
+bool has_nothing(const scene::Scene& scene) {
+  for (const scene::ObjectKind kind : kinds_with_fields)
+    if (scene::count_of(scene, kind) > 0) return false;
+  return true;
+}
+
+QString title_of(scene::ObjectKind kind) {
+  QString name = text_of(scene::name_of(kind));
+  name[0] = name[0].toUpper();
+  return kind == scene::ObjectKind::simulation ? MainWindow::tr("Stored simulation") : name;
+}
+
+// "Menu: words", as the list of commands shows it.
+QString words_of_command(const QAction& action) {
+  QString text = action.text().remove('&').remove(QString::fromUtf8("…"));
+  const QString group = action.property("menu").toString();
+  return group.isEmpty() ? text : group + ": " + text;
+}
+
+// Types into a field of the newest object of a kind.
+void type_into_field(Session& session, scene::ObjectKind kind, const char* field, const char* text) {
+  const std::size_t count = scene::count_of(session.scene(), kind);
+  if (count == 0) return;
+  const scene::ObjectId id{kind, count - 1};
+  scene::AnyObject object = scene::object_of(session.scene(), id);
+  if (!scene::set_field(object, field, text).empty()) return;
+  session.perform(scene::replace_object(session.scene(), id, std::move(object), "Tour"));
+  session.select_only(id);
+}
+
+bool is_about(double value, double wanted) { return std::abs(value - wanted) <= 1e-9 * std::abs(wanted); }
+
+const scene::Radar* last_radar(const Session& session) {
+  const auto& radars = session.scene().radars;
+  return radars.empty() ? nullptr : &radars.back();
+}
+
+const scene::Target* last_target(const Session& session) {
+  const auto& targets = session.scene().targets;
+  return targets.empty() ? nullptr : &targets.back();
+}
+
+}  // namespace
+
+void MainWindow::make_start() {
+  welcome_ = new WelcomePage(centralWidget());
+  connect(welcome_, &WelcomePage::example_wanted, this, [this](const QString& name) {
+    const QDir folder(text_of(DocumentKeeper::examples_folder()));
+    if (may_go()) documents_->open_example(folder.filePath(name));
+  });
+  connect(welcome_, &WelcomePage::template_wanted, this, [this](int index) {
+    if (may_go()) documents_->begin_with(scene::starting_scenes()[static_cast<std::size_t>(index)]);
+  });
+  connect(welcome_, &WelcomePage::file_wanted, this, &MainWindow::open_any);
+  connect(welcome_, &WelcomePage::open_wanted, this, [this] { documents_->open(); });
+  connect(welcome_, &WelcomePage::tour_wanted, this, &MainWindow::show_tour);
+  connect(&session_, &Session::document_replaced, welcome_, &QWidget::hide);
+  connect(&session_, &Session::scene_changed, welcome_, [this] {
+    if (!has_nothing(session_.scene())) welcome_->hide();
+  });
+  const auto show_recent = [this] { welcome_->set_recent(documents_->recent()); };
+  connect(documents_, &DocumentKeeper::recent_changed, welcome_, show_recent);
+  show_recent();
+  welcome_->setVisible(WelcomePage::wanted_at_start());
+}
+
+void MainWindow::show_welcome() {
+  welcome_->show();
+  welcome_->setFocus();
+}
+
+void MainWindow::go_to_field(scene::ObjectKind kind, const QString& field) {
+  const auto current = session_.current();
+  if (scene::count_of(session_.scene(), kind) > 0) {
+    if (!current || current->kind != kind) session_.select_only({kind, 0});
+    docks_["properties"]->show();
+    docks_["properties"]->raise();
+    if (panel_->focus_field(field)) return;
+  }
+  // No such object, or as it is the field means nothing: what it is says the reference.
+  const QString word = kind == scene::ObjectKind::simulation ? "recording" : text_of(scene::name_of(kind));
+  show_help({"formats/scene.md", "[[" + word + "]]"});
+}
+
+std::vector<SearchEntry> MainWindow::search_entries() {
+  std::vector<SearchEntry> entries;
+  using Kind = SearchEntry::Kind;
+  for (QAction* action : findChildren<QAction*>(QString(), Qt::FindDirectChildrenOnly))
+    if (action->isEnabled() && !action->isSeparator() && !action->text().isEmpty())
+      entries.push_back({Kind::command, words_of_command(*action),
+                         action->shortcut().toString(QKeySequence::NativeText), action->toolTip(),
+                         [action] { action->trigger(); }});
+  for (const scene::ObjectKind kind : kinds_with_fields)
+    for (const scene::Field& field : scene::fields_of(kind)) {
+      const QString id = text_of(field.id);
+      entries.push_back({Kind::field, title_of(kind) + ": " + text_of(field.label), text_of(field.group),
+                         text_of(field.tooltip), [this, kind, id] { go_to_field(kind, id); }});
+    }
+  for (const HelpHeading& found : help_headings(HelpWindow::folder())) {
+    const QString words = found.heading.isEmpty() ? found.title : found.heading;
+    entries.push_back(
+        {Kind::help, words, found.heading.isEmpty() ? tr("Guide") : found.title, found.page, [this, found] {
+           show_help({found.page, found.heading});
+         }});
+  }
+  return entries;
+}
+
+void MainWindow::show_search() { SearchBox(search_entries(), this).exec(); }
+
+// Chapter 3 of the thesis: what its reader does, in our words.
+std::vector<TourStep> MainWindow::tour_steps() {
+  const auto trigger = [this](const char* name) { return [this, name] { findChild<QAction*>(name)->trigger(); }; };
+  const auto type = [this](scene::ObjectKind kind, const char* field, const char* text) {
+    return [this, kind, field, text] { type_into_field(session_, kind, field, text); };
+  };
+  const auto highest = [this] {
+    const auto* label = findChild<QLabel*>("echo_highest");
+    return label != nullptr && label->text().contains("40.9566 nV");
+  };
+  using scene::ObjectKind;
+  return {
+      {tr("A radar"),
+       tr("Press Radar in the tool bar, or choose Geometry, New Radar (Ctrl+3). It stands at the origin and sends 1000 "
+          "pulses a second at 1 GHz with 1 kW. Its fields appear at the right."),
+       [this] { return last_radar(session_) != nullptr; }, trigger("new_radar")},
+      {tr("A chirp"),
+       tr("Among the fields of the radar, choose Chirp as the type of pulse. Its frequency runs through 50 MHz within "
+          "5 µs, which will resolve 3 m."),
+       [this] {
+         const scene::Radar* radar = last_radar(session_);
+         return radar != nullptr && radar->pulse == scene::Radar::Pulse::chirp;
+       },
+       type(ObjectKind::radar, "pulse", "Chirp")},
+      {tr("A target"),
+       tr("Press Target in the tool bar, or choose Geometry, New Target (Ctrl+1). A target is a point that reflects; "
+          "it begins at the origin."),
+       [this] { return last_target(session_) != nullptr; }, trigger("new_target")},
+      {tr("3000 m away"), tr("Type 3000 into the field X of the target, and press Enter. Units may follow: 3 km."),
+       [this] {
+         const scene::Target* target = last_target(session_);
+         return target != nullptr && is_about(target->position_m.x, 3000.0);
+       },
+       type(ObjectKind::target, "position_m.x", "3 km")},
+      {tr("How much it reflects"),
+       tr("Type 3 into the field of the radar cross-section (RCS), and press Enter: 3 m², as from a small boat."),
+       [this] {
+         const scene::Target* target = last_target(session_);
+         return target != nullptr && is_about(target->rcs_m2, 3.0);
+       },
+       type(ObjectKind::target, "rcs_m2", "3 m2")},
+      {tr("Its echo"),
+       tr("Press Echoes, or choose Simulation, Raw Return (Ctrl+R). A picture shows what the radar receives: distance "
+          "across, one row for each pulse. It follows whatever you change in the scene."),
+       [this] { return !simulation_windows_->windows().empty(); }, trigger("simulation_raw")},
+      {tr("As the radar equation says"),
+       tr("Read the highest magnitude below the picture: 40.9566 nV, in the thesis 40.957. The radar equation gives "
+          "the same, with the power, "
+          "the wavelength of 30 cm, the 3 m² and the fourth power of 3000 m."),
+       highest, [this] { open_simulation(); }},
+      {tr("Save it"),
+       tr("Choose File, Save (Ctrl+S), and give the scene a name. The file is a text with comments: you can read it, "
+          "change it, and run it with the command sarsim."),
+       [this] { return !session_.document().path().empty() && !documents_->unsaved(); }, trigger("file_save")}};
+}
+
+TourPanel* MainWindow::tour_panel() {
+  if (tour_ == nullptr) tour_ = new TourPanel(tour_steps(), this);
+  return tour_;
+}
+
+// It begins with an empty scene.
+void MainWindow::show_tour() {
+  if (!tour_panel()->isVisible()) {
+    if (!has_nothing(session_.scene()) && !(may_go() && documents_->make_new())) return;
+    welcome_->hide();
+    tour_->begin();
+    tour_->adjustSize();
+    const QPoint corner = mapToGlobal(QPoint(width() - tour_->width(), height() - tour_->height()));
+    tour_->move(corner - QPoint(fontMetrics().height() * 2, fontMetrics().height() * 4));
+  }
+  tour_->show();
+  tour_->raise();
+}
+
+}  // namespace sarsim::gui
