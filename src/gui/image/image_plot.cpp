@@ -14,6 +14,8 @@ namespace sarsim::gui {
 namespace {
 
 constexpr double smallest_zoom_px = 4.0;
+constexpr double ring_px = 9.0;  // radius
+constexpr double chosen_ring_px = 13.0;
 
 }  // namespace
 
@@ -123,6 +125,44 @@ void ImagePlot::set_selection(std::optional<raster::ImageWindow> selection) {
   emit selection_changed();
 }
 
+void ImagePlot::set_rings(std::vector<Ring> rings, std::optional<std::size_t> chosen) {
+  rings_ = std::move(rings);
+  chosen_ring_ = chosen;
+  update();
+}
+
+// The nearest whose ring is touched.
+std::optional<std::size_t> ImagePlot::ring_at(QPointF pixel) const {
+  std::optional<std::size_t> nearest;
+  double least = ring_px + 2.0;
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const QPointF way = pixel_of(rings_[i].at) - pixel;
+    const double distance = std::hypot(way.x(), way.y());
+    if (distance > least) continue;
+    least = distance;
+    nearest = i;
+  }
+  return nearest;
+}
+
+void ImagePlot::paint_rings(QPainter& painter) const {
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(Qt::NoBrush);
+  for (std::size_t i = 0; i < rings_.size(); ++i) {
+    const QPointF at = pixel_of(rings_[i].at);
+    if (!plot_rect().adjusted(-20, -20, 20, 20).contains(at.toPoint())) continue;
+    const bool chosen = chosen_ring_ == i;
+    const double radius = chosen ? chosen_ring_px : ring_px;
+    // Light on dark, so that it is seen on any colour.
+    painter.setPen(QPen(Qt::black, chosen ? 5.0 : 3.0));
+    painter.drawEllipse(at, radius, radius);
+    painter.setPen(QPen(chosen ? QColor(255, 210, 60) : QColor(Qt::white), chosen ? 2.5 : 1.3,
+                        rings_[i].found ? Qt::SolidLine : Qt::DotLine));
+    painter.drawEllipse(at, radius, radius);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
+}
+
 QRectF ImagePlot::rect_of(const QRectF& samples) const {
   return QRectF(pixel_of({samples.left(), samples.top()}), pixel_of({samples.right(), samples.bottom()}));
 }
@@ -198,6 +238,7 @@ void ImagePlot::paint_marks(QPainter& painter) const {
     painter.setPen(QPen(Qt::white, 1.0, Qt::DashLine));
     painter.drawRect(rect_of(extent_of(*selection_)));
   }
+  paint_rings(painter);
   for (std::size_t i = 0; i < cursors_.size(); ++i)
     if (cursors_[i]) draw_cursor(painter, plot_rect(), pixel_of(*cursors_[i]), i);
   painter.restore();
@@ -243,6 +284,7 @@ void ImagePlot::click(QPointF pixel, Qt::KeyboardModifiers keys) {
   const double column = std::round(at.column);
   const double row = std::round(at.row);
   if (column < 0.0 || row < 0.0 || column >= static_cast<double>(columns_) || row >= static_cast<double>(rows_)) return;
+  if (const auto ring = ring_at(pixel); ring && !reading_tool_) emit ring_clicked(*ring);
   if (reading_tool_)
     emit reading_wanted(static_cast<std::size_t>(row), static_cast<std::size_t>(column));
   else

@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "gui/common/gesture_plot.hpp"
 #include "gui/image/image_part.hpp"
@@ -60,6 +61,16 @@ class ImagePlot : public GesturePlot {
   /// The place below the pointer; nothing where it is outside the plot.
   [[nodiscard]] std::optional<SamplePlace> pointer_place() const;
 
+  /// A place of the image that is marked.
+  struct Ring {
+    SamplePlace at;
+    bool found = true;  ///< What should be there was found; otherwise the ring is dotted.
+  };
+  /// Marks places, one of which may be chosen.
+  void set_rings(std::vector<Ring> rings, std::optional<std::size_t> chosen);
+  [[nodiscard]] const std::vector<Ring>& rings() const { return rings_; }
+  [[nodiscard]] std::optional<std::size_t> chosen_ring() const { return chosen_ring_; }
+
   [[nodiscard]] const std::optional<SamplePlace>& cursor(std::size_t index) const { return cursors_.at(index); }
   /// Sets cursor 0 or 1, or takes it away.
   void set_cursor(std::size_t index, std::optional<SamplePlace> place);
@@ -73,6 +84,7 @@ class ImagePlot : public GesturePlot {
   void view_dragged(const sarsim::gui::ImageView& view);     ///< One of many views on the way.
   void selection_changed();                                  ///< Other samples are selected, or none.
   void reading_wanted(std::size_t row, std::size_t column);  ///< The point next to a sample is to be measured.
+  void ring_clicked(std::size_t ring);                       ///< One of the rings, by its number.
 
  protected:
   void paint_plot(QPainter& painter) const override;
@@ -90,6 +102,8 @@ class ImagePlot : public GesturePlot {
   void paint_axes(QPainter& painter) const;
   void paint_colour_bar(QPainter& painter) const;
   void paint_marks(QPainter& painter) const;
+  void paint_rings(QPainter& painter) const;
+  [[nodiscard]] std::optional<std::size_t> ring_at(QPointF pixel) const;
   [[nodiscard]] QRectF rect_of(const QRectF& samples) const;
   /// A view moved by shares of its size, to the right and downwards.
   [[nodiscard]] ImageView moved(const ImageView& view, double right, double down) const;
@@ -110,6 +124,8 @@ class ImagePlot : public GesturePlot {
   std::array<std::optional<SamplePlace>, 2> cursors_;
   std::optional<raster::ImageWindow> selection_;
   bool reading_tool_ = false;
+  std::vector<Ring> rings_;
+  std::optional<std::size_t> chosen_ring_;
   ImageView dragged_view_;
 };
 

@@ -1,4 +1,5 @@
 #include "gui/image/image_viewer.hpp"
+#include "gui/image/target_list.hpp"
 
 #include <QCheckBox>
 #include <QEvent>
@@ -148,6 +149,8 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   }
   plot_->set_view(plot_->shown_view(wanted_view_));
   plot_->set_selection(std::nullopt);
+  plot_->set_rings({}, std::nullopt);
+  if (show_targets_->isChecked()) targets_->measure(path_);
   begin_overview();
   watch_.start(watch_ms);
   show_info();

@@ -35,6 +35,7 @@ class ImageControls;
 class ImageThumbnail;
 class ProblemLine;
 class ReservedLabel;
+class TargetList;
 
 /// Looks into a file of samples of any size: only what is seen is read. What is wrong with the file is told in the
 /// window, which stays.
@@ -56,6 +57,7 @@ class ImageViewer : public QWidget {
   [[nodiscard]] const std::shared_ptr<raster::Raster>& source() const { return source_; }
   [[nodiscard]] ImagePlot& plot() { return *plot_; }
   [[nodiscard]] ImageControls& controls() { return *controls_; }
+  [[nodiscard]] TargetList& targets() { return *targets_; }
   [[nodiscard]] const PartLook& look() const { return look_; }
   /// Whether all samples of the present view are shown.
   [[nodiscard]] bool complete() const { return complete_; }
@@ -133,6 +135,9 @@ class ImageViewer : public QWidget {
   void show_problems();
   void show_read_out();
   void show_cuts();
+  void show_targets(bool on);
+  void show_rings();
+  void frame_target(std::size_t row);
   void measure_soon();
   void measure();
   void show_statistics();
@@ -173,6 +178,8 @@ class ImageViewer : public QWidget {
   FigurePlot* row_cut_ = nullptr;
   FigurePlot* column_cut_ = nullptr;
   FigurePlot* histogram_ = nullptr;
+  TargetList* targets_ = nullptr;
+  std::vector<std::size_t> rows_of_rings_;
   ProblemLine* problems_ = nullptr;
   QLabel* info_ = nullptr;
   ReservedLabel* read_out_ = nullptr;
@@ -184,6 +191,7 @@ class ImageViewer : public QWidget {
   QToolButton* forward_ = nullptr;
   QToolButton* show_cuts_ = nullptr;
   QToolButton* show_statistics_ = nullptr;
+  QToolButton* show_targets_ = nullptr;
   QToolButton* reading_tool_ = nullptr;
   QToolButton* keep_ = nullptr;
   QCheckBox* follow_file_ = nullptr;

@@ -17,6 +17,7 @@
 #include "gui/common/reserved_label.hpp"
 #include "gui/common/text.hpp"
 #include "gui/image/image_viewer.hpp"
+#include "gui/image/target_list.hpp"
 #include "raster/format/image_export.hpp"
 #include "raster/table/computed_raster.hpp"
 #include "scene/schema/quantity.hpp"
@@ -440,6 +441,47 @@ void ImageViewer::export_to(const QString& path, scene::FileFormat format) {
       if (p.total > 0) report(static_cast<double>(p.done) / static_cast<double>(p.total));
     });
   });
+}
+
+void ImageViewer::show_targets(bool on) {
+  targets_->setVisible(on);
+  if (on)
+    targets_->measure(path_);
+  else
+    targets_->forget();
+  if (!on) show_rings();
+}
+
+// A ring where each target should be that has echoes in the image.
+void ImageViewer::show_rings() {
+  std::vector<ImagePlot::Ring> rings;
+  std::optional<std::size_t> chosen;
+  rows_of_rings_.clear();
+  const auto& places = plot_->places();
+  const std::vector<picture::TargetTable::Row>& rows = targets_->table().rows;
+  for (std::size_t i = 0; places && i < rows.size(); ++i) {
+    if (!rows[i].inside) continue;
+    if (targets_->chosen() == i) chosen = rings.size();
+    rows_of_rings_.push_back(i);
+    rings.push_back({{(rows[i].expected.range_m - places->range.first) / places->range.step,
+                      (rows[i].expected.azimuth_m - places->azimuth.first) / places->azimuth.step},
+                     rows[i].found});
+  }
+  plot_->set_rings(std::move(rings), chosen);
+}
+
+// Brings a target that is out of sight into the middle.
+void ImageViewer::frame_target(std::size_t row) {
+  show_rings();
+  const auto at = std::ranges::find(rows_of_rings_, row);
+  if (at == rows_of_rings_.end()) return;
+  const SamplePlace place = plot_->rings().at(static_cast<std::size_t>(at - rows_of_rings_.begin())).at;
+  const ImageView& v = plot_->view();
+  if (place.column > v.column_first && place.column < v.column_last && place.row > v.row_first &&
+      place.row < v.row_last)
+    return;
+  go_to({place.column - v.columns() / 2.0, place.column + v.columns() / 2.0, place.row - v.rows() / 2.0,
+         place.row + v.rows() / 2.0});
 }
 
 }  // namespace sarsim::gui

@@ -16,6 +16,7 @@
 #include "gui/image/image_controls.hpp"
 #include "gui/image/image_thumbnail.hpp"
 #include "gui/image/image_viewer.hpp"
+#include "gui/image/target_list.hpp"
 
 namespace sarsim::gui {
 
@@ -56,8 +57,11 @@ ImageViewer::ImageViewer(QWidget* parent) : QWidget(parent) {
   auto* const pictures = new QSplitter(Qt::Vertical, right);
   auto* const below = new QSplitter(Qt::Horizontal, pictures);
   for (FigurePlot* plot : {row_cut_, column_cut_, histogram_}) below->addWidget(plot);
+  targets_ = new TargetList(pictures);
+  targets_->hide();
   pictures->addWidget(plot_);
   pictures->addWidget(below);
+  pictures->addWidget(targets_);
   pictures->setStretchFactor(0, 5);
   pictures->setStretchFactor(1, 3);
   column->addWidget(make_tool_row());
@@ -142,9 +146,13 @@ QWidget* ImageViewer::make_tool_row() {
                               tr("Figures and histogram of the selection (Shift and drag), or of what is seen"));
   reading_tool_ = add_tool(layout, tr("Read Point"), "image_reading_tool",
                            tr("Then click on a point target: resolution and sidelobes of its response"));
+  show_targets_ = add_tool(layout, tr("Targets"), "image_show_targets",
+                           tr("The targets of the scene as rings, with a table of their offsets, widths, sidelobes and "
+                              "SNR; of images that sarsim focused"));
   keep_ = add_tool(layout, tr("Keep"), "image_keep",
                    tr("Keep this image when a newer one of its kind is made, which then has a viewer of its own"));
-  for (QToolButton* button : {show_cuts_, show_statistics_, reading_tool_, keep_}) button->setCheckable(true);
+  for (QToolButton* button : {show_cuts_, show_statistics_, reading_tool_, show_targets_, keep_})
+    button->setCheckable(true);
   layout->addStretch(1);
   state_ = label(row, "image_state");
   state_->setWordWrap(false);
@@ -194,6 +202,11 @@ void ImageViewer::connect_all() {
   connect(back_, &QToolButton::clicked, this, &ImageViewer::go_back);
   connect(forward_, &QToolButton::clicked, this, &ImageViewer::go_forward);
   connect(show_cuts_, &QToolButton::toggled, this, &ImageViewer::show_cuts);
+  connect(show_targets_, &QToolButton::toggled, this, &ImageViewer::show_targets);
+  connect(targets_, &TargetList::measured, this, &ImageViewer::show_rings);
+  connect(targets_, &TargetList::target_chosen, this, &ImageViewer::frame_target);
+  connect(plot_, &ImagePlot::ring_clicked, this,
+          [this](std::size_t ring) { targets_->choose(rows_of_rings_.at(ring)); });
   connect(show_statistics_, &QToolButton::toggled, this, [this] {
     show_statistics();
     measure_soon();
