@@ -1,5 +1,6 @@
 #include "gui/start/card_list.hpp"
 
+#include <QGuiApplication>
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QWheelEvent>

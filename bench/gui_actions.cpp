@@ -1,0 +1,122 @@
+// gui_actions [TARGETS...]: processor time of the window's thread for what a user does with many targets.
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QStandardPaths>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <time.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "gui/frame/main_window.hpp"
+#include "gui/objects/object_tree.hpp"
+#include "gui/script/script_editor.hpp"
+#include "scene/edit/edit.hpp"
+
+namespace {
+
+using namespace sarsim;
+
+double busy_now_ms() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+// The action, and all that the window does of itself in the second after it; the longest stretch without an answer.
+void measure(std::size_t targets, const char* what, const std::function<void()>& act) {
+  QTest::qWait(700);
+  const double begin = busy_now_ms();
+  act();
+  const double act_ms = busy_now_ms() - begin;
+  double longest = act_ms;
+  for (int i = 0; i < 100; ++i) {
+    const double before = busy_now_ms();
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
+    longest = std::max(longest, busy_now_ms() - before);
+    QTest::qSleep(8);
+  }
+  std::printf("%8zu  %-24s %9.1f %9.1f %9.1f\n", targets, what, act_ms, longest, busy_now_ms() - begin);
+  std::fflush(stdout);
+}
+
+std::vector<scene::Target> grid(std::size_t count) {
+  std::vector<scene::Target> targets(count);
+  for (std::size_t i = 0; i < count; ++i)
+    targets[i].position_m = {10.0 * static_cast<double>(i % 300), 10.0 * static_cast<double>(i / 300), 0.25};
+  return targets;
+}
+
+void edit_field(gui::MainWindow& window) {
+  auto* field = window.findChild<QLineEdit*>("field_position_m.y");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "123.5");
+  QTest::keyClick(field, Qt::Key_Return);
+}
+
+void run(std::size_t targets) {
+  gui::MainWindow window;
+  window.resize(1600, 1000);
+  window.show();
+  gui::Session& session = window.session();
+  session.perform(scene::add_object(session.scene(), scene::Radar()));
+  measure(targets, "import", [&] { session.perform(scene::add_targets(session.scene(), grid(targets))); });
+  measure(targets, "undo", [&] { session.undo(); });
+  measure(targets, "redo", [&] { session.redo(); });
+  measure(targets, "select one", [&] { session.select_only({scene::ObjectKind::target, targets / 2}); });
+  measure(targets, "edit one field", [&] { edit_field(window); });
+  measure(targets, "undo of it", [&] { session.undo(); });
+  auto* filter = window.findChild<gui::ObjectTree*>()->findChild<QLineEdit*>();
+  measure(targets, "filter", [&] { filter->setText("9"); });
+  measure(targets, "filter off", [&] { filter->clear(); });
+  std::set<scene::ObjectId> all;
+  for (std::size_t i = 0; i < targets; ++i) all.insert({scene::ObjectKind::target, i});
+  measure(targets, "select all", [&] { session.select(all); });
+  session.select({});
+  measure(targets, "table, first time", [&] { window.findChild<QAction*>("edit_targets")->trigger(); });
+  auto* cells = window.findChild<QTableView*>("target_cells");
+  measure(targets, "sort by x", [&] { cells->sortByColumn(1, Qt::DescendingOrder); });
+  measure(targets, "sort off", [&] { cells->sortByColumn(-1, Qt::AscendingOrder); });
+  window.findChild<QWidget*>("target_table_dialog")->hide();
+  auto* script = window.findChild<QDockWidget*>("script_dock");
+  measure(targets, "script tab", [&] { script->raise(); });
+  auto* text = window.findChild<QPlainTextEdit*>("script_text");
+  measure(targets, "one character", [&] {
+    text->setFocus();
+    text->moveCursor(QTextCursor::Start);
+    QTest::keyClicks(text, "#");
+  });
+  const QTemporaryDir folder;
+  measure(targets, "save", [&] { session.save(folder.filePath("many.toml").toStdString()); });
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
+  QStandardPaths::setTestModeEnabled(true);
+  QApplication application(argc, argv);
+  QApplication::setStyle("Fusion");
+  QCoreApplication::setOrganizationName("Sarsim test");
+  QCoreApplication::setApplicationName("gui_actions");
+  std::printf("processor milliseconds of the window's thread\n%8s  %-24s %9s %9s %9s\n", "targets", "action", "at once",
+              "longest", "in all");
+  std::vector<std::size_t> sizes;
+  for (int i = 1; i < argc; ++i) sizes.push_back(std::strtoul(argv[i], nullptr, 10));
+  if (sizes.empty()) sizes = {24, 10'000, 100'000};
+  for (const std::size_t targets : sizes) run(targets);
+  return EXIT_SUCCESS;
+}
