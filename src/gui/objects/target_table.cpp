@@ -48,8 +48,8 @@ QTableView* make_view(TargetTableModel* model, Session& session, QWidget* parent
                         QAbstractItemView::AnyKeyPressed);
   view->setAlternatingRowColors(true);
   view->setWordWrap(false);
-  // Only what is on the screen is measured: thousands of rows stay quick.
-  view->horizontalHeader()->setResizeContentsPrecision(0);
+  // Some rows are measured, not all: of a view that is not seen yet 0, "what is visible", means all of them.
+  view->horizontalHeader()->setResizeContentsPrecision(60);
   view->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   view->horizontalHeader()->setSortIndicator(-1,
                                              Qt::AscendingOrder);  // As the scene has them, until a heading is clicked.
