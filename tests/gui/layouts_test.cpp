@@ -82,6 +82,21 @@ class LayoutsTest : public QObject {
              qPrintable(QString("%1 x %2").arg(window.width()).arg(window.height())));
   }
 
+  void the_direction_of_the_view_is_whole_in_a_narrow_scene() {
+    gui::MainWindow window;
+    window.show();
+    auto* words = window.findChild<QLabel*>("view_direction");
+    QWidget& scene = window.scene().scene();
+    for (const int width : {1500, 900}) {
+      window.resize(width, 700);
+      window.apply_layout(width > 1000 ? "scene" : "views");
+      QTest::qWait(50);
+      QVERIFY2(words->width() >= words->sizeHint().width(), qPrintable(QString::number(scene.width())));
+      QVERIFY(words->geometry().right() <= scene.width());
+      QVERIFY(words->geometry().bottom() < 100);
+    }
+  }
+
   void a_layout_that_is_saved_comes_back_and_can_be_left() {
     gui::MainWindow window;
     window.show();

@@ -67,13 +67,12 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   // In a corner of the scene, so that the time has the whole width below.
   auto* corner = new QVBoxLayout(scene_);
   corner->setSizeConstraint(QLayout::SetNoConstraint);  // Words do not keep the scene from being narrow.
-  auto* top = new QHBoxLayout;
+  top_ = new QBoxLayout(QBoxLayout::LeftToRight);
   cameras_ = new CameraBar(*this);
   cameras_->setAutoFillBackground(true);
-  top->addWidget(cameras_, 0, Qt::AlignLeft | Qt::AlignTop);
-  top->addStretch();
-  top->addWidget(direction_, 0, Qt::AlignRight | Qt::AlignTop);
-  corner->addLayout(top);
+  top_->addWidget(cameras_, 0, Qt::AlignLeft | Qt::AlignTop);
+  top_->addWidget(direction_, 1, Qt::AlignRight | Qt::AlignTop);
+  corner->addLayout(top_);
   corner->addWidget(place_, 0, Qt::AlignRight);
   corner->addStretch();
   place_->setObjectName("place_under_pointer");
@@ -159,7 +158,16 @@ void ScenePanel::connect_gestures() {
   connect(scene_, &SceneWidget::camera_changed, this, &ScenePanel::take_camera);
 }
 
+// The words go below the buttons where there is no room beside them.
+void ScenePanel::place_direction() {
+  const QMargins edges = scene_->layout()->contentsMargins();
+  const int needed =
+      cameras_->sizeHint().width() + direction_->sizeHint().width() + edges.left() + edges.right() + top_->spacing();
+  top_->setDirection(needed > scene_->width() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+}
+
 bool ScenePanel::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == scene_ && event->type() == QEvent::Resize) place_direction();
   if (watched != scene_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);
   if (key->key() != Qt::Key_Space || key->modifiers() != Qt::NoModifier) return QWidget::eventFilter(watched, event);

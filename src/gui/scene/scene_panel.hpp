@@ -15,6 +15,7 @@
 #include "radar/earth/earth_frame.hpp"
 #include "scene/edit/path_edits.hpp"
 
+class QBoxLayout;
 class QLabel;
 class QMenu;
 
@@ -100,6 +101,7 @@ class ScenePanel : public QWidget {
   void take_scene(const scene::SceneChange& change);
   void show_marks();
   void show_camera();
+  void place_direction();
   void take_camera();
   void set_ride(Ride ride, std::optional<scene::ObjectId> on);
   void follow_ride(const scene::SceneChange& change);
@@ -135,6 +137,7 @@ class ScenePanel : public QWidget {
   SceneWidget* scene_ = nullptr;
   TimeBar* time_bar_ = nullptr;
   CameraBar* cameras_ = nullptr;
+  QBoxLayout* top_ = nullptr;  // buttons of views and where the scene is seen from
   QLabel* direction_ = nullptr;
   QLabel* place_ = nullptr;
   std::optional<radar::EarthFrame> earth_;

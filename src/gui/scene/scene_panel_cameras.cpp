@@ -110,6 +110,7 @@ void ScenePanel::show_camera() {
     text = (ride_ == Ride::beam ? tr("Along the beam of %1  %2") : tr("Follows %1  %2")).arg(name, text);
   }
   direction_->setText(text);
+  place_direction();
 }
 
 void ScenePanel::keep_view() { kept_views_.push_back(scene_->camera()); }
