@@ -16,8 +16,9 @@ constexpr double most_pixels_a_side = 32767.0;
 constexpr double seen_through_px = 2.0;  // a mark so far behind a surface lies on it
 constexpr std::size_t points_at_once = 1U << 16U;
 constexpr std::size_t chunk_triangles = 16384;
-constexpr std::size_t most_threads = 16;  // each has a picture of its own
-constexpr int band_rows = 32;             // an even number
+constexpr std::size_t most_threads = 16;
+constexpr std::size_t most_samples = std::size_t{1} << 24U;  // with more than one for a pixel: 128 MB a thread
+constexpr int band_rows = 32;                                // an even number
 
 int whole_pixels(double size_px) { return static_cast<int>(std::clamp(std::round(size_px), 1.0, most_pixels_a_side)); }
 
@@ -272,17 +273,28 @@ void Rasteriser::store_samples(const Band& band, Rendering& out) const {
   for (std::size_t i = 0; i < keys.size(); ++i) keep(keys[i], 1.0F, first + i, out);
 }
 
-void Rasteriser::render(const MeshList& meshes, const Viewpoint& view, const RenderControl& control, Rendering& out) {
-  const int samples = std::clamp(control.samples, 1, 2);
+// Projects what is to be drawn with so many samples to each side of a pixel; the view that it is drawn with.
+Viewpoint Rasteriser::prepare(const MeshList& meshes, const Viewpoint& view, unsigned threads, int samples) {
   Viewpoint finer = view;
   finer.pixels_per_m *= samples;
   finer.width_px *= samples;
   finer.height_px *= samples;
-  place_meshes(meshes);
-  const auto most = static_cast<unsigned>(std::clamp<std::size_t>(corners_.size() / chunk_triangles, 1, most_threads));
-  const unsigned threads = std::clamp(control.threads, 1U, most);
   project(meshes, finer, threads);
   part_ = seen_part(whole_pixels(view.width_px), whole_pixels(view.height_px), samples);
+  return finer;
+}
+
+void Rasteriser::render(const MeshList& meshes, const Viewpoint& view, const RenderControl& control, Rendering& out) {
+  place_meshes(meshes);
+  const auto useful = std::clamp<std::size_t>(corners_.size() / chunk_triangles, 1, most_threads);
+  unsigned threads = std::clamp(control.threads, 1U, static_cast<unsigned>(useful));
+  int samples = std::clamp(control.samples, 1, 2);
+  Viewpoint finer = prepare(meshes, view, threads, samples);
+  if (samples > 1 && place_of(0, part_.height, part_.width) > most_samples)
+    finer = prepare(meshes, view, threads, samples = 1);
+  // Each thread has a picture of its own; together they are to have no more than four large ones.
+  const std::size_t pictures = 4 * most_samples / std::max<std::size_t>(1, place_of(0, part_.height, part_.width));
+  threads = std::min(threads, static_cast<unsigned>(std::clamp<std::size_t>(pictures, 1, most_threads)));
   make_room(samples, out);
   draw_solids(meshes, finer, threads);
   const auto bands = static_cast<std::size_t>((part_.height + band_rows - 1) / band_rows);

@@ -35,7 +35,9 @@ inline constexpr float nothing_near = -std::numeric_limits<float>::infinity();
 /// How a picture is made.
 struct RenderControl {
   unsigned threads = 1;  ///< Changes nothing in the picture.
-  int samples = 1;       ///< For each side of a pixel; 2 makes edges smooth and takes four times as long.
+  /// For each side of a pixel: 2 makes edges smooth and takes four times as long. 1 is taken where 2 would need more
+  /// than 128 MB.
+  int samples = 1;
 };
 
 /// Draws meshes by depth: at every pixel what is nearest is seen, and veils that are not behind it lie over it, in the
@@ -75,6 +77,7 @@ class Rasteriser {
     std::vector<std::uint32_t> odd;
   };
 
+  [[nodiscard]] Viewpoint prepare(const MeshList& meshes, const Viewpoint& view, unsigned threads, int samples);
   void place_meshes(const MeshList& meshes);
   void make_room(int samples, Rendering& out) const;
   void project(const MeshList& meshes, const Viewpoint& view, unsigned threads);

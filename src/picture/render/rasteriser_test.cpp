@@ -262,6 +262,17 @@ TEST(Rasteriser, SmoothsEdgesByFourSamples) {
   EXPECT_EQ(pixel(picture, 0, 1), 0U);
 }
 
+TEST(Rasteriser, TakesOneSampleAPixelWhereFourWouldNeedTooMuchMemory) {
+  Viewpoint view = from_above(3000, 2000);
+  view.focus_world_m = {-0.5, 0.0, 0.0};
+  const auto wide = square(1450.0, 0, red);
+  const Rendering large = rendered({wide}, view, {2, 2});
+  const Rendering plain = rendered({wide}, view, {1, 1});
+  EXPECT_EQ(large.argb, plain.argb);
+  view.width_px = view.height_px = 1000;
+  EXPECT_NE(rendered({square(100, 0, red)}, view, {2, 2}).argb, rendered({square(100, 0, red)}, view, {1, 1}).argb);
+}
+
 TEST(Rasteriser, SaysWhichMeshIsSeenAndWhatIsBehindIt) {
   const Viewpoint view = from_above(8, 8);
   const Rendering picture = rendered({square(3, 0, red), square(1, 10, green)}, view);

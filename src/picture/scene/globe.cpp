@@ -15,7 +15,7 @@ namespace sarsim::picture {
 namespace {
 
 constexpr int cell_deg = 2;
-constexpr double depth_m = -2000.0;   // of the corners; triangles reach 1.3 km deeper
+constexpr double depth_m = -2000.0;   // of the corners; the middle of a cell is 1.9 km deeper
 constexpr double dimmest_part = 0.9;  // of the colour, opposite of the anchor
 constexpr double curvature_px = 3.0;
 constexpr double line_px = 100.0;  // between meridians, about

@@ -43,13 +43,13 @@ TEST(Globe, IsClosedAndTwoKilometresBelowTheEllipsoid) {
   const Mesh mesh = globe_mesh(earth, false);
   for (std::size_t i = 0; i < mesh.points_world_m.size(); i += 97)
     EXPECT_NEAR(earth.geodetic_of(mesh.points_world_m[i]).height_m, -2000.0, 1e-3);
-  // Nowhere above the ellipsoid, and its triangles 1.3 km at most below their corners.
+  // Nowhere above the ellipsoid, and its triangles not much below their corners.
   for (std::size_t i = 0; i < mesh.triangles.size(); i += 41) {
     const auto& [a, b, c] = mesh.triangles[i];
     const core::Vec3 middle = (1.0 / 3.0) * (mesh.points_world_m[a] + mesh.points_world_m[b] + mesh.points_world_m[c]);
     const double height_m = earth.geodetic_of(middle).height_m;
     EXPECT_LT(height_m, -1999.0);
-    EXPECT_GT(height_m, -3300.0);
+    EXPECT_GT(height_m, -3800.0);  // R (2 deg)^2 2/9 = 1.73 km at the middle of one
   }
   // V - E + F = 2 with 3 F = 2 E, but for the doubled points at both poles.
   EXPECT_EQ(mesh.triangles.size(), 2U * 180U * 89U);
