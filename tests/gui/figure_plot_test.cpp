@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QFile>
 #include <QImage>
+#include <QPainter>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 
 #include "gui/common/appearance.hpp"
 #include "gui/common/figure_plot.hpp"
+#include "gui/common/plot_frame.hpp"
 #include "gui/gui_test.hpp"
 
 namespace sarsim::figure_plot_test {
@@ -296,6 +298,23 @@ class FigurePlotTest : public QObject {
     plot.grab();
     QCOMPARE(plot.panel(0)->axis(QCPAxis::atBottom)->range().upper, 100.0);
     QCOMPARE(plot.panel(0)->axis(QCPAxis::atLeft)->range().upper, 1000.0);
+  }
+
+  void the_title_of_a_narrow_axis_is_whole() {
+    QImage image(300, 120, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    painter.setPen(Qt::black);
+    const QRect plot(130, 10, 40, 40);
+    gui::draw_axis_across(painter, plot, {"Slant range (km)", {}}, 0.0, false);
+    const int words = painter.fontMetrics().horizontalAdvance("Slant range (km)");
+    painter.end();
+    int first = image.width();
+    int last = 0;
+    for (int y = plot.bottom() + 1; y < image.height(); ++y)
+      for (int x = 0; x < image.width(); ++x)
+        if (image.pixelColor(x, y).lightness() < 128) first = std::min(first, x), last = std::max(last, x);
+    QVERIFY2(last - first > words - 8, qPrintable(QString("%1 of %2").arg(last - first).arg(words)));
   }
 
   void dark_figures_have_dark_grounds() {

@@ -110,6 +110,19 @@ class ProductWindowTest : public QObject {
     qputenv("PATH", "");  // No program can be found: all work is done here.
   }
 
+  void begins_with_the_product_that_suits_the_scene() {
+    for (const auto& [example, command] :
+         {std::pair("sar_r.toml", "sarsim focus"), std::pair("search_radar.toml", "sarsim search"),
+          std::pair("turning_ship.toml", "sarsim isar"), std::pair("stepped_aircraft.toml", "sarsim profiles")}) {
+      Bench bench(example);
+      QVERIFY2(bench.window->command().startsWith(command), qPrintable(bench.window->command()));
+    }
+    // Another scene in the same window.
+    Bench bench("sar_r.toml");
+    bench.main.documents().open_file(SARSIM_SOURCE_DIR "/examples/search_radar.toml");
+    QVERIFY(bench.window->command().startsWith("sarsim search"));
+  }
+
   void shows_the_command_that_does_the_same() {
     Bench bench("sar_r.scr");
     QCOMPARE(bench.window->command(),

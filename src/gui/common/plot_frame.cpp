@@ -54,7 +54,7 @@ void draw_axis_across(QPainter& painter, const QRect& plot, const FrameAxis& axi
     painter.drawText(words, Qt::AlignCenter, mark.label);
   }
   const int title = above ? edge + step - 2 * line : edge + step + line;
-  painter.drawText(QRect(plot.left(), title, plot.width(), line), Qt::AlignCenter, axis.title);
+  painter.drawText(QRect(plot.left(), title, plot.width(), line), Qt::AlignCenter | Qt::TextDontClip, axis.title);
 }
 
 void draw_axis_upwards(QPainter& painter, const QRect& plot, const FrameAxis& axis) {

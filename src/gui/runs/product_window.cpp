@@ -31,6 +31,7 @@
 #include "gui/image/image_viewers.hpp"
 #include "gui/runs/product_kind.hpp"
 #include "gui/runs/report_view.hpp"
+#include "picture/live/live_request.hpp"
 #include "scene/edit/document_data.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/model/scene_index.hpp"
@@ -89,6 +90,7 @@ ProductWindow::ProductWindow(Session& session, ImageViewers& viewers, QWidget* o
   connect_all();
   show_choices();
   show_simulations();
+  choose_suitable();
   resize(size_on_screen(*this, {fontMetrics().averageCharWidth() * 120, fontMetrics().height() * 42}));
 }
 
@@ -150,7 +152,19 @@ void ProductWindow::connect_all() {
   connect(&job_, &ProductJob::ended, this, &ProductWindow::take_end);
   connect(&session_, &Session::scene_changed, this, &ProductWindow::show_simulations);
   connect(&session_, &Session::document_changed, this, &ProductWindow::show_command);
-  connect(&session_, &Session::document_replaced, this, &ProductWindow::forget_result);
+  connect(&session_, &Session::document_replaced, this, [this] {
+    choose_suitable();
+    forget_result();
+  });
+}
+
+// What the first recording of another scene is for.
+void ProductWindow::choose_suitable() {
+  if (busy() || session_.scene().simulations.empty()) return;
+  const std::string_view command = picture::command_of(picture::suitable_product(session_.scene(), 0));
+  const auto kinds = product_kinds();
+  const auto at = std::ranges::find(kinds, command, &ProductKind::command);
+  if (at != kinds.end()) product_->setCurrentIndex(static_cast<int>(at - kinds.begin()));
 }
 
 // The simulations of the scene, by number and radar; the chosen number stays.

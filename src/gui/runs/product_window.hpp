@@ -59,6 +59,7 @@ class ProductWindow : public QWidget {
   void make_controls(QFormLayout* form);
   void make_foot();
   void connect_all();
+  void choose_suitable();
   void show_simulations();
   void show_choices();
   void show_command();

@@ -62,21 +62,24 @@ LiveProduct suitable_product(const scene::Scene& scene, std::size_t simulation) 
   return moves(scene, radar.platform) ? LiveProduct::focused : LiveProduct::doppler;
 }
 
+std::string_view command_of(LiveProduct product) {
+  switch (product) {
+    case LiveProduct::profiles: return "profiles";
+    case LiveProduct::isar: return "isar";
+    case LiveProduct::doppler: return "doppler";
+    case LiveProduct::ppi: return "search";
+    case LiveProduct::automatic:
+    case LiveProduct::focused: break;
+  }
+  return "focus";
+}
+
 std::string live_command(const LiveRequest& request, const std::string& script) {
   const LiveOptions& options = request.options;
   const LiveProduct product = options.product == LiveProduct::automatic
                                   ? suitable_product(*request.scene, request.simulation)
                                   : options.product;
-  const auto word = [&]() -> std::string {
-    switch (product) {
-      case LiveProduct::profiles: return "profiles";
-      case LiveProduct::isar: return "isar";
-      case LiveProduct::doppler: return "doppler";
-      case LiveProduct::ppi: return "search";
-      default: return "focus";
-    }
-  };
-  std::string words = word() + " " + script;
+  std::string words = std::string(command_of(product)) + " " + script;
   if (request.scene->simulations.size() > 1) words += fmt::format(" --simulation {}", request.simulation + 1);
   if (options.window.kind != signal::SarWindow::Kind::rectangular)
     words += " --window " + signal::to_string(options.window);
