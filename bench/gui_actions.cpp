@@ -5,12 +5,9 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QPlainTextEdit>
-#include <QStandardPaths>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-
-#include <time.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -20,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/window_bench.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/script/script_editor.hpp"
@@ -29,26 +27,20 @@ namespace {
 
 using namespace sarsim;
 
-double busy_now_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 // The action, and all that the window does of itself in the second after it; the longest stretch without an answer.
 void measure(std::size_t targets, const char* what, const std::function<void()>& act) {
   QTest::qWait(700);
-  const double begin = busy_now_ms();
+  const double begin = sarsim::bench::thread_ms();
   act();
-  const double act_ms = busy_now_ms() - begin;
+  const double act_ms = sarsim::bench::thread_ms() - begin;
   double longest = act_ms;
   for (int i = 0; i < 100; ++i) {
-    const double before = busy_now_ms();
+    const double before = sarsim::bench::thread_ms();
     QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
-    longest = std::max(longest, busy_now_ms() - before);
+    longest = std::max(longest, sarsim::bench::thread_ms() - before);
     QTest::qSleep(8);
   }
-  std::printf("%8zu  %-24s %9.1f %9.1f %9.1f\n", targets, what, act_ms, longest, busy_now_ms() - begin);
+  std::printf("%8zu  %-24s %9.1f %9.1f %9.1f\n", targets, what, act_ms, longest, sarsim::bench::thread_ms() - begin);
   std::fflush(stdout);
 }
 
@@ -106,12 +98,9 @@ void run(std::size_t targets) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  QStandardPaths::setTestModeEnabled(true);
+  sarsim::bench::keep_apart();
   QApplication application(argc, argv);
   QApplication::setStyle("Fusion");
-  QCoreApplication::setOrganizationName("Sarsim test");
-  QCoreApplication::setApplicationName("gui_actions");
   std::printf("processor milliseconds of the window's thread\n%8s  %-24s %9s %9s %9s\n", "targets", "action", "at once",
               "longest", "in all");
   std::vector<std::size_t> sizes;

@@ -2,15 +2,13 @@
 // many targets, or until the live image of a scene shows a target that was moved.
 
 #include <QApplication>
-#include <QStandardPaths>
-
-#include <ctime>
 
 #include <cstdio>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
+#include "bench/window_bench.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/frame/document_keeper.hpp"
 #include "gui/live/live_panel.hpp"
@@ -27,12 +25,6 @@ void print(std::size_t targets, bool with_table, const char* what, const sarsim:
   std::fflush(stdout);
 }
 
-double thread_ms() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 // Moves a target and waits until the image beside the scene shows it; busy is the thread of the windows alone.
 void run_live(const std::string& file) {
   constexpr int drags = 200;
@@ -46,7 +38,7 @@ void run_live(const std::string& file) {
   sarsim::test::AnswerTimes times;
   for (int step = 0; step < drags; ++step) {
     const auto before = panel.image();
-    const double busy = thread_ms();
+    const double busy = sarsim::bench::thread_ms();
     QElapsedTimer clock;
     clock.start();
     sarsim::scene::Target target = window.session().scene().targets.front();
@@ -56,7 +48,7 @@ void run_live(const std::string& file) {
     while (panel.image() == before) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
     panel.plot().repaint();
     times.ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
-    times.busy_ms.push_back(thread_ms() - busy);
+    times.busy_ms.push_back(sarsim::bench::thread_ms() - busy);
   }
   print(window.session().scene().targets.size(), false, "follow with image", times);
 }
@@ -76,12 +68,9 @@ void run(std::size_t targets) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  QStandardPaths::setTestModeEnabled(true);
+  sarsim::bench::keep_apart();
   QApplication application(argc, argv);
   QApplication::setStyle("Fusion");
-  QCoreApplication::setOrganizationName("Sarsim test");
-  QCoreApplication::setApplicationName("gui_drag");
   std::printf("milliseconds from a movement of the hand to the picture, %d movements\n", steps);
   std::printf("%8s  %-6s %-20s %8s %8s %8s %8s\n", "targets", "open", "drag", "median", "worst", "busy", "worst");
   std::vector<std::string> wanted(argv + 1, argv + argc);

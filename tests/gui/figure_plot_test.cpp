@@ -31,6 +31,16 @@ picture::Figure four_cells() {
   return figure;
 }
 
+// The same as a map, in metres along both axes.
+picture::Figure map_of_four_cells() {
+  picture::Figure figure = four_cells();
+  picture::FigurePanel& panel = figure.panels[0];
+  panel.x = {"East", "m", -900.0, 900.0, {}};
+  panel.y = {"North", "m", -700.0, 700.0, {}};
+  panel.image = picture::FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
+  return figure;
+}
+
 QPoint pixel_of(const gui::FigurePlot& plot, double x, double y) {
   const QCPAxisRect* rect = plot.panel(0);
   return {static_cast<int>(rect->axis(QCPAxis::atBottom)->coordToPixel(x)),
@@ -242,11 +252,7 @@ class FigurePlotTest : public QObject {
 
   // A circle on the ground is a circle in the picture.
   void metres_are_as_long_across_as_upwards() {
-    picture::Figure figure = four_cells();
-    picture::FigurePanel& panel = figure.panels[0];
-    panel.x = {"East", "m", -900.0, 900.0, {}};
-    panel.y = {"North", "m", -700.0, 700.0, {}};
-    panel.image = picture::FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
+    picture::Figure figure = map_of_four_cells();
     gui::FigurePlot plot;
     plot.resize(1000, 500);
     plot.set_figure(figure);
@@ -262,11 +268,7 @@ class FigurePlotTest : public QObject {
   }
 
   void metres_stay_as_long_when_the_plot_gets_another_size_or_palette() {
-    picture::Figure figure = four_cells();
-    picture::FigurePanel& panel = figure.panels[0];
-    panel.x = {"East", "m", -900.0, 900.0, {}};
-    panel.y = {"North", "m", -700.0, 700.0, {}};
-    panel.image = picture::FigureImage{2, 2, -900.0, 900.0, -700.0, 700.0, panel.image->cells};
+    picture::Figure figure = map_of_four_cells();
     gui::FigurePlot plot;
     plot.resize(1000, 500);
     plot.set_figure(figure);

@@ -1,12 +1,14 @@
 // The targets of a focused image: rings, and a table of what `sarsim measure` says of them.
 
 #include <QClipboard>
+#include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 
+#include "gui/common/problem_line.hpp"
 #include "gui/gui_test.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/target_list.hpp"
@@ -90,10 +92,35 @@ class TargetListTest : public QObject {
     QVERIFY(measured.wait(patience_ms));
     auto* table = list.findChild<QTableWidget*>("target_list_table");
     table->sortByColumn(2, Qt::DescendingOrder);
-    for (int line = 1; line < table->rowCount(); ++line)
-      QVERIFY(table->item(line - 1, 2)->text().toDouble() >= table->item(line, 2)->text().toDouble());
+    const auto azimuth = [&](int line) { return table->item(line, 2)->text().replace(QChar(0x2212), '-').toDouble(); };
+    QVERIFY(azimuth(0) > 100.0 && azimuth(table->rowCount() - 1) < -100.0);
+    for (int line = 1; line < table->rowCount(); ++line) QVERIFY(azimuth(line - 1) >= azimuth(line));
     list.choose(0);
     QCOMPARE(list.chosen(), std::optional<std::size_t>(0));
+  }
+
+  void what_is_cancelled_says_so_and_can_be_measured_again() {
+    gui::TargetList list;
+    list.show();
+    auto* cancel = list.findChild<QPushButton*>("target_list_cancel");
+    QSignalSpy measured(&list, &gui::TargetList::measured);
+    list.measure(image_);
+    QVERIFY(list.table().rows.empty());
+    cancel->click();
+    QVERIFY(measured.wait(patience_ms));
+    // It may have been quicker than the hand.
+    if (list.table().rows.empty()) {
+      QCOMPARE(cancel->text(), QString("Measure Again"));
+      QVERIFY(list.findChild<QLabel*>("target_list_summary")->text().contains("cancelled"));
+      cancel->click();
+      QVERIFY(measured.wait(patience_ms));
+    }
+    QVERIFY2(list.table().rows.size() == 24U,
+             qPrintable(list.findChild<gui::ProblemLine*>("target_list_problems")->text()));
+    // Nothing of one image is left while the next is measured.
+    list.measure(image_);
+    QVERIFY(list.table().rows.empty() && !list.chosen());
+    QTRY_COMPARE_WITH_TIMEOUT(list.table().rows.size(), 24U, patience_ms);
   }
 
   void an_image_of_unknown_origin_says_why_there_are_no_targets() {

@@ -3,11 +3,12 @@
 #include <QDir>
 #include <QFile>
 #include <QGuiApplication>
-#include <QIconEngine>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmap>
 #include <QSvgRenderer>
+
+#include "gui/common/painted_icon.hpp"
 
 // Files in a library are found once they are asked for by the name of their list, outside of any namespace.
 static void load_workbench_files() { Q_INIT_RESOURCE(workbench); }
@@ -23,7 +24,7 @@ QColor colour_of_icon(QIcon::Mode mode) {
 }
 
 // Asks the palette anew whenever it draws.
-class LineIconEngine : public QIconEngine {
+class LineIconEngine : public PaintedIcon {
  public:
   explicit LineIconEngine(QByteArray lines) : lines_(std::move(lines)) {}
 
@@ -31,14 +32,6 @@ class LineIconEngine : public QIconEngine {
     QByteArray coloured = lines_;
     coloured.replace("currentColor", colour_of_icon(mode).name().toLatin1());
     QSvgRenderer(coloured).render(painter, QRectF(rect));
-  }
-
-  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap pixmap(size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-    return pixmap;
   }
 
   [[nodiscard]] QIconEngine* clone() const override { return new LineIconEngine(*this); }

@@ -12,7 +12,6 @@
 
 #include <cmath>
 
-#include "core/report/refused.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 
@@ -78,7 +77,7 @@ TargetList::TargetList(QWidget* parent) : QWidget(parent) {
   column->addWidget(list_, 1);
   column->addLayout(foot);
   for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) widget->hide();
-  connect(cancel_, &QPushButton::clicked, this, [this] { job_.cancel(); });
+  connect(cancel_, &QPushButton::clicked, this, [this] { job_.running() ? job_.cancel() : measure(image_); });
   connect(copy_, &QPushButton::clicked, this, &TargetList::copy);
   connect(&job_, &BackgroundJob::ended, this, &TargetList::end);
   connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double seconds_left) {
@@ -97,6 +96,11 @@ void TargetList::forget() {
   again_ = false;
   if (job_.running()) job_.cancel();
   image_.clear();
+  clear();
+}
+
+// Nothing of another image stays.
+void TargetList::clear() {
   table_ = {};
   problems_->show_texts(core::Severity::note, {});
   fill();
@@ -104,6 +108,7 @@ void TargetList::forget() {
 
 void TargetList::measure(const std::filesystem::path& image) {
   image_ = image;
+  clear();
   if (job_.running()) {
     again_ = true;
     job_.cancel();
@@ -111,10 +116,9 @@ void TargetList::measure(const std::filesystem::path& image) {
   }
   again_ = false;
   made_ = std::make_shared<picture::TargetTable>();
-  refused_.clear();
-  problems_->show_texts(core::Severity::note, {});
   progress_->setValue(0);
   progress_->show();
+  cancel_->setText(tr("Cancel"));
   cancel_->show();
   job_.start([this, image, made = made_](const core::StopFlag& stop, const BackgroundJob::Report& report) {
     workflow::MeasureRequest request;
@@ -124,11 +128,7 @@ void TargetList::measure(const std::filesystem::path& image) {
     observer.progress = [&](const std::string&, const core::Progress& progress) {
       if (progress.total > 0) report(static_cast<double>(progress.done) / static_cast<double>(progress.total));
     };
-    try {
-      *made = picture::target_table(workflow::measure(request, observer));
-    } catch (const core::Refused& refused) {
-      refused_ = refused.problems;  // read when the work has ended
-    }
+    *made = picture::target_table(workflow::measure(request, observer));
   });
 }
 
@@ -136,12 +136,15 @@ void TargetList::end(JobEnd end, const QString& failure) {
   progress_->hide();
   cancel_->hide();
   if (again_) return measure(image_);
-  table_ = end == JobEnd::done && refused_.empty() ? *made_ : picture::TargetTable();
-  QStringList texts;
-  for (const core::Problem& problem : refused_) texts << problem_text(problem);
-  if (end == JobEnd::failed) texts << failure;
-  problems_->show_texts(core::Severity::error, texts);
+  if (image_.empty()) return;
+  if (end == JobEnd::done) table_ = *made_;
+  if (end == JobEnd::failed) problems_->show_texts(core::Severity::error, {failure});
   fill();
+  if (end == JobEnd::cancelled) {
+    summary_->setText(tr("Not measured: it was cancelled"));
+    cancel_->setText(tr("Measure Again"));
+    cancel_->show();
+  }
   emit measured();
 }
 
@@ -158,7 +161,7 @@ void TargetList::fill() {
   }
   for (std::size_t r = 0; r < table_.rows.size(); ++r)
     for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      auto* const item = new NumberItem(text_of(table_.rows[r].words[c]), table_.rows[r].values[c]);
+      auto* const item = new NumberItem(read_out(table_.rows[r].words[c]), table_.rows[r].values[c]);
       item->setData(row_role, static_cast<qulonglong>(r));
       list_->setItem(static_cast<int>(r), static_cast<int>(c), item);
     }

@@ -43,12 +43,12 @@ class TargetList : public QWidget {
 
  private:
   void end(JobEnd end, const QString& failure);
+  void clear();
   void fill();
   void copy();
 
   std::filesystem::path image_;
   std::shared_ptr<picture::TargetTable> made_;
-  core::Problems refused_;
   picture::TargetTable table_;
   QTableWidget* list_ = nullptr;
   QLabel* summary_ = nullptr;

@@ -1,11 +1,11 @@
 #include "gui/objects/object_tree_icons.hpp"
 
-#include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
 
 #include <optional>
 
+#include "gui/common/painted_icon.hpp"
 #include "gui/common/palette_colours.hpp"
 
 namespace sarsim::gui {
@@ -13,7 +13,7 @@ namespace sarsim::gui {
 namespace {
 
 // Draws in a square of 16 units whatever size is asked for.
-class ObjectIconEngine : public QIconEngine {
+class ObjectIconEngine : public PaintedIcon {
  public:
   ObjectIconEngine(scene::ObjectKind kind, const QPalette& palette, std::optional<core::Severity> mark)
       : kind_(kind), palette_(palette), mark_(mark) {}
@@ -31,14 +31,6 @@ class ObjectIconEngine : public QIconEngine {
     if (mark_ && *mark_ != core::Severity::note) draw_mark(*painter);
     palette_ = usual;
     painter->restore();
-  }
-
-  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-    QPixmap pixmap(size);
-    pixmap.fill(Qt::transparent);
-    QPainter painter(&pixmap);
-    paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-    return pixmap;
   }
 
   [[nodiscard]] QIconEngine* clone() const override { return new ObjectIconEngine(*this); }

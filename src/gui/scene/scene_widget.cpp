@@ -28,7 +28,6 @@ auto* found_in(const Objects& objects, scene::ObjectId id) {
 SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   options_.ground_grid = true;
   options_.threads = core::thread_count(0);
-  options_.samples = 2;
   options_.footprints = true;
   setObjectName(QStringLiteral("scene_view"));
   setAccessibleName(tr("Scene"));
@@ -141,13 +140,15 @@ void SceneWidget::redraw() {
   update();
 }
 
-void SceneWidget::refresh_drawing(bool coarse) {
-  if (drawn_ && drawn_coarse_ == coarse) return;
-  options_.coarse = coarse;
+void SceneWidget::refresh_drawing(bool dragging) {
+  if (drawn_ && drawn_dragging_ == dragging) return;
+  // Edges of solids are smooth when the hand rests.
+  options_.samples = dragging ? 1 : 2;
+  options_.coarse = dragging && snapshot_.targets.size() > picture::coarse_targets;
   picture::draw_scene(snapshot_, camera_, options_, drawing_);
   options_.coarse = false;
   drawn_ = true;
-  drawn_coarse_ = coarse;
+  drawn_dragging_ = dragging;
 }
 
 QString SceneWidget::name_of_object(scene::ObjectId id) const {
@@ -181,8 +182,7 @@ std::optional<core::Vec3> SceneWidget::place_of_point(const picture::PathPointId
 
 void SceneWidget::paintEvent(QPaintEvent*) {
   if (options_.pixel_scale != devicePixelRatioF()) follow_size();
-  const bool dragging = press_.gesture != Gesture::none && press_.gesture != Gesture::pressed;
-  refresh_drawing(dragging && snapshot_.targets.size() > picture::coarse_targets);
+  refresh_drawing(press_.gesture != Gesture::none && press_.gesture != Gesture::pressed);
   QPainter painter(this);
   painter.scale(1.0 / options_.pixel_scale, 1.0 / options_.pixel_scale);
   const QRectF area(0.0, 0.0, camera_.width_px, camera_.height_px);

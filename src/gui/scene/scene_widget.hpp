@@ -195,7 +195,7 @@ class SceneWidget : public QWidget {
   void follow_size();
   void change_camera(const picture::Camera& camera);
   void redraw();
-  void refresh_drawing(bool coarse);
+  void refresh_drawing(bool dragging);
   void set_hovered(std::optional<scene::ObjectId> id);
   void begin_gesture(Qt::KeyboardModifiers modifiers);
   void follow_gesture(const QPointF& at_px, Qt::KeyboardModifiers modifiers);
@@ -225,8 +225,8 @@ class SceneWidget : public QWidget {
   bool snap_ = false;
   QLabel* hand_words_ = nullptr;
   picture::Drawing drawing_;
-  bool drawn_ = false;         // `drawing_` shows the present state
-  bool drawn_coarse_ = false;  // ... with less detail
+  bool drawn_ = false;           // `drawing_` shows the present state
+  bool drawn_dragging_ = false;  // ... as it is while the hand moves, with less detail
   ScenePainter painter_;
 };
 

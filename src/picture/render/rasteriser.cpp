@@ -18,6 +18,7 @@ constexpr std::size_t points_at_once = 1U << 16U;
 constexpr std::size_t chunk_triangles = 16384;
 constexpr std::size_t most_threads = 16;
 constexpr std::size_t most_samples = std::size_t{1} << 24U;  // with more than one for a pixel: 128 MB a thread
+constexpr std::size_t samples_a_thread = 1U << 18U;          // fewer are coloured sooner than a thread starts
 constexpr int band_rows = 32;                                // an even number
 
 int whole_pixels(double size_px) { return static_cast<int>(std::clamp(std::round(size_px), 1.0, most_pixels_a_side)); }
@@ -115,12 +116,13 @@ void Rasteriser::place_meshes(const MeshList& meshes) {
   std::size_t triangle = 0;
   for (std::size_t m = 0; m < meshes.size(); ++m) {
     const Mesh& mesh = *meshes[m];
-    places_.push_back({corner, static_cast<std::uint32_t>(triangle)});
+    places_.push_back({corner, static_cast<std::uint32_t>(triangle), chunks_.size(), 0, {}});
     if (!drawable(mesh)) continue;
     corner += mesh.points_world_m.size();
     triangle += mesh.triangles.size();
     for (std::size_t first = 0; first < mesh.triangles.size(); first += chunk_triangles)
       chunks_.push_back({m, first, std::min(chunk_triangles, mesh.triangles.size() - first)});
+    places_.back().chunks = chunks_.size() - places_.back().first_chunk;
   }
   corners_.resize(corner);
 }
@@ -128,7 +130,7 @@ void Rasteriser::place_meshes(const MeshList& meshes) {
 void Rasteriser::project(const MeshList& meshes, const Viewpoint& view, unsigned threads) {
   for (std::size_t m = 0; m < meshes.size(); ++m) {
     const std::vector<core::Vec3>& points = meshes[m]->points_world_m;
-    if (!drawable(*meshes[m])) continue;
+    if (places_[m].chunks == 0) continue;
     const std::span corners(corners_.data() + places_[m].first_corner, points.size());
     core::parallel_ranges(points.size(), points_at_once, {threads, nullptr}, [&](std::size_t begin, std::size_t end) {
       project_points(view, std::span(points).subspan(begin, end - begin), corners.subspan(begin, end - begin));
@@ -152,10 +154,10 @@ void Rasteriser::draw_chunk(const Mesh& mesh, const Chunk& chunk, const Viewpoin
   }
 }
 
-// The least part of the picture that holds all corners; the whole of it where one is behind the viewer.
-Rasteriser::Part Rasteriser::seen_part(int width, int height, int samples) const {
+// The least part of the picture that holds some corners; the whole of it where one is behind the viewer.
+Rasteriser::Part Rasteriser::part_of(std::span<const Corner> corners, int width, int height, int samples) {
   Bounds bounds{HUGE_VALF, -HUGE_VALF, HUGE_VALF, -HUGE_VALF};
-  for (const Corner& corner : corners_) {
+  for (const Corner& corner : corners) {
     if (behind_viewer(corner)) return {0, 0, samples * width, samples * height};
     bounds.left = std::min(bounds.left, corner.x);
     bounds.right = std::max(bounds.right, corner.x);
@@ -174,8 +176,19 @@ Rasteriser::Part Rasteriser::seen_part(int width, int height, int samples) const
   return {samples * left, samples * top, samples * (right - left), samples * (bottom - top)};
 }
 
-KeyRows Rasteriser::key_rows(std::vector<std::int64_t>& keys, int first_row, int rows) const {
-  return {keys, part_.left, part_.width, part_.top + first_row, rows};
+Rasteriser::Part Rasteriser::common(const Part& a, const Part& b) {
+  const int left = std::max(a.left, b.left);
+  const int top = std::max(a.top, b.top);
+  return {left, top, std::max(0, std::min(a.left + a.width, b.left + b.width) - left),
+          std::max(0, std::min(a.top + a.height, b.top + b.height) - top)};
+}
+
+Rasteriser::Part Rasteriser::around(const Part& a, const Part& b) {
+  if (a.empty() || b.empty()) return a.empty() ? b : a;
+  const int left = std::min(a.left, b.left);
+  const int top = std::min(a.top, b.top);
+  return {left, top, std::max(a.left + a.width, b.left + b.width) - left,
+          std::max(a.top + a.height, b.top + b.height) - top};
 }
 
 // Each thread draws into a picture of its own, which needs no locks; as the nearest key wins it does not matter which
@@ -186,7 +199,7 @@ void Rasteriser::draw_solids(const MeshList& meshes, const Viewpoint& view, unsi
   std::atomic<std::size_t> next{0};
   core::parallel_ranges(threads, 1, {threads, nullptr}, [&](std::size_t thread, std::size_t) {
     keys_[thread].assign(samples, empty_key);
-    const KeyRows rows = key_rows(keys_[thread], 0, part_.height);
+    const KeyRows rows{keys_[thread], part_.left, part_.width, part_.top, part_.height};
     std::vector<std::uint32_t> odd;
     for (std::size_t i = next++; i < chunks_.size(); i = next++)
       if (const Mesh& mesh = *meshes[chunks_[i].mesh]; mesh.opacity == 255)
@@ -222,18 +235,25 @@ void Rasteriser::colour_solids(const MeshList& meshes, Band& band) const {
 }
 
 void Rasteriser::lay_veil(const Mesh& mesh, std::size_t number, const Viewpoint& view, Band& band) const {
+  const MeshPlace& place = places_[number];
+  const Part here = common(place.part, {part_.left, part_.top + band.first_row, part_.width, band.rows});
+  if (here.empty()) return;
   const std::span<const std::int64_t> solid = solid_keys(band);
-  band.veil.assign(solid.size(), empty_key);
-  for (const Chunk& chunk : chunks_)
-    if (chunk.mesh == number) draw_chunk(mesh, chunk, view, key_rows(band.veil, band.first_row, band.rows), band.odd);
-  for (std::size_t i = 0; i < band.veil.size(); ++i) {
-    const std::int64_t key = band.veil[i];
-    if (key == empty_key) continue;
-    const float nearness = nearness_of(key);
-    if (solid[i] != empty_key && nearness < nearness_of(solid[i]) - seen_through(view, nearness)) continue;
-    const raster::Rgb colour = colour_of(mesh, triangle_of(key) - places_[number].first_triangle);
-    band.argb[i] = laid_over(band.argb[i], colour, mesh.opacity);
-  }
+  band.veil.assign(place_of(0, here.height, here.width), empty_key);
+  const KeyRows rows{band.veil, here.left, here.width, here.top, here.height};
+  for (const Chunk& chunk : std::span(chunks_).subspan(place.first_chunk, place.chunks))
+    draw_chunk(mesh, chunk, view, rows, band.odd);
+  for (int y = 0; y < here.height; ++y)
+    for (int x = 0; x < here.width; ++x) {
+      const std::int64_t key = band.veil[place_of(x, y, here.width)];
+      if (key == empty_key) continue;
+      const std::size_t at =
+          place_of(here.left - part_.left + x, here.top - part_.top - band.first_row + y, part_.width);
+      const float nearness = nearness_of(key);
+      if (solid[at] != empty_key && nearness < nearness_of(solid[at]) - seen_through(view, nearness)) continue;
+      const raster::Rgb colour = colour_of(mesh, triangle_of(key) - place.first_triangle);
+      band.argb[at] = laid_over(band.argb[at], colour, mesh.opacity);
+    }
 }
 
 void Rasteriser::finish_band(const MeshList& meshes, const Viewpoint& view, int samples, Band& band, Rendering& out) {
@@ -280,7 +300,13 @@ Viewpoint Rasteriser::prepare(const MeshList& meshes, const Viewpoint& view, uns
   finer.width_px *= samples;
   finer.height_px *= samples;
   project(meshes, finer, threads);
-  part_ = seen_part(whole_pixels(view.width_px), whole_pixels(view.height_px), samples);
+  part_ = {};
+  for (std::size_t m = 0; m < meshes.size(); ++m) {
+    if (places_[m].chunks == 0) continue;
+    const std::span corners(corners_.data() + places_[m].first_corner, meshes[m]->points_world_m.size());
+    places_[m].part = part_of(corners, whole_pixels(view.width_px), whole_pixels(view.height_px), samples);
+    part_ = around(part_, places_[m].part);
+  }
   return finer;
 }
 
@@ -297,8 +323,10 @@ void Rasteriser::render(const MeshList& meshes, const Viewpoint& view, const Ren
   threads = std::min(threads, static_cast<unsigned>(std::clamp<std::size_t>(pictures, 1, most_threads)));
   make_room(samples, out);
   draw_solids(meshes, finer, threads);
+  const std::size_t drawn = place_of(0, part_.height, part_.width);
+  const auto painters = static_cast<unsigned>(std::clamp<std::size_t>(drawn / samples_a_thread, 1, most_threads));
   const auto bands = static_cast<std::size_t>((part_.height + band_rows - 1) / band_rows);
-  core::parallel_ranges(bands, 1, {threads, nullptr}, [&](std::size_t number, std::size_t) {
+  core::parallel_ranges(bands, 1, {std::min(control.threads, painters), nullptr}, [&](std::size_t number, std::size_t) {
     bands_.lend([&](Band& band) {
       band.first_row = static_cast<int>(number) * band_rows;
       band.rows = std::min(band_rows, part_.height - band.first_row);

@@ -51,16 +51,21 @@ class Rasteriser {
   void render(const MeshList& meshes, const Viewpoint& view, const RenderControl& control, Rendering& out);
 
  private:
-  struct MeshPlace {
-    std::size_t first_corner = 0;
-    std::uint32_t first_triangle = 0;
-  };
   // A part of the picture, in samples.
   struct Part {
     int left = 0;
     int top = 0;
     int width = 0;
     int height = 0;
+
+    [[nodiscard]] bool empty() const { return width <= 0 || height <= 0; }
+  };
+  struct MeshPlace {
+    std::size_t first_corner = 0;
+    std::uint32_t first_triangle = 0;
+    std::size_t first_chunk = 0;
+    std::size_t chunks = 0;  // none: it cannot be drawn
+    Part part;               // where it is seen
   };
   // Triangles that one thread draws at once.
   struct Chunk {
@@ -81,7 +86,9 @@ class Rasteriser {
   void place_meshes(const MeshList& meshes);
   void make_room(int samples, Rendering& out) const;
   void project(const MeshList& meshes, const Viewpoint& view, unsigned threads);
-  [[nodiscard]] Part seen_part(int width, int height, int samples) const;
+  [[nodiscard]] static Part part_of(std::span<const Corner> corners, int width, int height, int samples);
+  [[nodiscard]] static Part common(const Part& a, const Part& b);
+  [[nodiscard]] static Part around(const Part& a, const Part& b);
   void draw_solids(const MeshList& meshes, const Viewpoint& view, unsigned threads);
   void draw_chunk(const Mesh& mesh, const Chunk& chunk, const Viewpoint& view, const KeyRows& rows,
                   std::vector<std::uint32_t>& odd) const;
@@ -90,7 +97,6 @@ class Rasteriser {
   void lay_veil(const Mesh& mesh, std::size_t number, const Viewpoint& view, Band& band) const;
   void store(const Band& band, int samples, Rendering& out) const;
   void store_samples(const Band& band, Rendering& out) const;
-  [[nodiscard]] KeyRows key_rows(std::vector<std::int64_t>& keys, int first_row, int rows) const;
   [[nodiscard]] std::size_t mesh_of(std::int64_t key) const;
   [[nodiscard]] std::span<const std::int64_t> solid_keys(const Band& band) const;
 

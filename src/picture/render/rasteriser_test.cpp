@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <random>
 #include <set>
@@ -205,6 +206,22 @@ TEST(Rasteriser, LaysAVeilOnceOverWhatIsNotInFrontOfIt) {
   EXPECT_EQ(pixel(below, 4, 4), 0xFFC80000U);
   // A veil on a surface lies over it.
   EXPECT_EQ(pixel(rendered({square(2, 10, red), veil}, view), 4, 4), 0xFFA02800U);
+}
+
+// A veil costs what it covers: beams of a hundred radars are drawn for each picture of a film.
+TEST(Rasteriser, LaysManySmallVeilsQuickly) {
+  MeshList veils;
+  for (int i = 0; i < 2000; ++i) {
+    auto veil = square(3, 0, green, 51);
+    for (core::Vec3& point : veil->points_world_m)
+      point = point +
+              core::Vec3{static_cast<double>(i % 50) * 20.0 - 500.0, static_cast<double>(i / 50) * 10.0 - 200.0, 0.0};
+    veils.push_back(veil);
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  const Rendering picture = rendered(veils, from_above(1200, 800), {1, 2});
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+  EXPECT_EQ(std::ranges::count(picture.argb, 0x33002800U), 2000 * 36);
 }
 
 TEST(Rasteriser, SeesAPlaneUpToItsHorizon) {

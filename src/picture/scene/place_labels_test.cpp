@@ -52,6 +52,12 @@ TEST(PlaceLabels, KeepsNamesWithoutRoom) {
   EXPECT_EQ(texts.back().y, 20.0F);
 }
 
+TEST(PlaceLabels, LeavesThousandsAsTheyAre) {
+  std::vector<Drawing::Text> texts(5000, text(0, 20, "500 m", Hold::spare));
+  place_labels(texts, picture, 1.0);
+  EXPECT_EQ(texts.size(), 5000U);
+}
+
 TEST(PlaceLabels, TakesRoomByTheScaleAndCountsLettersNotBytes) {
   std::vector<Drawing::Text> texts{text(0, 20, "65° W", Hold::fixed), text(36, 20, "abc", Hold::spare)};
   place_labels(texts, picture, 1.0);
