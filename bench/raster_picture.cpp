@@ -57,7 +57,8 @@ int main(int count, char** words) {
   times_ms.erase(times_ms.begin());  // the first takes its memory
   std::ranges::sort(times_ms);
   std::printf("%zu triangles, %u threads, %d x %d: median %.1f ms, worst %.1f ms (%s)\n",
-              meshes.front()->triangles.size(), threads, out.width, out.height, times_ms[times_ms.size() / 2],
-              times_ms.back(), sarsim::simulate::simd_level().c_str());
+              meshes.front()->triangles.size(), threads, static_cast<int>(camera.width_px),
+              static_cast<int>(camera.height_px), times_ms[times_ms.size() / 2], times_ms.back(),
+              sarsim::simulate::simd_level().c_str());
   return 0;
 }
