@@ -83,7 +83,7 @@ int write_without_end(const char* script) {
   if (!window.documents().open_file(script)) return 1;
   for (int number = 1;; ++number) {
     window.session().type_text(version(number));
-    if (!window.documents().keep_copy()) return 1;
+    if (!window.documents().keep_copies()) return 1;
     std::printf("%d\n", number);
     std::fflush(stdout);
   }
@@ -281,7 +281,7 @@ class RecoveryKillTest : public QObject {
     QVERIFY(in_the_middle > 0);
   }
 
-  void two_workbenches_that_are_killed_leave_each_its_own_work() {
+  void workbenches_that_are_killed_leave_each_its_own_work_and_all_of_it_comes_back() {
     const std::size_t before = files_ending(".recovery");
     {
       Victim one({"--edit", file("a.scr"), "111"});
@@ -290,18 +290,23 @@ class RecoveryKillTest : public QObject {
       for (Victim* victim : {&one, &two, &same}) QCOMPARE(victim->line(), QByteArray("edited"));
       QTRY_COMPARE_WITH_TIMEOUT(files_ending(".recovery"), before + 3, patience_ms);
     }
-    std::map<double, fs::path> found;
-    for (int start = 0; start < 3; ++start) {
-      gui::MainWindow window;
-      const Answers answers({QMessageBox::Yes});
-      window.documents().offer_recovery();
-      QCOMPARE(answers.questions.size(), std::size_t{1});
-      found[window.session().scene().targets.at(0).position_m.x] = window.session().document().path();
-      QVERIFY(answers.questions[0].contains(QString::fromStdString(window.session().document().path().string())));
-      window.documents().close();
+    gui::MainWindow window;
+    const Answers answers({QMessageBox::Yes, QMessageBox::Yes, QMessageBox::Yes});
+    window.documents().offer_recovery();
+    QCOMPARE(answers.questions.size(), std::size_t{3});
+    QCOMPARE(window.session().document_count(), std::size_t{3});
+    std::multimap<double, fs::path> found;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const scene::Document& document = window.session().document_at(i);
+      found.emplace(document.scene().targets.at(0).position_m.x, document.path());
+      QVERIFY(document.changed());
     }
-    const std::map<double, fs::path> expected{{111.0, path("a.scr")}, {222.0, path("b.scr")}, {333.0, path("b.scr")}};
+    QVERIFY(answers.questions[0].contains(QString::fromStdString(window.session().document().path().string())));
+    const std::multimap<double, fs::path> expected{
+        {111.0, path("a.scr")}, {222.0, path("b.scr")}, {333.0, path("b.scr")}};
     QVERIFY(found == expected);
+    QCOMPARE(files_ending(".recovery"), std::size_t{3});
+    window.documents().end();
     QCOMPARE(files_ending(".recovery"), std::size_t{0});
   }
 
@@ -316,7 +321,7 @@ class RecoveryKillTest : public QObject {
     QCOMPARE(window.session().scene().targets.at(0).position_m.x, 222.0);
     window.documents().offer_recovery();
     QCOMPARE(answers.questions.size(), std::size_t{1});
-    window.documents().close();
+    window.documents().end();
     QCOMPARE(files_ending(".recovery"), std::size_t{1});
   }
 
@@ -333,7 +338,7 @@ class RecoveryKillTest : public QObject {
       QTest::qWait(100);
     }
     QCOMPARE(files_ending(".recovery"), std::size_t{1});
-    window.documents().close();
+    window.documents().end();
     QCOMPARE(files_ending(".recovery"), std::size_t{0});
   }
 };

@@ -34,6 +34,7 @@
 #include "gui/objects/target_table_model.hpp"
 #include "gui/runs/run_panel.hpp"
 #include "gui/runs/save_data_dialog.hpp"
+#include "gui/runs/stored_simulations.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
 #include "gui/script/script_coding.hpp"
@@ -246,7 +247,13 @@ void fill_table(gui::MainWindow& window) {
   table(window).fill_selection("3 m2");
 }
 void take_best_lsb(gui::MainWindow& window) {
-  emit window.findChild<gui::RunPanel*>()->lsb_wanted(window.session().scene().simulations[0], 1.5e-3);
+  const QTemporaryDir folder;
+  auto* const stored = window.findChild<gui::StoredSimulations*>();
+  stored->run_panel().set_patience_s(0.0);
+  stored->run_into(first_simulation, folder.filePath("a.bin").toStdString(), false);
+  stored->run_panel().cancel();
+  while (stored->run_panel().running()) QCoreApplication::processEvents();
+  emit stored->run_panel().lsb_wanted(window.session().scene().simulations[0], 1.5e-3);
 }
 
 const std::set<scene::ObjectId> some{platform(1), target(0)};

@@ -20,112 +20,164 @@ Session::Session(QObject* parent) : QObject(parent) {
   problems_soon_.setSingleShot(true);
   problems_soon_.setInterval(pause_ms);
   connect(&problems_soon_, &QTimer::timeout, this, &Session::find_put_off_problems);
-  look_for_problems();
+  desks_.push_back(desk_with(scene::Document()));
+  desk_ = desks_.front().get();
 }
+
+Session::~Session() = default;
 
 std::shared_ptr<const scene::Scene> Session::shared_scene() const {
-  if (shared_ == nullptr) shared_ = std::make_shared<const scene::Scene>(scene());
-  return shared_;
+  if (desk_->shared == nullptr) desk_->shared = std::make_shared<const scene::Scene>(scene());
+  return desk_->shared;
 }
 
-void Session::take(scene::Document document) {
-  document_ = std::move(document);
-  document_.read_files_with([](scene::Scene& scene, const std::filesystem::path& folder) {
+std::size_t Session::at_hand() const {
+  const auto found = std::ranges::find(desks_, desk_, &std::unique_ptr<Desk>::get);
+  return static_cast<std::size_t>(found - desks_.begin());
+}
+
+std::unique_ptr<Session::Desk> Session::desk_with(scene::Document document) {
+  auto desk = std::make_unique<Desk>();
+  desk->number = ++last_number_;
+  desk->document = std::move(document);
+  desk->document.read_files_with([](scene::Scene& scene, const std::filesystem::path& folder) {
     return workflow::read_files_of(scene, folder, {core::thread_count(0)});
   });
-  shared_.reset();
-  selection_.clear();
-  current_.reset();
-  hidden_.clear();
-  time_s_ = 0.0;
-  look_for_problems();
+  desk->problems = desk->document.problems();
+  return desk;
+}
+
+void Session::show_desk(Desk& desk) {
+  desk_ = &desk;
   emit document_replaced();
-  emit time_changed(time_s_);
-  emit hidden_changed();
-  emit selection_changed();
   scene::SceneChange change;
   change.everything = true;
   emit scene_changed(change);
+  // Of this scene, which by now everybody knows.
+  emit time_changed(desk.time_s);
+  emit hidden_changed();
+  emit selection_changed();
+}
+
+void Session::add(scene::Document document) {
+  end_run();
+  const auto place = desks_.begin() + static_cast<std::ptrdiff_t>(at_hand()) + 1;
+  Desk& desk = **desks_.insert(place, desk_with(std::move(document)));
+  emit row_changed();
+  show_desk(desk);
+}
+
+void Session::take(scene::Document document) {
+  problems_soon_.stop();
+  const std::size_t index = at_hand();
+  const std::unique_ptr<Desk> gone = std::exchange(desks_[index], desk_with(std::move(document)));
+  show_desk(*desks_[index]);
+  emit document_closed(gone->number);
+  emit row_changed();
+}
+
+void Session::turn_to(std::size_t index) {
+  if (index == at_hand()) return;
+  end_run();
+  show_desk(*desks_[index]);
+}
+
+void Session::move(std::size_t from, std::size_t to) {
+  if (from == to) return;
+  std::unique_ptr<Desk> desk = std::move(desks_[from]);
+  desks_.erase(desks_.begin() + static_cast<std::ptrdiff_t>(from));
+  desks_.insert(desks_.begin() + static_cast<std::ptrdiff_t>(to), std::move(desk));
+  emit row_changed();
+}
+
+void Session::close(std::size_t index) {
+  if (desks_.size() == 1) return take(scene::Document());
+  if (index == at_hand()) turn_to(index + 1 < desks_.size() ? index + 1 : index - 1);
+  const std::unique_ptr<Desk> gone = std::move(desks_[index]);
+  desks_.erase(desks_.begin() + static_cast<std::ptrdiff_t>(index));
+  emit document_closed(gone->number);
+  emit row_changed();
 }
 
 void Session::perform(scene::Edit edit) {
   if (edit.changes.empty() && !edit.options_after && !edit.world_after && !edit.air_after) return;
   const bool in_run = !edit.merge_key.empty();
-  const std::uint64_t revision = document_.revision();
+  const std::uint64_t revision = desk_->document.revision();
   scene::SceneChange change = scene::change_of(edit);
-  document_.perform(std::move(edit));
+  desk_->document.perform(std::move(edit));
   if (in_run)
     problems_soon_.stop();
   else
     look_for_problems();
   log_replaced_expressions();
   // Also where nothing came of it: a window shows what was asked for and has to go back.
-  if (document_.revision() != revision) change = follow_last_edit();
+  if (desk_->document.revision() != revision) change = follow_last_edit();
   emit scene_changed(change);
   if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
 }
 
 void Session::end_run() {
-  document_.end_run();
+  desk_->document.end_run();
   if (problems_soon_.isActive()) find_put_off_problems();
 }
 
 void Session::type_text(const std::string& text) {
-  const std::uint64_t revision = document_.revision();
-  document_.type_text(text);
-  if (document_.revision() == revision) return;
+  const std::uint64_t revision = desk_->document.revision();
+  desk_->document.type_text(text);
+  if (desk_->document.revision() == revision) return;
   look_for_problems();
   emit scene_changed(follow_last_edit());
 }
 
 void Session::undo() {
-  if (!document_.history().can_undo()) return;
-  document_.undo();
+  if (!desk_->document.history().can_undo()) return;
+  desk_->document.undo();
   look_for_problems();
   emit scene_changed(follow_last_edit());
 }
 
 void Session::take_back() {
-  if (!document_.history().can_undo()) return;
-  document_.take_back();
+  if (!desk_->document.history().can_undo()) return;
+  desk_->document.take_back();
   look_for_problems();
   emit scene_changed(follow_last_edit());
 }
 
 void Session::redo() {
-  if (!document_.history().can_redo()) return;
-  document_.redo();
+  if (!desk_->document.history().can_redo()) return;
+  desk_->document.redo();
   look_for_problems();
   emit scene_changed(follow_last_edit());
 }
 
 void Session::save(const std::filesystem::path& path) {
-  document_.save(path);
+  desk_->document.save(path);
   emit document_changed();
   find_put_off_problems();  // They name the file, and data files are looked for beside it.
 }
 
 void Session::select(std::set<scene::ObjectId> objects) {
-  if (objects == selection_) return;
-  selection_ = std::move(objects);
-  if (!current_ || !selection_.contains(*current_))
-    current_ = selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+  if (objects == desk_->selection) return;
+  desk_->selection = std::move(objects);
+  if (!desk_->current || !desk_->selection.contains(*desk_->current))
+    desk_->current = desk_->selection.empty() ? std::nullopt : std::optional(*desk_->selection.begin());
   emit selection_changed();
 }
 
 void Session::select_only(scene::ObjectId object) {
-  if (current_ == object && selection_.size() == 1) return;
-  selection_ = {object};
-  current_ = object;
+  if (desk_->current == object && desk_->selection.size() == 1) return;
+  desk_->selection = {object};
+  desk_->current = object;
   emit selection_changed();
 }
 
 void Session::select_also(scene::ObjectId object) {
-  if (selection_.erase(object) > 0) {
-    if (current_ == object) current_ = selection_.empty() ? std::nullopt : std::optional(*selection_.begin());
+  if (desk_->selection.erase(object) > 0) {
+    if (desk_->current == object)
+      desk_->current = desk_->selection.empty() ? std::nullopt : std::optional(*desk_->selection.begin());
   } else {
-    selection_.insert(object);
-    current_ = object;
+    desk_->selection.insert(object);
+    desk_->current = object;
   }
   emit selection_changed();
 }
@@ -133,24 +185,24 @@ void Session::select_also(scene::ObjectId object) {
 void Session::set_hidden(const std::set<scene::ObjectId>& objects, bool hide) {
   for (const scene::ObjectId& id : objects) {
     if (hide)
-      hidden_.insert(id);
+      desk_->hidden.insert(id);
     else
-      hidden_.erase(id);
+      desk_->hidden.erase(id);
   }
   emit hidden_changed();
 }
 
 void Session::set_time(double time_s) {
-  if (!std::isfinite(time_s) || time_s == time_s_) return;
-  time_s_ = time_s;
-  emit time_changed(time_s_);
+  if (!std::isfinite(time_s) || time_s == desk_->time_s) return;
+  desk_->time_s = time_s;
+  emit time_changed(desk_->time_s);
 }
 
 void Session::log(core::Severity severity, const QString& text) { emit logged(static_cast<int>(severity), text); }
 
 void Session::log_replaced_expressions() {
   constexpr std::size_t most = 3;
-  const std::vector<scene::ReplacedExpression>& replaced = document_.replaced_expressions();
+  const std::vector<scene::ReplacedExpression>& replaced = desk_->document.replaced_expressions();
   for (std::size_t i = 0; i < std::min(replaced.size(), most); ++i) {
     const auto& [object, field, expression] = replaced[i];
     const std::string value = object ? scene::field_text(scene::object_of(scene(), *object), field->id)
@@ -167,30 +219,30 @@ void Session::log_replaced_expressions() {
 
 // Keeps pointing at the same objects where an edit moved them.
 scene::SceneChange Session::follow_last_edit() {
-  const auto& last = document_.last_edit();
+  const auto& last = desk_->document.last_edit();
   if (!last) return {};
   scene::SceneChange change = scene::change_of(last->edit, last->forwards);
-  if (!change.empty()) shared_.reset();
+  if (!change.empty()) desk_->shared.reset();
   if (change.same_objects()) return change;
   const auto follow = [&](const std::set<scene::ObjectId>& ids) {
     std::set<scene::ObjectId> there = scene::moved(ids, last->edit, last->forwards);
     std::erase_if(there, [&](scene::ObjectId id) { return !scene::has_object(scene(), id); });
     return there;
   };
-  hidden_ = follow(hidden_);
-  const auto current = current_ ? scene::moved(*current_, last->edit, last->forwards) : std::nullopt;
-  const std::set<scene::ObjectId> selected = follow(selection_);
-  current_ = current && selected.contains(*current) ? current : std::nullopt;
-  if (!current_ && !selected.empty()) current_ = *selected.begin();
-  const bool same = selected == selection_;
-  selection_ = selected;
+  desk_->hidden = follow(desk_->hidden);
+  const auto current = desk_->current ? scene::moved(*desk_->current, last->edit, last->forwards) : std::nullopt;
+  const std::set<scene::ObjectId> selected = follow(desk_->selection);
+  desk_->current = current && selected.contains(*current) ? current : std::nullopt;
+  if (!desk_->current && !selected.empty()) desk_->current = *selected.begin();
+  const bool same = selected == desk_->selection;
+  desk_->selection = selected;
   if (!same) emit selection_changed();
   return change;
 }
 
 void Session::look_for_problems() {
   problems_soon_.stop();
-  problems_ = document_.problems();
+  desk_->problems = desk_->document.problems();
 }
 
 void Session::find_put_off_problems() {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "scene/edit/document.hpp"
 #include "scene/edit/scene_change.hpp"
@@ -14,21 +15,43 @@
 
 namespace sarsim::gui {
 
-/// What all windows of the workbench share: the document, what is selected and hidden, and the time of the scene.
-/// Every change of the scene goes through here and is announced once, so that windows never talk to each other.
+/// What all windows of the workbench share: the documents that are open, the one at hand, what is selected and hidden
+/// in it, and the time of its scene. Every change of the scene goes through here and is announced once, so that windows
+/// never talk to each other.
 class Session : public QObject {
   Q_OBJECT
 
  public:
   explicit Session(QObject* parent = nullptr);
 
-  [[nodiscard]] const scene::Document& document() const { return document_; }
-  [[nodiscard]] const scene::Scene& scene() const { return document_.scene(); }
+  ~Session() override;
+
+  /// The document at hand.
+  [[nodiscard]] const scene::Document& document() const { return desk_->document; }
+  [[nodiscard]] const scene::Scene& scene() const { return desk_->document.scene(); }
   /// The scene as it is, for work that goes on while it changes. Copied at most once for each change.
   [[nodiscard]] std::shared_ptr<const scene::Scene> shared_scene() const;
 
-  /// Puts another document in place of this one; selection and hidden objects are cleared, the time is 0.
+  /// How many documents are open, one at least; they stand in a row.
+  [[nodiscard]] std::size_t document_count() const { return desks_.size(); }
+  /// Where in the row the document at hand stands.
+  [[nodiscard]] std::size_t at_hand() const;
+  [[nodiscard]] const scene::Document& document_at(std::size_t index) const { return desks_[index]->document; }
+  /// Tells documents apart for as long as the program runs: no other one has, had or will have the number.
+  [[nodiscard]] int number_at(std::size_t index) const { return desks_[index]->number; }
+  /// That of the document at hand.
+  [[nodiscard]] int number() const { return desk_->number; }
+  /// Puts a document behind the one at hand, and turns to it: nothing is selected or hidden, the time is 0.
+  void add(scene::Document document);
+  /// The same in place of the one at hand, which is closed.
   void take(scene::Document document);
+  /// Takes another document in hand, as it was left: selection, hidden objects, time.
+  void turn_to(std::size_t index);
+  /// Puts a document at another place of the row.
+  void move(std::size_t from, std::size_t to);
+  /// Closes a document, with everything in it that was not saved. The last one gives way to an empty scene.
+  void close(std::size_t index);
+
   /// Applies an edit; an empty one is passed over. Selection and hidden objects follow theirs.
   void perform(scene::Edit edit);
   /// Ends a run of merged edits: a drag, a spin box.
@@ -47,22 +70,22 @@ class Session : public QObject {
   /// Problems of the document as far as they are known, for windows that show them. Looked for at once after a single
   /// edit; during a run of merged edits (a drag, a spin box) only when it pauses, because that reads the whole script.
   /// Until then they are those of before the run, about the same objects.
-  [[nodiscard]] const core::Problems& problems() const { return problems_; }
+  [[nodiscard]] const core::Problems& problems() const { return desk_->problems; }
 
-  [[nodiscard]] const std::set<scene::ObjectId>& selection() const { return selection_; }
+  [[nodiscard]] const std::set<scene::ObjectId>& selection() const { return desk_->selection; }
   /// The object that panels show: the one selected last, if any.
-  [[nodiscard]] std::optional<scene::ObjectId> current() const { return current_; }
+  [[nodiscard]] std::optional<scene::ObjectId> current() const { return desk_->current; }
   /// Selects these and no others.
   void select(std::set<scene::ObjectId> objects);
   /// Selects one object.
   void select_only(scene::ObjectId object);
   void select_also(scene::ObjectId object);  ///< Adds it, or takes it out where it is in.
 
-  [[nodiscard]] const std::set<scene::ObjectId>& hidden() const { return hidden_; }
+  [[nodiscard]] const std::set<scene::ObjectId>& hidden() const { return desk_->hidden; }
   /// Hides objects in the scene view, or shows them again.
   void set_hidden(const std::set<scene::ObjectId>& objects, bool hide);
 
-  [[nodiscard]] double time_s() const { return time_s_; }
+  [[nodiscard]] double time_s() const { return desk_->time_s; }
   /// The time at which the scene is seen.
   void set_time(double time_s);
 
@@ -75,25 +98,37 @@ class Session : public QObject {
   void scene_changed(const sarsim::scene::SceneChange& change);
   void problems_changed();           ///< Problems were looked for while the scene stayed as it was: a run paused.
   void document_changed();           ///< Path and unsaved mark changed while scene and text stayed: it was saved.
-  void document_replaced();          ///< Another document was taken.
+  void document_replaced();          ///< Another document is at hand.
+  void document_closed(int number);  ///< A document is gone: what was kept about it is of no use any more.
+  void row_changed();                ///< Other documents are open, or they stand in another order.
   void selection_changed();          ///< Other objects are selected.
   void hidden_changed();             ///< Other objects are hidden.
   void time_changed(double time_s);  ///< The scene is seen at another time.
   void logged(int severity, const QString& text);  ///< A line for the log panel.
 
  private:
+  // A document that is open, and how it is seen.
+  struct Desk {
+    int number = 0;
+    scene::Document document;
+    std::set<scene::ObjectId> selection;
+    std::optional<scene::ObjectId> current;
+    std::set<scene::ObjectId> hidden;
+    double time_s = 0.0;
+    core::Problems problems;
+    std::shared_ptr<const scene::Scene> shared;  // null until somebody asks for the scene as it is
+  };
+
+  [[nodiscard]] std::unique_ptr<Desk> desk_with(scene::Document document);
+  void show_desk(Desk& desk);
   [[nodiscard]] scene::SceneChange follow_last_edit();
   void look_for_problems();
   void log_replaced_expressions();
   void find_put_off_problems();
 
-  scene::Document document_;
-  mutable std::shared_ptr<const scene::Scene> shared_;  // null until somebody asks for the scene as it is
-  std::set<scene::ObjectId> selection_;
-  std::optional<scene::ObjectId> current_;
-  std::set<scene::ObjectId> hidden_;
-  double time_s_ = 0.0;
-  core::Problems problems_;
+  int last_number_ = 0;
+  std::vector<std::unique_ptr<Desk>> desks_;
+  Desk* desk_ = nullptr;  // the one at hand
   QTimer problems_soon_;
 };
 

@@ -81,15 +81,26 @@ void EchoPanel::take(SimulationWindow* window) {
     tabs_->setTabToolTip(at, title);
   });
   connect(window, &QObject::destroyed, this, &EchoPanel::follow_tabs);
+  connect(window, &SimulationWindow::set_aside, tabs_, [this, window](bool aside) {
+    if (const int at = tabs_->indexOf(window); at >= 0) tabs_->setTabVisible(at, !aside);
+    follow_tabs();
+  });
   tabs_->setCurrentIndex(index);
   window->show();
   follow_tabs();
 }
 
-int EchoPanel::count() const { return tabs_->count(); }
+int EchoPanel::count() const {
+  int seen = 0;
+  for (int i = 0; i < tabs_->count(); ++i) seen += tabs_->isTabVisible(i) ? 1 : 0;
+  return seen;
+}
 
-SimulationWindow* EchoPanel::current() const { return qobject_cast<SimulationWindow*>(tabs_->currentWidget()); }
+SimulationWindow* EchoPanel::current() const {
+  const int at = tabs_->currentIndex();
+  return at >= 0 && tabs_->isTabVisible(at) ? qobject_cast<SimulationWindow*>(tabs_->widget(at)) : nullptr;
+}
 
-void EchoPanel::follow_tabs() { stack_->setCurrentIndex(tabs_->count() > 0 ? 1 : 0); }
+void EchoPanel::follow_tabs() { stack_->setCurrentIndex(count() > 0 ? 1 : 0); }
 
 }  // namespace sarsim::gui

@@ -19,7 +19,7 @@ class EchoPanel : public QWidget {
 
   /// Takes a window in, in front of the others; its tab goes with it.
   void take(SimulationWindow* window);
-  [[nodiscard]] int count() const;  ///< How many windows it holds.
+  [[nodiscard]] int count() const;  ///< How many windows it shows: those of the document at hand.
   /// The window in front; null where there is none.
   [[nodiscard]] SimulationWindow* current() const;
 

@@ -76,7 +76,7 @@ ReservedLabel* foot_label(QWidget* parent, const char* name, int lines) {
 }  // namespace
 
 SimulationWindow::SimulationWindow(Session& session, picture::EchoWindow window, bool show_all, QWidget* parent)
-    : QWidget(parent), session_(session), window_(std::move(window)), show_all_(show_all) {
+    : QWidget(parent), session_(session), document_(session.number()), window_(std::move(window)), show_all_(show_all) {
   setObjectName("simulation_window");
   scene_ = session_.shared_scene();
   controls_ = new EchoControls(this);
@@ -249,8 +249,17 @@ void SimulationWindow::connect_all() {
   });
 }
 
+void SimulationWindow::put_aside(bool aside) {
+  if (aside) preview_->cancel();
+  setAttribute(Qt::WA_ShowWithoutActivating);  // Whoever turned to the document goes on in the main window.
+  if (isWindow()) setVisible(!aside);
+  for (RadarViewWindow* view : findChildren<RadarViewWindow*>()) view->setVisible(!aside);
+  emit set_aside(aside);
+}
+
 // Recordings and tables make no echoes, nor do comments of the script.
 void SimulationWindow::follow_scene(const scene::SceneChange& change) {
+  if (session_.number() != document_) return;
   const bool other_echoes = change.options || std::ranges::any_of(scene::all_object_kinds, [&](scene::ObjectKind kind) {
                               return !scene::belongs_to_radar(kind) && change.concerns(kind);
                             });

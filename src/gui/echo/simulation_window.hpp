@@ -56,6 +56,10 @@ class SimulationWindow : public QWidget {
   [[nodiscard]] double largest_v() const;
   /// Where the first cursor is, or else the middle of the view.
   [[nodiscard]] EchoPlot::Cursor place() const;
+  /// Its document is at hand again, or is not any more: the window goes out of sight, with its views, and waits.
+  void put_aside(bool aside);
+  /// The number of the document whose echoes it shows.
+  [[nodiscard]] int document() const { return document_; }
   /// Shows or hides the form at the side.
   void show_settings(bool shown);
   /// Opens another view of the same samples, which follows this window and ends with it.
@@ -86,8 +90,9 @@ class SimulationWindow : public QWidget {
   void view_changed(const sarsim::picture::EchoView& view, sarsim::picture::AxisLink link);
   /// The user wants the data in a file.
   void save_data_wanted(const sarsim::scene::Simulation& simulation);
-  void changed();   ///< Scene, view, recording or cursor: what other views of it show.
-  void finished();  ///< All samples of the view are shown.
+  void changed();              ///< Scene, view, recording or cursor: what other views of it show.
+  void finished();             ///< All samples of the view are shown.
+  void set_aside(bool aside);  ///< It goes out of sight with its document, or comes back.
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -113,6 +118,7 @@ class SimulationWindow : public QWidget {
   [[nodiscard]] QString title() const;
 
   Session& session_;
+  int document_ = 0;
   std::shared_ptr<const scene::Scene> scene_;
   picture::EchoWindow window_;
   picture::ViewHistory<picture::EchoView> history_;

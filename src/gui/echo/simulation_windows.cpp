@@ -10,13 +10,21 @@ namespace sarsim::gui {
 
 SimulationWindows::SimulationWindows(Session& session, QWidget* owner)
     : QObject(owner), session_(session), owner_(owner) {
-  // Windows of a scene that is gone would show another one's echoes.
   connect(&session_, &Session::document_replaced, this, [this] {
-    for (SimulationWindow* window : windows()) window->close();
+    for (SimulationWindow* window : windows_) window->put_aside(window->document() != session_.number());
+  });
+  connect(&session_, &Session::document_closed, this, [this](int number) {
+    for (SimulationWindow* window : QList(windows_))
+      if (window->document() == number) window->close();
   });
 }
 
-std::vector<SimulationWindow*> SimulationWindows::windows() const { return {windows_.begin(), windows_.end()}; }
+std::vector<SimulationWindow*> SimulationWindows::windows() const {
+  std::vector<SimulationWindow*> at_hand;
+  for (SimulationWindow* window : windows_)
+    if (window->document() == session_.number()) at_hand.push_back(window);
+  return at_hand;
+}
 
 SimulationWindow* SimulationWindows::open_new(scene::Processing processing) {
   const scene::Scene& scene = session_.scene();

@@ -13,8 +13,8 @@ namespace sarsim::gui {
 
 class SimulationWindow;
 
-/// The simulation windows of a workbench: opens them, lets linked ones follow each other, closes them with their
-/// document.
+/// The simulation windows of a workbench: opens them, lets linked ones follow each other, puts them aside and closes
+/// them with their document.
 class SimulationWindows : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class SimulationWindows : public QObject {
   SimulationWindow* open_new(scene::Processing processing);
   /// Opens a window that shows a stored simulation exactly.
   SimulationWindow* open_stored(scene::ObjectId simulation);
-  /// Those that are open.
+  /// Those of the document at hand.
   [[nodiscard]] std::vector<SimulationWindow*> windows() const;
 
  signals:
@@ -39,7 +39,7 @@ class SimulationWindows : public QObject {
 
   Session& session_;
   QWidget* owner_;
-  QList<SimulationWindow*> windows_;
+  QList<SimulationWindow*> windows_;  // of all documents
 };
 
 }  // namespace sarsim::gui

@@ -33,23 +33,17 @@ QString name_of_document(const std::filesystem::path& path) {
 }  // namespace
 
 DocumentKeeper::DocumentKeeper(Session& session, QWidget* window)
-    : QObject(window),
-      session_(session),
-      window_(window),
-      recovery_(recovery_folder(), static_cast<long>(QCoreApplication::applicationPid())) {
+    : QObject(window), session_(session), window_(window) {
   make_questions();
   keep_soon_.setSingleShot(true);
   keep_soon_.setInterval(keep_after_ms);
-  connect(&keep_soon_, &QTimer::timeout, this, &DocumentKeeper::keep_copy);
-  const auto keep = [this] {
-    if (!session_.document().changed())
-      recovery_.forget();
-    else if (!keep_soon_.isActive())  // whoever edits without a pause wants copies too
-      keep_soon_.start();
-  };
-  connect(&session_, &Session::scene_changed, this, keep);
-  connect(&session_, &Session::document_changed, this, keep);
-  connect(&session_, &Session::document_replaced, this, [this] { example_.clear(); });
+  connect(&keep_soon_, &QTimer::timeout, this, &DocumentKeeper::keep_copies);
+  connect(&session_, &Session::scene_changed, this, &DocumentKeeper::guard_change);
+  connect(&session_, &Session::document_changed, this, &DocumentKeeper::guard_change);
+  connect(&session_, &Session::document_closed, this, [this](int number) {
+    guard(number).copy.forget();
+    guards_.erase(number);
+  });
   look_.setInterval(look_every_ms);
   connect(&look_, &QTimer::timeout, this, &DocumentKeeper::look_at_disk);
   look_.start();
@@ -57,14 +51,47 @@ DocumentKeeper::DocumentKeeper(Session& session, QWidget* window)
 
 DocumentKeeper::~DocumentKeeper() = default;
 
+DocumentKeeper::Guard& DocumentKeeper::guard(int number) {
+  const auto found = guards_.find(number);
+  if (found != guards_.end()) return found->second;
+  const auto process = static_cast<long>(QCoreApplication::applicationPid());
+  return guards_.emplace(number, Guard{{}, scene::Recovery(recovery_folder(), process, number), false, {}})
+      .first->second;
+}
+
+// Whoever edits without a pause wants copies too.
+void DocumentKeeper::guard_change() {
+  Guard& own = guard(session_.number());
+  own.copy_is_due = session_.document().changed();
+  if (!own.copy_is_due)
+    own.copy.forget();
+  else if (!keep_soon_.isActive())
+    keep_soon_.start();
+}
+
+// A new scene in which nothing was done gives way.
+void DocumentKeeper::open_beside(scene::Document document) {
+  const scene::Document& present = session_.document();
+  const bool untouched = present.path().empty() && !present.changed() && !present.history().can_redo() &&
+                         present.text() == scene::Document().text();
+  untouched ? session_.take(std::move(document)) : session_.add(std::move(document));
+}
+
+std::optional<std::size_t> DocumentKeeper::place_of(const std::filesystem::path& path) const {
+  for (std::size_t i = 0; i < session_.document_count(); ++i) {
+    std::error_code none;
+    const std::filesystem::path& open = session_.document_at(i).path();
+    if (!open.empty() && (open == path || std::filesystem::equivalent(open, path, none))) return i;
+  }
+  return std::nullopt;
+}
+
 bool DocumentKeeper::make_new() {
-  if (!may_close()) return false;
-  session_.take(scene::Document());
+  open_beside(scene::Document());
   return true;
 }
 
 bool DocumentKeeper::open() {
-  if (!may_close()) return false;
   const QString path = ask_open_name();
   return !path.isEmpty() && open_file(path);
 }
@@ -72,17 +99,26 @@ bool DocumentKeeper::open() {
 bool DocumentKeeper::open_file(const QString& name) {
   // Copies for recovery outlive the folder that the program was started in.
   const QString path = QFileInfo(name).absoluteFilePath();
-  scene::Document document = scene::Document::open(path.toStdString());
-  if (document.path().empty()) {
-    const core::Problems& problems = document.problems();
-    tell(tr("'%1' could not be opened.").arg(path),
-         problems.empty() ? tr("Not a script.") : QString::fromStdString(core::to_string(problems.front())));
-    return false;
+  if (const auto open = place_of(path.toStdString())) {
+    session_.turn_to(*open);
+    note_recent(path);
+    return true;
   }
-  session_.take(std::move(document));
+  auto document = read(path);
+  if (!document) return false;
+  open_beside(*std::move(document));
   note_recent(path);
   session_.log(core::Severity::note, tr("Opened %1").arg(path));
   return true;
+}
+
+std::optional<scene::Document> DocumentKeeper::read(const QString& path) {
+  scene::Document document = scene::Document::open(path.toStdString());
+  const core::Problems& problems = document.problems();
+  if (!document.path().empty()) return document;
+  tell(tr("'%1' could not be opened.").arg(path),
+       problems.empty() ? tr("Not a script.") : QString::fromStdString(core::to_string(problems.front())));
+  return std::nullopt;
 }
 
 bool DocumentKeeper::open_example(const QString& path) {
@@ -90,24 +126,27 @@ bool DocumentKeeper::open_example(const QString& path) {
   scene::Document copy = scene::Document::from_text(example.text());
   // What stands in files beside the example is not found from a copy.
   if (example.path().empty() || core::has_errors(copy.problems())) return open_file(path);
-  session_.take(std::move(copy));
-  if (core::has_errors(session_.document().problems())) return open_file(path);
-  example_ = QFileInfo(path).fileName();
+  open_beside(std::move(copy));
+  if (core::has_errors(session_.document().problems())) {
+    session_.close(session_.at_hand());
+    return open_file(path);
+  }
+  guard(session_.number()).example = QFileInfo(path).fileName();
   emit session_.document_changed();
   session_.log(core::Severity::note, tr("Opened a copy of the example %1").arg(QFileInfo(path).fileName()));
   return true;
 }
 
-QString DocumentKeeper::shown_name() const {
-  const std::filesystem::path& path = session_.document().path();
+QString DocumentKeeper::shown_name(std::size_t index) const {
+  const std::filesystem::path& path = session_.document_at(index).path();
   if (!path.empty()) return text_of(path);
-  return example_.isEmpty() ? tr("New scene") : tr("%1 (copy of the example)").arg(example_);
+  const auto known = guards_.find(session_.number_at(index));
+  const QString example = known == guards_.end() ? QString() : known->second.example;
+  return example.isEmpty() ? tr("New scene") : tr("%1 (copy of the example)").arg(example);
 }
 
 bool DocumentKeeper::begin_with(const scene::StartingScene& starting) {
-  session_.take(scene::Document::from_text(std::string(starting.format_2)));
-  example_.clear();
-  emit session_.document_changed();
+  open_beside(scene::Document::from_text(std::string(starting.format_2)));
   session_.log(core::Severity::note, tr("A new scene: %1").arg(text_of(starting.meaning)));
   return true;
 }
@@ -140,7 +179,7 @@ bool DocumentKeeper::save_to(const QString& name) {
     tell(tr("The scene was not saved."), QString::fromUtf8(error.what()));
     return false;
   }
-  recovery_.forget();
+  guard(session_.number()).copy.forget();
   note_recent(path);
   session_.log(core::Severity::note, tr("Saved %1").arg(path));
   if (answer == DataAnswer::write)
@@ -150,8 +189,8 @@ bool DocumentKeeper::save_to(const QString& name) {
 }
 
 // A file of data that was written, and then taken back, differs although the script is as it was saved.
-bool DocumentKeeper::unsaved() const {
-  const scene::Document& document = session_.document();
+bool DocumentKeeper::unsaved(std::size_t index) const {
+  const scene::Document& document = session_.document_at(index);
   if (document.changed()) return true;
   return !document.pending_data().empty() && !scene::data_to_write(document, document.path()).empty();
 }
@@ -164,6 +203,21 @@ bool DocumentKeeper::may_close() {
     case Answer::cancel: return false;
   }
   return false;
+}
+
+bool DocumentKeeper::may_close_all() {
+  for (std::size_t i = 0; i < session_.document_count(); ++i) {
+    if (!unsaved(i)) continue;
+    session_.turn_to(i);
+    if (!may_close()) return false;
+  }
+  return true;
+}
+
+bool DocumentKeeper::close() {
+  if (!may_close()) return false;
+  session_.close(session_.at_hand());
+  return true;
 }
 
 QStringList DocumentKeeper::recent() const {
@@ -190,49 +244,61 @@ std::filesystem::path DocumentKeeper::examples_folder() {
   return {};
 }
 
-bool DocumentKeeper::keep_copy() {
+bool DocumentKeeper::keep_copies() {
   keep_soon_.stop();
-  if (!session_.document().changed()) return false;
-  try {
-    recovery_.keep(session_.document().path(), session_.document().text());
-  } catch (const std::exception& error) {
-    session_.log(core::Severity::warning,
-                 tr("No copy for recovery could be kept: %1").arg(QString::fromUtf8(error.what())));
-    return false;
+  bool any = false;
+  bool good = true;
+  for (std::size_t i = 0; i < session_.document_count(); ++i) {
+    const scene::Document& document = session_.document_at(i);
+    any = any || document.changed();
+    Guard& own = guard(session_.number_at(i));
+    if (!own.copy_is_due) continue;
+    try {
+      own.copy.keep(document.path(), document.text());
+      own.copy_is_due = false;
+    } catch (const std::exception& error) {
+      session_.log(core::Severity::warning,
+                   tr("No copy for recovery could be kept: %1").arg(QString::fromUtf8(error.what())));
+      good = false;
+    }
   }
-  return true;
+  return any && good;
 }
 
 void DocumentKeeper::offer_recovery() {
-  const std::vector<scene::Recovery::Copy> copies = scene::Recovery::orphans(recovery_folder());
-  for (std::size_t i = 0; i < copies.size(); ++i) {
-    const Answer answer = ask_recovery(copies[i].document);
-    if (answer == Answer::cancel) return;
+  std::optional<int> first;
+  for (const scene::Recovery::Copy& copy : scene::Recovery::orphans(recovery_folder())) {
+    const Answer answer = ask_recovery(copy.document);
+    if (answer == Answer::cancel) break;
     if (answer == Answer::discard) {
-      scene::Recovery::discard(copies[i]);
+      scene::Recovery::discard(copy);
       continue;
     }
-    recover(copies[i]);
-    if (const auto others = static_cast<int>(copies.size() - i) - 1; others > 0)
-      session_.log(core::Severity::note, tr("%n more scene(s) can be recovered at the next start", nullptr, others));
-    return;
+    recover(copy);
+    if (!first) first = session_.number();
   }
+  for (std::size_t i = 0; first && i < session_.document_count(); ++i)
+    if (session_.number_at(i) == *first) session_.turn_to(i);
 }
 
 // The copy goes only when this program has one of its own.
 void DocumentKeeper::recover(const scene::Recovery::Copy& copy) {
-  session_.take(copy.document.empty() ? scene::Document() : scene::Document::open(copy.document));
+  const auto open = copy.document.empty() ? std::nullopt : place_of(copy.document);
+  if (open && !session_.document_at(*open).changed())
+    session_.turn_to(*open);
+  else
+    open_beside(copy.document.empty() ? scene::Document() : scene::Document::open(copy.document));
   session_.type_text(copy.text);
   session_.end_run();
-  if (session_.document().changed() && !keep_copy()) return;
+  if (session_.document().changed() && !keep_copies()) return;
   scene::Recovery::discard(copy);
   session_.log(core::Severity::note, tr("Recovered %1").arg(name_of_document(copy.document)));
 }
 
-void DocumentKeeper::close() {
+void DocumentKeeper::end() {
   keep_soon_.stop();
   look_.stop();
-  recovery_.forget();
+  for (auto& [number, own] : guards_) own.copy.forget();
 }
 
 DocumentKeeper::Version DocumentKeeper::version_of(const std::filesystem::path& path) {
@@ -246,13 +312,21 @@ void DocumentKeeper::look_at_disk() {
   if (QApplication::activeModalWidget() != nullptr) return;
   // Taken before the file is read: what changes later has another one.
   Version version = version_of(session_.document().path());
-  if (version == seen_) return;
-  seen_ = std::move(version);
+  std::optional<Version>& seen = guard(session_.number()).seen;
+  if (version == seen) return;
+  seen = std::move(version);
   if (!session_.document().changed_on_disk()) return;
   asking_ = true;
-  const QString path = text_of(session_.document().path());
-  if (ask_read_again(session_.document().changed())) open_file(path);
+  if (ask_read_again(session_.document().changed())) read_again();
   asking_ = false;
+}
+
+void DocumentKeeper::read_again() {
+  const QString path = text_of(session_.document().path());
+  auto document = read(path);
+  if (!document) return;
+  session_.take(*std::move(document));
+  session_.log(core::Severity::note, tr("Opened %1").arg(path));
 }
 
 void DocumentKeeper::tell(const QString& what, const QString& why) {

@@ -4,9 +4,11 @@
 #include <QStringList>
 #include <QTimer>
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -19,8 +21,9 @@ class QWidget;
 
 namespace sarsim::gui {
 
-/// Opens, saves and guards the session's document: questions before changes are lost, recent files, copies that survive
-/// a crash, files that changed on disk.
+/// Opens, saves and guards the session's documents: questions before changes are lost, recent files, copies that
+/// survive a crash, files that changed on disk. What is opened comes beside what is open; only a new scene in which
+/// nothing was done gives way to it. A file that is open already is turned to.
 class DocumentKeeper : public QObject {
   Q_OBJECT
 
@@ -60,47 +63,40 @@ class DocumentKeeper : public QObject {
   bool save();
   bool save_as();
   bool save_to(const QString& name);
-  /// Saves or discards what is unsaved, or asks; true where the document may go.
+  /// Closes the document at hand, after asking where it is unsaved.
+  bool close();
+  /// Saves or discards what is unsaved in the document at hand, or asks; true where it may go.
   bool may_close();
+  /// The same for all of them, each in view while it is asked about; true where all may go.
+  bool may_close_all();
   /// @}
 
   /// True where the script, or a data file that it speaks of, is not on disk as the scene is shown.
-  [[nodiscard]] bool unsaved() const;
-  /// Writes the copy for recovery now, as is done two seconds after a change; false where there is nothing to keep or
+  [[nodiscard]] bool unsaved() const { return unsaved(session_.at_hand()); }
+  [[nodiscard]] bool unsaved(std::size_t index) const;
+  /// Writes the copies for recovery now, as is done two seconds after a change; false where there is nothing to keep or
   /// the disk refused.
-  bool keep_copy();
+  bool keep_copies();
   /// Looks whether the file is still what was opened or saved, as is done every two seconds. A version that the user
   /// does not want is not asked about again.
   void look_at_disk();
   /// Paths, the newest first, at most ten that still exist.
   [[nodiscard]] QStringList recent() const;
-  /// What the document is called: its file, the example that it is a copy of, or "New scene".
-  [[nodiscard]] QString shown_name() const;
+  /// What a document is called: its file with its folders, the example that it is a copy of, or "New scene".
+  [[nodiscard]] QString shown_name() const { return shown_name(session_.at_hand()); }
+  [[nodiscard]] QString shown_name(std::size_t index) const;
   /// Where the examples are, or an empty path.
   [[nodiscard]] static std::filesystem::path examples_folder();
-  /// Offers copies that a crash left behind; takes the first that the user wants.
+  /// Offers copies that a crash left behind, and opens those that the user wants.
   void offer_recovery();
-  /// The document ends here: forgets the copy.
-  void close();
+  /// The program ends here: forgets the copies.
+  void end();
 
  signals:
   void recent_changed();  ///< The list of recent files is another one.
 
  private:
-  void note_recent(const QString& path);
-  void make_questions();
-  [[nodiscard]] DataAnswer data_question(const std::vector<scene::DataFileWrite>& files) const;
-  void recover(const scene::Recovery::Copy& copy);
-  void tell(const QString& what, const QString& why);
-
-  Session& session_;
-  QWidget* window_;
-  scene::Recovery recovery_;
-  QString example_;  // that the document is a copy of
-  QTimer keep_soon_;
-  QTimer look_;
-  bool asking_ = false;
-  // The version of the file that was last looked into.
+  // The version of a file that was last looked into.
   struct Version {
     std::filesystem::path path;
     std::filesystem::file_time_type time;
@@ -108,8 +104,34 @@ class DocumentKeeper : public QObject {
 
     friend bool operator==(const Version&, const Version&) = default;
   };
+  // What is known of an open document besides itself.
+  struct Guard {
+    QString example;  // that it is a copy of
+    scene::Recovery copy;
+    bool copy_is_due = false;
+    std::optional<Version> seen;
+  };
+
+  void make_questions();
+  [[nodiscard]] std::optional<scene::Document> read(const QString& path);
+  void open_beside(scene::Document document);
+  [[nodiscard]] std::optional<std::size_t> place_of(const std::filesystem::path& path) const;
+  [[nodiscard]] Guard& guard(int number);
+  void guard_change();
+  bool keep_copy_of(std::size_t index);
+  void read_again();
+  void note_recent(const QString& path);
+  [[nodiscard]] DataAnswer data_question(const std::vector<scene::DataFileWrite>& files) const;
   [[nodiscard]] static Version version_of(const std::filesystem::path& path);
-  std::optional<Version> seen_;
+  void recover(const scene::Recovery::Copy& copy);
+  void tell(const QString& what, const QString& why);
+
+  Session& session_;
+  QWidget* window_;
+  std::map<int, Guard> guards_;  // by the numbers of documents
+  QTimer keep_soon_;
+  QTimer look_;
+  bool asking_ = false;
 };
 
 }  // namespace sarsim::gui

@@ -41,10 +41,7 @@ LogPanel::LogPanel(Session& session, const ProblemWatch& watch, QWidget* parent)
                                                                                  : QString();
     add_line(word + text);
   });
-  connect(&session, &Session::document_replaced, this, [this] {
-    told_.clear();
-    told_echoes_ = false;
-  });
+  connect(&session, &Session::document_closed, this, [this](int number) { told_.erase(number); });
   connect(&watch, &ProblemWatch::changed, this, [this, &watch] {
     tell_problems(watch.problems());
     tell_echoes(watch.echoes());
@@ -54,24 +51,25 @@ LogPanel::LogPanel(Session& session, const ProblemWatch& watch, QWidget* parent)
 void LogPanel::add_line(const QString& text) { appendPlainText(QTime::currentTime().toString("HH:mm:ss ") + text); }
 
 void LogPanel::tell_problems(const core::Problems& problems) {
+  std::map<QString, std::size_t>& told = told_[session_.number()].problems;
   std::map<QString, std::size_t> now;
   std::size_t added = 0;
   for (const core::Problem& problem : problems) {
     const QString cause = cause_of(problem);
-    if (const auto before = told_.find(cause); ++now[cause] <= (before == told_.end() ? 0 : before->second)) continue;
+    if (const auto before = told.find(cause); ++now[cause] <= (before == told.end() ? 0 : before->second)) continue;
     if (++added <= most_at_once) add_line(placed_problem_text(problem, session_.document().path()));
   }
   if (added > most_at_once) add_line(tr("and %1 more").arg(added - most_at_once));
-  if (!told_.empty() && now.empty()) add_line(tr("Nothing is wrong with the script any more."));
+  if (!told.empty() && now.empty()) add_line(tr("Nothing is wrong with the script any more."));
   // Errors hide what else is wrong: it is not new when it is seen again.
   if (core::has_errors(problems))
-    for (const auto& [cause, count] : told_)
+    for (const auto& [cause, count] : told)
       if (!cause.startsWith(error_mark)) now[cause] = std::max(now[cause], count);
-  told_ = std::move(now);
+  told = std::move(now);
 }
 
 void LogPanel::tell_echoes(const QString& echoes) {
-  if (echoes.isEmpty() || std::exchange(told_echoes_, true)) return;
+  if (echoes.isEmpty() || std::exchange(told_[session_.number()].echoes, true)) return;
   for (const QString& line : echoes.split(u'\n', Qt::SkipEmptyParts)) add_line(line.trimmed());
 }
 

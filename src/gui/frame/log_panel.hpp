@@ -24,9 +24,14 @@ class LogPanel : public QPlainTextEdit {
   void tell_problems(const core::Problems& problems);
   void tell_echoes(const QString& echoes);
 
+  // What was told of a document.
+  struct Told {
+    std::map<QString, std::size_t> problems;  // how often, by their causes
+    bool echoes = false;
+  };
+
   const Session& session_;
-  std::map<QString, std::size_t> told_;  // how often, by their causes
-  bool told_echoes_ = false;             // of this document
+  std::map<int, Told> told_;  // by the numbers of documents
 };
 
 }  // namespace sarsim::gui

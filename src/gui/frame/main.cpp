@@ -24,7 +24,7 @@
 namespace {
 
 struct Options {
-  std::string script;
+  std::vector<std::string> files;
   std::string screenshot;
   std::string window;
   std::string layout;
@@ -49,7 +49,7 @@ std::string about() {
 void read_options(CLI::App& app, Options& options) {
   app.description("Workbench of sarsim: builds a scene on screen. The same scripts as the command sarsim.");
   app.set_version_flag("--version", about);
-  app.add_option("file,--script", options.script, "script to open, or a file of samples to look at");
+  app.add_option("file,--script", options.files, "scripts to open, or files of samples to look at");
   app.add_flag("--dark", options.dark, "dark colours");
   app.add_flag("--light", options.light, "light colours");
   app.add_option("--layout", options.layout,
@@ -100,8 +100,15 @@ void complain(const QString& text) { std::fprintf(stderr, "sarsim-gui: %s\n", qP
 // What is wrong with the name of the picture; nothing where none is wanted.
 QString wrong_with_screenshot(const Options& options) {
   if (options.screenshot.empty()) return {};
-  return sarsim::gui::wrong_with_picture_name(QString::fromStdString(options.screenshot),
-                                              QString::fromStdString(options.script));
+  return sarsim::gui::wrong_with_picture_name(QString::fromStdString(options.screenshot), strings(options.files));
+}
+
+// Opens them in a row and turns to the first scene; false where one of them failed.
+bool open_files(sarsim::gui::MainWindow& window, const std::vector<std::string>& files) {
+  bool good = true;
+  for (const std::string& file : files) good = window.open_any(QString::fromStdString(file)) && good;
+  window.session().turn_to(0);
+  return good;
 }
 
 // Shows the workbench, or makes the picture.
@@ -112,11 +119,11 @@ int run(QApplication& application, const Options& options) {
   if (options.light || (picture && !options.dark)) appearance = Appearance::light;
   if (options.dark) appearance = Appearance::dark;
   sarsim::gui::set_appearance(application, appearance);
-  const QString shown = QString::fromStdString(options.script);
-  if (picture && !shown.isEmpty() && !QFileInfo::exists(shown)) {
-    complain(QStringLiteral("'%1' could not be opened: there is no such file").arg(shown));
-    return EXIT_FAILURE;
-  }
+  for (const QString& file : strings(options.files))
+    if (picture && !QFileInfo::exists(file)) {
+      complain(QStringLiteral("'%1' could not be opened: there is no such file").arg(file));
+      return EXIT_FAILURE;
+    }
   sarsim::gui::MainWindow window;
   // Nobody would close a dialog.
   if (picture)
@@ -129,7 +136,7 @@ int run(QApplication& application, const Options& options) {
   }
   if (!options.layout.empty()) window.use_layout(QString::fromStdString(options.layout));
   if (!picture) window.show();  // before a viewer of samples, which belongs in front
-  if (!shown.isEmpty() && !window.open_any(shown) && picture) return EXIT_FAILURE;
+  if (!open_files(window, options.files) && picture) return EXIT_FAILURE;
   window.session().set_time(options.time_s);
   if (picture) return take_screenshot(window, options);
   window.documents().offer_recovery();

@@ -65,7 +65,7 @@ bool MainWindow::apply_layout(const QString& name) {
       std::ranges::find(built_in_layouts(), name, [](const BuiltInLayout& l) { return QString(l.name); });
   if (found == built_in_layouts().end()) {
     const QByteArray kept = QSettings().value(key_of(name)).toByteArray();
-    return !kept.isEmpty() && restoreState(kept, layout_version);
+    return restore_panels(kept);
   }
   for (const auto& [panel, dock] : docks_) dock->setFloating(false);
   addDockWidget(Qt::LeftDockWidgetArea, docks_["objects"]);
@@ -102,6 +102,13 @@ void MainWindow::save_layout(const QString& name) {
   QSettings().setValue(key_of(name), saveState(layout_version));
 }
 
+// The row of documents is no part of a layout.
+bool MainWindow::restore_panels(const QByteArray& kept) {
+  const bool restored = !kept.isEmpty() && restoreState(kept, layout_version);
+  show_document_row();
+  return restored;
+}
+
 void MainWindow::restore_layout() {
   QSettings settings;
   restoreGeometry(settings.value("window/geometry").toByteArray());
@@ -110,7 +117,7 @@ void MainWindow::restore_layout() {
     return;
   }
   const QByteArray kept = settings.value("window/state").toByteArray();
-  layout_is_kept_ = !kept.isEmpty() && restoreState(kept, layout_version);
+  layout_is_kept_ = restore_panels(kept);
   if (!layout_is_kept_) apply_layout(first_layout_);
 }
 

@@ -149,6 +149,18 @@ void MainWindow::make_file_menu() {
   });
   file->addSeparator();
   add_action(
+      file, tr("&Close"), "file_close", QKeySequence("Ctrl+W"), [this] { close_what_is_active(); },
+      tr("Close this scene, or the window that is in front"));
+  QAction* next = add_action(
+      file, tr("Nex&t Scene"), "file_next", QKeySequence("Ctrl+PgDown"), [this] { step_to_document(1); },
+      tr("Turn to the next of the open scenes"));
+  next->setShortcuts({QKeySequence("Ctrl+PgDown"), QKeySequence("Ctrl+Tab")});
+  QAction* previous = add_action(
+      file, tr("&Previous Scene"), "file_previous", QKeySequence("Ctrl+PgUp"), [this] { step_to_document(-1); },
+      tr("Turn to the one before"));
+  previous->setShortcuts({QKeySequence("Ctrl+PgUp"), QKeySequence("Ctrl+Shift+Tab")});
+  file->addSeparator();
+  add_action(
       file, tr("&Import Targets…"), "file_import", {}, [this] { ImportDialog(session_, this).exec(); },
       tr("Read targets from a file of x, y, z and perhaps RCS"));
   file->addSeparator();
@@ -162,7 +174,8 @@ void MainWindow::make_example_menu(QMenu* examples) {
   const auto add = [&](QMenu* menu, const char* names) {
     for (const QString& name : folder.entryList({names}, QDir::Files, QDir::Name))
       connect(menu->addAction(name), &QAction::triggered, this, [this, path = folder.filePath(name)] {
-        if (may_go()) documents_->open_example(path);
+        commit_typed();
+        documents_->open_example(path);
       });
   };
   add(examples, "*.toml");

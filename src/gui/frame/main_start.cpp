@@ -79,13 +79,18 @@ void MainWindow::make_start() {
   welcome_ = new WelcomePage(centralWidget());
   connect(welcome_, &WelcomePage::example_wanted, this, [this](const QString& name) {
     const QDir folder(text_of(DocumentKeeper::examples_folder()));
-    if (may_go()) documents_->open_example(folder.filePath(name));
+    commit_typed();
+    documents_->open_example(folder.filePath(name));
   });
   connect(welcome_, &WelcomePage::template_wanted, this, [this](int index) {
-    if (may_go()) documents_->begin_with(scene::starting_scenes()[static_cast<std::size_t>(index)]);
+    commit_typed();
+    documents_->begin_with(scene::starting_scenes()[static_cast<std::size_t>(index)]);
   });
   connect(welcome_, &WelcomePage::file_wanted, this, &MainWindow::open_any);
-  connect(welcome_, &WelcomePage::open_wanted, this, [this] { documents_->open(); });
+  connect(welcome_, &WelcomePage::open_wanted, this, [this] {
+    commit_typed();
+    documents_->open();
+  });
   connect(welcome_, &WelcomePage::tour_wanted, this, &MainWindow::show_tour);
   connect(&session_, &Session::document_replaced, welcome_, &QWidget::hide);
   connect(&session_, &Session::scene_changed, welcome_, [this] {
@@ -205,7 +210,8 @@ TourPanel* MainWindow::tour_panel() {
 // It begins with an empty scene.
 void MainWindow::show_tour() {
   if (!tour_panel()->isVisible()) {
-    if (!has_nothing(session_.scene()) && !(may_go() && documents_->make_new())) return;
+    commit_typed();
+    if (!has_nothing(session_.scene())) documents_->make_new();
     welcome_->hide();
     tour_->begin();
     tour_->adjustSize();

@@ -48,10 +48,12 @@ namespace sarsim::gui {
 
 namespace {
 
-// The one file that a drop brings, or nothing.
-QString dropped_file(const QMimeData* data) {
-  if (!data->hasUrls() || data->urls().size() != 1 || !data->urls().first().isLocalFile()) return {};
-  return data->urls().first().toLocalFile();
+// The files that a drop brings.
+QStringList dropped_files(const QMimeData* data) {
+  QStringList files;
+  for (const QUrl& url : data->urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  return files;
 }
 
 }  // namespace
@@ -67,6 +69,7 @@ MainWindow::MainWindow(QWidget* parent)
   make_badge();
   make_menus();
   make_tool_bar();
+  make_document_row();
   make_start();
   ask_end_work = [this](const QStringList& work) {
     QMessageBox box(QMessageBox::Question, tr("Close"), tr("This is still under way and would be ended:"),
@@ -157,9 +160,7 @@ void MainWindow::showEvent(QShowEvent* event) {
 void MainWindow::fill_recent() {
   recent_->clear();
   for (const QString& path : documents_->recent())
-    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] {
-      if (may_go()) documents_->open_file(path);
-    });
+    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] { open_any(path); });
   recent_->setEnabled(!recent_->isEmpty());
 }
 
@@ -205,17 +206,6 @@ void MainWindow::make_badge() {
     const core::Problems& all = problems_->problems();
     script_->show_problem(all.empty() ? core::Place{} : all.front().place);
   });
-}
-
-// What is typed and not yet entered belongs to what is saved, run or left.
-void MainWindow::commit_typed() {
-  script_->commit();
-  panel_->commit();
-}
-
-bool MainWindow::may_go() {
-  commit_typed();
-  return documents_->may_close();
 }
 
 void MainWindow::add_new(scene::AnyObject object) {
@@ -301,29 +291,33 @@ void MainWindow::end_work() {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   // Nothing ends before every question is answered.
-  if (!may_go() || !may_end_work()) {
+  commit_typed();
+  if (!documents_->may_close_all() || !may_end_work()) {
     event->ignore();
     return;
   }
   end_work();
   keep_layout();
-  documents_->close();
+  documents_->end();
   event->accept();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (!dropped_file(event->mimeData()).isEmpty()) event->acceptProposedAction();
+  if (!dropped_files(event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  const QString path = dropped_file(event->mimeData());
-  if (path.isEmpty()) return;
+  const QStringList files = dropped_files(event->mimeData());
+  if (files.isEmpty()) return;
   event->acceptProposedAction();
-  open_any(path);
+  for (const QString& file : files) open_any(file);
 }
 
 bool MainWindow::open_any(const QString& path) {
-  if (!is_data_file(path.toStdString())) return may_go() && documents_->open_file(path);
+  if (!is_data_file(path.toStdString())) {
+    commit_typed();
+    return documents_->open_file(path);
+  }
   image_viewers_->open_file(path.toStdString());
   return true;
 }

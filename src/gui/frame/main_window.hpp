@@ -14,6 +14,7 @@
 class QDockWidget;
 class QLabel;
 class QMenu;
+class QToolBar;
 
 namespace sarsim::gui {
 
@@ -52,7 +53,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] SimulationWindows& simulation_windows() { return *simulation_windows_; }
   [[nodiscard]] ImageViewers& image_viewers() { return *image_viewers_; }
   [[nodiscard]] DataSaver& saver() { return *saver_; }
-  /// Opens a script as the document, or a file of samples in a viewer. False where the user cancelled or it failed;
+  /// Opens a script as a document beside those that are open, or a file of samples in a viewer. False where it failed;
   /// what is wrong with samples is told in the viewer.
   bool open_any(const QString& path);
   /// Named widgets that can be made into a picture: main, objects, properties, script, simulations, log, geometry,
@@ -111,8 +112,13 @@ class MainWindow : public QMainWindow {
   void show_title();
   void show_state();
   void make_badge();
+  void make_document_row();
+  void show_document_row();
   void commit_typed();
-  bool may_go();
+  void turn_to_document(int index);
+  void step_to_document(int step);
+  void close_document(int index);
+  void close_what_is_active();
   bool may_end_work();
   void end_work();
   void add_new(scene::AnyObject object);
@@ -144,6 +150,7 @@ class MainWindow : public QMainWindow {
   void place_echoes(SimulationWindow* window);
   void size_docks();
   void restore_layout();
+  bool restore_panels(const QByteArray& kept);
   void keep_layout() const;
   void reset_layout();
   void fill_layouts(QMenu* menu);
@@ -165,6 +172,7 @@ class MainWindow : public QMainWindow {
   ProductWindow* products_ = nullptr;
   QMenu* recent_ = nullptr;
   QLabel* state_ = nullptr;
+  QToolBar* document_row_ = nullptr;
   WelcomePage* welcome_ = nullptr;
   TourPanel* tour_ = nullptr;
   std::map<QString, QDockWidget*> docks_;

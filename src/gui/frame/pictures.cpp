@@ -173,10 +173,13 @@ QStringList picture_names() {
   return names;
 }
 
-QString wrong_with_picture_name(const QString& file, const QString& shown) {
+QString wrong_with_picture_name(const QString& file, const QStringList& shown) {
   // Two names of one file are found out, too.
-  std::error_code none;
-  if (!shown.isEmpty() && std::filesystem::equivalent(file.toStdString(), shown.toStdString(), none))
+  const auto is_it = [&](const QString& other) {
+    std::error_code none;
+    return std::filesystem::equivalent(file.toStdString(), other.toStdString(), none);
+  };
+  if (std::ranges::any_of(shown, is_it))
     return QStringLiteral("'%1' is the file that is shown: a picture would replace it").arg(file);
   if (QFileInfo(file).suffix().compare("png", Qt::CaseInsensitive) != 0)
     return QStringLiteral("'%1': pictures of windows are written as .png").arg(file);

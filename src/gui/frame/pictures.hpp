@@ -25,7 +25,7 @@ struct PictureWish {
 /// What keeps a picture from being written to `file`, or nothing: only PNG is written, and never over the file that is
 /// shown.
 /// @param shown  the script or the file of samples; may be empty
-[[nodiscard]] QString wrong_with_picture_name(const QString& file, const QString& shown);
+[[nodiscard]] QString wrong_with_picture_name(const QString& file, const QStringList& shown);
 
 /// Brings a window into the wanted state, lets work in the background end and writes the picture. Runs the event loop.
 /// Complaints go to standard error.

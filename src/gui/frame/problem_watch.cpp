@@ -23,15 +23,19 @@ ProblemWatch::ProblemWatch(Session& session, QObject* parent) : QObject(parent),
   connect(&rest_, &QTimer::timeout, this, &ProblemWatch::look);
   connect(&survey_, &LatestWork::ended, this, [this](bool good) { take_survey(good); });
   connect(&session_, &Session::document_replaced, this, &ProblemWatch::begin_document);
+  connect(&session_, &Session::document_closed, this, [this](int number) { surveyed_.erase(number); });
   connect(&session_, &Session::scene_changed, this, &ProblemWatch::wait_for_rest);
   connect(&session_, &Session::problems_changed, this, &ProblemWatch::wait_for_rest);
   wait_for_rest();
 }
 
+QString ProblemWatch::echoes() const {
+  const auto found = surveyed_.find(session_.number());
+  return found == surveyed_.end() ? QString() : found->second.echoes;
+}
+
 void ProblemWatch::begin_document() {
   survey_.cancel();
-  surveyed_.clear();
-  echoes_.clear();
   fresh_ = true;
   wait_for_rest();
 }
@@ -45,7 +49,7 @@ void ProblemWatch::look() {
     survey_.cancel();
   } else if (session_.scene().simulations.empty()) {
     survey_.cancel();
-    surveyed_.clear();
+    surveyed_[session_.number()].problems.clear();
   } else {
     look_at_echoes();
   }
@@ -64,22 +68,22 @@ void ProblemWatch::look_at_echoes() {
     found->problems = std::move(report.problems);
     if (!core::has_errors(found->problems))
       std::ranges::move(workflow::remarks_of_commands(*scene, resolved, control), std::back_inserter(found->problems));
-    for (const simulate::EchoSummary& summary : report.summaries) found->echoes += workflow::echo_text(*scene, summary);
+    for (const simulate::EchoSummary& summary : report.summaries)
+      found->echoes += QString::fromStdString(workflow::echo_text(*scene, summary));
   });
 }
 
 // A scene that changed meanwhile is surveyed once it rests. Where a survey fails a run fails too, and says why.
 void ProblemWatch::take_survey(bool good) {
   if (rest_.isActive()) return;
-  surveyed_ = good ? found_->problems : core::Problems{};
-  echoes_ = good ? QString::fromStdString(found_->echoes) : QString();
+  surveyed_[session_.number()] = good ? *found_ : Found{};
   collect();
 }
 
 void ProblemWatch::collect() {
   problems_ = session_.problems();
   if (!core::has_errors(problems_)) {
-    of_echoes_ = surveyed_;
+    of_echoes_ = surveyed_[session_.number()].problems;
     scene::locate(of_echoes_, session_.document().places());
     std::ranges::copy(of_echoes_, std::back_inserter(problems_));
     problems_ = core::ranked(std::move(problems_));

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <map>
 #include <memory>
 
 #include "gui/common/latest_work.hpp"
@@ -23,7 +24,7 @@ class ProblemWatch : public QObject {
   /// Those that the survey found last, with their places; while the script holds errors, of the scene before.
   [[nodiscard]] const core::Problems& of_echoes() const { return of_echoes_; }
   /// What the survey says of each simulation, a line each thing (workflow/input/echo_words.hpp); empty without one.
-  [[nodiscard]] const QString& echoes() const { return echoes_; }
+  [[nodiscard]] QString echoes() const;
 
  signals:
   void changed();  ///< They were looked for; they may be the same as before.
@@ -40,13 +41,13 @@ class ProblemWatch : public QObject {
   QTimer rest_;
   bool fresh_ = true;  // nothing was told of this document yet
   LatestWork survey_;
+  // What a survey has found.
   struct Found {
     core::Problems problems;  // without places
-    std::string echoes;
+    QString echoes;
   };
-  std::shared_ptr<Found> found_;  // by the survey under way
-  QString echoes_;
-  core::Problems surveyed_;  // by the last one, without places
+  std::shared_ptr<Found> found_;   // by the one under way
+  std::map<int, Found> surveyed_;  // by the last one of each document, by their numbers
   core::Problems of_echoes_;
   core::Problems problems_;
 };

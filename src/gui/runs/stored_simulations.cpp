@@ -240,12 +240,18 @@ void StoredSimulations::run_chosen() {
 
 void StoredSimulations::run_into(scene::ObjectId simulation, const fs::path& path, bool replace) {
   if (run_panel_->running()) return;
+  run_of_ = session_.number();
   run_panel_->run({session_.scene(), simulation.index, path, replace});
   refresh_buttons();
 }
 
 // The simulation may have moved or changed since it was run; the best LSB is only of use to the same one.
 void StoredSimulations::take_lsb(const scene::Simulation& simulation, double lsb_v) {
+  if (run_of_ != session_.number()) {
+    session_.log(core::Severity::warning,
+                 tr("The run was of another scene; its LSB was left as it is. Turn to that scene first."));
+    return;
+  }
   const std::vector<scene::Simulation>& stored = session_.scene().simulations;
   for (std::size_t i = 0; i < stored.size(); ++i) {
     if (!(stored[i] == simulation)) continue;

@@ -71,6 +71,7 @@ class StoredSimulations : public QWidget {
   std::vector<QPushButton*> of_chosen_;
   QPushButton* new_ = nullptr;
   RunPanel* run_panel_ = nullptr;
+  int run_of_ = 0;  // the number of the document that the last run is of
 };
 
 /// A simulation of a radar with values that suit the scene: the ranges of all targets with two pulse lengths around

@@ -96,15 +96,9 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
   });
   connect_gestures();
   scene_->installEventFilter(this);
-  connect(&session_, &Session::document_replaced, this, [this] {
-    new_document_ = true;
-    set_ride(Ride::none, std::nullopt);
-    kept_views_.clear();
-    dragged_.reset();
-    selected_point_.reset();
-    scene_->set_tool(SceneWidget::Tool::hand);
-    time_bar_->set_playing(false);
-  });
+  shown_ = session_.number();
+  connect(&session_, &Session::document_replaced, this, &ScenePanel::leave_document);
+  connect(&session_, &Session::document_closed, this, [this](int number) { views_.erase(number); });
   connect(&session_, &Session::scene_changed, this, &ScenePanel::take_scene);
   connect(&session_, &Session::selection_changed, this, [this] {
     if (selected_point_ && session_.selection() != std::set{selected_point_->platform}) selected_point_.reset();
@@ -188,19 +182,25 @@ void ScenePanel::take_scene(const scene::SceneChange& change) {
   time_bar_->set_span(first_s, last_s);
   if (new_document_) time_bar_->set_step(picture::round_below((last_s - first_s) / 100.0));
   show_time();
-  if (new_document_) {
-    // Of a scene without a size, a new one, nothing else says how near to look.
-    picture::Camera camera = picture::Camera::start(1.0, 1.0);
-    camera.pixels_per_m *= scene_->pixel_scale();
-    camera.azimuth_rad = scene_->camera().azimuth_rad;
-    camera.elevation_rad = scene_->camera().elevation_rad;
-    camera.perspective = scene_->camera().perspective;
-    scene_->set_camera(camera);
-    scene_->fit();
-  } else {
+  const auto seen_before = new_document_ ? views_.extract(shown_) : decltype(views_)::node_type();
+  if (!new_document_)
     show_what_came(change);
-  }
+  else if (seen_before.empty())
+    show_first();
+  else
+    show_again(seen_before.mapped());
   new_document_ = false;
+}
+
+// Of a scene without a size, a new one, nothing else says how near to look.
+void ScenePanel::show_first() {
+  picture::Camera camera = picture::Camera::start(1.0, 1.0);
+  camera.pixels_per_m *= scene_->pixel_scale();
+  camera.azimuth_rad = scene_->camera().azimuth_rad;
+  camera.elevation_rad = scene_->camera().elevation_rad;
+  camera.perspective = scene_->camera().perspective;
+  scene_->set_camera(camera);
+  scene_->fit();
 }
 
 void ScenePanel::show_time() {

@@ -3,6 +3,7 @@
 #include <QWidget>
 
 #include <cstddef>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -58,7 +59,7 @@ class ScenePanel : public QWidget {
   /// Puts every view into a menu, by its name: the fixed ones, along each beam, following each platform, those that
   /// were kept.
   void fill_cameras(QMenu& menu);
-  /// Keeps the view as it is under the next free name, "View 2", until the program ends or another scene is opened.
+  /// Keeps the view as it is under the next free name, "View 2", until the scene is closed.
   void keep_view();
   /// Measures between two places of the scene, or ends that.
   void measure(bool on);
@@ -97,6 +98,16 @@ class ScenePanel : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  // How a document is seen that is not at hand.
+  struct View {
+    picture::Camera camera;
+    Ride ride = Ride::none;
+    std::optional<scene::ObjectId> rides_on;
+    core::Vec3 way_to_focus_m;
+    std::vector<picture::Camera> kept;
+    double step_s = 0.0;
+  };
+
   void connect_gestures();
   void take_scene(const scene::SceneChange& change);
   void show_marks();
@@ -105,6 +116,9 @@ class ScenePanel : public QWidget {
   void take_camera();
   void set_ride(Ride ride, std::optional<scene::ObjectId> on);
   void follow_ride(const scene::SceneChange& change);
+  void leave_document();
+  void show_first();
+  void show_again(const View& view);
   void move_camera();
   [[nodiscard]] std::optional<picture::Camera> beam_camera() const;
   void show_handles();
@@ -156,6 +170,8 @@ class ScenePanel : public QWidget {
   std::optional<picture::PathPlace> place_of_menu_;  // of a path, where the last menu was asked for
   bool own_axes_ = false;
   bool new_document_ = true;
+  std::map<int, View> views_;  // by the numbers of documents
+  int shown_ = 0;              // the document that is seen
 };
 
 }  // namespace sarsim::gui

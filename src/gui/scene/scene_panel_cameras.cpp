@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
+#include "gui/scene/time_bar.hpp"
 #include "picture/scene/scene_view.hpp"
 
 namespace sarsim::gui {
@@ -98,6 +99,31 @@ void ScenePanel::follow_ride(const scene::SceneChange& change) {
   if (!rides_on_) return;
   const auto now = change.moved(*rides_on_);
   set_ride(now ? ride_ : Ride::none, now);
+}
+
+// Another document is at hand: this one's view is kept for when it comes back.
+void ScenePanel::leave_document() {
+  views_[shown_] = {scene_->usual_camera(), ride_, rides_on_, way_to_focus_m_, std::move(kept_views_),
+                    time_bar_->step_s()};
+  shown_ = session_.number();
+  new_document_ = true;
+  set_ride(Ride::none, std::nullopt);
+  kept_views_.clear();
+  dragged_.reset();
+  selected_point_.reset();
+  scene_->set_tool(SceneWidget::Tool::hand);
+  time_bar_->set_playing(false);
+}
+
+void ScenePanel::show_again(const View& view) {
+  picture::Camera camera = view.camera;
+  camera.perspective = scene_->usual_camera().perspective;  // one choice for all
+  scene_->set_camera(camera);
+  kept_views_ = view.kept;
+  way_to_focus_m_ = view.way_to_focus_m;
+  time_bar_->set_step(view.step_s);
+  set_ride(view.ride, view.rides_on);
+  move_camera();
 }
 
 void ScenePanel::show_camera() {

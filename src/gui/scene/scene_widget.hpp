@@ -50,6 +50,8 @@ class SceneWidget : public QWidget {
   /// The same for a view that is not kept: what is chosen next, from above or of everything, is seen as before it.
   void ride(const picture::Camera& camera);
   [[nodiscard]] const picture::Camera& camera() const { return camera_; }
+  /// The same as it is but for the ride: what would be kept of it.
+  [[nodiscard]] picture::Camera usual_camera() const;
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
   void set_options(picture::DrawingOptions options);
   [[nodiscard]] const picture::DrawingOptions& options() const { return options_; }
@@ -189,9 +191,6 @@ class SceneWidget : public QWidget {
   void show_hand_words(const QString& words);
   void place_hand_words();
   [[nodiscard]] Gesture gesture_of(Qt::KeyboardModifiers modifiers) const;
-
-  // As before a view that was not kept.
-  [[nodiscard]] picture::Camera usual_camera() const;
   void follow_size();
   void change_camera(const picture::Camera& camera);
   void redraw();

@@ -94,19 +94,21 @@ std::optional<Content> unpacked(std::string_view copy) {
 
 // The name of a copy holds the start as well: the next process of this number must not write over what this one left.
 // Where starts are not known, the present moment parts the two.
-std::string copy_name(long process) {
+std::string copy_name(long process, int number) {
   std::uint64_t start = start_of(process);
   if (start == 0) start = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
-  return fmt::format("{}-{}{}", process, start, ending);
+  return number == 0 ? fmt::format("{}-{}{}", process, start, ending)
+                     : fmt::format("{}-{}-{}{}", process, start, number, ending);
 }
 
-// The process that a file belongs to, by a name of the form 123-456.recovery or 123.recovery; 0 for other files.
+// The process that a file belongs to, by a name of the form 123.recovery, 123-456.recovery or 123-456-7.recovery, which
+// is that of its seventh document; 0 for other files.
 long owner_of(const fs::path& file) {
   const std::string whole = file.filename().string();
   std::string_view name = whole;
   const auto owner = take_number(name, '-');
   if (!owner || *owner > static_cast<std::uint64_t>(std::numeric_limits<pid_t>::max())) return 0;
-  static_cast<void>(take_number(name, '-'));
+  if (take_number(name, '-')) static_cast<void>(take_number(name));
   return name == ending ? static_cast<long>(*owner) : 0;
 }
 
@@ -137,15 +139,16 @@ void sweep(const fs::path& file) {
 
 }  // namespace
 
-Recovery::Recovery(fs::path folder, long owner) : owner_(owner), file_(folder / copy_name(owner)) {
+Recovery::Recovery(const fs::path& folder, long owner, int number)
+    : owner_(owner), file_(folder / copy_name(owner, number)) {}
+
+void Recovery::keep(const fs::path& document, const std::string& text) const {
+  const fs::path folder = file_.parent_path();
   std::error_code error;
   if (fs::create_directories(folder, error))
     fs::permissions(folder, fs::perms::owner_all, error);  // scenes are nobody else's business
   else if (!fs::is_directory(folder))
     throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-}
-
-void Recovery::keep(const fs::path& document, const std::string& text) const {
   write_text_file(file_, packed(start_of(owner_), document, text));
 }
 

@@ -7,14 +7,16 @@
 
 namespace sarsim::scene {
 
-/// Copies of unsaved documents that survive a crash: one file per running program in a folder, holding the path of the
-/// document and its text. Programs never touch each other's: a file is named after the number and the start of its
-/// process, so that one that gets the number of a dead one does not write over what that left.
+/// A copy of an unsaved document that survives a crash: one file in a folder for each document that a running program
+/// has open, holding the path of the document and its text. Programs never touch each other's: a file is named after
+/// the number and the start of its process, so that one that gets the number of a dead one does not write over what
+/// that left.
 class Recovery {
  public:
-  /// @param folder  is made where it does not exist
+  /// @param folder  is made with the first copy where it does not exist
   /// @param owner   number of the process that owns this copy
-  Recovery(std::filesystem::path folder, long owner);
+  /// @param number  tells the documents of a process apart
+  explicit Recovery(const std::filesystem::path& folder, long owner, int number = 0);
 
   /// Writes the copy, completely or not at all. Throws std::runtime_error.
   void keep(const std::filesystem::path& document, const std::string& text) const;

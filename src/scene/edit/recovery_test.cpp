@@ -104,6 +104,18 @@ TEST_F(RecoveryFolder, AProgramThatGetsTheNumberOfADeadOneLeavesItsCopy) {
   EXPECT_EQ(copies[0].text, "mine");
 }
 
+TEST_F(RecoveryFolder, KeepsACopyForEachDocumentOfAProgram) {
+  const Recovery first(folder_, dead_process());
+  const Recovery second(folder_, dead_process(), 12);
+  first.keep("a.scr", "one");
+  second.keep("", "two");
+  EXPECT_EQ(Recovery::orphans(folder_).size(), 2U);
+  first.forget();
+  const std::vector<Recovery::Copy> copies = Recovery::orphans(folder_);
+  ASSERT_EQ(copies.size(), 1U);
+  EXPECT_EQ(copies[0].text, "two");
+}
+
 TEST_F(RecoveryFolder, FindsTheCopiesOfEarlierVersions) {
   Recovery(folder_, dead_process()).keep("a.scr", "text");
   fs::rename(copy(), folder_ / (std::to_string(dead_process()) + ".recovery"));
@@ -183,7 +195,7 @@ TEST_F(RecoveryFolder, WithoutAFolderThereAreNoCopies) {
   EXPECT_TRUE(Recovery::orphans(folder_ / "none").empty());
   fs::create_directories(folder_);
   std::ofstream(folder_ / "file") << "x";
-  EXPECT_THROW(Recovery(folder_ / "file", 1), std::runtime_error);
+  EXPECT_THROW(Recovery(folder_ / "file", 1).keep("", ""), std::runtime_error);
 }
 
 }  // namespace recovery_test
