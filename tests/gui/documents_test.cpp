@@ -342,6 +342,20 @@ class DocumentsTest : public QObject {
     QCOMPARE(window.session().document().path(), bench.folder / "a.scr");
   }
 
+  void a_scene_in_json_is_opened_as_a_new_one_in_toml() {
+    Bench bench;
+    QStringList failures;
+    bench.window.documents().show_failure = [&](const QString& what, const QString&) { failures << what; };
+    write(bench.folder / "a.json", R"({"format": "sarsim 2", "target": [{"position": [7, 0, 0]}]})");
+    QVERIFY(bench.window.open_any(bench.temporary.filePath("a.json")));
+    QVERIFY(bench.window.session().document().path().empty());
+    QCOMPARE(bench.window.session().scene().targets.at(0).position_m.x, 7.0);
+    QVERIFY(failures.isEmpty());
+    write(bench.folder / "b.json", R"({"format": "sarsim 2", "target": [{"postion": [7, 0, 0]}]})");
+    QVERIFY(!bench.window.open_any(bench.temporary.filePath("b.json")));
+    QCOMPARE(failures.size(), 1);
+  }
+
   void the_path_of_a_document_does_not_depend_on_the_folder_of_the_program() {
     Bench bench;
     const fs::path before = fs::current_path();

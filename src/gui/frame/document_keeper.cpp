@@ -115,7 +115,8 @@ bool DocumentKeeper::open_file(const QString& name) {
 std::optional<scene::Document> DocumentKeeper::read(const QString& path) {
   scene::Document document = scene::Document::open(path.toStdString());
   const core::Problems& problems = document.problems();
-  if (!document.path().empty()) return document;
+  // A scene in JSON becomes one that was never saved.
+  if (!document.path().empty() || !core::has_errors(problems)) return document;
   tell(tr("'%1' could not be opened.").arg(path),
        problems.empty() ? tr("Not a script.") : QString::fromStdString(core::to_string(problems.front())));
   return std::nullopt;
