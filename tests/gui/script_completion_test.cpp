@@ -47,6 +47,7 @@ struct Bench {
     editor.activateWindow();
     if (!QTest::qWaitForWindowActive(&editor)) qFatal("not active");
     text = &editor.text();
+    text->complete();
     text->setFocus();
     list = editor.findChild<gui::CompletionList*>("script_completions");
   }

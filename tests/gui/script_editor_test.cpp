@@ -44,6 +44,7 @@ struct Bench {
     editor.resize(700, 500);
     editor.show();
     text = &editor.text();
+    text->complete();
     text->setFocus();
     problems = editor.findChild<QListWidget*>("script_problems");
   }
@@ -300,6 +301,45 @@ class ScriptEditorTest : public QObject {
     bench.session.save(path);
     bench.editor.copy_command_action()->trigger();
     QCOMPARE(QApplication::clipboard()->text(), "sarsim run '" + folder.filePath("ship'\\''s echo.scr") + "'");
+  }
+
+  void a_long_script_comes_in_pieces_and_takes_no_keys_until_it_is_there() {
+    gui::Session session;
+    session.take(scene::Document::from_text(scene::write_script(test::many_targets(5000))));
+    gui::ScriptEditor editor(session);
+    editor.show();
+    gui::ScriptText& text = editor.text();
+    QVERIFY(!text.is_complete() && text.isReadOnly());
+    const QString beginning = text.script();
+    QVERIFY(!beginning.isEmpty() && beginning.size() < static_cast<qsizetype>(session.document().text().size()));
+    QTest::keyClicks(&text, "lost");
+    QCOMPARE(text.script(), beginning);
+    // What happens meanwhile is not lost.
+    session.perform(scene::add_object(session.scene(), scene::Target()));
+    const QString other = QString::fromStdString(session.document().text());
+    QTRY_COMPARE_WITH_TIMEOUT(text.script(), other, 10'000);
+    QTRY_VERIFY(text.is_complete() && !text.isReadOnly());
+    editor.commit();
+    QCOMPARE(QString::fromStdString(session.document().text()), other);
+    // A problem at the end is gone to at once.
+    session.take(scene::Document::from_text(other.toStdString() + "$TARGET nonsense\n"));
+    core::Place place;
+    place.line = static_cast<std::size_t>(other.count('\n')) + 1;
+    editor.jump_to(place);
+    QCOMPARE(text.textCursor().blockNumber() + 1, static_cast<int>(place.line));
+  }
+
+  void another_document_does_not_mix_with_a_text_that_is_still_put_in() {
+    gui::Session session;
+    session.take(scene::Document::from_text(scene::write_script(test::many_targets(5000))));
+    gui::ScriptEditor editor(session);
+    editor.show();
+    QVERIFY(!editor.text().is_complete());
+    session.add(scene::Document::from_text(two_targets));
+    QTest::qWait(50);
+    QCOMPARE(editor.text().script().toStdString(), two_targets);
+    session.turn_to(0);
+    QTRY_COMPARE_WITH_TIMEOUT(editor.text().script().toStdString(), session.document().text(), 10'000);
   }
 
   void a_long_script_is_shown_and_followed_quickly() {

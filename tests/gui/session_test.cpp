@@ -1,6 +1,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "gui/gui_test.hpp"
 #include "gui/objects/object_tree_model.hpp"
@@ -37,6 +38,12 @@ struct Announced {
     return ids;
   }
 };
+
+std::vector<std::string> words_of(const core::Problems& problems) {
+  std::vector<std::string> words;
+  for (const core::Problem& problem : problems) words.push_back(core::to_string(problem));
+  return words;
+}
 
 using Ids = std::vector<scene::ObjectId>;
 
@@ -106,6 +113,64 @@ class SessionTest : public QObject {
     QVERIFY(before->targets[0].position_m.x != 77.0);
     told.session.take(scene::Document());
     QVERIFY(*told.session.shared_scene() == told.session.scene());
+  }
+
+  // Reading a text of a megabyte again would hold a hand up.
+  void problems_of_a_long_text_are_looked_for_in_the_background() {
+    Announced told;
+    scene::Scene scene = test::many_targets(6000);
+    scene.radars[0].prf_hz = 0.0;
+    told.session.take(scene::Document::from_text(scene::write_script(scene)));
+    QVERIFY(told.session.document().text().size() > 300'000);
+    const std::vector<std::string> found = words_of(told.session.problems());
+    QVERIFY(!found.empty());
+    told.others = 0;
+    told.session.perform(told.move_target(1, 55.0));
+    told.session.end_run();
+    QVERIFY(words_of(told.session.problems()) == found);  // about the same objects
+    QTRY_COMPARE(told.others, 1);
+    QVERIFY(!told.session.problems().empty());
+    QVERIFY(words_of(told.session.problems()) == words_of(told.session.document().problems()));
+    // What is gone is not told of.
+    told.session.perform(scene::remove_objects(told.session.scene(), {test::radar(0)}));
+    QVERIFY(told.session.problems().empty());
+    told.session.undo();
+    QTRY_VERIFY(!told.session.problems().empty());
+    // Nor is what another document has.
+    told.session.undo();
+    told.session.add(scene::Document());
+    QVERIFY(told.session.problems().empty());
+    QTest::qWait(300);
+    QVERIFY(told.session.problems().empty());
+    told.session.turn_to(0);
+    QTRY_VERIFY(!told.session.problems().empty());
+  }
+
+  void an_edit_of_many_objects_leaves_the_windows_time() {
+    constexpr std::size_t many = 20'000;
+    const std::vector<scene::Target> targets = test::many_targets(many).targets;
+    Announced told;
+    scene::Document alone = told.session.document();
+    alone.perform(scene::add_targets(alone.scene(), targets));
+    int turns = 0;
+    QTimer timer;
+    connect(&timer, &QTimer::timeout, [&] { ++turns; });
+    timer.start(1);
+    told.session.perform(scene::add_targets(told.session.scene(), targets));
+    QVERIFY2(turns > 0, "no event was handled meanwhile");
+    QCOMPARE(told.changes.size(), std::size_t{1});
+    QCOMPARE(told.changes.back().inserted.size(), many);
+    QVERIFY(told.session.document().text() == alone.text());
+    QVERIFY(told.session.scene() == alone.scene());
+    QVERIFY(words_of(told.session.problems()) == words_of(alone.problems()));
+    told.session.undo();
+    QCOMPARE(told.session.scene().targets.size(), std::size_t{3});
+    QVERIFY(!told.session.document().changed());
+    // Where somebody else changes the document meanwhile, the edit is made on what is there.
+    QTimer::singleShot(0, [&] { told.session.perform(told.move_target(1, 55.0)); });
+    told.session.perform(scene::add_targets(told.session.scene(), targets));
+    QCOMPARE(told.session.scene().targets.size(), many + 3);
+    QCOMPARE(told.session.scene().targets[1].position_m.x, 55.0);
   }
 
   void a_moved_target_refreshes_its_rows_alone() {

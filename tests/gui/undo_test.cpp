@@ -208,6 +208,8 @@ void drag(gui::MainWindow& window, scene::ObjectId id) {
 }
 void type_in_script(gui::MainWindow& window) {
   auto& editor = *window.findChild<gui::ScriptEditor*>();
+  trigger(window, "display_script");
+  QTRY_VERIFY(!editor.text().script().isEmpty());
   editor.text().moveCursor(QTextCursor::End);
   editor.text().insertPlainText("\n$TARGET Earth 1 2 3 0 0 0 1 0 ISO ! typed\n");
   editor.commit();
@@ -506,6 +508,7 @@ class UndoTest : public QObject {
     gui::ObjectTreeModel model(session);
     const scene::Document& document = session.document();
     const auto shown = [&] {
+      editor.text().complete();
       return editor.text().script() == gui::decoded(document.text(), gui::coding_of(document.text()));
     };
     std::vector<State> states{State(document)};

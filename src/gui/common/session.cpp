@@ -1,5 +1,8 @@
 #include "gui/common/session.hpp"
 
+#include <QEventLoop>
+#include <QGuiApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -14,12 +17,19 @@ namespace {
 // A hand that rests as long has paused.
 constexpr int pause_ms = 150;
 
+// Shorter ones are read in a moment.
+constexpr std::size_t long_text_bytes = 300'000;
+
+// Fewer are changed in a moment.
+constexpr std::size_t many_objects = 10'000;
+
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent) {
   problems_soon_.setSingleShot(true);
   problems_soon_.setInterval(pause_ms);
   connect(&problems_soon_, &QTimer::timeout, this, &Session::find_put_off_problems);
+  connect(&search_, &LatestWork::ended, this, &Session::take_search);
   desks_.push_back(desk_with(scene::Document()));
   desk_ = desks_.front().get();
 }
@@ -43,12 +53,12 @@ std::unique_ptr<Session::Desk> Session::desk_with(scene::Document document) {
   desk->document.read_files_with([](scene::Scene& scene, const std::filesystem::path& folder) {
     return workflow::read_files_of(scene, folder, {core::thread_count(0)});
   });
-  desk->problems = desk->document.problems();
   return desk;
 }
 
 void Session::show_desk(Desk& desk) {
   desk_ = &desk;
+  look_for_problems();  // of one that was left they are known, but for a long text that was left in the middle
   emit document_replaced();
   scene::SceneChange change;
   change.everything = true;
@@ -104,7 +114,7 @@ void Session::perform(scene::Edit edit) {
   const bool in_run = !edit.merge_key.empty();
   const std::uint64_t revision = desk_->document.revision();
   scene::SceneChange change = scene::change_of(edit);
-  desk_->document.perform(std::move(edit));
+  if (edit.changes.size() < many_objects || !perform_beside(edit)) desk_->document.perform(std::move(edit));
   if (in_run)
     problems_soon_.stop();
   else
@@ -114,6 +124,33 @@ void Session::perform(scene::Edit edit) {
   if (desk_->document.revision() != revision) change = follow_last_edit();
   emit scene_changed(change);
   if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
+}
+
+// On a thread of its own, while windows are painted and take no keys. False where that failed, or the document became
+// another one meanwhile.
+bool Session::perform_beside(const scene::Edit& edit) {
+  const int number = desk_->number;
+  const std::uint64_t revision = desk_->document.revision();
+  auto made = std::make_shared<scene::Document>(desk_->document);
+  bool good = false;
+  QEventLoop until_made;
+  BackgroundJob job;
+  connect(&job, &BackgroundJob::ended, &until_made, [&](JobEnd end) {
+    good = end == JobEnd::done;
+    until_made.quit();
+  });
+  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+  job.start([made, &edit](const core::StopFlag&, const BackgroundJob::Report&) {
+    made->perform(edit);
+    // What windows ask for at once.
+    static_cast<void>(made->problems());
+    static_cast<void>(made->commands());
+  });
+  until_made.exec(QEventLoop::ExcludeUserInputEvents);
+  QGuiApplication::restoreOverrideCursor();
+  if (!good || desk_->number != number || desk_->document.revision() != revision) return false;
+  desk_->document = std::move(*made);
+  return true;
 }
 
 void Session::end_run() {
@@ -242,7 +279,29 @@ scene::SceneChange Session::follow_last_edit() {
 
 void Session::look_for_problems() {
   problems_soon_.stop();
+  search_.cancel();
+  const scene::Document& document = desk_->document;
+  auto search = document.text().size() > long_text_bytes ? document.search() : nullptr;
+  if (!search) {
+    desk_->problems = document.problems();
+    return;
+  }
+  // Of others than the same objects they would be told.
+  const auto& last = document.last_edit();
+  if (!last || !scene::change_of(last->edit, last->forwards).same_objects()) desk_->problems.clear();
+  searched_ = document.revision();
+  found_ = std::make_shared<scene::Document::Findings>();
+  search_.run([search = std::move(search), found = found_](const core::StopFlag&, const BackgroundJob::Report&) {
+    *found = search();
+  });
+}
+
+// While a run goes on they are looked for again when it pauses.
+void Session::take_search(bool good) {
+  if (searched_ != desk_->document.revision()) return;
+  if (good) desk_->document.take(std::move(*found_), searched_);
   desk_->problems = desk_->document.problems();
+  emit problems_changed();
 }
 
 void Session::find_put_off_problems() {

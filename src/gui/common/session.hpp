@@ -3,12 +3,14 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "gui/common/latest_work.hpp"
 #include "scene/edit/document.hpp"
 #include "scene/edit/scene_change.hpp"
 #include "scene/model/object.hpp"
@@ -52,7 +54,8 @@ class Session : public QObject {
   /// Closes a document, with everything in it that was not saved. The last one gives way to an empty scene.
   void close(std::size_t index);
 
-  /// Applies an edit; an empty one is passed over. Selection and hidden objects follow theirs.
+  /// Applies an edit; an empty one is passed over. Selection and hidden objects follow theirs. One of many objects is
+  /// made on another thread; windows are painted meanwhile, but take no keys and clicks.
   void perform(scene::Edit edit);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();
@@ -69,7 +72,8 @@ class Session : public QObject {
 
   /// Problems of the document as far as they are known, for windows that show them. Looked for at once after a single
   /// edit; during a run of merged edits (a drag, a spin box) only when it pauses, because that reads the whole script.
-  /// Until then they are those of before the run, about the same objects.
+  /// In a long text they are looked for in the background (`problems_changed`). Until then they are those of before,
+  /// about the same objects, or none.
   [[nodiscard]] const core::Problems& problems() const { return desk_->problems; }
 
   [[nodiscard]] const std::set<scene::ObjectId>& selection() const { return desk_->selection; }
@@ -96,9 +100,9 @@ class Session : public QObject {
   /// Scene, script text, history or unsaved mark are others, and with them the problems of a single edit; `change` says
   /// what became of the scene. Comes once for each change, also for an edit that came to nothing.
   void scene_changed(const sarsim::scene::SceneChange& change);
-  void problems_changed();           ///< Problems were looked for while the scene stayed as it was: a run paused.
-  void document_changed();           ///< Path and unsaved mark changed while scene and text stayed: it was saved.
-  void document_replaced();          ///< Another document is at hand.
+  void problems_changed();   ///< Problems were looked for while the scene stayed: a run paused, or the text is long.
+  void document_changed();   ///< Path and unsaved mark changed while scene and text stayed: it was saved.
+  void document_replaced();  ///< Another document is at hand.
   void document_closed(int number);  ///< A document is gone: what was kept about it is of no use any more.
   void row_changed();                ///< Other documents are open, or they stand in another order.
   void selection_changed();          ///< Other objects are selected.
@@ -121,15 +125,21 @@ class Session : public QObject {
 
   [[nodiscard]] std::unique_ptr<Desk> desk_with(scene::Document document);
   void show_desk(Desk& desk);
+  bool perform_beside(const scene::Edit& edit);
   [[nodiscard]] scene::SceneChange follow_last_edit();
   void look_for_problems();
   void log_replaced_expressions();
   void find_put_off_problems();
+  void take_search(bool good);
 
   int last_number_ = 0;
   std::vector<std::unique_ptr<Desk>> desks_;
   Desk* desk_ = nullptr;  // the one at hand
   QTimer problems_soon_;
+  // For problems of a long text, and what it was begun with.
+  LatestWork search_;
+  std::shared_ptr<scene::Document::Findings> found_;
+  std::uint64_t searched_ = 0;  // the revision of the document at hand
 };
 
 }  // namespace sarsim::gui

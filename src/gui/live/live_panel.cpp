@@ -278,10 +278,10 @@ void LivePanel::show_simulations() {
 
 // Algorithm and motion are choices of focused images.
 void LivePanel::show_choices() {
-  const picture::LiveRequest wanted = request();
-  picture::LiveProduct product = wanted.options.product;
-  if (product == picture::LiveProduct::automatic && wanted.simulation < wanted.scene->simulations.size())
-    product = picture::suitable_product(*wanted.scene, wanted.simulation);
+  const auto simulation = static_cast<std::size_t>(std::max(0, simulation_->currentIndex()));
+  picture::LiveProduct product = picture::live_products.at(static_cast<std::size_t>(product_->currentIndex()));
+  if (product == picture::LiveProduct::automatic && simulation < session_.scene().simulations.size())
+    product = picture::suitable_product(session_.scene(), simulation);
   for (QWidget* widget : std::initializer_list<QWidget*>{algorithm_, compensation_, autofocus_})
     widget->setEnabled(product == picture::LiveProduct::focused);
 }

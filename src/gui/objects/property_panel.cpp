@@ -122,8 +122,9 @@ PanelSubject PropertyPanel::wanted_subject() const {
 void PropertyPanel::refresh() {
   if (committing_) return;
   if (PanelSubject wanted = wanted_subject(); !wanted.same_objects(subject_)) {
+    const std::uint64_t revision = session_.document().revision();
     commit_pending();
-    wanted = wanted_subject();
+    if (session_.document().revision() != revision) wanted = wanted_subject();
     const bool other_kind = wanted.kind() != subject_.kind();
     subject_ = std::move(wanted);
     if (other_kind)

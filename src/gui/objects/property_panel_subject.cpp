@@ -46,7 +46,7 @@ std::string words_of(scene::ObjectKind kind, std::size_t count) {
 PanelSubject::PanelSubject(const scene::Document& document)
     : options_(document.scene().options),
       air_(document.scene().atmosphere),
-      can_say_air_(document.let_names() != nullptr),
+      can_say_air_(document.language() == scene::Language::format_2),
       typed_{document.typed_fields(std::nullopt)} {}
 
 PanelSubject::PanelSubject(const scene::Document& document, scene::ObjectKind kind,
@@ -55,15 +55,18 @@ PanelSubject::PanelSubject(const scene::Document& document, scene::ObjectKind ki
   constexpr std::size_t most_looked_at = 100;
   const scene::Scene& scene = document.scene();
   std::ranges::copy_if(ids, std::back_inserter(ids_), [&](scene::ObjectId id) { return scene::has_object(scene, id); });
-  objects_.reserve(ids_.size());
-  for (const scene::ObjectId id : ids_) objects_.push_back(scene::object_of(scene, id));
+  scene::visit_kind(kind, [&](const auto& known) {
+    auto& objects = objects_.*known.list;
+    objects.reserve(ids_.size());
+    for (const scene::ObjectId id : ids_) objects.push_back((scene.*known.list)[id.index]);
+  });
   if (ids_.size() > most_looked_at) return;
   for (const scene::ObjectId id : ids_) typed_.push_back(document.typed_fields(id));
 }
 
 bool PanelSubject::stands_in(const scene::Scene& scene) const {
   for (std::size_t i = 0; i < ids_.size(); ++i)
-    if (!scene::has_object(scene, ids_[i]) || scene::object_of(scene, ids_[i]) != objects_[i]) return false;
+    if (!scene::has_object(scene, ids_[i]) || scene::object_of(scene, ids_[i]) != object(i)) return false;
   return true;
 }
 
@@ -83,17 +86,12 @@ std::string PanelSubject::title(const scene::Scene& scene) const {
 
 bool PanelSubject::applies(std::string_view field) const {
   if (!kind_ && is_of_air(field)) return can_say_air_ && scene::field_applies(air_, field);
-  return std::ranges::all_of(objects_,
-                             [&](const scene::AnyObject& object) { return scene::field_applies(object, field); });
+  return !kind_ || scene::field_applies(objects_, *kind_, field);
 }
 
 std::optional<std::string> PanelSubject::common_text(std::string_view field) const {
   if (!kind_) return is_of_air(field) ? scene::field_text(air_, field) : scene::field_text(options_, field);
-  if (objects_.empty()) return std::nullopt;
-  std::string first = scene::field_text(objects_.front(), field);
-  for (std::size_t i = 1; i < objects_.size(); ++i)
-    if (scene::field_text(objects_[i], field) != first) return std::nullopt;
-  return first;
+  return scene::common_field_text(objects_, *kind_, field);
 }
 
 std::optional<scene::TypedField> PanelSubject::common_typed(const std::string& field) const {
@@ -134,10 +132,10 @@ FieldChange PanelSubject::change_all(const scene::Document& document, const std:
     return all;
   }
   for (std::size_t i = 0; i < ids_.size(); ++i) {
-    scene::AnyObject object = objects_[i];
-    if (std::string failure = change(object); !failure.empty()) return {{}, std::move(failure)};
-    if (!also_same && object == objects_[i]) continue;
-    scene::Edit one = scene::replace_object(scene, ids_[i], std::move(object), label);
+    scene::AnyObject changed = object(i);
+    if (std::string failure = change(changed); !failure.empty()) return {{}, std::move(failure)};
+    if (!also_same && changed == object(i)) continue;
+    scene::Edit one = scene::replace_object(scene, ids_[i], std::move(changed), label);
     std::ranges::move(one.changes, std::back_inserter(all.edit.changes));
   }
   all.edit.label = single() ? label : fmt::format("{} of {}", label, title(scene));

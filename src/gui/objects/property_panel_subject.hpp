@@ -64,6 +64,7 @@ class PanelSubject {
  private:
   [[nodiscard]] FieldChange change_air(const scene::Document& document, const scene::Field& field,
                                        const std::string& text) const;
+  [[nodiscard]] scene::AnyObject object(std::size_t index) const { return scene::object_of(objects_, {*kind_, index}); }
   // Changes one object or the options; says why not where it cannot.
   template <class Change>
   [[nodiscard]] FieldChange change_all(const scene::Document& document, const std::string& label, bool also_same,
@@ -73,7 +74,7 @@ class PanelSubject {
 
   std::optional<scene::ObjectKind> kind_;
   std::vector<scene::ObjectId> ids_;
-  std::vector<scene::AnyObject> objects_;
+  scene::Scene objects_;  // as they were, in the list of their kind
   scene::RunOptions options_;
   scene::Atmosphere air_;
   bool can_say_air_ = false;               // format 2, not the language of 1998

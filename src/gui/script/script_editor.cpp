@@ -114,6 +114,11 @@ void ScriptEditor::connect_text() {
   connect(&problems_soon_, &QTimer::timeout, this, &ScriptEditor::refresh_problems);
   connect(text_, &QPlainTextEdit::textChanged, this, &ScriptEditor::note_typing);
   connect(text_, &QPlainTextEdit::cursorPositionChanged, this, &ScriptEditor::show_position);
+  connect(text_, &ScriptText::completed, this, [this] {
+    problems_soon_.start();
+    if (is_seen()) catch_up();
+  });
+  text_->installEventFilter(this);
   // Windows lose the keyboard while they are taken down: by then the session may be gone, and this connection with it.
   connect(text_, &ScriptText::left, &session_, [this] {
     commit();
@@ -163,37 +168,67 @@ void ScriptEditor::make_actions() {
   connect(copy_command_, &QAction::triggered, this, &ScriptEditor::copy_command);
 }
 
+// Behind another panel it is not seen either, although Qt calls it visible.
+bool ScriptEditor::is_seen() const { return isVisible() && !visibleRegion().isEmpty(); }
+
 void ScriptEditor::take_document() {
   pause_.stop();
   names_.reset();
   run_end_.stop();
+  of_echoes_.clear();
+  agreed_ = true;
+  stale_ = other_document_ = true;
+  copy_command_->setEnabled(!session_.document().path().empty());
+  if (is_seen())
+    catch_up();
+  else
+    refresh_problems();
+}
+
+void ScriptEditor::show_document() {
   coding_ = coding_of(session_.document().text());
   shared_ = decoded(session_.document().text(), coding_);
-  stale_ = false;
-  agreed_ = true;
-  revision_ = session_.document().revision();
-  of_echoes_.clear();
   splicing_ = true;
   text_->set_script(shared_);
   splicing_ = false;
-  copy_command_->setEnabled(!session_.document().path().empty());
   refresh_problems();
   show_position();
 }
 
-void ScriptEditor::showEvent(QShowEvent* event) {
-  QWidget::showEvent(event);
-  if (stale_) take_session_text();
+bool ScriptEditor::event(QEvent* event) {
+  if (event->type() == QEvent::Show) catch_up();
+  if (event->type() == QEvent::Paint && stale_)
+    QTimer::singleShot(0, this, [this] {
+      if (is_seen()) catch_up();
+    });
+  return QWidget::event(event);
+}
+
+bool ScriptEditor::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == text_ && event->type() == QEvent::FocusIn) catch_up();
+  return QWidget::eventFilter(watched, event);
+}
+
+// Puts in what it missed while nobody looked, or while a long text came in.
+void ScriptEditor::catch_up() {
+  if (!stale_ || (!other_document_ && !text_->is_complete())) return;
+  stale_ = false;
+  if (std::exchange(other_document_, false))
+    show_document();
+  else
+    take_whole_text();
+  revision_ = session_.document().revision();
+  problems_soon_.start();
 }
 
 // Puts in what the session changed since the two last agreed.
 void ScriptEditor::take_session_text() {
   names_.reset();
-  if (!isVisible() && !pause_.isActive()) {
+  if (stale_ || (!is_seen() && !pause_.isActive()) || !text_->is_complete()) {
     stale_ = true;
     return;
   }
-  if (std::exchange(stale_, false) || !take_last_changes()) take_whole_text();
+  if (!take_last_changes()) take_whole_text();
   revision_ = session_.document().revision();
   problems_soon_.start();
 }
@@ -237,11 +272,14 @@ void ScriptEditor::take_whole_text() {
   text_->splice({change});
   splicing_ = false;
   agreed_ = !still_typing;
-  if (!still_typing) pause_.stop();
+  if (still_typing)
+    text_->complete();  // It is read before long.
+  else
+    pause_.stop();
 }
 
 void ScriptEditor::note_typing() {
-  if (splicing_) return;
+  if (splicing_ || !text_->is_complete()) return;
   agreed_ = false;
   pause_.start();
 }
@@ -299,12 +337,18 @@ void ScriptEditor::refresh_problems() {
   }
   problems_->setVisible(!found.empty());
   // Between two pauses the places are those of the text before the last keys.
-  if (!pause_.isActive()) text_->underline(here, coding_);
-  state_->setText(session_.document().text_broken() ? tr("The scene waits until the script can be read again.")
-                                                    : QString());
+  if (!pause_.isActive() && !stale_) text_->underline(here, coding_);
+  state_->setText(!text_->is_complete()               ? tr("The rest of the script is being put in.")
+                  : session_.document().text_broken() ? tr("The scene waits until the script can be read again.")
+                                                      : QString());
 }
 
-void ScriptEditor::jump_to(const core::Place& place) { text_->jump_to(place, coding_); }
+void ScriptEditor::jump_to(const core::Place& place) {
+  text_->complete();
+  catch_up();
+  text_->complete();
+  text_->jump_to(place, coding_);
+}
 
 void ScriptEditor::show_problem(const core::Place& place) {
   text_->setFocus();

@@ -45,7 +45,9 @@ class ScriptEditor : public QWidget {
   [[nodiscard]] QAction* copy_command_action() const { return copy_command_; }
 
  protected:
-  void showEvent(QShowEvent* event) override;
+  /// What it missed while it was not seen is put in before it is read or typed into.
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void make_actions();
@@ -53,6 +55,9 @@ class ScriptEditor : public QWidget {
   void connect_text();
   void take_document();
   void take_session_text();
+  void show_document();
+  void catch_up();
+  [[nodiscard]] bool is_seen() const;
   [[nodiscard]] bool take_last_changes();
   void take_whole_text();
   void note_typing();
@@ -77,6 +82,7 @@ class ScriptEditor : public QWidget {
   ScriptCoding coding_;
   QString shared_;                                    // the text that editor and session had in common last
   bool stale_ = false;                                // the session's text changed while nobody looked
+  bool other_document_ = false;                       // and is that of another document
   bool agreed_ = true;                                // nothing was typed since
   std::uint64_t revision_ = 0;                        // of the document then
   bool splicing_ = false;                             // the session's text is being put in

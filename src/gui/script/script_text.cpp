@@ -24,6 +24,7 @@ namespace sarsim::gui {
 namespace {
 
 constexpr std::size_t most_marks = 500;
+constexpr qsizetype most_at_once = 60'000;  // characters, which take some milliseconds
 constexpr double smallest_size_pt = 5.0;
 constexpr double largest_size_pt = 60.0;
 
@@ -75,6 +76,10 @@ ScriptText::ScriptText(QWidget* parent) : QPlainTextEdit(parent), margin_(new Li
   first_size_pt_ = font().pointSizeF() > 0.0 ? font().pointSizeF() : 10.0;
   highlighter_ = std::make_unique<ScriptHighlighter>();
   completer_ = new ScriptCompleter(this);
+  more_.setSingleShot(true);
+  connect(&more_, &QTimer::timeout, this, [this] {
+    if (!is_complete()) put_in_more();
+  });
   connect(this, &QPlainTextEdit::blockCountChanged, this, &ScriptText::place_margin);
   connect(this, &QPlainTextEdit::updateRequest, this, &ScriptText::scroll_margin);
   connect(this, &QPlainTextEdit::cursorPositionChanged, this, &ScriptText::show_marks);
@@ -92,25 +97,50 @@ QString ScriptText::script() const {
 
 void ScriptText::set_script(const QString& text) {
   marks_.clear();
-  setPlainText(text);
+  waiting_.clear();
+  clear();
+  splice({{0, 0, text}});
+  moveCursor(QTextCursor::Start);
   show_marks();
 }
 
 void ScriptText::splice(const std::vector<DecodedChange>& changes) {
-  const int across = horizontalScrollBar()->value();
-  const QTextBlock top = firstVisibleBlock();
-  QTextCursor top_cursor(top);
-  QTextCursor edit(document());
-  edit.beginEditBlock();
   for (const DecodedChange& change : changes) {
+    waiting_.push_back({change.at, change.removed, change.put_in.left(most_at_once)});
+    for (qsizetype put = most_at_once; put < change.put_in.size(); put += most_at_once)
+      waiting_.push_back({change.at + static_cast<int>(put), 0, change.put_in.mid(put, most_at_once)});
+  }
+  put_in_more();
+}
+
+// As much of what waits as keeps nobody waiting.
+void ScriptText::put_in_more() {
+  const int across = horizontalScrollBar()->value();
+  QTextCursor top(firstVisibleBlock());
+  QTextCursor edit(document());
+  putting_in_ = true;
+  edit.beginEditBlock();
+  for (qsizetype put = 0; !waiting_.empty() && put < most_at_once; waiting_.pop_front()) {
+    const DecodedChange& change = waiting_.front();
     edit.setPosition(change.at);
     edit.setPosition(change.at + change.removed, QTextCursor::KeepAnchor);
     edit.insertText(change.put_in);
+    put += change.put_in.size();
   }
   edit.endEditBlock();
+  putting_in_ = false;
   // The scroll bar counts lines: the line that was on top stays there.
-  verticalScrollBar()->setValue(top_cursor.block().firstLineNumber());
+  verticalScrollBar()->setValue(top.block().firstLineNumber());
   horizontalScrollBar()->setValue(across);
+  if (isReadOnly() == is_complete()) setReadOnly(!is_complete());
+  if (is_complete())
+    emit completed();
+  else
+    more_.start();
+}
+
+void ScriptText::complete() {
+  while (!is_complete()) put_in_more();
 }
 
 QTextCursor ScriptText::stretch_of(const core::Place& place, const ScriptCoding& coding) const {

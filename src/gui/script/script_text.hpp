@@ -1,7 +1,9 @@
 #pragma once
 
 #include <QPlainTextEdit>
+#include <QTimer>
 
+#include <deque>
 #include <memory>
 #include <vector>
 
@@ -25,10 +27,16 @@ class ScriptText : public QPlainTextEdit {
 
   /// The text with '\n' at the ends of lines, character by character as it was put in.
   [[nodiscard]] QString script() const;
-  /// Puts another text in its place.
+  /// Puts another text in its place; of a long one the beginning at once, as in `splice`.
   void set_script(const QString& text);
-  /// Puts stretches of text in place of others, in turn; the cursor and what is on screen stay where they are.
+  /// Puts stretches of text in place of others, in turn; the cursor and what is on screen stay where they are. Of long
+  /// stretches the beginning is put in at once, and the rest in pieces between which the window answers; until then the
+  /// text takes no keys.
   void splice(const std::vector<DecodedChange>& changes);
+  /// Puts in at once what is left.
+  void complete();
+  /// Whether all is put in.
+  [[nodiscard]] bool is_complete() const { return waiting_.empty() && !putting_in_; }
 
   /// Underlines problems; they move with the text until they are set again.
   void underline(const std::vector<core::Problem>& problems, const ScriptCoding& coding);
@@ -55,6 +63,7 @@ class ScriptText : public QPlainTextEdit {
   void undo_wanted();  ///< Ctrl+Z was pressed.
   void redo_wanted();  ///< Ctrl+Y, or Ctrl+Shift+Z.
   void left();         ///< The keyboard goes elsewhere.
+  void completed();    ///< All is put in.
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -73,6 +82,7 @@ class ScriptText : public QPlainTextEdit {
     core::Severity severity = core::Severity::error;
   };
 
+  void put_in_more();
   void place_margin();
   void scroll_margin(const QRect& area, int dy);
   void show_marks();
@@ -84,6 +94,9 @@ class ScriptText : public QPlainTextEdit {
   std::unique_ptr<ScriptHighlighter> highlighter_;
   ScriptCompleter* completer_ = nullptr;
   std::vector<Mark> marks_;
+  std::deque<DecodedChange> waiting_;  // to be put in, in turn
+  bool putting_in_ = false;
+  QTimer more_;
   double first_size_pt_ = 0.0;
 };
 

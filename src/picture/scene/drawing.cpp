@@ -65,16 +65,24 @@ void draw_scene(const Snapshot& snapshot, const Camera& camera, const DrawingOpt
 }
 
 std::vector<core::Vec3> points_of(const Snapshot& snapshot) {
+  return points_of(snapshot, [](scene::ObjectId) { return true; });
+}
+
+std::vector<core::Vec3> points_of(const Snapshot& snapshot, const std::function<bool(scene::ObjectId)>& wanted) {
   std::vector<core::Vec3> points;
+  const auto add = [&](const auto& more) { points.insert(points.end(), more.begin(), more.end()); };
   for (const Snapshot::Platform& platform : snapshot.platforms) {
+    if (!wanted(platform.id)) continue;
     points.push_back(platform.pose.position_world_m);
-    points.insert(points.end(), platform.path_points_world_m.begin(), platform.path_points_world_m.end());
+    add(platform.path_points_world_m);
   }
-  for (const Snapshot::Target& target : snapshot.targets) points.push_back(target.position_world_m);
-  for (const Snapshot::Target& point : snapshot.cloud_points) points.push_back(point.position_world_m);
+  for (const std::vector<Snapshot::Target>* targets : {&snapshot.targets, &snapshot.cloud_points})
+    for (const Snapshot::Target& target : *targets)
+      if (wanted(target.id)) points.push_back(target.position_world_m);
   for (const Snapshot::Surface& surface : snapshot.surfaces)
-    points.insert(points.end(), surface.corner_world_m.begin(), surface.corner_world_m.end());
-  for (const Snapshot::Radar& radar : snapshot.radars) points.push_back(radar.position_world_m);
+    if (wanted(surface.id)) add(surface.corner_world_m);
+  for (const Snapshot::Radar& radar : snapshot.radars)
+    if (wanted(radar.id)) points.push_back(radar.position_world_m);
   return points;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -150,5 +151,8 @@ struct PathPlace {
 
 /// All points of a snapshot that a fitted view should show: objects and the points of paths, not trails.
 [[nodiscard]] std::vector<core::Vec3> points_of(const Snapshot& snapshot);
+/// The same of some objects.
+[[nodiscard]] std::vector<core::Vec3> points_of(const Snapshot& snapshot,
+                                                const std::function<bool(scene::ObjectId)>& wanted);
 
 }  // namespace sarsim::picture

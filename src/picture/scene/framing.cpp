@@ -120,16 +120,13 @@ Camera showing(const Camera& camera, const Snapshot& snapshot, const std::set<sc
 }
 
 std::vector<core::Vec3> points_of(const Snapshot& snapshot, const std::set<scene::ObjectId>& objects) {
-  Snapshot some;
-  const auto take = [&](const auto& from, auto& to) {
-    std::ranges::copy_if(from, std::back_inserter(to), [&](const auto& object) { return objects.contains(object.id); });
-  };
-  take(snapshot.platforms, some.platforms);
-  take(snapshot.targets, some.targets);
-  take(snapshot.cloud_points, some.cloud_points);
-  take(snapshot.surfaces, some.surfaces);
-  take(snapshot.radars, some.radars);
-  return points_of(some);
+  // Those of a kind stand in the order of their ids, so that a step on is nearly always enough.
+  auto next = objects.begin();
+  return points_of(snapshot, [&](scene::ObjectId id) {
+    if (next != objects.end() && *next < id) ++next;
+    if (next == objects.end() || *next != id) next = objects.lower_bound(id);
+    return next != objects.end() && *next == id;
+  });
 }
 
 bool shows_well(const Camera& camera, const std::vector<core::Vec3>& points_world_m) {

@@ -24,6 +24,28 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// A text in either language, also one that is typed half.
+ScriptReading read_draft(const std::string& text, const fs::path& path, PendingData& data) {
+  ReadControl control;
+  control.draft = true;
+  return read_scene_text(text, path.string(), data.loader(disk_loader(path.parent_path())), control);
+}
+
+// What reading a text has shown, and what is wrong with its scene and with the files that this reads.
+Document::Findings findings_of(ScriptReading reading, const Scene& scene, const core::Problems& of_files) {
+  if (!core::has_errors(reading.problems)) {
+    core::Problems of_scene = check(scene);
+    std::erase_if(of_scene, [&](const core::Problem& problem) {
+      return std::ranges::find(reading.of_names, problem.subject, &core::Problem::subject) != reading.of_names.end();
+    });
+    std::ranges::move(reading.of_names, std::back_inserter(of_scene));
+    std::ranges::copy(of_files, std::back_inserter(of_scene));
+    locate(of_scene, reading.places);
+    std::ranges::move(of_scene, std::back_inserter(reading.problems));
+  }
+  return {core::ranked(std::move(reading.problems)), std::move(reading.places), std::move(reading.names)};
+}
+
 // What ends a line, and with it a comment, depends on the whole text; an edit must not tip that over.
 bool keeps_line_ends(std::string_view before, std::string_view after) {
   return line_end_of(before).back() == line_end_of(after).back() || after.find('\r') == std::string_view::npos;
@@ -82,13 +104,16 @@ void Document::read_files_with(FileReader reader) {
   read_files();
 }
 
-void Document::read_files() {
+bool Document::reads_files() const {
   const auto reads = [](const Platform& platform) {
     return platform.path == Platform::Path::ephemeris || platform.path == Platform::Path::orbit ||
            platform.rotation_kind == Platform::Rotation::quaternions || platform.read_path;
   };
-  const bool none = scene_.clouds.empty() && std::ranges::none_of(scene_.platforms, reads);
-  if (!file_reader_ || (none && of_files_.empty())) return;
+  return !scene_.clouds.empty() || std::ranges::any_of(scene_.platforms, reads);
+}
+
+void Document::read_files() {
+  if (!file_reader_ || (!reads_files() && of_files_.empty())) return;
   of_files_ = file_reader_(scene_, path_.parent_path());
   findings_.reset();
 }
@@ -104,23 +129,25 @@ ScriptReading Document::read(const std::string& text) const {
                                                 "open its file: it then goes on in TOML"));
     return reading;
   }
-  ReadControl control;
-  control.draft = true;
-  return read_scene_text(text, path_.string(), data_.loader(disk()), control);
+  return read_draft(text, path_, data_);
 }
 
 Document::Findings Document::found_in(ScriptReading reading) const {
-  if (!core::has_errors(reading.problems)) {
-    core::Problems of_scene = check(scene_);
-    std::erase_if(of_scene, [&](const core::Problem& problem) {
-      return std::ranges::find(reading.of_names, problem.subject, &core::Problem::subject) != reading.of_names.end();
-    });
-    std::ranges::move(reading.of_names, std::back_inserter(of_scene));
-    std::ranges::copy(of_files_, std::back_inserter(of_scene));
-    locate(of_scene, reading.places);
-    std::ranges::move(of_scene, std::back_inserter(reading.problems));
-  }
-  return {core::ranked(std::move(reading.problems)), std::move(reading.places), std::move(reading.names)};
+  return findings_of(std::move(reading), scene_, of_files_);
+}
+
+// The scene of a text is the one that is edited, as far as its problems go.
+std::function<Document::Findings()> Document::search() const {
+  if (findings_ || reads_files() || !of_files_.empty() || language::is_json(text_)) return {};
+  return [text = text_, path = path_, data = data_]() mutable {
+    ScriptReading reading = read_draft(text, path, data);
+    const Scene scene = std::move(reading.scene);
+    return findings_of(std::move(reading), scene, {});
+  };
+}
+
+void Document::take(Findings found, std::uint64_t revision) {
+  if (revision == revision_ && !findings_) findings_ = std::move(found);
 }
 
 const Document::Findings& Document::findings() const {
@@ -266,7 +293,6 @@ void Document::drop_those_kept(std::vector<ReplacedExpression>& expressions) con
   });
 }
 
-// That of the last text that could be read, or of the present one.
 Language Document::language() const {
   return is_format_2(sound_text() != nullptr ? *sound_text() : text_) ? Language::format_2 : Language::script;
 }

@@ -56,6 +56,17 @@ class Document {
   /// Found when they are asked for, once after each change; that reads the text, so a drag of many objects should ask
   /// when it ends.
   [[nodiscard]] const core::Problems& problems() const { return findings().problems; }
+  /// What is known of a text.
+  struct Findings {
+    core::Problems problems;
+    FieldPlaces places;
+    LetNames names;
+  };
+  /// Finds what `problems`, `places` and `let_names` tell, on any thread while the document goes on. Null where that is
+  /// known already, and where it depends on more than the text: on files of points or of motion.
+  [[nodiscard]] std::function<Findings()> search() const;
+  /// Takes over what a search has found, unless the document is at another revision than where it was begun.
+  void take(Findings found, std::uint64_t revision);
   /// Where each field stands in the text; found as the problems are.
   [[nodiscard]] const FieldPlaces& places() const { return findings().places; }
   /// Where the commands of the objects stand in the text, or their tables and rows in format 2 (`find_objects`). While
@@ -65,6 +76,8 @@ class Document {
   /// What the text says of each field of an object's form, or of the options where there is no id. Empty in the
   /// language of 1998, which says every field, and while a broken text hides it.
   [[nodiscard]] TypedFields typed_fields(std::optional<ObjectId> id) const;
+  /// That of the last text that could be read, or of the present one.
+  [[nodiscard]] Language language() const;
   /// The names of [let], which expressions in fields may use; null in the language of 1998. Found as the problems are.
   [[nodiscard]] const LetNames* let_names() const;
   /// True where the text was typed so that it cannot be read: the scene is then the last one that could.
@@ -115,13 +128,6 @@ class Document {
   [[nodiscard]] bool changed_on_disk() const;
 
  private:
-  // What is known of the text as it is.
-  struct Findings {
-    core::Problems problems;
-    FieldPlaces places;
-    LetNames names;
-  };
-
   // A text, where its commands stand if that is known, and how it comes from the present one.
   struct NewText {
     std::string text;
@@ -144,11 +150,11 @@ class Document {
   [[nodiscard]] TypedFields typed_in_included(ObjectId id) const;
   [[nodiscard]] bool touches_included(const Edit& edit) const;
   void change_included(const ScriptChange& change, bool forwards, PendingData& data) const;
-  [[nodiscard]] Language language() const;
   [[nodiscard]] ScriptReading read(const std::string& text) const;
   [[nodiscard]] DataFileLoader disk() const;
   [[nodiscard]] const Findings& findings() const;
   [[nodiscard]] Findings found_in(ScriptReading reading) const;
+  [[nodiscard]] bool reads_files() const;
 
   Scene scene_;
   std::string text_;

@@ -105,6 +105,32 @@ TEST(Document, WritesAnEditIntoTheTextAndTakesItBackByteByByte) {
   EXPECT_EQ(document.scene().targets[0].position_m.x, 7.5);
 }
 
+std::vector<std::string> words_of(const core::Problems& problems) {
+  std::vector<std::string> words;
+  for (const core::Problem& problem : problems) words.push_back(core::to_string(problem));
+  return words;
+}
+
+TEST(Document, TakesWhatASearchOnAnotherThreadHasFound) {
+  Document document = Document::from_text(std::string(small_script) + "$RADAR R Earth 0 0 0 1e9 0 1e-6\n");
+  EXPECT_FALSE(document.search());  // known
+  document.perform(move_to(document, 5.0));
+  const auto search = document.search();
+  ASSERT_TRUE(search);
+  Document other = document;
+  const std::uint64_t revision = document.revision();
+  const Document::Findings found = search();
+  EXPECT_EQ(words_of(found.problems), words_of(other.problems()));
+  EXPECT_FALSE(found.problems.empty());
+  document.perform(move_to(document, 6.0));
+  document.take(found, revision);  // too late
+  EXPECT_TRUE(document.search());
+  document.undo();
+  document.take(found, document.revision());
+  EXPECT_FALSE(document.search());
+  EXPECT_EQ(words_of(document.problems()), words_of(other.problems()));
+}
+
 TEST(Document, BringsBackTheCommentsOfARemovedObject) {
   Document document = Document::from_text(small_script);
   document.perform(remove_objects(document.scene(), {target(0)}));

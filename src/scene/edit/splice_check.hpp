@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,12 +10,20 @@
 
 namespace sarsim::scene::format_2 {
 
+/// A row of a list of positions.
+struct ChangedRow {
+  std::size_t object = 0;  ///< Among those that the table makes.
+  TextStretch at;
+};
+
 /// Tables whose text an edit changes, and the objects that they then make.
 struct ChangedTable {
   ObjectKind kind = ObjectKind::platform;
   const ObjectTable* table = nullptr;
   std::size_t first = 0;  ///< In the list of the scene after the edit.
   std::size_t count = 0;
+  std::optional<std::vector<ChangedRow>> rows =
+      {};  ///< Where nothing but these is changed; of 100 000 one, for instance.
 };
 
 /// Whether changed tables say what they should. Reads them alone, with the names and included files of the text: what a

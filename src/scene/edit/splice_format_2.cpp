@@ -206,6 +206,7 @@ class TableSplicer {
   [[nodiscard]] std::string written(ObjectKind kind, Listed objects) const {
     Scene scene;
     visit_list(scene, kind, [&]<class Object>(std::vector<Object>& list) {
+      list.reserve(objects.size());
       for (const ListedObject& object : objects)
         list.push_back(object.after != nullptr ? *object.after->get_if<Object>()
                                                : std::get<Object>(object_of(before_, {kind, object.index})));
@@ -256,6 +257,8 @@ class TableSplicer {
     auto main =
         std::ranges::find_if(parts, [&](const ListPart& part) { return stands(part) && part.alike == nullptr; });
     if (main == parts.end()) main = std::ranges::find_if(parts, stands);
+    if (parts.size() == 1 && stands(*main) && main->alike == nullptr && objects.size() == table.objects)
+      return write_rows(table, *main);
     for (auto part = parts.begin(); part != parts.end(); ++part) {
       if (part == main)
         append(changes_, changes_of_part(table, *part));
@@ -285,14 +288,29 @@ class TableSplicer {
     return value_after(toml::piece(text_, row.span), &was, {"position", said_value(field, position, words.after)});
   }
 
+  // The rows of a list that a part keeps, as they are to be.
+  [[nodiscard]] std::vector<RowChange> row_changes_of(const ObjectTable& table, const ListPart& part,
+                                                      const std::vector<toml::Value>& rows) const {
+    std::vector<RowChange> changes(table.objects, RowChange{true});
+    for (const ListedObject& object : part.objects) changes[object.row] = {false, new_row(object, rows[object.row])};
+    return changes;
+  }
+
   [[nodiscard]] TextChanges changes_of_part(const ObjectTable& table, const ListPart& part) const {
     TextChanges changes = changes_of_keys(table, part);
     const std::vector<toml::Value> rows = rows_of(text_, *table.positions);
-    std::vector<RowChange> row_changes(table.objects, RowChange{true});
-    for (const ListedObject& object : part.objects)
-      row_changes[object.row] = {false, new_row(object, rows[object.row])};
-    append(changes, change_rows(text_, *table.positions, row_changes));
+    append(changes, change_rows(text_, *table.positions, row_changes_of(table, part, rows)));
     return changes;
+  }
+
+  // All of them stay where they are: what is changed are rows.
+  void write_rows(const ObjectTable& table, const ListPart& part) {
+    const std::vector<toml::Value> rows = rows_of(text_, *table.positions);
+    const std::vector<RowChange> changes = row_changes_of(table, part, rows);
+    changed_.back().rows.emplace();
+    for (std::size_t row = 0; row < rows.size(); ++row)
+      if (changes[row].text) changed_.back().rows->push_back({row, {rows[row].span.begin, rows[row].span.end}});
+    append(changes_, change_rows(text_, *table.positions, changes));
   }
 
   // The same for one target with values of its own.

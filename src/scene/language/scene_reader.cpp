@@ -229,6 +229,16 @@ class SceneReader {
       reader.error(one->key, "file", {"a target has either position or positions", "", "one of them"});
   }
 
+  // For as many more rows as there seem to be: most are about as long as those before.
+  void make_room(std::size_t at, const toml::Span& rows, std::size_t read) {
+    constexpr std::size_t least = 100;
+    constexpr double spare = 1.05;
+    if (read < least) return;
+    const double row_bytes = static_cast<double>(at - rows.begin) / static_cast<double>(read);
+    scene_.targets.reserve(scene_.targets.size() +
+                           static_cast<std::size_t>(spare * static_cast<double>(rows.end - at) / row_bytes) + least);
+  }
+
   // Targets that differ in their position alone.
   void read_alike(const Target& alike, const Leaf& positions, const Source& source, toml::Lines& lines,
                   ObjectText& text) {
@@ -246,6 +256,8 @@ class SceneReader {
     const std::size_t points_each = alike.gain_db.part[0].knots.size();
     while (const auto row = rows.next()) {
       if (reading_.log.full()) return;
+      if (scene_.targets.size() == scene_.targets.capacity())
+        make_room(row->value.span.begin, positions.value.span, scene_.targets.size() - before);
       if ((scene_.targets.size() - before) * points_each > most_points)
         return reader.error(positions.key, spec.id,
                             {"these targets are too many for a reflectivity of so many points", "",

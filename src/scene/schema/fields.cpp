@@ -42,6 +42,23 @@ class Form {
     return form_text(field->spec, field->get(object), part);
   }
 
+  [[nodiscard]] bool applies(const std::vector<Object>& objects, std::string_view id) const {
+    const FieldOf<Object>& field = *parts_[position(id)].of;
+    return std::ranges::all_of(objects,
+                               [&](const Object& object) { return table_of<Object>().applies(object, field); });
+  }
+  // Most have the same value, which is quicker to see than the same text.
+  [[nodiscard]] std::optional<std::string> common_text(const std::vector<Object>& objects, std::string_view id) const {
+    if (objects.empty()) return std::nullopt;
+    const auto& [field, part] = parts_[position(id)];
+    const FieldValue first = field->get(objects.front());
+    std::string text = form_text(field->spec, first, part);
+    for (const Object& object : objects)
+      if (const FieldValue value = field->get(object); value != first && form_text(field->spec, value, part) != text)
+        return std::nullopt;
+    return text;
+  }
+
   // Says why not, and leaves the object as it is, where it cannot.
   [[nodiscard]] std::string set(Object& object, std::string_view id, std::string_view text,
                                 const LetNames* names) const {
@@ -140,6 +157,12 @@ bool field_applies(const AnyObject& object, std::string_view id) {
   return std::visit([&](const auto& alternative) { return form_of(alternative).applies(alternative, id); }, object);
 }
 
+bool field_applies(const Scene& scene, ObjectKind kind, std::string_view id) {
+  return visit_list(scene, kind, [&]<class Object>(const std::vector<Object>& objects) {
+    return form_of(Object{}).applies(objects, id);
+  });
+}
+
 bool field_applies(const Atmosphere& atmosphere, std::string_view id) {
   return form_of(atmosphere).applies(atmosphere, id);
 }
@@ -152,6 +175,12 @@ std::string field_text(const RunOptions& options, std::string_view id) { return 
 
 std::string field_text(const Atmosphere& atmosphere, std::string_view id) {
   return form_of(atmosphere).text(atmosphere, id);
+}
+
+std::optional<std::string> common_field_text(const Scene& scene, ObjectKind kind, std::string_view id) {
+  return visit_list(scene, kind, [&]<class Object>(const std::vector<Object>& objects) {
+    return form_of(Object{}).common_text(objects, id);
+  });
 }
 
 std::string set_field(AnyObject& object, std::string_view id, std::string_view text, const LetNames* names) {

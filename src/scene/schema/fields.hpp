@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -59,11 +60,16 @@ struct Field {
 [[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
 [[nodiscard]] bool field_applies(const Atmosphere& atmosphere, std::string_view id);
 
+/// The same for all objects of a kind in a scene; true where there is none.
+[[nodiscard]] bool field_applies(const Scene& scene, ObjectKind kind, std::string_view id);
+
 /// The value as text: numbers with a unit, the shown name of a choice, "yes"/"no", a name; for functions a summary
 /// ("3 points, cubic" or the file's name).
 [[nodiscard]] std::string field_text(const AnyObject& object, std::string_view id);
 [[nodiscard]] std::string field_text(const RunOptions& options, std::string_view id);
 [[nodiscard]] std::string field_text(const Atmosphere& atmosphere, std::string_view id);
+/// What all objects of a kind in a scene show; nothing where they differ and where there is none.
+[[nodiscard]] std::optional<std::string> common_field_text(const Scene& scene, ObjectKind kind, std::string_view id);
 
 /// Sets a field from what was typed. Choosing another alternative gives the members that become meaningless their
 /// initial values, as the script writer wants it, and a user-defined function that becomes meaningful one point to

@@ -124,6 +124,31 @@ TEST(Fields, IdsAreUniqueAndEveryFieldIsExplained) {
   }
 }
 
+TEST(Fields, OfManyObjectsTheCommonTextIsThatOfEach) {
+  Scene scene;
+  for (const ObjectKind kind : all_kinds)
+    for (const Field& field : fields_of(kind)) {
+      EXPECT_EQ(common_field_text(scene, kind, field.id), std::nullopt) << field.id;
+      EXPECT_TRUE(field_applies(scene, kind, field.id)) << field.id;
+    }
+  for (int i = 0; i < 3; ++i) scene.targets.emplace_back().position_m = {1000.0 * i, 5.0, 0.0};
+  scene.targets[1].platform = "Ship";
+  scene.targets[2].rcs_m2 = std::nan("");
+  EXPECT_EQ(common_field_text(scene, ObjectKind::target, "position_m.x"), std::nullopt);
+  EXPECT_EQ(common_field_text(scene, ObjectKind::target, "platform"), std::nullopt);
+  EXPECT_EQ(common_field_text(scene, ObjectKind::target, "rcs_m2"), std::nullopt);
+  EXPECT_EQ(common_field_text(scene, ObjectKind::target, "position_m.y"),
+            field_text(AnyObject(scene.targets[0]), "position_m.y"));
+  scene.targets[1].rcs_m2 = scene.targets[0].rcs_m2 = std::nan("");
+  EXPECT_EQ(common_field_text(scene, ObjectKind::target, "rcs_m2"), field_text(AnyObject(scene.targets[0]), "rcs_m2"));
+  scene.radars.resize(2);
+  scene.radars[0].pulse = Radar::Pulse::chirp;
+  EXPECT_FALSE(field_applies(scene, ObjectKind::radar, "bandwidth_hz"));
+  scene.radars[1].pulse = Radar::Pulse::chirp;
+  EXPECT_TRUE(field_applies(scene, ObjectKind::radar, "bandwidth_hz"));
+  EXPECT_THROW(static_cast<void>(common_field_text(scene, ObjectKind::radar, "none")), std::invalid_argument);
+}
+
 TEST(Fields, AProblemOfAWholeMemberIsShownAtItsFirstPart) {
   EXPECT_EQ(field_of_problem(ObjectKind::platform, "position_m"), "position_m.x");
   EXPECT_EQ(field_of_problem(ObjectKind::radar, "pulse_width_s"), "pulse_width_s");
