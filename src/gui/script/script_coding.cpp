@@ -78,8 +78,15 @@ std::optional<std::vector<DecodedChange>> decoded_changes(const scene::TextChang
   return decoded_ones;
 }
 
-QString changed_text(const QString& text, const std::vector<DecodedChange>& changes) {
+QString changed_text(QString text, const std::vector<DecodedChange>& changes) {
+  // Each moves what stands behind it: of many at once all of it is put together anew.
+  constexpr std::size_t few = 8;
+  if (changes.size() <= few) {
+    for (const DecodedChange& change : changes) text.replace(change.at, change.removed, change.put_in);
+    return text;
+  }
   QString result;
+  result.reserve(text.size());
   qsizetype taken = 0;  // of the text before
   for (const DecodedChange& change : changes) {
     const qsizetype before = change.at - result.size();

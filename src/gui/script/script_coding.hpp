@@ -50,7 +50,7 @@ struct DecodedChange {
                                                                         const ScriptCoding& coding);
 
 /// The decoded text after changes that come in the order of their places; takes time linear in the text.
-[[nodiscard]] QString changed_text(const QString& text, const std::vector<DecodedChange>& changes);
+[[nodiscard]] QString changed_text(QString text, const std::vector<DecodedChange>& changes);
 
 /// Position in a decoded line (from 0) of a column in bytes (from 1); the line's length for a column beyond its end.
 [[nodiscard]] int position_of_column(const QString& line, std::size_t column, const ScriptCoding& coding);

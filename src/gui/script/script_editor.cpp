@@ -242,7 +242,7 @@ bool ScriptEditor::take_last_changes() {
   const auto& [edit, forwards] = *document.last_edit();
   const auto changes = decoded_changes(edit.script.changes, forwards, document.text(), coding_);
   if (!changes) return false;
-  shared_ = changed_text(shared_, *changes);
+  shared_ = changed_text(std::move(shared_), *changes);
   splicing_ = true;
   text_->splice(*changes);
   splicing_ = false;

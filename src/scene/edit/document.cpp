@@ -308,8 +308,13 @@ Document::NewText Document::text_after(const Edit& edit, const DataFileLoader& l
       known ? splice_format_2(base, tables(), touches_included(edit) ? included() : std::vector<IncludedText>{}, scene_,
                               edit, path_.string(), loader)
             : splice_format_2(base, format_2::find_tables(base), {}, scene_, edit, path_.string(), loader);
-  TextChanges changes = text_broken_ ? text_difference(text_, spliced.text) : std::move(spliced.changes);
-  return {std::move(spliced.text), std::nullopt, std::move(changes), std::move(spliced.included)};
+  NewText next{std::move(spliced.text), std::nullopt, {}, std::move(spliced.included)};
+  if (spliced.rows_alone && known) {
+    next.tables = format_2::after_changes(tables(), spliced.changes);
+    if (commands_) next.commands = after_changes(*commands_, spliced.changes);
+  }
+  next.changes = text_broken_ ? text_difference(text_, next.text) : std::move(spliced.changes);
+  return next;
 }
 
 // The same in the language of 1998.
@@ -350,6 +355,7 @@ void Document::perform(Edit edit) {
   text_ = std::move(next.text);
   forget_places();
   commands_ = std::move(next.commands);
+  tables_ = std::move(next.tables);
   text_broken_ = false;
   sound_text_.reset();
   drop_those_kept(at_stake);

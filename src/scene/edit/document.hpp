@@ -134,6 +134,7 @@ class Document {
     std::optional<CommandPlaces> commands;
     TextChanges changes;
     std::map<std::string, TextChanges> included;  // of files that the text includes
+    std::optional<format_2::ObjectTables> tables = {};
   };
 
   void load(std::string text);

@@ -482,12 +482,16 @@ Format2Splice splice_format_2(std::string_view text, const ObjectTables& tables,
     const bool right = tried.included.empty() && alone != nullptr
                            ? tables_say(text, tables, tried.changes, *alone, after, file, loader)
                            : read_format_2(tried.text, file, with_texts(loader, std::move(texts))).scene == after;
+    tried.rows_alone =
+        tried.included.empty() && alone != nullptr &&
+        std::ranges::all_of(*alone, [](const ChangedTable& changed) { return changed.rows.has_value(); });
     if (right || fine) splice = std::move(tried);
     if (right) return splice;
   }
   splice.included.clear();
   // What no text can say, a number that is none for example, is no reason to write all of it anew.
   std::string whole = write_format_2(after);
+  splice.rows_alone = false;
   if (scene_of(whole) == scene_of(splice.text)) return splice;
   TextChanges changes = text_difference(text, whole);
   return {std::move(changes), std::move(whole), {}};

@@ -18,6 +18,7 @@ struct Format2Splice {
   TextChanges changes;
   std::string text;                                  ///< After the changes.
   std::map<std::string, TextChanges> included = {};  ///< Of files that the text includes, by their names.
+  bool rows_alone = false;  ///< Only rows of lists are others: `after_changes` tells where everything stands.
 };
 
 /// What an edit of a scene does to its text of format 2: changes the values that differ where they stand and leaves

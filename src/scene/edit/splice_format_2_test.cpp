@@ -498,6 +498,7 @@ void edit_and_undo(Document document, std::uint64_t seed, int count) {
                                     << document.text());
     ASSERT_TRUE(read_format_2(document.text(), "", {}).scene == document.scene());
     ASSERT_TRUE(document.commands().fits(document.scene()));
+    ASSERT_EQ(document.commands(), find_objects(document.text(), format_2::find_tables(document.text())));
     expect_rest_unchanged(document, edit, before, places);
     ASSERT_EQ(document.text().find("# alone") == std::string::npos, before.find("# alone") == std::string::npos);
   }
@@ -624,6 +625,49 @@ TEST(DocumentFormat2, MakesOneStepOfADrag) {
   document.undo();
   EXPECT_EQ(document.text(), commented);
   EXPECT_FALSE(document.history().can_undo());
+}
+
+// Where everything stands is not looked for again when rows of a list change.
+TEST(DocumentFormat2, KnowsWhereThingsStandAfterRowsHaveChanged) {
+  const std::string text = std::string(commented) + "\n[[target]]\npositions = [[7, 8, 9], [10, 11, 12]]\n";
+  Document document = Document::from_text(text);
+  for (int i = 0; i < 10; ++i) {
+    const format_2::ObjectTables before = format_2::find_tables(document.text());
+    const std::string text_before = document.text();
+    Edit edit;
+    for (const std::size_t index : {1U, 3U, 6U}) {
+      Target target = document.scene().targets[index];
+      target.position_m.y = i % 2 == 0 ? -1234.5 * i : i;
+      edit.changes.push_back(replace_object(document.scene(), {ObjectKind::target, index}, target, "").changes[0]);
+    }
+    edit.label = "Move";
+    const Format2Splice splice = splice_format_2(text_before, before, {}, document.scene(), edit, "", {});
+    EXPECT_TRUE(splice.rows_alone);
+    const format_2::ObjectTables moved = format_2::after_changes(before, splice.changes);
+    const format_2::ObjectTables found = format_2::find_tables(splice.text);
+    ASSERT_EQ(moved.document.tables.size(), found.document.tables.size());
+    ASSERT_EQ(moved.document.entries.size(), found.document.entries.size());
+    for (std::size_t t = 0; t < found.document.tables.size(); ++t) {
+      EXPECT_EQ(moved.document.tables[t].header, found.document.tables[t].header);
+      EXPECT_EQ(moved.document.tables[t].name, found.document.tables[t].name);
+    }
+    for (std::size_t e = 0; e < found.document.entries.size(); ++e) {
+      EXPECT_EQ(moved.document.entries[e].key, found.document.entries[e].key);
+      EXPECT_EQ(moved.document.entries[e].value.span, found.document.entries[e].value.span);
+    }
+    for (std::size_t t = 0; t < found[ObjectKind::target].size(); ++t) {
+      const auto& [own, other] = std::pair(moved[ObjectKind::target][t], found[ObjectKind::target][t]);
+      ASSERT_EQ(own.positions.has_value(), other.positions.has_value());
+      if (own.positions) {
+        EXPECT_EQ(own.positions->span, other.positions->span);
+      }
+      EXPECT_EQ(own.positions_key, other.positions_key);
+    }
+    static_cast<void>(document.commands());
+    document.perform(edit);
+    ASSERT_EQ(document.text(), splice.text);
+    EXPECT_EQ(document.commands(), find_objects(document.text(), found));
+  }
 }
 
 TEST(DocumentFormat2, NamesHoldNoTabs) {

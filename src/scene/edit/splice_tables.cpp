@@ -263,6 +263,56 @@ const ObjectTable* table_with(const ObjectTables& tables, ObjectKind kind, std::
   return index < table.preceding + table.objects ? &table : nullptr;
 }
 
+namespace {
+
+// Where bytes of a text are after changes of it.
+class Shift {
+ public:
+  explicit Shift(const TextChanges& changes) {
+    std::ptrdiff_t grown = 0;
+    for (const TextChange& change : changes) {
+      grown += std::ssize(change.after) - std::ssize(change.before);
+      ends_.push_back(change.at + change.before.size());
+      grown_.push_back(grown);
+    }
+  }
+
+  // What a change touches begins where it began and ends where it ends now.
+  [[nodiscard]] std::size_t of(std::size_t at) const {
+    const auto behind = std::ranges::upper_bound(ends_, at) - ends_.begin();
+    return behind == 0 ? at : at + static_cast<std::size_t>(grown_[static_cast<std::size_t>(behind) - 1]);
+  }
+  void move(toml::Span& span) const {
+    span = {static_cast<std::uint32_t>(of(span.begin)), static_cast<std::uint32_t>(of(span.end))};
+  }
+
+ private:
+  std::vector<std::size_t> ends_;
+  std::vector<std::ptrdiff_t> grown_;
+};
+
+}  // namespace
+
+ObjectTables after_changes(ObjectTables tables, const TextChanges& changes) {
+  const Shift shift(changes);
+  for (toml::Table& table : tables.document.tables) {
+    shift.move(table.header);
+    shift.move(table.name);
+  }
+  for (toml::Entry& entry : tables.document.entries) {
+    shift.move(entry.key);
+    shift.move(entry.value.span);
+  }
+  for (toml::Mistake& mistake : tables.document.mistakes) shift.move(mistake.at);
+  for (std::vector<ObjectTable>& list : tables.of)
+    for (ObjectTable& table : list) {
+      if (!table.positions) continue;
+      shift.move(table.positions->span);
+      shift.move(table.positions_key);
+    }
+  return tables;
+}
+
 std::vector<toml::Value> rows_of(std::string_view text, const toml::Value& array) {
   std::vector<toml::Value> rows;
   toml::Elements elements(text, array);
@@ -314,6 +364,13 @@ CommandPlaces find_objects(std::string_view text, const format_2::ObjectTables& 
         places[kind].push_back({row.span.begin, row.span.end});
     }
   if (tables.options) places.of[CommandPlaces::options].push_back(stretch_of(text, tables, *tables.options));
+  return places;
+}
+
+CommandPlaces after_changes(CommandPlaces places, const TextChanges& changes) {
+  const format_2::Shift shift(changes);
+  for (std::vector<TextStretch>& list : places.of)
+    for (TextStretch& stretch : list) stretch = {shift.of(stretch.begin), shift.of(stretch.end)};
   return places;
 }
 

@@ -41,6 +41,11 @@ struct ObjectTables {
 /// Takes a text apart, in time linear in it.
 [[nodiscard]] ObjectTables find_tables(std::string_view text);
 
+/// Where they stand after changes within values that leave keys, tables and the number of rows as they were. Quick
+/// where taking the text apart again is not.
+/// @param changes  in the order of the text
+[[nodiscard]] ObjectTables after_changes(ObjectTables tables, const TextChanges& changes);
+
 /// The table of an object; null where the text has none.
 /// @param index  among the objects of its kind in the text
 [[nodiscard]] const ObjectTable* table_with(const ObjectTables& tables, ObjectKind kind, std::size_t index);
@@ -77,5 +82,7 @@ namespace sarsim::scene {
 /// Where the objects of a text of format 2 stand: from their header to the end of the last line below it; the row of an
 /// object in a list of positions. Objects of included files are not there.
 [[nodiscard]] CommandPlaces find_objects(std::string_view text, const format_2::ObjectTables& tables);
+/// The same after changes within values (format_2::after_changes).
+[[nodiscard]] CommandPlaces after_changes(CommandPlaces places, const TextChanges& changes);
 
 }  // namespace sarsim::scene
