@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <exception>
+#include <stdexcept>
 #include <utility>
 
 #include "workflow/input/motion_input.hpp"
@@ -114,7 +116,10 @@ void Session::perform(scene::Edit edit) {
   const bool in_run = !edit.merge_key.empty();
   const std::uint64_t revision = desk_->document.revision();
   scene::SceneChange change = scene::change_of(edit);
-  if (edit.changes.size() < many_objects || !perform_beside(edit)) desk_->document.perform(std::move(edit));
+  if (edit.changes.size() < many_objects)
+    desk_->document.perform(std::move(edit));
+  else
+    perform_beside(edit);
   if (in_run)
     problems_soon_.stop();
   else
@@ -126,17 +131,17 @@ void Session::perform(scene::Edit edit) {
   if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
 }
 
-// On a thread of its own, while windows are painted and take no keys. False where that failed, or the document became
-// another one meanwhile.
-bool Session::perform_beside(const scene::Edit& edit) {
+// On a thread of its own, while windows are painted and take no keys. Where a timer has changed the document meanwhile
+// it is made again, if it still fits.
+void Session::perform_beside(const scene::Edit& edit) {
   const int number = desk_->number;
   const std::uint64_t revision = desk_->document.revision();
   auto made = std::make_shared<scene::Document>(desk_->document);
-  bool good = false;
+  QString failure;
   QEventLoop until_made;
   BackgroundJob job;
-  connect(&job, &BackgroundJob::ended, &until_made, [&](JobEnd end) {
-    good = end == JobEnd::done;
+  connect(&job, &BackgroundJob::ended, &until_made, [&](JobEnd end, const QString& why) {
+    if (end != JobEnd::done) failure = why;
     until_made.quit();
   });
   QGuiApplication::setOverrideCursor(Qt::WaitCursor);
@@ -148,9 +153,15 @@ bool Session::perform_beside(const scene::Edit& edit) {
   });
   until_made.exec(QEventLoop::ExcludeUserInputEvents);
   QGuiApplication::restoreOverrideCursor();
-  if (!good || desk_->number != number || desk_->document.revision() != revision) return false;
-  desk_->document = std::move(*made);
-  return true;
+  try {
+    if (desk_->number != number) throw std::runtime_error(tr("another scene was opened meanwhile").toStdString());
+    if (desk_->document.revision() != revision) return desk_->document.perform(edit);
+    if (!failure.isEmpty() || job.running()) throw std::runtime_error(failure.toStdString());
+    desk_->document = std::move(*made);
+  } catch (const std::exception& error) {
+    this->log(core::Severity::error,
+              tr("%1 was not done: %2").arg(QString::fromStdString(edit.label), QString::fromUtf8(error.what())));
+  }
 }
 
 void Session::end_run() {

@@ -55,7 +55,8 @@ class Session : public QObject {
   void close(std::size_t index);
 
   /// Applies an edit; an empty one is passed over. Selection and hidden objects follow theirs. One of many objects is
-  /// made on another thread; windows are painted meanwhile, but take no keys and clicks.
+  /// made on another thread; windows are painted meanwhile, but take no keys and clicks. What cannot be done is told in
+  /// the log.
   void perform(scene::Edit edit);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();
@@ -125,7 +126,7 @@ class Session : public QObject {
 
   [[nodiscard]] std::unique_ptr<Desk> desk_with(scene::Document document);
   void show_desk(Desk& desk);
-  bool perform_beside(const scene::Edit& edit);
+  void perform_beside(const scene::Edit& edit);
   [[nodiscard]] scene::SceneChange follow_last_edit();
   void look_for_problems();
   void log_replaced_expressions();

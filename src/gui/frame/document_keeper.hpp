@@ -118,7 +118,6 @@ class DocumentKeeper : public QObject {
   [[nodiscard]] std::optional<std::size_t> place_of(const std::filesystem::path& path) const;
   [[nodiscard]] Guard& guard(int number);
   void guard_change();
-  bool keep_copy_of(std::size_t index);
   void read_again();
   void note_recent(const QString& path);
   [[nodiscard]] DataAnswer data_question(const std::vector<scene::DataFileWrite>& files) const;

@@ -50,7 +50,7 @@ class SceneWidget : public QWidget {
   /// The same for a view that is not kept: what is chosen next, from above or of everything, is seen as before it.
   void ride(const picture::Camera& camera);
   [[nodiscard]] const picture::Camera& camera() const { return camera_; }
-  /// The same as it is but for the ride: what would be kept of it.
+  /// The same without what a ride along a beam does to it: the view that is worth keeping.
   [[nodiscard]] picture::Camera usual_camera() const;
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
   void set_options(picture::DrawingOptions options);
