@@ -11,6 +11,7 @@
 #include <complex>
 #include <vector>
 
+#include "gui/common/problem_line.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/gui_test.hpp"
 #include "gui/image/image_viewers.hpp"
@@ -152,6 +153,54 @@ class ImageViewersTest : public QObject {
     QCOMPARE(plot.shown_places().range.label, std::string("Sample"));
     viewer.findChild<QCheckBox*>("image_equal_scale")->click();
     QCOMPARE(plot.view().columns(), static_cast<double>(viewer.source()->columns()));
+  }
+
+  void the_ends_of_the_axes_can_be_typed() {
+    const FocusedR r;
+    QVERIFY(r.shown);
+    gui::ImageViewer& viewer = *r.viewer;
+    gui::ImagePlot& plot = viewer.plot();
+    const auto type = [&](const char* name, const char* text) {
+      auto* const field = viewer.findChild<QLineEdit*>(name);
+      field->selectAll();
+      QTest::keyClicks(field, text);
+      QTest::keyClick(field, Qt::Key_Return);
+    };
+    const auto range_m = [&](double column) { return plot.places()->range.first + plot.places()->range.step * column; };
+    const auto azimuth_m = [&](double row) { return plot.places()->azimuth.first + plot.places()->azimuth.step * row; };
+    const auto m_per_px = [&] {
+      const QSize size = plot.plot_rect().size();
+      return std::pair(plot.view().rows() * plot.places()->azimuth.step / size.height(),
+                       plot.view().columns() * plot.places()->range.step / size.width());
+    };
+    type("image_column_from", "10.15 km");
+    type("image_column_to", "10250");
+    QVERIFY(std::abs(range_m(plot.view().column_first) - 10150.0) < 1e-6);
+    QVERIFY(std::abs(range_m(plot.view().column_last) - 10250.0) < 1e-6);
+    QVERIFY(std::abs(m_per_px().first / m_per_px().second - 1.0) < 1e-9);
+    QCOMPARE(viewer.findChild<QLineEdit*>("image_column_from")->text(), QString("10.15 km"));
+    // Without equal scales each axis is its own, and the fields follow what the mouse does.
+    viewer.findChild<QCheckBox*>("image_equal_scale")->click();
+    const gui::ImageView before = plot.view();
+    type("image_row_from", "-50");
+    QVERIFY(std::abs(azimuth_m(plot.view().row_first) + 50.0) < 1e-6);
+    QCOMPARE(plot.view().row_last, before.row_last);
+    QCOMPARE(plot.view().columns(), before.columns());
+    viewer.go_back();
+    QVERIFY(viewer.findChild<QLineEdit*>("image_row_from")->text() != "-50 m");
+    QVERIFY(plot.view() == before);
+    // Ends that are typed the wrong way round are put right; what is no number changes nothing.
+    type("image_column_from", "10.3 km");
+    QVERIFY(std::abs(range_m(plot.view().column_first) - 10250.0) < 1e-6);
+    QVERIFY(std::abs(range_m(plot.view().column_last) - 10300.0) < 1e-6);
+    const gui::ImageView right = plot.view();
+    type("image_column_to", "far");
+    QVERIFY(plot.view() == right);
+    QVERIFY(!viewer.findChild<gui::ProblemLine*>("image_problem")->isHidden());
+    // Rows and samples have no unit.
+    viewer.findChild<QCheckBox*>("image_numbers")->click();
+    type("image_row_from", "3");
+    QCOMPARE(plot.view().row_first, 3.0);
   }
 
   // Finding B6: full view, five pixels beside the peak.

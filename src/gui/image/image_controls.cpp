@@ -3,10 +3,16 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
 
+#include <cmath>
+#include <utility>
+
+#include "core/maths/rounding.hpp"
 #include "gui/common/problem_line.hpp"
+#include "picture/figure/ticks.hpp"
 
 namespace sarsim::gui {
 
@@ -46,7 +52,73 @@ void ImageControls::change(const std::function<void(PartLook&)>& apply) {
   emit edited(look_);
 }
 
+namespace {
+
+scene::Quantity quantity_of(const std::string& unit) {
+  using scene::Quantity;
+  return unit == "m"     ? Quantity::length
+         : unit == "s"   ? Quantity::time
+         : unit == "Hz"  ? Quantity::frequency
+         : unit == "deg" ? Quantity::angle
+         : unit == "m/s" ? Quantity::speed
+                         : Quantity::number;
+}
+
+}  // namespace
+
+// What is seen, as numbers that can be typed.
+void ImageControls::make_limits(QFormLayout* form) {
+  using raster::FocusedPlaces;
+  const auto add = [&](const FormRows::Words& words, double ImageView::*end, raster::ImagePlaces FocusedPlaces::*axis) {
+    const Limit limit{end, axis};
+    limits_.push_back(limit);
+    limits_.back().field = rows_.add_number(form, words, {[this, axis] { return quantity_of((places_.*axis).unit); }},
+                                            [this, limit](double place) { take_limit(limit, place); });
+  };
+  add({tr("Across from"), "image_column_from", tr("Where the picture begins at the left")}, &ImageView::column_first,
+      &FocusedPlaces::range);
+  add({tr("to"), "image_column_to", tr("Where it ends at the right")}, &ImageView::column_last, &FocusedPlaces::range);
+  add({tr("Down from"), "image_row_from", tr("Where the picture begins at the top")}, &ImageView::row_first,
+      &FocusedPlaces::azimuth);
+  add({tr("to"), "image_row_to", tr("Where it ends at the bottom")}, &ImageView::row_last, &FocusedPlaces::azimuth);
+}
+
+// Where scales are equal the other axis grows and shrinks with it, about its middle.
+void ImageControls::take_limit(const Limit& limit, double place) {
+  const raster::ImagePlaces& axis = places_.*limit.axis;
+  ImageView view = view_;
+  view.*limit.end = (place - axis.first) / axis.step;
+  if (view.column_first > view.column_last) std::swap(view.column_first, view.column_last);
+  if (view.row_first > view.row_last) std::swap(view.row_first, view.row_last);
+  if (!(view.columns() > 0.0) || !(view.rows() > 0.0)) return show_view(view_, places_);
+  if (look_.equal_scale && places_.range.unit == "m" && places_.azimuth.unit == "m") {
+    const double row = 0.5 * (view.row_first + view.row_last);
+    const double column = 0.5 * (view.column_first + view.column_last);
+    const double rows = 0.5 * view_.rows() * view.columns() / view_.columns();
+    const double columns = 0.5 * view_.columns() * view.rows() / view_.rows();
+    if (view.columns() != view_.columns())
+      view.row_first = row - rows, view.row_last = row + rows;
+    else
+      view.column_first = column - columns, view.column_last = column + columns;
+  }
+  emit view_typed(view);
+}
+
+void ImageControls::show_view(const ImageView& view, const raster::FocusedPlaces& places) {
+  constexpr double shown_parts = 1e4;  // of what is seen
+  view_ = view;
+  places_ = places;
+  for (const Limit& limit : limits_) {
+    const raster::ImagePlaces& axis = places_.*limit.axis;
+    const double span = axis.step * (limit.axis == &raster::FocusedPlaces::range ? view.columns() : view.rows());
+    const double place = axis.first + axis.step * (view.*limit.end);
+    show_number(limit.field, core::rounded_to(place, picture::round_below(std::abs(span) / shown_parts)),
+                quantity_of(axis.unit));
+  }
+}
+
 void ImageControls::make_axes(QFormLayout* form) {
+  make_limits(form);
   numbers_ = rows_.add_mark(
       form, {tr("Rows and samples"), "image_numbers", tr("Axes count rows and samples instead of saying their places")},
       [this](bool on) { change([on](PartLook& look) { look.numbers = on; }); });

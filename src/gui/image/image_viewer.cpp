@@ -148,6 +148,7 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
     wanted_view_ = whole_view(rows_, source_->columns());
   }
   plot_->set_view(plot_->shown_view(wanted_view_));
+  controls_->show_view(plot_->view(), plot_->shown_places());
   plot_->set_selection(std::nullopt);
   plot_->set_rings({}, std::nullopt);
   if (show_targets_->isChecked()) targets_->measure(path_);
@@ -307,6 +308,7 @@ void ImageViewer::change_view(const ImageView& view, bool tell) {
   const ImageView wanted = plot_->shown_view(view);
   const bool moved = wanted != plot_->view();
   plot_->set_view(wanted);
+  controls_->show_view(wanted, plot_->shown_places());
   thumbnail_->set_view(wanted);
   back_->setEnabled(history_.can_go_back());
   forward_->setEnabled(history_.can_go_forward());

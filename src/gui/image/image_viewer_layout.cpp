@@ -216,6 +216,10 @@ void ImageViewer::connect_all() {
   connect(describe_, &QPushButton::clicked, this, &ImageViewer::describe_wanted);
   connect(export_, &QPushButton::clicked, this, &ImageViewer::export_chosen);
   connect(controls_, &ImageControls::edited, this, &ImageViewer::set_look);
+  connect(controls_, &ImageControls::view_typed, this, [this](const ImageView& view) {
+    go_to(view);
+    controls_->show_view(plot_->view(), plot_->shown_places());  // Also where it cannot be as it was typed.
+  });
   connect(controls_, &ImageControls::link_changed, this,
           [this] { emit view_changed(plot_->view(), controls_->link()); });
   const auto about = [this](double column, double row) -> ImageView {
