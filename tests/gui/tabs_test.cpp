@@ -316,6 +316,20 @@ class TabsTest : public QObject {
     QCOMPARE(bench.names(), QStringList({"a.scr", folder + "/b.scr", "other && more/b.scr"}));
   }
 
+  void many_tabs_keep_their_names() {
+    const Bench bench;
+    for (int i = 0; i < 30; ++i) {
+      const QString name = QString("a scene with a name %1.scr").arg(i);
+      bench.write(qPrintable(name), test::small_scene());
+      QVERIFY(bench.open(name));
+    }
+    QCoreApplication::processEvents();
+    for (int i = 0; i < bench.tabs().count(); ++i)
+      QVERIFY(bench.tabs().tabRect(i).width() > bench.tabs().fontMetrics().horizontalAdvance(bench.tabs().tabText(i)));
+    QVERIFY(bench.window->width() <= 1200);
+    QVERIFY(bench.tabs().rect().contains(bench.tabs().tabRect(bench.tabs().currentIndex()).center()));
+  }
+
   void tabs_can_be_put_in_another_order() {
     const Bench bench;
     bench.tabs().moveTab(1, 0);

@@ -18,7 +18,7 @@ DocumentTabs::DocumentTabs(Session& session, const DocumentKeeper& documents, QW
   setExpanding(false);
   setMovable(true);
   setTabsClosable(true);
-  setElideMode(Qt::ElideMiddle);
+  setElideMode(Qt::ElideNone);  // Many are scrolled through: of cut names nothing would be left.
   setUsesScrollButtons(true);
   connect(&session_, &Session::row_changed, this, &DocumentTabs::show_row);
   connect(&session_, &Session::document_replaced, this, &DocumentTabs::show_at_hand);
