@@ -80,6 +80,26 @@ class TargetListTest : public QObject {
     QVERIFY(view.row_first < ring.row && ring.row < view.row_last);
     viewer.findChild<QPushButton*>("target_list_copy")->click();
     QVERIFY(QApplication::clipboard()->text().startsWith("Target\tState\tAzimuth (m)"));
+    // A file of the same numbers as the command's.
+    const QTemporaryDir folder;
+    const QString csv = folder.filePath("targets.csv");
+    auto* const save = viewer.findChild<QPushButton*>("target_list_save");
+    viewer.targets().ask_name = [] { return QString(); };
+    save->click();
+    QVERIFY(QDir(folder.path()).isEmpty());
+    viewer.targets().ask_name = [&] { return csv; };
+    save->click();
+    QFile file(csv);
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray lines = file.readAll();
+    QCOMPARE(lines.count('\n'), static_cast<qsizetype>(viewer.targets().table().rows.size()) + 1);
+    QProcess measure;
+    measure.start(SARSIM_PROGRAM, {"measure", QString::fromStdString(image_.string()), "--csv"});
+    QVERIFY(measure.waitForFinished(patience_ms));
+    QCOMPARE(lines, measure.readAllStandardOutput());
+    viewer.targets().ask_name = [&] { return folder.filePath("none/targets.csv"); };
+    save->click();
+    QVERIFY(viewer.findChild<gui::ProblemLine*>("target_list_problems")->text().contains("none/targets.csv"));
     tool->click();
     QVERIFY(viewer.plot().rings().empty() && !viewer.targets().isVisible());
   }

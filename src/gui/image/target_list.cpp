@@ -2,6 +2,7 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
@@ -14,6 +15,7 @@
 
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
+#include "scene/edit/text_file.hpp"
 
 namespace sarsim::gui {
 
@@ -64,13 +66,17 @@ TargetList::TargetList(QWidget* parent) : QWidget(parent) {
   cancel_->setObjectName("target_list_cancel");
   copy_ = new QPushButton(tr("Copy Table"), this);
   copy_->setObjectName("target_list_copy");
-  copy_->setToolTip(tr("The table with tabs, for a spreadsheet; sarsim measure --csv writes it to a file"));
-  for (QPushButton* button : {cancel_, copy_}) button->setAutoDefault(false);
+  copy_->setToolTip(tr("The table with tabs, for a spreadsheet"));
+  save_ = new QPushButton(tr("Save Table..."), this);
+  save_->setObjectName("target_list_save");
+  save_->setToolTip(tr("The table with commas, as sarsim measure --csv writes it"));
+  for (QPushButton* button : {cancel_, copy_, save_}) button->setAutoDefault(false);
   auto* const foot = new QHBoxLayout;
   foot->addWidget(summary_, 1);
   foot->addWidget(progress_);
   foot->addWidget(cancel_);
   foot->addWidget(copy_);
+  foot->addWidget(save_);
   auto* const column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(problems_);
@@ -79,6 +85,11 @@ TargetList::TargetList(QWidget* parent) : QWidget(parent) {
   for (QWidget* widget : {static_cast<QWidget*>(progress_), static_cast<QWidget*>(cancel_)}) widget->hide();
   connect(cancel_, &QPushButton::clicked, this, [this] { job_.running() ? job_.cancel() : measure(image_); });
   connect(copy_, &QPushButton::clicked, this, &TargetList::copy);
+  connect(save_, &QPushButton::clicked, this, &TargetList::save);
+  ask_name = [this] {
+    const QString folder = text_of(image_.parent_path() / "targets.csv");
+    return QFileDialog::getSaveFileName(this, tr("Save Table"), folder, tr("Tables (*.csv)"));
+  };
   connect(&job_, &BackgroundJob::ended, this, &TargetList::end);
   connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double seconds_left) {
     progress_->setValue(static_cast<int>(1000.0 * fraction));
@@ -101,7 +112,7 @@ void TargetList::forget() {
 
 // Nothing of another image stays.
 void TargetList::clear() {
-  table_ = {};
+  shown_ = {};
   problems_->show_texts(core::Severity::note, {});
   fill();
 }
@@ -115,7 +126,7 @@ void TargetList::measure(const std::filesystem::path& image) {
     return;
   }
   again_ = false;
-  made_ = std::make_shared<picture::TargetTable>();
+  made_ = std::make_shared<Measured>();
   progress_->setValue(0);
   progress_->show();
   cancel_->setText(tr("Cancel"));
@@ -128,7 +139,8 @@ void TargetList::measure(const std::filesystem::path& image) {
     observer.progress = [&](const std::string&, const core::Progress& progress) {
       if (progress.total > 0) report(static_cast<double>(progress.done) / static_cast<double>(progress.total));
     };
-    *made = picture::target_table(workflow::measure(request, observer));
+    const workflow::MeasureReport report_of_image = workflow::measure(request, observer);
+    *made = {picture::target_table(report_of_image), workflow::csv_of(report_of_image)};
   });
 }
 
@@ -137,7 +149,7 @@ void TargetList::end(JobEnd end, const QString& failure) {
   cancel_->hide();
   if (again_) return measure(image_);
   if (image_.empty()) return;
-  if (end == JobEnd::done) table_ = *made_;
+  if (end == JobEnd::done) shown_ = *made_;
   if (end == JobEnd::failed) problems_->show_texts(core::Severity::error, {failure});
   fill();
   if (end == JobEnd::cancelled) {
@@ -152,24 +164,24 @@ void TargetList::fill() {
   const QSignalBlocker quiet(list_);
   list_->setSortingEnabled(false);
   list_->clear();
-  list_->setColumnCount(static_cast<int>(table_.columns.size()));
-  list_->setRowCount(static_cast<int>(table_.rows.size()));
-  for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-    auto* const heading = new QTableWidgetItem(text_of(table_.columns[c]));
-    heading->setToolTip(text_of(table_.meanings[c]));
+  list_->setColumnCount(static_cast<int>(shown_.table.columns.size()));
+  list_->setRowCount(static_cast<int>(shown_.table.rows.size()));
+  for (std::size_t c = 0; c < shown_.table.columns.size(); ++c) {
+    auto* const heading = new QTableWidgetItem(text_of(shown_.table.columns[c]));
+    heading->setToolTip(text_of(shown_.table.meanings[c]));
     list_->setHorizontalHeaderItem(static_cast<int>(c), heading);
   }
-  for (std::size_t r = 0; r < table_.rows.size(); ++r)
-    for (std::size_t c = 0; c < table_.columns.size(); ++c) {
-      auto* const item = new NumberItem(read_out(table_.rows[r].words[c]), table_.rows[r].values[c]);
+  for (std::size_t r = 0; r < shown_.table.rows.size(); ++r)
+    for (std::size_t c = 0; c < shown_.table.columns.size(); ++c) {
+      auto* const item = new NumberItem(read_out(shown_.table.rows[r].words[c]), shown_.table.rows[r].values[c]);
       item->setData(row_role, static_cast<qulonglong>(r));
       list_->setItem(static_cast<int>(r), static_cast<int>(c), item);
     }
   list_->setSortingEnabled(true);
   list_->sortByColumn(0, Qt::AscendingOrder);
   list_->resizeColumnsToContents();
-  summary_->setText(text_of(table_.summary));
-  copy_->setEnabled(!table_.rows.empty());
+  summary_->setText(text_of(shown_.table.summary));
+  for (QPushButton* button : {copy_, save_}) button->setEnabled(!shown_.table.rows.empty());
 }
 
 std::optional<std::size_t> TargetList::chosen() const {
@@ -186,6 +198,17 @@ void TargetList::choose(std::size_t row) {
     }
 }
 
-void TargetList::copy() { QApplication::clipboard()->setText(text_of(picture::text_of(table_))); }
+void TargetList::copy() { QApplication::clipboard()->setText(text_of(picture::text_of(shown_.table))); }
+
+void TargetList::save() {
+  const QString name = ask_name();
+  if (name.isEmpty()) return;
+  try {
+    scene::write_text_file(name.toStdString(), shown_.csv);
+    problems_->show_texts(core::Severity::note, {tr("Saved %1").arg(name)});
+  } catch (const std::exception& error) {
+    problems_->show_texts(core::Severity::error, {QString::fromUtf8(error.what())});
+  }
+}
 
 }  // namespace sarsim::gui

@@ -3,8 +3,10 @@
 #include <QWidget>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "gui/common/background_job.hpp"
 #include "picture/image/target_table.hpp"
@@ -27,11 +29,14 @@ class TargetList : public QWidget {
   explicit TargetList(QWidget* parent = nullptr);
   ~TargetList() override;
 
+  /// Asked for the file of a table to save; empty: cancelled. A file dialog unless replaced.
+  std::function<QString()> ask_name;
+
   /// Measures the targets of an image anew; `measured` follows.
   void measure(const std::filesystem::path& image);
   /// Forgets what was measured, and stops what is under way.
   void forget();
-  [[nodiscard]] const picture::TargetTable& table() const { return table_; }
+  [[nodiscard]] const picture::TargetTable& table() const { return shown_.table; }
   /// The row of the table that is chosen, in the order of the script.
   [[nodiscard]] std::optional<std::size_t> chosen() const;
   /// Chooses a row, as a click does.
@@ -42,19 +47,27 @@ class TargetList : public QWidget {
   void target_chosen(std::size_t row);  ///< A row of the table, in the order of the script.
 
  private:
+  // What was measured: as it is shown, and as the command writes it.
+  struct Measured {
+    picture::TargetTable table;
+    std::string csv;
+  };
+
   void end(JobEnd end, const QString& failure);
   void clear();
   void fill();
   void copy();
+  void save();
 
   std::filesystem::path image_;
-  std::shared_ptr<picture::TargetTable> made_;
-  picture::TargetTable table_;
+  std::shared_ptr<Measured> made_;
+  Measured shown_;
   QTableWidget* list_ = nullptr;
   QLabel* summary_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QPushButton* copy_ = nullptr;
+  QPushButton* save_ = nullptr;
   ProblemLine* problems_ = nullptr;
   BackgroundJob job_;
   bool again_ = false;
