@@ -16,6 +16,7 @@ namespace {
 // Beyond so many lines smooth edges and dots cost more than they show.
 constexpr std::size_t most_fine_lines = 4000;
 constexpr std::size_t most_halos = 200;
+constexpr std::size_t most_kept_rims = 2000;
 
 QColor paint_of(picture::Role role, bool dark) {
   const raster::Rgb rgb = picture::colour(role, dark);
@@ -58,41 +59,6 @@ void paint_lines(QPainter& painter, const std::vector<picture::Drawing::Line>& l
   }
 }
 
-// A rim in the colour of the ground keeps words readable across lines.
-void paint_halo(QPainter& painter, const QPointF& start, const QFont& font, const QString& words,
-                const ScenePainter::Look& look) {
-  QPainterPath outline;
-  outline.addText(start, font, words);
-  QColor ground = paint_of(picture::Role::background, look.dark);
-  ground.setAlphaF(0.85F);
-  painter.strokePath(outline, QPen(ground, 3.0 * look.pixel_scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-}
-
-void paint_texts(QPainter& painter, const std::vector<picture::Drawing::Text>& texts, const ScenePainter::Look& look) {
-  QFont plain = look.font;
-  plain.setPixelSize(static_cast<int>(std::lround(QFontInfo(look.font).pixelSize() * look.pixel_scale)));
-  QFont bold = plain;
-  bold.setBold(true);
-  const QFontMetricsF plain_metrics(plain);
-  const QFontMetricsF bold_metrics(bold);
-  const auto start_of = [&](const picture::Drawing::Text& text, const QString& words) {
-    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
-    return QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
-  };
-  // All rims first: none covers another word.
-  if (texts.size() <= most_halos)
-    for (const picture::Drawing::Text& text : texts) {
-      const QString words = QString::fromStdString(text.text);
-      paint_halo(painter, start_of(text, words), text.bold ? bold : plain, words, look);
-    }
-  for (const picture::Drawing::Text& text : texts) {
-    const QString words = QString::fromStdString(text.text);
-    painter.setFont(text.bold ? bold : plain);
-    painter.setPen(paint_of(text.role, look.dark));
-    painter.drawText(start_of(text, words), words);
-  }
-}
-
 }  // namespace
 
 void ScenePainter::paint(QPainter& painter, const QRectF& area, const picture::Drawing& drawing, const Look& look) {
@@ -104,6 +70,50 @@ void ScenePainter::paint(QPainter& painter, const QRectF& area, const picture::D
   painter.setRenderHint(QPainter::Antialiasing, true);
   paint_discs(painter, drawing.discs, look.dark);
   paint_texts(painter, drawing.texts, look);
+}
+
+void ScenePainter::paint_texts(QPainter& painter, const std::vector<picture::Drawing::Text>& texts, const Look& look) {
+  QFont plain = look.font;
+  plain.setPixelSize(static_cast<int>(std::lround(QFontInfo(look.font).pixelSize() * look.pixel_scale)));
+  QFont bold = plain;
+  bold.setBold(true);
+  const QFontMetricsF plain_metrics(plain);
+  const QFontMetricsF bold_metrics(bold);
+  const auto start_of = [&](const picture::Drawing::Text& text, const QString& words) {
+    const double width = (text.bold ? bold_metrics : plain_metrics).horizontalAdvance(words);
+    return QPointF(static_cast<double>(text.x) - (text.centred ? 0.5 * width : 0.0), text.y);
+  };
+  QColor ground = paint_of(picture::Role::background, look.dark);
+  ground.setAlphaF(0.85F);
+  // All rims first: none covers another word.
+  if (texts.size() <= most_halos)
+    for (const picture::Drawing::Text& text : texts) {
+      const QString words = QString::fromStdString(text.text);
+      const QPointF start = start_of(text, words);
+      painter.translate(start);
+      painter.fillPath(rim_of(words, text.bold ? bold : plain, 3.0 * look.pixel_scale), ground);
+      painter.translate(-start);
+    }
+  for (const picture::Drawing::Text& text : texts) {
+    const QString words = QString::fromStdString(text.text);
+    painter.setFont(text.bold ? bold : plain);
+    painter.setPen(paint_of(text.role, look.dark));
+    painter.drawText(start_of(text, words), words);
+  }
+}
+
+// A rim in the colour of the ground keeps words readable across lines. To find it takes ten times as long as to fill
+// it.
+const QPainterPath& ScenePainter::rim_of(const QString& words, const QFont& font, double width_px) {
+  if (rims_.size() > most_kept_rims) rims_.clear();
+  QPainterPath& rim = rims_[{words, font.key(), width_px}];
+  if (!rim.isEmpty()) return rim;
+  QPainterPath outline;
+  outline.addText(QPointF(), font, words);
+  QPainterPathStroker stroker(QPen(Qt::black, width_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  rim = stroker.createStroke(outline);
+  rim.setFillRule(Qt::WindingFill);
+  return rim;
 }
 
 // Runs of equal discs go to the painter in one call, so that the order from back to front is kept.

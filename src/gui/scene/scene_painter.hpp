@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFont>
+#include <QPainterPath>
 #include <QPixmap>
 
 #include <map>
@@ -13,7 +14,8 @@ class QPainter;
 
 namespace sarsim::gui {
 
-/// Puts drawings of a scene onto painters; the pictures of its discs are kept from one drawing to the next.
+/// Puts drawings of a scene onto painters; the pictures of its discs and the rims of its words are kept from one
+/// drawing to the next.
 class ScenePainter {
  public:
   /// What a drawing leaves open.
@@ -31,8 +33,11 @@ class ScenePainter {
 
   void paint_discs(QPainter& painter, const std::vector<picture::Drawing::Disc>& discs, bool dark);
   const QPixmap& disc_picture(const picture::Drawing::Disc& disc, bool dark);
+  void paint_texts(QPainter& painter, const std::vector<picture::Drawing::Text>& texts, const Look& look);
+  const QPainterPath& rim_of(const QString& words, const QFont& font, double width_px);
 
   std::map<DiscKey, QPixmap> disc_pictures_;
+  std::map<std::tuple<QString, QString, double>, QPainterPath> rims_;  // by words, font and width
 };
 
 }  // namespace sarsim::gui
