@@ -189,7 +189,7 @@ class ImageViewersTest : public QObject {
     viewer.go_back();
     QVERIFY(viewer.findChild<QLineEdit*>("image_row_from")->text() != "-50 m");
     QVERIFY(plot.view() == before);
-    // Ends that are typed the wrong way round are put right; what is no number changes nothing.
+    // Ends typed in the wrong order are swapped; text that is not a number changes nothing.
     type("image_column_from", "10.3 km");
     QVERIFY(std::abs(range_m(plot.view().column_first) - 10250.0) < 1e-6);
     QVERIFY(std::abs(range_m(plot.view().column_last) - 10300.0) < 1e-6);

@@ -11,6 +11,7 @@
 #include <QToolBar>
 #include <QtTest>
 
+#include <filesystem>
 #include <memory>
 
 #include "gui/echo/echo_panel.hpp"
@@ -52,7 +53,7 @@ std::size_t copies_for_recovery() {
 // A workbench on two files of its own folder, a.scr and b.scr; the second is at hand.
 struct Bench {
   Bench() {
-    qputenv("XDG_DATA_HOME", folder.filePath("data").toLocal8Bit());
+    std::filesystem::remove_all(recovery_folder());  // of this test alone
     QSettings().clear();
     write("a.scr", test::small_scene());
     scene::Scene other = test::small_scene();
@@ -241,6 +242,21 @@ class TabsTest : public QObject {
     bench.session().turn_to(1);
     bench.trigger("edit_undo");
     QCOMPARE(copies_for_recovery(), std::size_t{0});
+  }
+
+  void a_disk_that_takes_no_copies_is_told_of_and_stops_nothing() {
+    const Bench bench;
+    const QString folder = QString::fromStdString(recovery_folder().string());
+    QVERIFY(QDir().mkpath(QFileInfo(folder).path()));
+    QFile obstacle(folder);  // a file where the folder should be
+    QVERIFY(obstacle.open(QIODevice::WriteOnly));
+    obstacle.close();
+    bench.move_target(7.0);
+    QVERIFY(!bench.window->documents().keep_copies());
+    QVERIFY(bench.window->findChild<QPlainTextEdit*>("log_panel")->toPlainText().contains("No copy for recovery"));
+    QVERIFY(obstacle.remove());
+    QVERIFY(bench.window->documents().keep_copies());  // as soon as it can be
+    QCOMPARE(copies_for_recovery(), std::size_t{1});
   }
 
   // The copy of a document that was left before it was due.

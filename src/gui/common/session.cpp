@@ -91,12 +91,13 @@ void Session::take(scene::Document document) {
 void Session::turn_to(std::size_t index) {
   if (index == at_hand()) return;
   end_run();
-  show_desk(*desks_[index]);
+  show_desk(*desks_.at(index));
 }
 
 void Session::move(std::size_t from, std::size_t to) {
   if (from == to) return;
-  std::unique_ptr<Desk> desk = std::move(desks_[from]);
+  if (to >= desks_.size()) throw std::out_of_range("there is no such place in the row of documents");
+  std::unique_ptr<Desk> desk = std::move(desks_.at(from));
   desks_.erase(desks_.begin() + static_cast<std::ptrdiff_t>(from));
   desks_.insert(desks_.begin() + static_cast<std::ptrdiff_t>(to), std::move(desk));
   emit row_changed();
@@ -105,7 +106,7 @@ void Session::move(std::size_t from, std::size_t to) {
 void Session::close(std::size_t index) {
   if (desks_.size() == 1) return take(scene::Document());
   if (index == at_hand()) turn_to(index + 1 < desks_.size() ? index + 1 : index - 1);
-  const std::unique_ptr<Desk> gone = std::move(desks_[index]);
+  const std::unique_ptr<Desk> gone = std::move(desks_.at(index));
   desks_.erase(desks_.begin() + static_cast<std::ptrdiff_t>(index));
   emit document_closed(gone->number);
   emit row_changed();

@@ -38,9 +38,10 @@ class Session : public QObject {
   [[nodiscard]] std::size_t document_count() const { return desks_.size(); }
   /// Where in the row the document at hand stands.
   [[nodiscard]] std::size_t at_hand() const;
-  [[nodiscard]] const scene::Document& document_at(std::size_t index) const { return desks_[index]->document; }
+  /// The document at a place of the row; std::out_of_range where there is none, here and below.
+  [[nodiscard]] const scene::Document& document_at(std::size_t index) const { return desks_.at(index)->document; }
   /// Tells documents apart for as long as the program runs: no other one has, had or will have the number.
-  [[nodiscard]] int number_at(std::size_t index) const { return desks_[index]->number; }
+  [[nodiscard]] int number_at(std::size_t index) const { return desks_.at(index)->number; }
   /// That of the document at hand.
   [[nodiscard]] int number() const { return desk_->number; }
   /// Puts a document behind the one at hand, and turns to it: nothing is selected or hidden, the time is 0.

@@ -54,14 +54,13 @@ void ImageControls::change(const std::function<void(PartLook&)>& apply) {
 
 namespace {
 
+// What is counted in a unit as axes have it; a number where that is not known.
 scene::Quantity quantity_of(const std::string& unit) {
   using scene::Quantity;
-  return unit == "m"     ? Quantity::length
-         : unit == "s"   ? Quantity::time
-         : unit == "Hz"  ? Quantity::frequency
-         : unit == "deg" ? Quantity::angle
-         : unit == "m/s" ? Quantity::speed
-                         : Quantity::number;
+  for (const Quantity quantity :
+       {Quantity::length, Quantity::time, Quantity::frequency, Quantity::angle, Quantity::speed})
+    if (scene::units_of(quantity).front() == unit) return quantity;
+  return Quantity::number;
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ std::string copy_name(long process, int number) {
 }
 
 // The process that a file belongs to, by a name of the form 123.recovery, 123-456.recovery or 123-456-7.recovery, which
-// is that of its seventh document; 0 for other files.
+// is of its document number 7; 0 for other files.
 long owner_of(const fs::path& file) {
   const std::string whole = file.filename().string();
   std::string_view name = whole;

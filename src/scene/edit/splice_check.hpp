@@ -22,8 +22,8 @@ struct ChangedTable {
   const ObjectTable* table = nullptr;
   std::size_t first = 0;  ///< In the list of the scene after the edit.
   std::size_t count = 0;
-  std::optional<std::vector<ChangedRow>> rows =
-      {};  ///< Where nothing but these is changed; of 100 000 one, for instance.
+  /// Where nothing but these rows is changed: of 100 000 one, for instance. Nothing: all of the table may be.
+  std::optional<std::vector<ChangedRow>> rows = {};
 };
 
 /// Whether changed tables say what they should. Reads them alone, with the names and included files of the text: what a

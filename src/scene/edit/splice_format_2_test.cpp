@@ -11,7 +11,6 @@
 #include "scene/edit/document.hpp"
 #include "scene/edit/edit_test_support.hpp"
 #include "scene/edit/script_values.hpp"
-#include "scene/edit/splice_check.hpp"
 #include "scene/edit/splice_tables.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/scene_writer.hpp"
@@ -510,31 +509,6 @@ void edit_and_undo(Document document, std::uint64_t seed, int count) {
   EXPECT_EQ(document.text(), last_text);
 }
 
-// Of a list only the rows that are changed are read again.
-TEST(SpliceFormat2, ChecksTheChangedRowsOfAList) {
-  const std::string text =
-      "format = \"sarsim 2\"\n[let]\ntop = \"2 m\"\n[[target]]\nrcs = \"3 "
-      "m2\"\npositions=[[1,2,3],[4,5,\"top\"],[7,8,9],]\n";
-  const format_2::ObjectTables tables = format_2::find_tables(text);
-  const format_2::ObjectTable& table = tables[ObjectKind::target].at(0);
-  const std::size_t row = text.find("[4,5");
-  const format_2::ChangedTable changed{ObjectKind::target, &table, 0, 3,
-                                       std::vector<format_2::ChangedRow>{{1, {row, text.find(",[7")}}}};
-  Scene after = scene_of(text);
-  const auto says = [&](const std::string& was, const std::string& becomes) {
-    const TextChanges changes{{text.find(was), was, becomes}};
-    return format_2::tables_say(text, tables, changes, {changed}, after, "", {});
-  };
-  after.targets[1].position_m = {6.0, 5.0, 2.0};
-  EXPECT_TRUE(says("4,5", "6,5"));
-  EXPECT_FALSE(says("4,5", "66,5"));
-  EXPECT_FALSE(says("4,5", "6,"));
-  EXPECT_FALSE(says("4,5", "6,5],[6,5"));
-  EXPECT_FALSE(says("[7,8", "[6,8"));  // another row
-  after.targets[1].rcs_m2 = 4.0;
-  EXPECT_FALSE(says("4,5", "6,5"));
-}
-
 // A scene that format 2 can say, with a list of positions in some.
 Scene sayable_scene(std::uint64_t seed) {
   Scene scene = test::RandomScenes(seed).scene();
@@ -625,49 +599,6 @@ TEST(DocumentFormat2, MakesOneStepOfADrag) {
   document.undo();
   EXPECT_EQ(document.text(), commented);
   EXPECT_FALSE(document.history().can_undo());
-}
-
-// Where everything stands is not looked for again when rows of a list change.
-TEST(DocumentFormat2, KnowsWhereThingsStandAfterRowsHaveChanged) {
-  const std::string text = std::string(commented) + "\n[[target]]\npositions = [[7, 8, 9], [10, 11, 12]]\n";
-  Document document = Document::from_text(text);
-  for (int i = 0; i < 10; ++i) {
-    const format_2::ObjectTables before = format_2::find_tables(document.text());
-    const std::string text_before = document.text();
-    Edit edit;
-    for (const std::size_t index : {1U, 3U, 6U}) {
-      Target target = document.scene().targets[index];
-      target.position_m.y = i % 2 == 0 ? -1234.5 * i : i;
-      edit.changes.push_back(replace_object(document.scene(), {ObjectKind::target, index}, target, "").changes[0]);
-    }
-    edit.label = "Move";
-    const Format2Splice splice = splice_format_2(text_before, before, {}, document.scene(), edit, "", {});
-    EXPECT_TRUE(splice.rows_alone);
-    const format_2::ObjectTables moved = format_2::after_changes(before, splice.changes);
-    const format_2::ObjectTables found = format_2::find_tables(splice.text);
-    ASSERT_EQ(moved.document.tables.size(), found.document.tables.size());
-    ASSERT_EQ(moved.document.entries.size(), found.document.entries.size());
-    for (std::size_t t = 0; t < found.document.tables.size(); ++t) {
-      EXPECT_EQ(moved.document.tables[t].header, found.document.tables[t].header);
-      EXPECT_EQ(moved.document.tables[t].name, found.document.tables[t].name);
-    }
-    for (std::size_t e = 0; e < found.document.entries.size(); ++e) {
-      EXPECT_EQ(moved.document.entries[e].key, found.document.entries[e].key);
-      EXPECT_EQ(moved.document.entries[e].value.span, found.document.entries[e].value.span);
-    }
-    for (std::size_t t = 0; t < found[ObjectKind::target].size(); ++t) {
-      const auto& [own, other] = std::pair(moved[ObjectKind::target][t], found[ObjectKind::target][t]);
-      ASSERT_EQ(own.positions.has_value(), other.positions.has_value());
-      if (own.positions) {
-        EXPECT_EQ(own.positions->span, other.positions->span);
-      }
-      EXPECT_EQ(own.positions_key, other.positions_key);
-    }
-    static_cast<void>(document.commands());
-    document.perform(edit);
-    ASSERT_EQ(document.text(), splice.text);
-    EXPECT_EQ(document.commands(), find_objects(document.text(), found));
-  }
 }
 
 TEST(DocumentFormat2, NamesHoldNoTabs) {
