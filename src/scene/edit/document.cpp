@@ -346,6 +346,7 @@ void Document::perform(Edit edit) {
   if (changes_nothing(edit) && edit.typed.empty()) return;
   std::vector<ReplacedExpression> at_stake = expressions_at_stake(edit);
   NewText next = text_after(edit, loader);
+  if (edit.world_after) follow_world(edit, next.text);
   edit.script = {std::move(next.changes), std::move(next.included), text_broken_, false};
   edit.typed.clear();
   if (changes_nothing(edit)) return;
@@ -363,6 +364,21 @@ void Document::perform(Edit edit) {
   data_ = std::move(data);
   findings_.reset();
   read_files();
+}
+
+std::string Document::world_objection(const World& world) const {
+  const Edit edit = change_world(scene_, world);
+  if (changes_nothing(edit)) return {};
+  const ScriptReading reading = read(text_after(edit, data_.loader(disk())).text);
+  const auto error = std::ranges::find(reading.problems, core::Severity::error, &core::Problem::severity);
+  return error == reading.problems.end() ? std::string() : error->message;
+}
+
+// What stands on the Earth by its latitude has other coordinates in another world.
+void Document::follow_world(Edit& edit, const std::string& text) const {
+  Edit whole = difference(scene_, read(text).scene, edit.label);
+  whole.merge_key = std::move(edit.merge_key);
+  edit = std::move(whole);
 }
 
 void Document::type_text(std::string text) {

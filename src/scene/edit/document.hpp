@@ -93,6 +93,9 @@ class Document {
   /// text that could be read is written on; undoing gives the broken one back.
   /// @throws std::logic_error where the edit was not made for this scene; nothing is changed then
   void perform(Edit edit);
+  /// Why the text could not be read in another world, in words: places by latitude over a flat one, a grid that is not
+  /// there. Empty where it could.
+  [[nodiscard]] std::string world_objection(const World& world) const;
   void end_run() { history_.end_run(); }
   /// The expressions in whose place the last `perform` wrote something else, because the scene demanded it: other than
   /// those of fields that were typed into. Looked for among the first 1000 objects of an edit that only replaces.
@@ -140,6 +143,7 @@ class Document {
   void load(std::string text);
   void read_files();
   void follow_history(const Edit& edit, bool forwards);
+  void follow_world(Edit& edit, const std::string& text) const;
   void note_edit(Edit edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
   [[nodiscard]] NewText script_after(const std::string& base, const Edit& edit, const DataFileLoader& loader) const;

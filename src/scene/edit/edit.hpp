@@ -100,6 +100,9 @@ void revert(const Edit& edit, Scene& scene);
 [[nodiscard]] Edit change_options(const Scene& scene, RunOptions options);
 /// For a scene of format 2: the language of 1998 knows no atmosphere.
 [[nodiscard]] Edit change_atmosphere(const Scene& scene, Atmosphere atmosphere);
+/// The same of the world. What the text places by latitude and longitude stays there on the Earth: its positions in the
+/// scene follow when a document performs the edit.
+[[nodiscard]] Edit change_world(const Scene& scene, World world);
 /// Whatever it takes from one scene to another, for changes that came from the script text: the fewest objects
 /// replaced, added and removed, as long as finding them is quick; names are not followed.
 [[nodiscard]] Edit difference(const Scene& from, const Scene& to, std::string label);

@@ -202,4 +202,12 @@ Edit change_atmosphere(const Scene& scene, Atmosphere atmosphere) {
   return edit;
 }
 
+Edit change_world(const Scene& scene, World world) {
+  Edit edit;
+  edit.label = "Change world";
+  edit.world_before = scene.world;
+  edit.world_after = std::move(world);
+  return edit;
+}
+
 }  // namespace sarsim::scene

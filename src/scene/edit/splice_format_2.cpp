@@ -94,6 +94,8 @@ class TableSplicer {
       write_options(*edit.options_before, *edit.options_after);
     if (edit.air_before && edit.air_after && *edit.air_before != *edit.air_after)
       write_single(tables_.atmosphere, "atmosphere", said_of(*edit.air_before), said_of(*edit.air_after));
+    if (edit.world_before && edit.world_after && *edit.world_before != *edit.world_after)
+      write_single(tables_.world, "world", said_of(*edit.world_before), said_of(*edit.world_after), begin_of_objects());
     return finish();
   }
 
@@ -374,15 +376,30 @@ class TableSplicer {
     write_single(tables_.options, "options", said_of(before, words.before), said_of(after, words.after));
   }
 
-  // A table that a text has once or not at all.
+  // Where the first of the objects stands, with the comments above it; the end of a text without any.
+  [[nodiscard]] std::size_t begin_of_objects() const {
+    std::size_t begin = text_.size();
+    for (const std::vector<ObjectTable>& tables : tables_.of)
+      if (!tables.empty()) begin = std::min(begin, lead_of(text_, tables_, tables.front()));
+    for (const std::optional<ObjectTable>& table : {tables_.options, tables_.atmosphere})
+      if (table) begin = std::min(begin, lead_of(text_, tables_, *table));
+    return begin;
+  }
+
   void write_single(const std::optional<ObjectTable>& table, const std::string& name, const std::vector<Said>& was,
                     const std::vector<Said>& becomes) {
+    write_single(table, name, was, becomes, text_.size());
+  }
+
+  // A table that a text has once or not at all; a new one comes to stand at a place.
+  void write_single(const std::optional<ObjectTable>& table, const std::string& name, const std::vector<Said>& was,
+                    const std::vector<Said>& becomes, std::size_t at) {
     alone_ = false;
     if (!table) {
       if (becomes.empty()) return;
       std::string lines = "\n[" + name + "]\n";
       for (const Said& said : becomes) lines += lines_of(said, name);
-      return add_block(text_.size(), lines);
+      return add_block(at, lines);
     }
     if (would_be_empty(text_, tables_, *table, was, becomes)) return remove(*table);
     append(changes_, change_tables(text_, tables_, *table, name, was, becomes));
@@ -479,7 +496,8 @@ Format2Splice splice_format_2(std::string_view text, const ObjectTables& tables,
     tried.changes = splicer.make(edit);
     tried.text = apply_changes(text, tried.changes);
     const std::vector<ChangedTable>* const alone = splicer.changed_alone();
-    const bool right = tried.included.empty() && alone != nullptr
+    const bool right = edit.world_after ? scene_of(tried.text).world == after.world
+                       : tried.included.empty() && alone != nullptr
                            ? tables_say(text, tables, tried.changes, *alone, after, file, loader)
                            : read_format_2(tried.text, file, with_texts(loader, std::move(texts))).scene == after;
     tried.rows_alone =

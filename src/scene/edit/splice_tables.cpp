@@ -30,6 +30,10 @@ void add_object_table(ObjectTables& tables, std::string_view text, language::Obj
     tables.options = table;
     return;
   }
+  if (object.kind == "world") {
+    tables.world = table;
+    return;
+  }
   if (object.kind == "atmosphere") {
     tables.atmosphere = table;
     return;

@@ -31,6 +31,7 @@ struct ObjectTables {
   core::toml::Document document;
   std::array<std::vector<ObjectTable>, kind_count> of;  ///< In the order of the text.
   std::optional<ObjectTable> options;
+  std::optional<ObjectTable> world;
   std::optional<ObjectTable> atmosphere;
 
   [[nodiscard]] const std::vector<ObjectTable>& operator[](ObjectKind kind) const {

@@ -320,6 +320,10 @@ std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidFiel
   return nodes_of_object(atmosphere, Saying::differences, also);
 }
 
+std::vector<Said> said_of(const World& world, std::span<const SaidField> also) {
+  return nodes_of_object(world, Saying::differences, also);
+}
+
 std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words) {
   const auto word_of = [&](std::size_t part) -> const std::string* {
     const auto is_it = [&](const SaidField& said) {

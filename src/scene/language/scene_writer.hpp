@@ -46,6 +46,7 @@ struct SaidField {
 [[nodiscard]] std::vector<Said> said_of(const AnyObject& object, std::span<const SaidField> also = {});
 [[nodiscard]] std::vector<Said> said_of(const RunOptions& options, std::span<const SaidField> also = {});
 [[nodiscard]] std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidField> also = {});
+[[nodiscard]] std::vector<Said> said_of(const World& world, std::span<const SaidField> also = {});
 
 /// What the writer says of one field.
 /// @param words  for the field or parts of it

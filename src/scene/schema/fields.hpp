@@ -22,7 +22,7 @@ enum class FieldKind {
   check,     ///< "yes" or "no".
   platform,  ///< The name of a platform of the scene.
   radar,     ///< The name of a radar of the scene.
-  list,      ///< Legs, waypoints and the like; edited in the text.
+  list,      ///< Legs, waypoints and the like; edited entry by entry (scene/schema/list_fields.hpp).
   function,  ///< A user-defined function; edited by the function editor (scene/edit/function_model.hpp).
 };
 
@@ -42,7 +42,7 @@ struct Field {
 
 /// The fields of a kind of object, in the order of the thesis's dialogs (4.2 to 4.5, 4.10).
 [[nodiscard]] const std::vector<Field>& fields_of(ObjectKind kind);
-/// The fields of `[world]`, which are edited in the text.
+/// The fields of `[world]`.
 [[nodiscard]] const std::vector<Field>& world_fields();
 /// The fields of `[atmosphere]`.
 [[nodiscard]] const std::vector<Field>& atmosphere_fields();
@@ -59,6 +59,7 @@ struct Field {
 /// Whether a field means something for an object as it is: the bandwidth of a chirp but not of a monochrome pulse.
 [[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
 [[nodiscard]] bool field_applies(const Atmosphere& atmosphere, std::string_view id);
+[[nodiscard]] bool field_applies(const World& world, std::string_view id);
 
 /// The same for all objects of a kind in a scene; true where there is none.
 [[nodiscard]] bool field_applies(const Scene& scene, ObjectKind kind, std::string_view id);
@@ -68,6 +69,7 @@ struct Field {
 [[nodiscard]] std::string field_text(const AnyObject& object, std::string_view id);
 [[nodiscard]] std::string field_text(const RunOptions& options, std::string_view id);
 [[nodiscard]] std::string field_text(const Atmosphere& atmosphere, std::string_view id);
+[[nodiscard]] std::string field_text(const World& world, std::string_view id);
 /// What all objects of a kind in a scene show; nothing where they differ and where there is none.
 [[nodiscard]] std::optional<std::string> common_field_text(const Scene& scene, ObjectKind kind, std::string_view id);
 
@@ -84,10 +86,13 @@ struct Field {
                                     const LetNames* names = nullptr);
 [[nodiscard]] std::string set_field(Atmosphere& atmosphere, std::string_view id, std::string_view text,
                                     const LetNames* names = nullptr);
+[[nodiscard]] std::string set_field(World& world, std::string_view id, std::string_view text,
+                                    const LetNames* names = nullptr);
 
 /// Gives a field the value that a new object has, also one that `set_field` refuses; of flags all of them.
 void reset_field(AnyObject& object, std::string_view id);
 void reset_field(RunOptions& options, std::string_view id);
 void reset_field(Atmosphere& atmosphere, std::string_view id);
+void reset_field(World& world, std::string_view id);
 
 }  // namespace sarsim::scene

@@ -188,6 +188,14 @@ double first_value(const core::SampledFunction& function) {
   return function.knots.empty() ? 0.0 : function.knots.front().y;
 }
 
+// A route to begin with: 1 km to the north, at the speed of something slow.
+constexpr double first_length_m = 1000.0;
+constexpr double first_speed_mps = 10.0;
+
+void begin_route(Platform& platform) {
+  if (platform.speed_mps == 0.0) platform.speed_mps = first_speed_mps;
+}
+
 // The platform stays where it was, and as it was turned, at the beginning of what is now given otherwise.
 void begin_platform(const Platform& before, Platform& after) {
   if (after.path == Platform::Path::trajectory) {
@@ -196,6 +204,12 @@ void begin_platform(const Platform& before, Platform& after) {
     begin_constant(after.trajectory_m.part[2], before.position_m.z);
   } else if (after.path == Platform::Path::legs) {
     after.start_m = before.position_m;
+    begin_route(after);
+    if (after.legs.empty()) after.legs.emplace_back().length_m = first_length_m;
+  } else if (after.path == Platform::Path::waypoints) {
+    begin_route(after);
+    if (after.waypoints.empty())
+      after.waypoints = {{before.position_m}, {before.position_m + core::Vec3{0.0, first_length_m, 0.0}}};
   } else if (before.path == Platform::Path::trajectory) {
     const auto& path = before.trajectory_m.part;
     after.position_m = {first_value(path[0]), first_value(path[1]), first_value(path[2])};
