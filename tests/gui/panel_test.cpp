@@ -212,7 +212,7 @@ class PanelTest : public QObject {
 
   void options_go_to_the_script_and_back() {
     Bench bench;
-    QCOMPARE(bench.title(), QString("Options and atmosphere"));
+    QCOMPARE(bench.title(), QString("World, options and atmosphere"));
     for (const scene::Field& field : scene::option_fields()) {
       const scene::RunOptions before = bench.session.scene().options;
       scene::RunOptions expected = before;
@@ -310,7 +310,7 @@ class PanelTest : public QObject {
     bench.type("rcs_m2", "7 m2", false);
     bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(0)}));
     for (const scene::Target& target : bench.session.scene().targets) QCOMPARE(target.rcs_m2, 1.0);
-    QCOMPARE(bench.title(), QString("Options and atmosphere"));
+    QCOMPARE(bench.title(), QString("World, options and atmosphere"));
   }
 
   void steps_move_the_last_shown_digit() {

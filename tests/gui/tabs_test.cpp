@@ -24,6 +24,7 @@
 #include "gui/gui_test.hpp"
 #include "gui/live/live_panel.hpp"
 #include "gui/objects/property_panel.hpp"
+#include "gui/runs/run_panel.hpp"
 #include "gui/runs/stored_simulations.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"

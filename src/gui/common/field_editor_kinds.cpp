@@ -388,13 +388,13 @@ class FunctionField : public FieldEditor {
 FieldEditor* make_field_editor(const scene::Field& field, QWidget* parent) {
   switch (field.kind) {
     case scene::FieldKind::quantity:
-    case scene::FieldKind::list:  // a summary; edited in the text
     case scene::FieldKind::text: return new LineField(field, parent);
     case scene::FieldKind::choice:
     case scene::FieldKind::platform:
     case scene::FieldKind::radar: return new ChoiceField(field, parent);
     case scene::FieldKind::check: return new CheckField(field, parent);
     case scene::FieldKind::function: return new FunctionField(field, parent);
+    case scene::FieldKind::list: break;  // gui/objects/list_field.hpp
   }
   return nullptr;
 }

@@ -178,6 +178,13 @@ void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
   session_.perform(std::move(change.edit));
 }
 
+void PropertyPanel::apply_entries(ListField* editor, const EntryChange& change) {
+  FieldChange made = subject_.change_entries(session_.document(), editor->field(), change);
+  if (!made.failure.empty()) return editor->show_failure(QString::fromStdString(made.failure));
+  editor->clear_failure();
+  session_.perform(std::move(made.edit));
+}
+
 void PropertyPanel::reset(FieldEditor* editor) {
   editor->restore();
   session_.perform(subject_.reset(session_.document(), editor->field()));
@@ -200,6 +207,7 @@ void PropertyPanel::fill() {
                           : tr("They hold for all simulations of the script. Select objects to see their properties."));
   for (const auto& [id, editor] : editors_) {
     fill_choices(editor);
+    if (auto* const list = qobject_cast<ListField*>(editor)) list->show_entries(subject_.only_object());
     if (const auto text = subject_.common_text(editor->field().id))
       editor->show(content_of(editor->field(), *text));
     else
@@ -280,7 +288,9 @@ void PropertyPanel::arrange() {
       any = any || applies;
       any_rare = any_rare || (applies && editor->field().rare);
       editor->set_shown(applies && (!editor->field().rare || open || editor->troubled()));
-      const bool needs_one = editor->field().kind == scene::FieldKind::function || editor->id() == "name";
+      const scene::FieldKind kind = editor->field().kind;
+      const bool needs_one =
+          kind == scene::FieldKind::function || kind == scene::FieldKind::list || editor->id() == "name";
       editor->widget()->setEnabled(subject_.single() || !needs_one || !subject_.kind());
     }
     if (group.more != nullptr) group.more->setVisible(any_rare);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gui/common/session.hpp"
+#include "gui/objects/list_field.hpp"
 #include "gui/objects/property_panel_subject.hpp"
 #include "picture/facts/derived_figures.hpp"
 
@@ -75,6 +76,7 @@ class PropertyPanel : public QScrollArea {
   void show_figures(const std::vector<picture::DerivedFigure>& figures);
   void fold(Group& group, bool open);
   void apply(FieldEditor* editor, const QString& text, bool step);
+  void apply_entries(ListField* editor, const EntryChange& change);
   void reset(FieldEditor* editor);
   [[nodiscard]] FieldContent content_of(const scene::Field& field, const std::string& value) const;
   void judge(FieldEditor* editor, const QString& text);

@@ -39,7 +39,8 @@ void PropertyPanel::rebuild() {
   page_layout_->setContentsMargins(0, 0, 0, 0);
   for (const scene::Field& field : subject_.fields()) {
     Group& group = group_named(QString::fromStdString(field.group));
-    FieldEditor* editor = make_field_editor(field, group.box);
+    FieldEditor* editor =
+        field.kind == scene::FieldKind::list ? new ListField(field, group.box) : make_field_editor(field, group.box);
     group.editors.push_back(editor);
     editors_[editor->id()] = editor;
     connect_editor(editor);
@@ -146,6 +147,9 @@ void PropertyPanel::connect_editor(FieldEditor* editor) {
   connect(editor, &FieldEditor::stepped, this, [this, editor](const QString& text) { apply(editor, text, true); });
   connect(editor, &FieldEditor::retyped, this, [this, editor](const QString& text) { judge(editor, text); });
   connect(editor, &FieldEditor::reset_wanted, this, [this, editor] { reset(editor); });
+  if (auto* const list = qobject_cast<ListField*>(editor))
+    connect(list, &ListField::entries_changed, this,
+            [this, list](const EntryChange& change) { apply_entries(list, change); });
   connect(editor, &FieldEditor::left, this, [this] { session_.end_run(); });
   connect(editor, &FieldEditor::opened, this, [this, editor] {
     if (subject_.single()) emit function_requested(subject_.ids().front(), editor->id());

@@ -25,12 +25,16 @@ bool is_of_air(std::string_view field) {
   return std::ranges::any_of(scene::atmosphere_fields(), [&](const scene::Field& one) { return one.id == field; });
 }
 
-// The ids of both differ.
+bool is_of_world(std::string_view field) {
+  return std::ranges::any_of(scene::world_fields(), [&](const scene::Field& one) { return one.id == field; });
+}
+
+// The ids of all three differ.
 const std::vector<scene::Field>& fields_of_whole_scene() {
   static const std::vector<scene::Field> all = [] {
-    std::vector<scene::Field> fields = scene::option_fields();
-    const std::vector<scene::Field>& air = scene::atmosphere_fields();
-    fields.insert(fields.end(), air.begin(), air.end());
+    std::vector<scene::Field> fields = scene::world_fields();
+    for (const auto* more : {&scene::option_fields(), &scene::atmosphere_fields()})
+      fields.insert(fields.end(), more->begin(), more->end());
     return fields;
   }();
   return all;
@@ -45,8 +49,9 @@ std::string words_of(scene::ObjectKind kind, std::size_t count) {
 
 PanelSubject::PanelSubject(const scene::Document& document)
     : options_(document.scene().options),
+      world_(document.scene().world),
       air_(document.scene().atmosphere),
-      can_say_air_(document.language() == scene::Language::format_2),
+      is_format_2_(document.language() == scene::Language::format_2),
       typed_{document.typed_fields(std::nullopt)} {}
 
 PanelSubject::PanelSubject(const scene::Document& document, scene::ObjectKind kind,
@@ -75,7 +80,7 @@ const std::vector<scene::Field>& PanelSubject::fields() const {
 }
 
 std::string PanelSubject::title(const scene::Scene& scene) const {
-  if (!kind_) return "Options and atmosphere";
+  if (!kind_) return "World, options and atmosphere";
   if (!single()) return fmt::format("{} {}", ids_.size(), words_of(*kind_, ids_.size()));
   std::string label = scene::label_of(scene, ids_.front());
   if (scene::reflects(*kind_)) return label;
@@ -85,11 +90,13 @@ std::string PanelSubject::title(const scene::Scene& scene) const {
 }
 
 bool PanelSubject::applies(std::string_view field) const {
-  if (!kind_ && is_of_air(field)) return can_say_air_ && scene::field_applies(air_, field);
+  if (!kind_ && is_of_air(field)) return is_format_2_ && scene::field_applies(air_, field);
+  if (!kind_ && is_of_world(field)) return is_format_2_ && scene::field_applies(world_, field);
   return !kind_ || scene::field_applies(objects_, *kind_, field);
 }
 
 std::optional<std::string> PanelSubject::common_text(std::string_view field) const {
+  if (!kind_ && is_of_world(field)) return scene::field_text(world_, field);
   if (!kind_) return is_of_air(field) ? scene::field_text(air_, field) : scene::field_text(options_, field);
   return scene::common_field_text(objects_, *kind_, field);
 }
@@ -110,12 +117,13 @@ std::optional<scene::TypedField> PanelSubject::common_typed(const std::string& f
 }
 
 std::string PanelSubject::field_of(std::string_view problem_field) const {
-  return std::string(kind_ ? scene::field_of_problem(*kind_, problem_field)
-                           : scene::option_field_of_problem(problem_field));
+  if (kind_) return std::string(scene::field_of_problem(*kind_, problem_field));
+  if (is_of_world(problem_field) || is_of_air(problem_field)) return std::string(problem_field);
+  return std::string(scene::option_field_of_problem(problem_field));
 }
 
 bool PanelSubject::concerns(const core::Subject& subject) const {
-  if (!kind_) return subject.kind == "options";
+  if (!kind_) return scene::is_single(subject.kind);
   return subject.kind == scene::name_of(*kind_) &&
          std::ranges::binary_search(ids_, scene::ObjectId{*kind_, subject.index});
 }
@@ -151,12 +159,16 @@ void PanelSubject::say(scene::Edit& edit, const scene::Field& field, const std::
 namespace {
 
 // Without names the text is a script, which cannot say what only format 2 has.
+std::string objection_of_script(const scene::AnyObject& object, const scene::LetNames* names) {
+  if (names != nullptr || scene::fits_script(object)) return {};
+  return "the language of 1998 cannot say this; save the scene as .toml, in format 2";
+}
+
 template <class Object>
 std::string set_in(Object& object, const std::string& field, const std::string& text, const scene::LetNames* names) {
   std::string failure = scene::set_field(object, field, text, names);
   if constexpr (std::is_same_v<Object, scene::AnyObject>)
-    if (failure.empty() && names == nullptr && !scene::fits_script(object))
-      failure = "the language of 1998 cannot say this; save the scene as .toml, in format 2";
+    if (failure.empty()) failure = objection_of_script(object, names);
   return failure;
 }
 
@@ -173,6 +185,7 @@ FieldChange PanelSubject::change(const scene::Document& document, const scene::F
     return change;
   }
   if (!kind_ && is_of_air(field.id)) return change_air(document, field, text);
+  if (!kind_ && is_of_world(field.id)) return change_world(document, field, text);
   const scene::LetNames* const names = document.let_names();
   const bool is_typed = names != nullptr && merge_key.empty() && field.kind == scene::FieldKind::quantity;
   FieldChange change = change_all(document, "Change " + within_sentence(field.label), is_typed,
@@ -194,7 +207,55 @@ FieldChange PanelSubject::change_air(const scene::Document& document, const scen
   return change;
 }
 
+FieldChange PanelSubject::change_world(const scene::Document& document, const scene::Field& field,
+                                       const std::string& text) const {
+  scene::World world = world_;
+  FieldChange change;
+  change.failure = scene::set_field(world, field.id, text, document.let_names());
+  if (change.failure.empty()) change.failure = document.world_objection(world);
+  if (change.failure.empty()) change.edit = edit_of_world(document, std::move(world), "Change ");
+  if (!change.edit.label.empty()) change.edit.label += within_sentence(field.label);
+  return change;
+}
+
+// Its label is to be completed; no edit at all for the world as it is.
+scene::Edit PanelSubject::edit_of_world(const scene::Document& document, scene::World world,
+                                        const std::string& label) const {
+  if (world == world_) return {};
+  scene::Edit edit = scene::change_world(document.scene(), std::move(world));
+  edit.label = label;
+  return edit;
+}
+
+FieldChange PanelSubject::change_entries(
+    const scene::Document& document, const scene::Field& list,
+    const std::function<std::string(scene::AnyObject&, const scene::LetNames*)>& change) const {
+  if (!kind_ || !single()) return {{}, "only the list of one object can be changed"};
+  scene::AnyObject changed = object(0);
+  const scene::LetNames* const names = document.let_names();
+  std::string failure = change(changed, names);
+  if (failure.empty()) failure = objection_of_script(changed, names);
+  if (!failure.empty()) return {{}, std::move(failure)};
+  if (changed == object(0)) return {};
+  return {scene::replace_object(document.scene(), ids_.front(), std::move(changed),
+                                "Change " + within_sentence(list.label)),
+          {}};
+}
+
+std::optional<scene::AnyObject> PanelSubject::only_object() const {
+  if (!kind_ || !single()) return std::nullopt;
+  return object(0);
+}
+
 scene::Edit PanelSubject::reset(const scene::Document& document, const scene::Field& field) const {
+  if (!kind_ && is_of_world(field.id)) {
+    scene::World world = world_;
+    scene::reset_field(world, field.id);
+    if (!document.world_objection(world).empty()) return {};
+    scene::Edit edit = edit_of_world(document, std::move(world), "Reset ");
+    edit.label += within_sentence(field.label);
+    return edit;
+  }
   if (!kind_ && is_of_air(field.id)) {
     scene::Atmosphere air = air_;
     scene::reset_field(air, field.id);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -18,12 +19,12 @@ struct FieldChange {
   std::string failure;
 };
 
-/// What a property panel shows: objects of one kind or, where there are none, what holds for the whole scene: the run
-/// options and the atmosphere.
+/// What a property panel shows: objects of one kind or, where there are none, what holds for the whole scene: the
+/// world, the run options and the atmosphere.
 class PanelSubject {
  public:
   PanelSubject() = default;
-  /// The run options and the atmosphere of a scene.
+  /// The world, the run options and the atmosphere of a scene.
   explicit PanelSubject(const scene::Document& document);
   /// Objects of one kind; ids that the scene does not have are left out.
   PanelSubject(const scene::Document& document, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids);
@@ -38,9 +39,9 @@ class PanelSubject {
     return kind_ == other.kind_ && ids_ == other.ids_;
   }
 
-  /// The fields of their kind, or of the run options and the atmosphere.
+  /// The fields of their kind, or of the world, the run options and the atmosphere.
   [[nodiscard]] const std::vector<scene::Field>& fields() const;
-  /// "Radar Radar1", "3 targets", "Options of the script".
+  /// "Radar Radar1", "3 targets", "World, options and atmosphere".
   [[nodiscard]] std::string title(const scene::Scene& scene) const;
   /// Whether the field means something for all objects.
   [[nodiscard]] bool applies(std::string_view field) const;
@@ -58,12 +59,23 @@ class PanelSubject {
   /// typed, unless it is one of a run of steps.
   [[nodiscard]] FieldChange change(const scene::Document& document, const scene::Field& field, const std::string& text,
                                    const std::string& merge_key = "") const;
+  /// The edit that changes a list of the one object that is shown.
+  /// @param change  changes the list and says why not where it cannot
+  [[nodiscard]] FieldChange change_entries(
+      const scene::Document& document, const scene::Field& list,
+      const std::function<std::string(scene::AnyObject&, const scene::LetNames*)>& change) const;
+  /// The only object that is shown; nothing where there are none, or several.
+  [[nodiscard]] std::optional<scene::AnyObject> only_object() const;
   /// The edit that gives all objects the default, and takes what the text of format 2 says of the field out of it.
   [[nodiscard]] scene::Edit reset(const scene::Document& document, const scene::Field& field) const;
 
  private:
   [[nodiscard]] FieldChange change_air(const scene::Document& document, const scene::Field& field,
                                        const std::string& text) const;
+  [[nodiscard]] FieldChange change_world(const scene::Document& document, const scene::Field& field,
+                                         const std::string& text) const;
+  [[nodiscard]] scene::Edit edit_of_world(const scene::Document& document, scene::World world,
+                                          const std::string& label) const;
   [[nodiscard]] scene::AnyObject object(std::size_t index) const { return scene::object_of(objects_, {*kind_, index}); }
   // Changes one object or the options; says why not where it cannot.
   template <class Change>
@@ -76,8 +88,9 @@ class PanelSubject {
   std::vector<scene::ObjectId> ids_;
   scene::Scene objects_;  // as they were, in the list of their kind
   scene::RunOptions options_;
+  scene::World world_;
   scene::Atmosphere air_;
-  bool can_say_air_ = false;               // format 2, not the language of 1998
+  bool is_format_2_ = false;               // the language of 1998 knows neither world nor air
   std::vector<scene::TypedFields> typed_;  // of each object, or of the options
 };
 

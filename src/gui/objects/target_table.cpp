@@ -17,10 +17,10 @@
 #include <algorithm>
 #include <set>
 
+#include "gui/common/cell_delegate.hpp"
 #include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/objects/import_dialog.hpp"
-#include "gui/objects/target_table_delegate.hpp"
 #include "gui/objects/target_table_model.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/edit/import_targets.hpp"
@@ -37,12 +37,12 @@ QPushButton* make_button(QWidget* parent, const char* name, const QString& text,
   return button;
 }
 
-QTableView* make_view(TargetTableModel* model, Session& session, QWidget* parent) {
+QTableView* make_view(TargetTableModel* model, QWidget* parent) {
   auto* view = new QTableView(parent);
   view->setObjectName("target_cells");
   view->setAccessibleName(TargetTable::tr("Table of targets"));
   view->setModel(model);
-  view->setItemDelegate(new TargetTableDelegate(session, view));
+  view->setItemDelegate(new CellDelegate(view));
   view->setSelectionMode(QAbstractItemView::ExtendedSelection);
   view->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                         QAbstractItemView::AnyKeyPressed);
@@ -98,7 +98,7 @@ void TargetTable::make_widgets() {
   paste_ = make_button(this, "paste_targets", tr("&Paste"),
                        tr("Adds the targets on the clipboard: columns x, y, z and, if there is one, RCS (Ctrl+V)"));
   import_ = make_button(this, "import_targets", tr("&Import..."), tr("Adds targets from a text or CSV file"));
-  view_ = make_view(model_, session_, this);
+  view_ = make_view(model_, this);
   view_->installEventFilter(this);
   message_ = new ProblemLine(this);
   message_->setObjectName("table_message");
@@ -210,7 +210,7 @@ void TargetTable::say(core::Severity severity, const QStringList& texts) {
 // Opens the cell again with what was typed, so that it can be mended.
 void TargetTable::cell_refused(const QModelIndex& cell, const QString& text, const QString& sentence) {
   say(core::Severity::error, {tr("Error: %1.").arg(sentence)});
-  static_cast<TargetTableDelegate*>(view_->itemDelegate())->remember_refused(cell, text);
+  static_cast<CellDelegate*>(view_->itemDelegate())->remember_refused(cell, text);
   QTimer::singleShot(0, this, [this, again = QPersistentModelIndex(cell)] {
     if (again.isValid() && view_->currentIndex() == again) view_->edit(again);
   });

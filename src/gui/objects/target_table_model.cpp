@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gui/common/cell_delegate.hpp"
 #include "gui/common/problem_line.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/model/scene_index.hpp"
@@ -201,8 +202,17 @@ bool TargetTableModel::read_problems() {
   });
 }
 
+QStringList TargetTableModel::choices_of(const scene::Field& field) const {
+  QStringList choices;
+  for (const std::string& choice : field.choices) choices += QString::fromStdString(choice);
+  if (field.kind == scene::FieldKind::platform)
+    for (const scene::Platform& platform : session_.scene().platforms) choices += QString::fromStdString(platform.name);
+  return choices;
+}
+
 QVariant TargetTableModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || !scene::has_object(session_.scene(), target_at(index.row()))) return {};
+  if (role == choices_role) return choices_of(field_at(index.column()));
   const bool value_wanted = role == Qt::DisplayRole || role == Qt::EditRole;
   if (!value_wanted && role != Qt::ToolTipRole && role != Qt::DecorationRole && role != Qt::TextAlignmentRole)
     return {};

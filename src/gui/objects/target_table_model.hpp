@@ -62,6 +62,7 @@ class TargetTableModel : public QAbstractTableModel {
   void order(std::vector<std::size_t>& rows) const;
   void take_rows(std::vector<std::size_t> rows);
   bool read_problems();
+  [[nodiscard]] QStringList choices_of(const scene::Field& field) const;
 
   Session& session_;
   std::optional<std::string> platform_;

@@ -3,17 +3,18 @@
 #include <QPersistentModelIndex>
 #include <QStyledItemDelegate>
 
-#include "gui/common/session.hpp"
-
 namespace sarsim::gui {
 
-/// Edits a cell of the table of targets: choices and platforms from a list, everything else as text. A text that was
-/// refused stands in the cell's editor when it is opened again.
-class TargetTableDelegate : public QStyledItemDelegate {
+/// The role in which a model tells what a cell can be chosen from, a QStringList; nothing where it is typed.
+inline constexpr int choices_role = Qt::UserRole + 1;
+
+/// Edits a cell of a table: choices from a list, everything else as text. A text that was refused stands in the cell's
+/// editor when it is opened again.
+class CellDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
-  explicit TargetTableDelegate(Session& session, QObject* parent = nullptr);
+  using QStyledItemDelegate::QStyledItemDelegate;
 
   /// The text stands in the cell's editor when it is opened again.
   void remember_refused(const QModelIndex& cell, const QString& text);
@@ -23,7 +24,6 @@ class TargetTableDelegate : public QStyledItemDelegate {
   void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 
  private:
-  Session& session_;
   mutable QPersistentModelIndex refused_cell_;
   mutable QString refused_text_;
 };
