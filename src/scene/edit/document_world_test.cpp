@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
 #include "scene/edit/document.hpp"
 #include "scene/edit/edit.hpp"
@@ -81,6 +83,24 @@ TEST(DocumentWorld, LosesItsTableWhereNothingIsLeftToSay) {
       Document::from_text("format = \"sarsim 2\"\n\n[world]\nepoch = \"2024-04-01T00:00:00Z\"\n\n[[target]]\n");
   change(document, "epoch", "");
   EXPECT_EQ(document.text().find("[world]"), std::string::npos) << document.text();
+}
+
+// The world of an included text gives way to one that the text itself says.
+TEST(DocumentWorld, OfAnIncludedTextIsLeftThere) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "sarsim_document_world_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "world.toml") << "format = \"sarsim 2\"\n[world]\nframe = \"earth\"\n"
+                                       << "anchor = { latitude = \"50 deg\", longitude = \"8 deg\" }\n";
+  std::ofstream(folder / "scene.toml")
+      << "format = \"sarsim 2\"\ninclude = [\"world.toml\"]\n\n[[target]]\nposition = [1, 2, 3]\n";
+  Document document = Document::open(folder / "scene.toml");
+  ASSERT_EQ(document.scene().world.latitude.deg(), 50.0);
+  change(document, "latitude", "51 deg");
+  EXPECT_NE(document.text().find("include = "), std::string::npos) << document.text();
+  EXPECT_NE(document.text().find("latitude = \"51 deg\""), std::string::npos) << document.text();
+  EXPECT_EQ(document.scene().world.latitude.deg(), 51.0);
+  EXPECT_EQ(document.scene().world.longitude.deg(), 8.0);
+  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -45,11 +45,29 @@ struct ArrayParts {
 };
 
 std::string array_after(std::string_view typed, std::string_view before, std::string_view after);
+std::string table_after(std::string_view typed, const Said* before, const Said& after);
+
+// What an inline table says that the writer has made: it has no dotted keys.
+Said said_in(std::string_view text, std::string key = "") {
+  Said said{std::move(key)};
+  if (!text.starts_with('{')) {
+    said.text = text;
+    return said;
+  }
+  for (const toml::Element& element : elements_of(text, whole_value(text)))
+    said.below.push_back(said_in(toml::piece(text, element.value.span), toml::key_parts(text, element.key).front()));
+  return said;
+}
 
 std::string element_after(std::string_view typed, std::string_view before, std::string_view after) {
   if (before == after) return std::string(typed);
-  const bool arrays = typed.starts_with('[') && before.starts_with('[') && after.starts_with('[');
-  return arrays ? array_after(typed, before, after) : std::string(after);
+  const auto all_begin_with = [&](char c) {
+    return typed.starts_with(c) && before.starts_with(c) && after.starts_with(c);
+  };
+  if (all_begin_with('[')) return array_after(typed, before, after);
+  if (!all_begin_with('{')) return std::string(after);
+  const Said was = said_in(before);
+  return table_after(typed, &was, said_in(after));
 }
 
 // As many elements as before.
