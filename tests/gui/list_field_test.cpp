@@ -100,6 +100,25 @@ class ListFieldTest : public QObject {
     QVERIFY2(!bench.problem("waypoints").contains("fast"), qPrintable(bench.problem("waypoints")));
   }
 
+  void what_is_typed_goes_to_no_other_platform() {
+    Bench bench(0);
+    QTableView* const view = bench.entries("oscillations");
+    bench.press("add_oscillations");
+    bench.session.select_only({scene::ObjectKind::platform, 1});
+    bench.press("add_oscillations");
+    const std::string text = bench.session.document().text();
+    view->setCurrentIndex(view->model()->index(0, 1));
+    view->edit(view->currentIndex());
+    auto* const editor = view->findChild<QLineEdit*>("cell_editor");
+    QVERIFY(editor != nullptr);
+    editor->selectAll();
+    QTest::keyClicks(editor, "7 m");
+    bench.session.select_only({scene::ObjectKind::platform, 0});
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    QVERIFY(view->findChild<QLineEdit*>("cell_editor") == nullptr);
+    QVERIFY(bench.session.document().text() == text);
+  }
+
   void entries_are_added_moved_and_removed() {
     Bench bench(0);
     QTableView* const view = bench.entries("waypoints");

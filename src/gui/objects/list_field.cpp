@@ -82,6 +82,11 @@ void ListField::show_entries(const std::optional<scene::AnyObject>& object) {
   arrange();
 }
 
+void ListField::restore() {
+  model_->drop_typing();
+  FieldEditor::restore();
+}
+
 // Columns that mean something, and as many rows as there are entries.
 void ListField::arrange() {
   for (int column = 0; column < model_->columnCount(); ++column)

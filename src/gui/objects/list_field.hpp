@@ -29,6 +29,7 @@ class ListField : public FieldEditor {
   void show_entries(const std::optional<scene::AnyObject>& object);
   /// As `FieldEditor`; a cell that was typed into is opened again with what was typed.
   void show_failure(const QString& sentence) override;
+  void restore() override;
 
  signals:
   /// To be applied; `show_failure` or `clear_failure` is the answer.

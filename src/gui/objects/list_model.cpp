@@ -29,6 +29,11 @@ void ListModel::show(const std::optional<scene::AnyObject>& object) {
   endResetModel();
 }
 
+void ListModel::drop_typing() {
+  beginResetModel();
+  endResetModel();
+}
+
 std::optional<std::string> ListModel::text_at(int row, int column) const {
   if (!object_ || row < 0 || row >= rows_) return std::nullopt;
   return scene::entry_text(*object_, list_, static_cast<std::size_t>(row), field_at(column).id);

@@ -20,6 +20,8 @@ class ListModel : public QAbstractTableModel {
   /// Shows the list of an object; nothing where several do not agree. What is being typed stays as long as the number
   /// of entries does.
   void show(const std::optional<scene::AnyObject>& object);
+  /// Shows the same again; what is being typed is dropped.
+  void drop_typing();
   /// Whether a field means something for any of the entries.
   [[nodiscard]] bool means_something(int column) const;
   /// The field of a column that there is.
