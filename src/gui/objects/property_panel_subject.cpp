@@ -213,12 +213,12 @@ FieldChange PanelSubject::change_world(const scene::Document& document, const sc
   FieldChange change;
   change.failure = scene::set_field(world, field.id, text, document.let_names());
   if (change.failure.empty()) change.failure = document.world_objection(world);
-  if (change.failure.empty()) change.edit = edit_of_world(document, std::move(world), "Change ");
-  if (!change.edit.label.empty()) change.edit.label += within_sentence(field.label);
+  if (change.failure.empty())
+    change.edit = edit_of_world(document, std::move(world), "Change " + within_sentence(field.label));
   return change;
 }
 
-// Its label is to be completed; no edit at all for the world as it is.
+// No edit at all for the world as it is.
 scene::Edit PanelSubject::edit_of_world(const scene::Document& document, scene::World world,
                                         const std::string& label) const {
   if (world == world_) return {};
@@ -252,9 +252,7 @@ scene::Edit PanelSubject::reset(const scene::Document& document, const scene::Fi
     scene::World world = world_;
     scene::reset_field(world, field.id);
     if (!document.world_objection(world).empty()) return {};
-    scene::Edit edit = edit_of_world(document, std::move(world), "Reset ");
-    edit.label += within_sentence(field.label);
-    return edit;
+    return edit_of_world(document, std::move(world), "Reset " + within_sentence(field.label));
   }
   if (!kind_ && is_of_air(field.id)) {
     scene::Atmosphere air = air_;

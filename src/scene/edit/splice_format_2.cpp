@@ -386,20 +386,15 @@ class TableSplicer {
     return begin;
   }
 
+  // A table that a text has once or not at all; a new one comes to stand at a place, or at the end.
   void write_single(const std::optional<ObjectTable>& table, const std::string& name, const std::vector<Said>& was,
-                    const std::vector<Said>& becomes) {
-    write_single(table, name, was, becomes, text_.size());
-  }
-
-  // A table that a text has once or not at all; a new one comes to stand at a place.
-  void write_single(const std::optional<ObjectTable>& table, const std::string& name, const std::vector<Said>& was,
-                    const std::vector<Said>& becomes, std::size_t at) {
+                    const std::vector<Said>& becomes, std::optional<std::size_t> at = std::nullopt) {
     alone_ = false;
     if (!table) {
       if (becomes.empty()) return;
       std::string lines = "\n[" + name + "]\n";
       for (const Said& said : becomes) lines += lines_of(said, name);
-      return add_block(at, lines);
+      return add_block(at.value_or(text_.size()), lines);
     }
     if (would_be_empty(text_, tables_, *table, was, becomes)) return remove(*table);
     append(changes_, change_tables(text_, tables_, *table, name, was, becomes));

@@ -76,5 +76,30 @@ seed = 7
   }
 }
 
+// A field of a leg is changed: all else of the leg stands as it was typed.
+TEST(SpliceTables, ChangesOneFieldOfAnEntryOfAList) {
+  Document document = Document::from_text(R"toml(format = "sarsim 2"
+[let]
+side = "10 km"
+
+[[platform]]
+name = "Tour"
+path = { type = "legs", speed = "180 km/h", legs = [
+  { leg = "straight", length = "side" },  # out
+  { leg = "turn", angle = "180 deg", bank = "atan(1)" },
+  { leg = "straight", length = "side / 2", acceleration = 0.1 },  # and back
+] }
+)toml");
+  Platform platform = document.scene().platforms.at(0);
+  platform.legs[1].angle = core::Angle::from_deg(90.0);
+  platform.legs[2].acceleration_mps2 = 0.0;
+  document.perform(replace_object(document.scene(), {ObjectKind::platform, 0}, platform, "Change legs"));
+  const std::string& text = document.text();
+  EXPECT_NE(text.find("{ leg = \"turn\", angle = \"90 deg\", bank = \"atan(1)\" },\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("{ leg = \"straight\", length = \"side / 2\" },  # and back\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("{ leg = \"straight\", length = \"side\" },  # out\n"), std::string::npos) << text;
+  EXPECT_EQ(Document::from_text(text).scene(), document.scene());
+}
+
 }  // namespace splice_tables_test
 }  // namespace sarsim::scene
