@@ -161,6 +161,21 @@ class ListFieldTest : public QObject {
     QVERIFY(!view->model()->index(0, column_of("Bank")).flags().testFlag(Qt::ItemIsEditable));
   }
 
+  void a_script_of_1998_says_why_it_has_no_lists() {
+    gui::Session session;
+    test::open(session, test::small_scene());
+    gui::PropertyPanel panel{session};
+    panel.resize(460, 1200);
+    panel.show();
+    session.select_only(test::platform(1));
+    const std::string text = session.document().text();
+    QVERIFY(panel.focus_field("oscillations"));
+    panel.findChild<QToolButton*>("add_oscillations")->click();
+    const QString problem = panel.findChild<gui::ProblemLine*>("problem_oscillations")->text();
+    QVERIFY2(problem.contains("1998"), qPrintable(problem));
+    QVERIFY(session.document().text() == text);
+  }
+
   void a_list_of_several_platforms_is_not_for_hands() {
     Bench bench(0);
     bench.session.select({{scene::ObjectKind::platform, 0}, {scene::ObjectKind::platform, 1}});
