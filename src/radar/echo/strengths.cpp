@@ -268,6 +268,9 @@ namespace sarsim::radar {
 namespace {
 
 constexpr std::size_t parts_in_turn = 16;
+// From part to part, round and round: neighbours in the turn come from parts that are far from each other too, as rows
+// of a grid that follow each other meet at the ends of their echoes.
+constexpr std::size_t step_of_turn = 7;
 
 // Whether most echoes touch samples that the one before them touches.
 bool neighbours_meet(std::span<const double> position) {
@@ -287,7 +290,8 @@ void take_in_turn(core::AlignedVector<Value>& values, core::AlignedVector<Value>
   room.resize(values.size());
   const std::size_t part = values.size() / parts_in_turn;
   for (std::size_t i = 0; i < part; ++i)
-    for (std::size_t p = 0; p < parts_in_turn; ++p) room[i * parts_in_turn + p] = values[p * part + i];
+    for (std::size_t n = 0; n < parts_in_turn; ++n)
+      room[i * parts_in_turn + n] = values[step_of_turn * n % parts_in_turn * part + i];
   const std::size_t whole = part * parts_in_turn;
   std::copy(values.begin() + static_cast<std::ptrdiff_t>(whole), values.end(),
             room.begin() + static_cast<std::ptrdiff_t>(whole));

@@ -1,7 +1,6 @@
 #include "simulate/resolve/scatterers.hpp"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 
 #include "core/report/expect.hpp"
@@ -31,12 +30,14 @@ void ScattererList::push_back(const Scatterer& scatterer) {
     if (!(rests_.back() == more)) rests_.push_back(more);
     rest = static_cast<std::uint32_t>(rests_.size() - 1);
   }
+  note_platform(scatterer.platform);
   single_.push_back({scatterer.position_m, scatterer.rcs_m2, scatterer.platform, rest});
   count_ = single_.size();
 }
 
 void ScattererList::add_cloud(ScattererCloud cloud) {
   CORE_EXPECT(cloud.points != nullptr && cloud.points->root_rcs_m.size() == cloud.points->size());
+  if (cloud.points->size() > 0) note_platform(cloud.common.platform);
   cloud.first = count_;
   count_ += cloud.points->size();
   clouds_.push_back(std::move(cloud));
@@ -61,13 +62,9 @@ Scatterer ScattererList::operator[](std::size_t index) const {
   return scatterer;
 }
 
-std::vector<std::uint32_t> ScattererList::platforms() const {
-  std::set<std::uint32_t> platforms;
-  for (const Single& single : single_)
-    if (platforms.empty() || *platforms.rbegin() != single.platform) platforms.insert(single.platform);
-  for (const ScattererCloud& cloud : clouds_)
-    if (cloud.points->size() > 0) platforms.insert(cloud.common.platform);
-  return {platforms.begin(), platforms.end()};
+void ScattererList::note_platform(std::uint32_t platform) {
+  const auto at = std::ranges::lower_bound(platforms_, platform);
+  if (at == platforms_.end() || *at != platform) platforms_.insert(at, platform);
 }
 
 ScattererList ScattererList::thinned(std::size_t most_points) const {
@@ -75,6 +72,7 @@ ScattererList ScattererList::thinned(std::size_t most_points) const {
   ScattererList list;
   list.single_ = single_;
   list.rests_ = rests_;
+  list.platforms_ = platforms_;
   list.count_ = single_.size();
   for (const ScattererCloud& cloud : clouds_) {
     const radar::PointArrays& all = *cloud.points;

@@ -92,11 +92,13 @@ class ScattererList {
   [[nodiscard]] std::size_t targets() const { return single_.size(); }
   [[nodiscard]] const std::vector<ScattererCloud>& clouds() const { return clouds_; }
   /// The platforms that carry any, ascending.
-  [[nodiscard]] std::vector<std::uint32_t> platforms() const;
+  [[nodiscard]] const std::vector<std::uint32_t>& platforms() const { return platforms_; }
   /// The same list with at most so many points of each cloud, evenly chosen, its first and last among them.
   [[nodiscard]] ScattererList thinned(std::size_t most_points) const;
 
  private:
+  void note_platform(std::uint32_t platform);
+
   struct Single {
     core::Vec3 position_m;
     double rcs_m2 = 1.0;
@@ -107,6 +109,7 @@ class ScattererList {
   std::vector<Single> single_;
   std::vector<Scatterer> rests_{Scatterer{}};  // what targets have besides; each once in a row
   std::vector<ScattererCloud> clouds_;
+  std::vector<std::uint32_t> platforms_;
   std::size_t count_ = 0;
 };
 
