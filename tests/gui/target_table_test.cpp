@@ -314,6 +314,30 @@ class TargetTableTest : public QObject {
     QCOMPARE(bench.targets().size(), std::size_t{3});
   }
 
+  void a_long_file_is_read_while_the_window_answers() {
+    Bench bench;
+    const QTemporaryDir folder;
+    QByteArray lines("x y z\n");
+    for (int i = 0; i < 100000; ++i) lines += "1.25 2.5 3\n";
+    gui::ImportDialog dialog(bench.session);
+    auto* add = dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+    const auto summary = [&] { return dialog.findChild<QLabel*>("import_summary")->text(); };
+    const QString path = file_with(folder, lines);
+    dialog.set_file(path);
+    QVERIFY2(summary().startsWith("Reading"), qPrintable(summary()));
+    QVERIFY(!add->isEnabled());
+    QTRY_COMPARE_WITH_TIMEOUT(summary(), QString("100000 targets."), 20000);
+    QVERIFY(add->isEnabled());
+    // Another platform reads it anew; a short file in its place ends that.
+    dialog.findChild<QComboBox*>("import_platform")->setCurrentText("Ship");
+    QVERIFY(!add->isEnabled());
+    QFile::remove(path);
+    dialog.set_file(file_with(folder, "1 2 3\n"));
+    QCOMPARE(summary(), QString("1 target."));
+    QTest::qWait(300);
+    QCOMPARE(summary(), QString("1 target."));
+  }
+
   void text_of_spreadsheets_in_utf_16_is_read() {
     QByteArray bytes("\xFF\xFE", 2);
     for (const char c : {'1', ' ', '2', ' ', '3', '\n'}) bytes += QByteArray(1, c) + QByteArray(1, '\0');

@@ -6,8 +6,8 @@ namespace sarsim::gui {
 
 LatestWork::LatestWork(QObject* parent) : QObject(parent) {
   connect(&job_, &BackgroundJob::ended, this, &LatestWork::take_end);
-  connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double) {
-    if (wanted_ && !next_) emit progressed(fraction);
+  connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double seconds_left) {
+    if (wanted_ && !next_) emit progressed(fraction, seconds_left);
   });
 }
 

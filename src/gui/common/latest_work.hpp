@@ -23,7 +23,7 @@ class LatestWork : public QObject {
   [[nodiscard]] bool busy() const { return wanted_; }
 
  signals:
-  void progressed(double fraction);  ///< How far the newest piece is, 0 to 1.
+  void progressed(double fraction, double seconds_left);  ///< As `BackgroundJob` tells it, of the newest piece.
   /// The newest piece has ended: in success, or with words about its failure.
   void ended(bool good, const QString& failure);
 

@@ -30,4 +30,10 @@ namespace sarsim::gui {
 /// Steps of a progress bar.
 inline constexpr int bar_steps = 1000;
 
+/// How far long work is, and how long it still takes.
+/// @param seconds_left  below 0: not known yet, and not said
+[[nodiscard]] QString with_time_left(const QString& done, double seconds_left);
+/// The same of a share, 0 to 1: "42 %, about 3 s left".
+[[nodiscard]] QString share_with_time_left(double fraction, double seconds_left);
+
 }  // namespace sarsim::gui

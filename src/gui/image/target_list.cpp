@@ -93,8 +93,7 @@ TargetList::TargetList(QWidget* parent) : QWidget(parent) {
   connect(&job_, &BackgroundJob::ended, this, &TargetList::end);
   connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double seconds_left) {
     progress_->setValue(static_cast<int>(1000.0 * fraction));
-    progress_->setFormat(seconds_left < 0.0 ? QStringLiteral("%p%")
-                                            : tr("%p%, %1 s left").arg(std::ceil(seconds_left), 0, 'f', 0));
+    progress_->setFormat(with_time_left(QStringLiteral("%p %"), seconds_left));
   });
   connect(list_, &QTableWidget::itemSelectionChanged, this, [this] {
     if (const auto row = chosen()) emit target_chosen(*row);

@@ -17,6 +17,7 @@
 
 #include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/text.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/script/reader.hpp"
 
@@ -26,6 +27,7 @@ namespace {
 
 constexpr qsizetype preview_lines = 20;
 constexpr qsizetype preview_characters = 20000;
+constexpr qint64 read_at_once_bytes = 300'000;
 
 // The first lines, with their numbers as the list of bad lines gives them.
 QString first_lines(const QString& text) {
@@ -43,16 +45,52 @@ QString first_lines(const QString& text) {
 
 }  // namespace
 
+/// A file of targets, or why it could not be read.
+struct ImportDialog::Table {
+  QString path;
+  QString text;
+  QString failure;
+  scene::TargetImport import;
+};
+
 QString text_of_bytes(const QByteArray& bytes) {
   QStringDecoder decode(QStringConverter::encodingForData(bytes).value_or(QStringConverter::Utf8));
   return decode(bytes);
+}
+
+namespace {
+
+// The text of a file; nothing, and why, where there is none.
+QString text_of_file(const QString& path, QString& failure) {
+  if (path.isEmpty()) return {};
+  QFile file(path);
+  if (QFileInfo(path).isDir())
+    failure = ImportDialog::tr("%1 is a folder.").arg(path);
+  else if (file.size() > static_cast<qint64>(scene::largest_script_bytes))
+    failure = ImportDialog::tr("%1 is too large to be a table of targets.").arg(path);
+  else if (!file.open(QIODevice::ReadOnly))
+    failure = ImportDialog::tr("%1 cannot be read: %2.").arg(path, file.errorString());
+  else
+    return text_of_bytes(file.readAll());
+  return {};
+}
+
+}  // namespace
+
+void ImportDialog::read_into(Table& table, const std::string& platform, const scene::World& world,
+                             const core::StopFlag& stop, const BackgroundJob::Report& report) {
+  table.text = text_of_file(table.path, table.failure);
+  table.import = scene::import_targets(table.text.toStdString(), platform, world, &stop, [&](const core::Progress& p) {
+    if (report) report(static_cast<double>(p.done) / static_cast<double>(p.total));
+  });
+  table.text.truncate(preview_characters + 1);
 }
 
 ImportDialog::ImportDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
   setObjectName("import_dialog");
   setWindowTitle(tr("Import targets"));
   make_widgets();
-  interpret();
+  read_file();
 }
 
 // A field that goes while it has the keyboard says once more that it is finished.
@@ -112,8 +150,19 @@ void ImportDialog::make_widgets() {
   resize(fontMetrics().averageCharWidth() * 80, fontMetrics().height() * 32);
 
   connect(browse_button, &QPushButton::clicked, this, &ImportDialog::browse);
-  connect(file_, &QLineEdit::editingFinished, this, &ImportDialog::read_file);
-  connect(platform_, &QComboBox::currentIndexChanged, this, &ImportDialog::interpret);
+  connect(file_, &QLineEdit::editingFinished, this, [this] {
+    // A field that was only looked at is no reason to begin anew.
+    if (file_->text().trimmed() != wanted_->path || read_ != nullptr) read_file();
+  });
+  connect(&reading_, &LatestWork::progressed, this, [this](double fraction, double seconds_left) {
+    summary_->setText(tr("Reading: %1").arg(share_with_time_left(fraction, seconds_left)));
+  });
+  connect(&reading_, &LatestWork::ended, this, [this](bool good, const QString& failure) {
+    read_ = wanted_;
+    if (!good) read_->failure = failure;
+    show_table();
+  });
+  connect(platform_, &QComboBox::currentIndexChanged, this, &ImportDialog::read_file);
   add_help_button(*buttons_);
   connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -136,37 +185,40 @@ void ImportDialog::browse() {
   if (!path.isEmpty()) set_file(path);
 }
 
+// A short table at once, a long one while windows are painted.
 void ImportDialog::read_file() {
-  text_.clear();
-  failure_.clear();
-  const QString path = file_->text().trimmed();
-  if (!path.isEmpty()) {
-    QFile file(path);
-    if (QFileInfo(path).isDir())
-      failure_ = tr("%1 is a folder.").arg(path);
-    else if (file.size() > static_cast<qint64>(scene::largest_script_bytes))
-      failure_ = tr("%1 is too large to be a table of targets.").arg(path);
-    else if (!file.open(QIODevice::ReadOnly))
-      failure_ = tr("%1 cannot be read: %2.").arg(path, file.errorString());
-    else
-      text_ = text_of_bytes(file.readAll());
+  reading_.cancel();
+  read_ = nullptr;
+  wanted_ = std::make_shared<Table>();
+  wanted_->path = file_->text().trimmed();
+  const auto work = [table = wanted_, platform = platform_->currentText().toStdString(),
+                     world = session_.scene().world](const core::StopFlag& stop, const BackgroundJob::Report& report) {
+    read_into(*table, platform, world, stop, report);
+  };
+  if (QFileInfo(wanted_->path).size() <= read_at_once_bytes) {
+    work(core::StopFlag(), {});
+    read_ = wanted_;
+  } else {
+    reading_.run(work);
   }
-  interpret();
+  show_table();
 }
 
-void ImportDialog::interpret() {
-  import_ = text_.isEmpty() ? scene::TargetImport{}
-                            : scene::import_targets(text_.toStdString(), platform_->currentText().toStdString(),
-                                                    session_.scene().world);
-  preview_->setPlainText(first_lines(text_));
+void ImportDialog::show_table() {
+  const bool nothing = read_ == nullptr;
+  const Table none;
+  const Table& table = nothing ? none : *read_;
+  preview_->setPlainText(first_lines(table.text));
   bad_lines_->clear();
-  for (const core::Problem& problem : import_.problems)
+  for (const core::Problem& problem : table.import.problems)
     bad_lines_->addItem(tr("Line %1: %2").arg(problem.place.line).arg(problem_text(problem)));
   bad_lines_->setVisible(bad_lines_->count() > 0);
-  const std::size_t count = import_.targets.size();
-  if (!failure_.isEmpty())
-    summary_->setText(tr("Error: %1").arg(failure_));
-  else if (file_->text().trimmed().isEmpty())
+  const std::size_t count = table.import.targets.size();
+  if (nothing)
+    summary_->setText(tr("Reading …"));
+  else if (!table.failure.isEmpty())
+    summary_->setText(tr("Error: %1").arg(table.failure));
+  else if (table.path.isEmpty())
     summary_->setText(tr("Choose a file."));
   else if (bad_lines_->count() == 0)
     summary_->setText(count == 1 ? tr("1 target.") : tr("%1 targets.").arg(count));
@@ -175,14 +227,14 @@ void ImportDialog::interpret() {
                       (bad_lines_->count() == 1 ? tr("; 1 line is left out:")
                                                 : tr("; %1 lines are left out:").arg(bad_lines_->count())));
   QPushButton* add = buttons_->button(QDialogButtonBox::Ok);
-  add->setText(count == 1 ? tr("&Add 1 target") : tr("&Add %1 targets").arg(count));
+  add->setText(nothing ? tr("&Add") : count == 1 ? tr("&Add 1 target") : tr("&Add %1 targets").arg(count));
   add->setEnabled(count > 0);
 }
 
 void ImportDialog::accept() {
   // Return in the field of the file name reads the file; only what was seen is added.
-  if (import_.targets.empty()) return;
-  session_.perform(scene::add_targets(session_.scene(), std::move(import_.targets)));
+  if (read_ == nullptr || read_->import.targets.empty()) return;
+  session_.perform(scene::add_targets(session_.scene(), std::move(read_->import.targets)));
   QDialog::accept();
 }
 

@@ -2,8 +2,10 @@
 
 #include <QDialog>
 
+#include <memory>
 #include <string>
 
+#include "gui/common/latest_work.hpp"
 #include "gui/common/session.hpp"
 #include "scene/edit/import_targets.hpp"
 
@@ -32,15 +34,19 @@ class ImportDialog : public QDialog {
   void accept() override;
 
  private:
+  struct Table;
+
   void make_widgets();
   void browse();
   void read_file();
-  void interpret();
+  void show_table();
+  static void read_into(Table& table, const std::string& platform, const scene::World& world,
+                        const core::StopFlag& stop, const BackgroundJob::Report& report);
 
   Session& session_;
-  QString text_;
-  QString failure_;  // why the file could not be read
-  scene::TargetImport import_;
+  LatestWork reading_;
+  std::shared_ptr<Table> wanted_;  // what is chosen, while it is read
+  std::shared_ptr<Table> read_;    // null: is not read yet
   QLineEdit* file_ = nullptr;
   QComboBox* platform_ = nullptr;
   QPlainTextEdit* preview_ = nullptr;

@@ -21,12 +21,12 @@
 #include <utility>
 
 #include "core/report/refused.hpp"
-#include "core/text/number_text.hpp"
 #include "core/text/shell_word.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/reserved_label.hpp"
 #include "gui/common/screen_size.hpp"
+#include "gui/common/text.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/image_viewers.hpp"
 #include "gui/runs/product_kind.hpp"
@@ -304,9 +304,7 @@ QStringList ProductWindow::texts_of(const core::Problems& problems) const {
 void ProductWindow::show_progress(const QString& stage, double fraction, double seconds_left) {
   if (stopped_) return;
   bar_->setValue(static_cast<int>(fraction * product_bar_steps));
-  const QString name = within_folder(stage);
-  const QString left = QString::fromStdString(core::duration_text(std::max(seconds_left, 0.0)));
-  state_->say(seconds_left < 0.0 ? name : tr("%1, about %2 left").arg(name, left));
+  state_->say(with_time_left(within_folder(stage), seconds_left));
 }
 
 void ProductWindow::take_end(JobEnd end, const QString& failure) {

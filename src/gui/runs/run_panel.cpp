@@ -8,7 +8,6 @@
 
 #include <utility>
 
-#include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 
@@ -128,10 +127,7 @@ void RunPanel::proceed() {
 void RunPanel::show_progress(double fraction, double seconds_left) {
   bar_->setValue(static_cast<int>(fraction * bar_steps));
   if (!cancel_->isEnabled()) return;
-  const QString done = tr("%1 % done").arg(100.0 * fraction, 0, 'f', 0);
-  state_->setText(seconds_left < 0.0
-                      ? done
-                      : tr("%1, about %2 left").arg(done, QString::fromStdString(core::duration_text(seconds_left))));
+  state_->setText(with_time_left(tr("%1 % done").arg(100.0 * fraction, 0, 'f', 0), seconds_left));
 }
 
 void RunPanel::show_end(JobEnd end, const QString& failure) {

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/text/number_text.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
 
@@ -148,10 +147,7 @@ void SaveQueue::take_estimate(const RunEstimate& estimate) {
 
 void SaveQueue::take_progress(double fraction, double seconds_left) {
   bar_->setValue(static_cast<int>(fraction * bar_steps));
-  const QString done = tr("%1 %").arg(100.0 * fraction, 0, 'f', 0);
-  const QString left = QString::fromStdString(core::duration_text(std::max(seconds_left, 0.0)));
-  table_->item(static_cast<int>(current_), 1)
-      ->setText(seconds_left < 0.0 ? done : tr("%1, about %2 left").arg(done, left));
+  table_->item(static_cast<int>(current_), 1)->setText(share_with_time_left(fraction, seconds_left));
 }
 
 void SaveQueue::take_end(JobEnd end, const QString& failure) {

@@ -19,7 +19,6 @@
 #include <stdexcept>
 
 #include "core/os/output_file.hpp"
-#include "core/text/number_text.hpp"
 #include "gui/common/field_editor.hpp"
 #include "gui/common/problem_line.hpp"
 #include "gui/common/text.hpp"
@@ -107,8 +106,7 @@ void GeometryWindow::connect_all() {
   });
   connect(&job_, &BackgroundJob::progressed, this, [this](double fraction, double left_s) {
     bar_->setValue(static_cast<int>(fraction * bar_steps));
-    if (left_s >= 0.0)
-      state_->setText(tr("Saving, about %1 left").arg(QString::fromStdString(core::duration_text(left_s))));
+    state_->setText(with_time_left(tr("Saving"), left_s));
   });
   connect(&job_, &BackgroundJob::ended, this, &GeometryWindow::show_saved);
   connect(&session_, &Session::scene_changed, this, [this](const scene::SceneChange& change) {

@@ -102,20 +102,32 @@ class Importer {
   Importer(TargetImport& import, const std::string& platform, const World& world)
       : import_(import), platform_(platform), world_(world) {}
 
-  void read(const std::vector<TableLine>& lines) {
-    if (!lines.empty()) columns_ = target_columns(lines.front(), import_.problems);
-    if (columns_.geodetic) {
-      if (auto problem = problem_of_places(columns_, lines.front(), world_, platform_))
-        import_.problems.push_back(std::move(*problem));
-      earth_ = earth_of(world_);
-    }
-    if (core::has_errors(import_.problems)) return;
-    import_.targets.reserve(lines.size());
-    for (std::size_t i = columns_.heading ? 1 : 0; i < lines.size(); ++i) read_line(lines[i]);
-    report_rest();
+  void read(std::string_view text, const core::StopFlag* stop, const core::ProgressReport& progress) {
+    constexpr std::size_t between_looks = 1024;
+    std::size_t lines = 0;
+    each_table_line(text, [&](const TableLine& line) {
+      if (lines % between_looks == 0) {
+        if (stop != nullptr && stop->requested()) throw core::Interrupted();
+        if (progress) progress({static_cast<std::size_t>(line.text.data() - text.data()), text.size()});
+      }
+      if (lines++ == 0) begin(line);
+      if (!refused_ && (lines > 1 || !columns_.heading)) read_line(line);
+    });
+    if (!refused_) report_rest();
   }
 
  private:
+  // What the first line says of the columns.
+  void begin(const TableLine& line) {
+    columns_ = target_columns(line, import_.problems);
+    if (columns_.geodetic) {
+      if (auto problem = problem_of_places(columns_, line, world_, platform_))
+        import_.problems.push_back(std::move(*problem));
+      earth_ = earth_of(world_);
+    }
+    refused_ = core::has_errors(import_.problems);
+  }
+
   void read_line(const TableLine& line) {
     const TargetLine read = read_target_line(line, columns_);
     if (!read.message.empty())
@@ -156,6 +168,7 @@ class Importer {
   const World& world_;
   std::optional<radar::EarthFrame> earth_;  // of geodetic places
   TargetColumns columns_;
+  bool refused_ = false;  // for what the first line says
   std::size_t unsaid_ = 0;
   std::size_t more_cells_ = 0;
   TableLine first_longer_;
@@ -232,9 +245,10 @@ TargetLine read_target_line(const TableLine& line, const TargetColumns& columns)
   return read;
 }
 
-TargetImport import_targets(std::string_view text, const std::string& platform, const World& world) {
+TargetImport import_targets(std::string_view text, const std::string& platform, const World& world,
+                            const core::StopFlag* stop, const core::ProgressReport& progress) {
   TargetImport import;
-  Importer(import, platform, world).read(table_lines(text));
+  Importer(import, platform, world).read(text, stop, progress);
   return import;
 }
 

@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
+#include "core/task/progress.hpp"
+#include "core/task/stop.hpp"
 #include "scene/model/scene.hpp"
 #include "scene/schema/table_text.hpp"
 
@@ -59,8 +61,12 @@ struct TargetLine {
 ///
 /// Over the Earth the names may be latitude, longitude and height, for targets of the world itself: degrees, and metres
 /// above the ellipsoid. A table that names all of x, y and z is one of these, whatever other columns it has.
-/// @param world  where the targets are
-[[nodiscard]] TargetImport import_targets(std::string_view text, const std::string& platform, const World& world = {});
+/// @param world     where the targets are
+/// @param stop      asked now and then; a requested stop throws Interrupted
+/// @param progress  told of the bytes that were read; may be empty
+[[nodiscard]] TargetImport import_targets(std::string_view text, const std::string& platform, const World& world = {},
+                                          const core::StopFlag* stop = nullptr,
+                                          const core::ProgressReport& progress = {});
 
 /// The same table of targets, tab-separated with a line of names, for the clipboard.
 [[nodiscard]] std::string targets_text(const std::vector<Target>& targets);

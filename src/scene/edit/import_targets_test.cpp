@@ -188,6 +188,23 @@ TEST(ImportTargets, TenThousandLinesTakeNoTimeToSpeakOf) {
   RecordProperty("microseconds", static_cast<int>(taken.count() * 1e6));
 }
 
+TEST(ImportTargets, TellsHowFarItIsAndStops) {
+  std::string text = "x y z\n";
+  for (int i = 0; i < 10000; ++i) text += "1 2 3\n";
+  std::vector<core::Progress> told;
+  const TargetImport import =
+      import_targets(text, "Ship", {}, nullptr, [&](const core::Progress& p) { told.push_back(p); });
+  EXPECT_EQ(import.targets.size(), 10000U);
+  ASSERT_GT(told.size(), 5U);
+  EXPECT_EQ(told.front().done, 0U);
+  for (std::size_t i = 1; i < told.size(); ++i) EXPECT_GT(told[i].done, told[i - 1].done);
+  EXPECT_LT(told.back().done, told.back().total);
+  EXPECT_EQ(told.back().total, text.size());
+  core::StopFlag stop;
+  stop.request();
+  EXPECT_THROW(static_cast<void>(import_targets(text, "Ship", {}, &stop)), core::Interrupted);
+}
+
 }  // namespace import_targets_test
 
 }  // namespace sarsim::scene

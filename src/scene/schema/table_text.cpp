@@ -18,9 +18,8 @@ std::string_view unquoted(std::string_view cell) {
   return cell;
 }
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  std::vector<std::string_view> cells;
-  cells.reserve(4);
+void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
+  cells.clear();
   for (const char separator : {'\t', ';', ','}) {
     if (line.find(separator) == std::string_view::npos) continue;
     std::size_t start = 0;
@@ -30,14 +29,13 @@ std::vector<std::string_view> cells_of(std::string_view line) {
     }
     cells.push_back(unquoted(line.substr(start)));
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
-    return cells;
+    return;
   }
   for (std::size_t start = line.find_first_not_of(blanks); start != std::string_view::npos;) {
     const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
     cells.push_back(unquoted(line.substr(start, end - start)));
     start = line.find_first_not_of(blanks, end);
   }
-  return cells;
 }
 
 ColumnHeading heading_of(std::string_view cell) {
@@ -51,20 +49,27 @@ ColumnHeading heading_of(std::string_view cell) {
 
 }  // namespace
 
-std::vector<TableLine> table_lines(std::string_view text) {
+void each_table_line(std::string_view text, const std::function<void(const TableLine&)>& take) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   const char line_end = text.find('\n') == std::string_view::npos ? '\r' : '\n';
-  std::vector<TableLine> lines;
-  for (std::size_t number = 1; !text.empty(); ++number) {
+  TableLine line;
+  while (!text.empty()) {
     const std::size_t end = std::min(text.find(line_end), text.size());
-    const std::string_view line = core::trimmed(text.substr(0, end));
     // The first cells of a spreadsheet's row may be empty: tabs at the beginning count.
     const std::string_view whole = text.substr(0, end);
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.empty() || line.front() == '#' || line.front() == '!') continue;
-    lines.push_back({number, line, cells_of(whole)});
+    ++line.number;
+    line.text = core::trimmed(whole);
+    if (line.text.empty() || line.text.front() == '#' || line.text.front() == '!') continue;
+    find_cells(whole, line.cells);
+    take(line);
   }
+}
+
+std::vector<TableLine> table_lines(std::string_view text) {
+  std::vector<TableLine> lines;
+  each_table_line(text, [&](const TableLine& line) { lines.push_back(line); });
   return lines;
 }
 

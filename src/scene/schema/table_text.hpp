@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,9 @@ struct TableLine {
 
 /// Splits a table into lines and cells: at tabs where a line has any, else at semicolons, else at commas, else at
 /// blanks. Empty lines and those that begin with '#' or '!' are left out; lines end with LF, CR LF or CR.
+/// @param take  is given one line after the other; what it throws ends the reading
+void each_table_line(std::string_view text, const std::function<void(const TableLine&)>& take);
+/// The same, all at once.
 [[nodiscard]] std::vector<TableLine> table_lines(std::string_view text);
 
 /// A column's heading: "x [km]" or "x (km)" is the name x with the unit km; the name in lower case.
