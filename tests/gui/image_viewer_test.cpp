@@ -194,6 +194,59 @@ class ImageViewerTest : public QObject {
     QVERIFY(!bench.viewer.plot().cursor(0));
   }
 
+  void a_cursor_is_dragged_and_the_cuts_follow() {
+    Bench bench;
+    gui::ImagePlot& plot = bench.viewer.plot();
+    bench.viewer.findChild<QToolButton*>("image_show_cuts")->click();
+    auto* const row = bench.viewer.findChild<gui::FigurePlot*>("image_row_cut");
+    auto* const column = bench.viewer.findChild<gui::FigurePlot*>("image_column_cut");
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, bench.at_sample(50, 20));
+    const gui::ImageView view = plot.view();
+    QTest::mousePress(&plot, Qt::LeftButton, {}, bench.at_sample(50, 20));
+    QTest::mouseMove(&plot, bench.at_sample(60, 30));
+    QTest::mouseMove(&plot, bench.at_sample(point_row, point_column));
+    QCOMPARE(row->figure().panels.at(0).title, std::string("Row 70"));  // Already on the way.
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, bench.at_sample(point_row, point_column));
+    QCOMPARE(column->figure().panels.at(0).title, std::string("Sample 40"));
+    QVERIFY(plot.view() == view);  // It was no zoom.
+    QCOMPARE(plot.cursor(0)->row, static_cast<double>(point_row));
+    // The mark of a cut is the sample below the cursor.
+    const picture::FigureMark mark = row->figure().panels.at(0).marks.at(0);
+    QCOMPARE(mark.y, row->figure().panels.at(0).curves[0].y[point_column]);
+    // Beyond the rim is the rim; Escape puts it back.
+    QTest::mousePress(&plot, Qt::LeftButton, {}, bench.at_sample(point_row, point_column));
+    QTest::mouseMove(&plot, QPoint(plot.plot_rect().left() + 3, plot.plot_rect().top() - 30));
+    QCOMPARE(plot.cursor(0)->row, 0.0);
+    QTest::keyClick(&plot, Qt::Key_Escape);
+    QCOMPARE(plot.cursor(0)->row, static_cast<double>(point_row));
+    QCOMPARE(plot.cursor(0)->column, static_cast<double>(point_column));
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, bench.at_sample(0, 0));
+    QVERIFY(plot.view() == view);
+  }
+
+  void a_click_into_a_cut_moves_the_cursor_along_it() {
+    Bench bench;
+    gui::ImagePlot& plot = bench.viewer.plot();
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, bench.at_sample(point_row, point_column));
+    bench.viewer.findChild<QToolButton*>("image_show_cuts")->click();
+    auto* const row = bench.viewer.findChild<gui::FigurePlot*>("image_row_cut");
+    auto* const column = bench.viewer.findChild<gui::FigurePlot*>("image_column_cut");
+    QTRY_VERIFY(row->panel(0) != nullptr && row->panel(0)->width() > 50);
+    const auto press = [](gui::FigurePlot* cut, double place) {
+      const auto x = static_cast<int>(std::round(cut->panel(0)->axis(QCPAxis::atBottom)->coordToPixel(place)));
+      QTest::mousePress(cut, Qt::LeftButton, {}, QPoint(x, cut->panel(0)->center().y()));
+      QTest::mouseRelease(cut, Qt::LeftButton, {}, QPoint(x, cut->panel(0)->center().y()));
+      return cut->panel(0)->axis(QCPAxis::atBottom)->pixelToCoord(x);
+    };
+    const double across = press(row, row->figure().panels.at(0).curves[0].x[20]);
+    QVERIFY(std::abs(plot.cursor(0)->column - 20.0) <= 1.0);
+    QCOMPARE(plot.cursor(0)->row, static_cast<double>(point_row));
+    QVERIFY(std::abs(row->figure().panels.at(0).marks.at(0).x - across) < 1.0);
+    press(column, column->figure().panels.at(0).curves[0].x[110]);
+    QVERIFY(std::abs(plot.cursor(0)->row - 110.0) <= 1.0);
+    QVERIFY(std::abs(plot.cursor(0)->column - 20.0) <= 1.0);
+  }
+
   void a_selection_is_measured_whole() {
     Bench bench;
     bench.drag(bench.at_sample(65, 35), bench.at_sample(75, 45), Qt::LeftButton, Qt::ShiftModifier);

@@ -218,6 +218,27 @@ class SimulationWindowTest : public QObject {
     QCOMPARE(bench.window->plot().geometry(), with_words);  // Finding B7: words move nothing.
   }
 
+  void a_cursor_is_dragged() {
+    Bench bench;
+    gui::EchoPlot& plot = bench.window->plot();
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, bench.at(0.5, 0.5));
+    const gui::EchoPlot::Cursor before = *plot.cursor(0);
+    QTest::mousePress(&plot, Qt::LeftButton, {}, bench.at(0.5, 0.5));
+    QTest::mouseMove(&plot, bench.at(0.6, 0.7));
+    QTest::mouseMove(&plot, bench.at(0.7, 0.7));
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, bench.at(0.7, 0.7));
+    QVERIFY(plot.cursor(0)->range_m > before.range_m);
+    QVERIFY(plot.cursor(0)->time_s != before.time_s);
+    // There it is taken hold of again, and put back.
+    const gui::EchoPlot::Cursor moved = *plot.cursor(0);
+    QTest::mousePress(&plot, Qt::LeftButton, {}, bench.at(0.7, 0.7));
+    QTest::mouseMove(&plot, bench.at(0.2, 0.2));
+    QVERIFY(plot.cursor(0)->range_m < before.range_m);
+    QTest::keyClick(&plot, Qt::Key_Escape);
+    QVERIFY(std::abs(plot.cursor(0)->range_m - moved.range_m) < 1e-6 * moved.range_m);
+    QTest::mouseRelease(&plot, Qt::LeftButton, {}, bench.at(0.2, 0.2));
+  }
+
   void stored_settings_open_again_exactly() {
     Bench bench;
     bench.window->go_to({2900.0, 3900.0, 0.0, 0.01});

@@ -333,6 +333,27 @@ void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const picture::Figur
   rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
 }
 
+void FigurePlot::mousePressEvent(QMouseEvent* event) {
+  QCustomPlot::mousePressEvent(event);
+  tell_place(*event);
+}
+
+void FigurePlot::mouseMoveEvent(QMouseEvent* event) {
+  QCustomPlot::mouseMoveEvent(event);
+  tell_place(*event);
+}
+
+void FigurePlot::tell_place(const QMouseEvent& event) {
+  if (!event.buttons().testFlag(Qt::LeftButton)) return;
+  for (std::size_t i = 0; i < panels_.size(); ++i) {
+    const QCPAxisRect* const rect = panels_[i];
+    if (rect == nullptr || !rect->rect().contains(event.position().toPoint())) continue;
+    emit pressed_at(i, rect->axis(QCPAxis::atBottom)->pixelToCoord(event.position().x()),
+                    rect->axis(QCPAxis::atLeft)->pixelToCoord(event.position().y()));
+    return;
+  }
+}
+
 void FigurePlot::resizeEvent(QResizeEvent* event) {
   QCustomPlot::resizeEvent(event);
   replot(rpQueuedReplot);

@@ -31,12 +31,19 @@ class FigurePlot : public QCustomPlot {
   /// otherwise or the file cannot be written whole; then what stood there is left as it was.
   bool save(const QString& path, QSize size, double scale, QString& failure);
 
+ signals:
+  /// The left button was pressed, or moved while it is down, over panel `index`, at this place of its axes.
+  void pressed_at(std::size_t index, double x, double y);
+
  protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   void rebuild();
+  void tell_place(const QMouseEvent& event);
   [[nodiscard]] bool has_frame_of(const picture::Figure& figure) const;
   void add_text(int row, const QString& text, bool bold);
   void add_panel(int row, const picture::FigurePanel& panel);

@@ -16,6 +16,7 @@ namespace {
 constexpr double smallest_rectangle_px = 4.0;
 constexpr double wheel_step = 1.25;
 constexpr double key_share = 0.25;
+constexpr double hold_px = 7.0;  // how near a mark is taken hold of
 
 }  // namespace
 
@@ -55,11 +56,25 @@ void GesturePlot::paint_rectangle(QPainter& painter, Qt::PenStyle edge) const {
   painter.drawRect(QRectF(*rectangle_from_, pointer_).normalized() & QRectF(plot_rect()));
 }
 
+std::optional<std::size_t> GesturePlot::mark_at(QPointF at) const {
+  for (std::size_t index = 0; index < 2; ++index) {
+    const std::optional<QPointF> place = mark(index);
+    if (place && std::hypot(place->x() - at.x(), place->y() - at.y()) <= hold_px) return index;
+  }
+  return std::nullopt;
+}
+
 void GesturePlot::mousePressEvent(QMouseEvent* event) {
   event->accept();
   pointer_ = event->position();
   if (!plot_rect().contains(pointer_.toPoint())) return;
   if (event->button() == Qt::LeftButton) {
+    const auto index = event->modifiers() == Qt::NoModifier ? mark_at(pointer_) : std::nullopt;
+    if (index) {
+      held_ = {*index, *mark(*index), pointer_};
+      setCursor(Qt::ClosedHandCursor);
+      return;
+    }
     rectangle_from_ = pointer_;
     rectangle_with_shift_ = event->modifiers().testFlag(Qt::ShiftModifier);
   }
@@ -75,6 +90,10 @@ void GesturePlot::mouseMoveEvent(QMouseEvent* event) {
   pointer_ = event->position();
   if (rectangle_from_) update();
   if (dragged_from_) drag(pointer_ - *dragged_from_);
+  if (held_)
+    move_mark(held_->index, held_->from + pointer_ - held_->pressed);
+  else if (event->buttons() == Qt::NoButton)
+    setCursor(mark_at(pointer_) ? Qt::OpenHandCursor : idle_cursor_);
   emit hovered();
 }
 
@@ -88,6 +107,10 @@ void GesturePlot::mouseReleaseEvent(QMouseEvent* event) {
   }
   if (event->button() == Qt::RightButton && plot_rect().contains(pointer_.toPoint())) {
     show_twice(pointer_);
+    return;
+  }
+  if (event->button() == Qt::LeftButton && std::exchange(held_, std::nullopt)) {
+    setCursor(mark_at(pointer_) ? Qt::OpenHandCursor : idle_cursor_);
     return;
   }
   if (event->button() != Qt::LeftButton || !rectangle_from_) return;
@@ -124,7 +147,10 @@ void GesturePlot::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Backspace: emit back_wanted(); return;
     case Qt::Key_Home: emit whole_wanted(); return;
     case Qt::Key_Escape:
-      if (!std::exchange(rectangle_from_, std::nullopt)) drop_marks();
+      if (const auto held = std::exchange(held_, std::nullopt))
+        move_mark(held->index, held->from);
+      else if (!std::exchange(rectangle_from_, std::nullopt))
+        drop_marks();
       update();
       return;
     default: QWidget::keyPressEvent(event);

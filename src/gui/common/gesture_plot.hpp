@@ -11,8 +11,9 @@ namespace sarsim::gui {
 /// they mean is the plot's own business, and whether they are granted its owner's.
 ///
 /// Mouse: left drag draws a rectangle; right click shows twice as much; the wheel zooms at the pointer (Ctrl: across
-/// alone, Shift: upwards alone); middle drag moves the view; a left click marks a place. Keys: arrows move by a
-/// quarter, + and - zoom, Backspace goes back, Home shows everything, Escape drops a rectangle, then the marks.
+/// alone, Shift: upwards alone); middle drag moves the view; a left click marks a place, and a left drag that begins on
+/// a mark takes it along. Keys: arrows move by a quarter, + and - zoom, Backspace goes back, Home shows everything,
+/// Escape puts back a mark that is dragged, drops a rectangle, then the marks.
 class GesturePlot : public QWidget {
   Q_OBJECT
 
@@ -53,6 +54,9 @@ class GesturePlot : public QWidget {
   /// Moves the view by shares of its size, to the right and upwards.
   virtual void step(double right, double up) = 0;
   virtual void drop_marks() = 0;
+  /// Where mark 0 or 1 is; nothing where it cannot be taken hold of.
+  [[nodiscard]] virtual std::optional<QPointF> mark(std::size_t index) const = 0;
+  virtual void move_mark(std::size_t index, QPointF to) = 0;
   /// @}
 
   /// The pointer's shape where no drag is under way.
@@ -74,10 +78,18 @@ class GesturePlot : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  [[nodiscard]] std::optional<std::size_t> mark_at(QPointF at) const;
+
   QPointF pointer_{-1.0, -1.0};
   std::optional<QPointF> rectangle_from_;
   bool rectangle_with_shift_ = false;
   std::optional<QPointF> dragged_from_;
+  struct HeldMark {
+    std::size_t index;
+    QPointF from;     // its place before
+    QPointF pressed;  // that of the pointer
+  };
+  std::optional<HeldMark> held_;
   Qt::CursorShape idle_cursor_ = Qt::CrossCursor;
 };
 

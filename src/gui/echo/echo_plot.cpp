@@ -209,9 +209,23 @@ void EchoPlot::take_rectangle(QPointF from, QPointF to) {
 }
 
 void EchoPlot::click(QPointF pixel, Qt::KeyboardModifiers keys) {
+  set_cursor(keys.testFlag(Qt::ShiftModifier) ? 1 : 0, place_at(pixel));
+}
+
+EchoPlot::Cursor EchoPlot::place_at(QPointF pixel) const {
   const QPointF at = device(pixel);
-  const Cursor place{picture::range_at(view(), plot_size(), at.x()), picture::time_at(view(), plot_size(), at.y())};
-  set_cursor(keys.testFlag(Qt::ShiftModifier) ? 1 : 0, place);
+  return {picture::range_at(view(), plot_size(), at.x()), picture::time_at(view(), plot_size(), at.y())};
+}
+
+std::optional<QPointF> EchoPlot::mark(std::size_t index) const {
+  if (!cursors_.at(index)) return std::nullopt;
+  return pixel_of(*cursors_.at(index));
+}
+
+void EchoPlot::move_mark(std::size_t index, QPointF to) {
+  const QRectF plot = plot_rect();
+  set_cursor(index,
+             place_at({std::clamp(to.x(), plot.left(), plot.right()), std::clamp(to.y(), plot.top(), plot.bottom())}));
 }
 
 void EchoPlot::drop_marks() {

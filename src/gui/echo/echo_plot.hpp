@@ -65,6 +65,8 @@ class EchoPlot : public GesturePlot {
   void drag(QPointF by) override;
   void step(double right, double up) override;
   void drop_marks() override;
+  [[nodiscard]] std::optional<QPointF> mark(std::size_t index) const override;
+  void move_mark(std::size_t index, QPointF to) override;
 
  private:
   void refresh_picture();
@@ -72,6 +74,7 @@ class EchoPlot : public GesturePlot {
   void paint_axes(QPainter& painter) const;
   void paint_colour_bar(QPainter& painter) const;
   void paint_cursors(QPainter& painter) const;
+  [[nodiscard]] Cursor place_at(QPointF pixel) const;
   [[nodiscard]] QRectF place_of_picture() const;
   [[nodiscard]] QPointF pixel_of(const Cursor& cursor) const;
   [[nodiscard]] QPointF device(QPointF pixel) const;  ///< Device pixel of the plot for a pixel of the widget.

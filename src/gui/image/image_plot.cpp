@@ -297,4 +297,17 @@ void ImagePlot::drop_marks() {
   emit cursors_changed();
 }
 
+std::optional<QPointF> ImagePlot::mark(std::size_t index) const {
+  if (reading_tool_ || !cursors_.at(index)) return std::nullopt;
+  return pixel_of(*cursors_.at(index));
+}
+
+void ImagePlot::move_mark(std::size_t index, QPointF to) {
+  const SamplePlace at = place_at(to);
+  const auto within = [](double number, std::size_t count) {
+    return std::clamp(std::round(number), 0.0, static_cast<double>(count - 1));
+  };
+  set_cursor(index, SamplePlace{within(at.column, columns_), within(at.row, rows_)});
+}
+
 }  // namespace sarsim::gui

@@ -97,6 +97,8 @@ class ImagePlot : public GesturePlot {
   void drag(QPointF by) override;
   void step(double right, double up) override;
   void drop_marks() override;
+  [[nodiscard]] std::optional<QPointF> mark(std::size_t index) const override;
+  void move_mark(std::size_t index, QPointF to) override;
 
  private:
   void paint_axes(QPainter& painter) const;

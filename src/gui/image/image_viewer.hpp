@@ -135,6 +135,7 @@ class ImageViewer : public QWidget {
   void show_problems();
   void show_read_out();
   void show_cuts();
+  void press_cut(const FigurePlot* cut, double place);
   void show_targets(bool on);
   void show_rings();
   void frame_target(std::size_t row);

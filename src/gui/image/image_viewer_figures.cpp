@@ -199,22 +199,42 @@ void ImageViewer::show_cuts() {
     across.x.push_back(place(places.azimuth, static_cast<double>(part->window.row(i))));
     across.y.push_back(value(i, column));
   }
-  const auto show = [&](FigurePlot* plot, picture::FigureCurve curve, const raster::ImagePlaces& axis,
-                        const QString& title, double from, double to) {
+  const auto show = [&](FigurePlot* plot, picture::FigureCurve curve, std::size_t marked,
+                        const raster::ImagePlaces& axis, const QString& title, double from, double to) {
     picture::FigurePanel panel;
     panel.title = title.toStdString();
     panel.x = {axis.label, axis.unit, place(axis, from), place(axis, to), {}};
     panel.y = {std::string(picture::axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
     set_span(panel.y, curve.y);
+    if (std::isfinite(curve.y[marked]))
+      panel.marks.push_back({curve.x[marked], curve.y[marked], number_text(curve.y[marked], unit()).toStdString()});
     panel.curves.push_back(std::move(curve));
     picture::Figure figure;
     figure.panels.push_back(std::move(panel));
     plot->set_figure(figure);
   };
-  show(row_cut_, std::move(along), places.range, tr("Row %1").arg(part->window.row(row)), view.column_first,
+  show(row_cut_, std::move(along), column, places.range, tr("Row %1").arg(part->window.row(row)), view.column_first,
        view.column_last);
-  show(column_cut_, std::move(across), places.azimuth, tr("Sample %1").arg(part->window.column(column)), view.row_first,
-       view.row_last);
+  show(column_cut_, std::move(across), row, places.azimuth, tr("Sample %1").arg(part->window.column(column)),
+       view.row_first, view.row_last);
+}
+
+// A place in a cut is one of the image, on the line that is cut.
+void ImageViewer::press_cut(const FigurePlot* cut, double place) {
+  const auto& part = plot_->part();
+  if (!part || part->samples.empty()) return;
+  const ImageView& view = plot_->view();
+  SamplePlace at = plot_->cursor(0).value_or(
+      SamplePlace{(view.column_first + view.column_last) / 2.0, (view.row_first + view.row_last) / 2.0});
+  const raster::FocusedPlaces places = plot_->shown_places();
+  const auto number = [place](const raster::ImagePlaces& axis, std::size_t count) {
+    return std::clamp(std::round((place - axis.first) / axis.step), 0.0, static_cast<double>(count - 1));
+  };
+  if (cut == row_cut_)
+    at.column = number(places.range, source_->columns());
+  else
+    at.row = number(places.azimuth, rows_);
+  plot_->set_cursor(0, SamplePlace{std::round(at.column), std::round(at.row)});
 }
 
 raster::ImageWindow ImageViewer::chosen() const {
@@ -239,8 +259,9 @@ void ImageViewer::measure() {
   if (window.samples() == 0) return;
   auto result = std::make_shared<picture::SelectionStatistics>();
   disconnect(&measuring_, nullptr, this, nullptr);
-  connect(&measuring_, &BackgroundJob::progressed, this,
-          [this](double share, double) { figures_->say(tr("Measuring: %1 %").arg(static_cast<int>(100 * share))); });
+  connect(&measuring_, &BackgroundJob::progressed, this, [this](double share, double left_s) {
+    figures_->say(tr("Measuring: %1").arg(share_with_time_left(share, left_s)));
+  });
   connect(&measuring_, &BackgroundJob::ended, this, [this, result, of = source_](JobEnd end, const QString& failure) {
     if (std::exchange(measure_again_, false)) return measure();
     if (of != source_) return;  // Another file is shown by now.
@@ -421,8 +442,9 @@ void ImageViewer::export_to(const QString& path, scene::FileFormat format) {
   options.sink.replace = true;
   options.sink.counts = source_->info().counts;
   disconnect(&exporting_, nullptr, this, nullptr);
-  connect(&exporting_, &BackgroundJob::progressed, this,
-          [this](double share, double) { state_->setText(tr("Writing: %1 %").arg(static_cast<int>(100.0 * share))); });
+  connect(&exporting_, &BackgroundJob::progressed, this, [this](double share, double left_s) {
+    state_->setText(tr("Writing: %1").arg(share_with_time_left(share, left_s)));
+  });
   connect(&exporting_, &BackgroundJob::ended, this, [this, path](JobEnd end, const QString& failure) {
     export_->setText(tr("Export Samples..."));
     state_->setText(end == JobEnd::done        ? tr("Wrote %1").arg(QFileInfo(path).fileName())

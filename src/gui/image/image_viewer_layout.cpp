@@ -202,6 +202,10 @@ void ImageViewer::connect_all() {
   connect(back_, &QToolButton::clicked, this, &ImageViewer::go_back);
   connect(forward_, &QToolButton::clicked, this, &ImageViewer::go_forward);
   connect(show_cuts_, &QToolButton::toggled, this, &ImageViewer::show_cuts);
+  for (FigurePlot* cut : {row_cut_, column_cut_}) {
+    cut->setToolTip(tr("Click or drag to move the first cursor along the line"));
+    connect(cut, &FigurePlot::pressed_at, this, [this, cut](std::size_t, double x, double) { press_cut(cut, x); });
+  }
   connect(show_targets_, &QToolButton::toggled, this, &ImageViewer::show_targets);
   connect(targets_, &TargetList::measured, this, &ImageViewer::show_rings);
   connect(targets_, &TargetList::target_chosen, this, &ImageViewer::frame_target);
