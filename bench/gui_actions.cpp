@@ -5,6 +5,7 @@
 #include <QDockWidget>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QPushButton>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
@@ -20,6 +21,7 @@
 #include "bench/window_bench.hpp"
 #include "gui/frame/main_window.hpp"
 #include "gui/objects/object_tree.hpp"
+#include "gui/objects/target_table_model.hpp"
 #include "gui/script/script_editor.hpp"
 #include "scene/edit/edit.hpp"
 
@@ -81,6 +83,14 @@ void run(std::size_t targets) {
   measure(targets, "table, first time", [&] { window.findChild<QAction*>("edit_targets")->trigger(); });
   auto* cells = window.findChild<QTableView*>("target_cells");
   measure(targets, "sort by x", [&] { cells->sortByColumn(1, Qt::DescendingOrder); });
+  const int rcs_column = qobject_cast<gui::TargetTableModel*>(cells->model())->column_of("rcs_m2");
+  measure(targets, "select a column", [&] { cells->selectColumn(rcs_column); });
+  measure(targets, "fill it", [&] {
+    window.findChild<QLineEdit*>("fill_value")->setText("3 m2");
+    window.findChild<QPushButton*>("fill_cells")->click();
+  });
+  measure(targets, "undo of it", [&] { session.undo(); });
+  cells->clearSelection();
   measure(targets, "sort off", [&] { cells->sortByColumn(-1, Qt::AscendingOrder); });
   window.findChild<QWidget*>("target_table_dialog")->hide();
   auto* script = window.findChild<QDockWidget*>("script_dock");

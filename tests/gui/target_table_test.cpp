@@ -92,6 +92,27 @@ class TargetTableTest : public QObject {
     QCOMPARE(bench.targets()[1].position_m.x, 1360.0);
   }
 
+  void a_cell_takes_an_expression_which_the_text_keeps() {
+    Bench bench;
+    bench.session.take(
+        scene::Document::from_text("format = \"sarsim 2\"\n[let]\nspacing = \"1.5 km\"\n"
+                                   "[[target]]\nposition = [1, 2, 3]\n[[target]]\nposition = [4, 5, 6]\n"));
+    bench.type(0, "rcs_m2", "2 * 3");
+    QCOMPARE(bench.targets()[0].rcs_m2, 6.0);
+    bench.type(1, "position_m.x", "2 * spacing");
+    QCOMPARE(bench.targets()[1].position_m.x, 3000.0);
+    const std::string text = bench.session.document().text();
+    QVERIFY2(text.find("2 * spacing") != std::string::npos, text.c_str());
+    QVERIFY2(text.find("2 * 3") != std::string::npos, text.c_str());
+    bench.select_column("position_m.y", 0, 1);
+    QCOMPARE(bench.model->fill(bench.view->selectionModel()->selectedIndexes(), {"spacing / 2"}), QString());
+    QCOMPARE(bench.targets()[0].position_m.y, 750.0);
+    QCOMPARE(bench.targets()[1].position_m.y, 750.0);
+    bench.type(0, "position_m.z", "2 * nothing");
+    QVERIFY2(bench.message().contains("nothing"), qPrintable(bench.message()));
+    QCOMPARE(bench.targets()[0].position_m.z, 3.0);
+  }
+
   void a_heading_that_is_clicked_sorts() {
     Bench bench;
     bench.type(0, "position_m.x", "10 km");

@@ -10,9 +10,12 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "gui/common/cell_delegate.hpp"
 #include "gui/common/problem_line.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/edit/typed_fields.hpp"
 #include "scene/model/scene_index.hpp"
 
 namespace sarsim::gui {
@@ -251,29 +254,43 @@ bool TargetTableModel::setData(const QModelIndex& index, const QVariant& value, 
   return false;
 }
 
+// Plain values need no names; those of [let] are only known once the text has been read.
+std::string TargetTableModel::set_cell(scene::AnyObject& target, scene::ObjectId id, const scene::Field& field,
+                                       const std::string& text, scene::Edit& edit) const {
+  if (!scene::field_applies(target, field.id))
+    return "the " + field.label + " means nothing here; choose another reflectivity or gain first";
+  std::string why = scene::set_field(target, field.id, text);
+  if (why.empty() || field.kind != scene::FieldKind::quantity) return why;
+  const scene::LetNames* const names = session_.document().let_names();
+  if (names == nullptr) return why;
+  why = scene::set_field(target, field.id, text, names);
+  if (!why.empty()) return why;
+  const scene::Field* const known = &*std::ranges::find(scene::fields_of(id.kind), field.id, &scene::Field::id);
+  edit.typed.push_back({id, known, scene::text_as_typed(field, text, *names)});
+  return {};
+}
+
 QString TargetTableModel::fill(const QModelIndexList& cells, const QStringList& texts) {
-  std::map<std::size_t, scene::AnyObject> changed;
-  for (qsizetype i = 0; i < cells.size(); ++i) {
-    const QModelIndex& cell = cells[i];
-    const QString& text = texts.size() == 1 ? texts.front() : texts.value(i);
-    const scene::ObjectId id = target_at(cell.row());
-    const auto entry = changed.try_emplace(id.index, session_.scene().targets.at(id.index)).first;
-    const scene::Field& field = field_at(cell.column());
-    const std::string why =
-        scene::field_applies(entry->second, field.id)
-            ? scene::set_field(entry->second, field.id, text.toStdString())
-            : "the " + field.label + " means nothing here; choose another reflectivity or gain first";
-    if (!why.empty())
-      return cells.size() == 1 ? QString::fromStdString(why)
-                               : tr("target %1: %2").arg(id.index + 1).arg(QString::fromStdString(why));
-  }
+  // The cells of a target one after the other.
+  std::vector<std::pair<std::size_t, qsizetype>> order;
+  order.reserve(static_cast<std::size_t>(cells.size()));
+  for (qsizetype i = 0; i < cells.size(); ++i) order.emplace_back(target_at(cells[i].row()).index, i);
+  std::ranges::sort(order);
   scene::Edit edit;
-  for (auto& [index, object] : changed) {
-    const scene::ObjectId id{scene::ObjectKind::target, index};
-    scene::Edit one = scene::replace_object(session_.scene(), id, std::move(object), "Change target");
-    std::ranges::move(one.changes, std::back_inserter(edit.changes));
+  for (auto at = order.begin(); at != order.end();) {
+    const scene::ObjectId id{scene::ObjectKind::target, at->first};
+    const scene::Target& before = session_.scene().targets.at(id.index);
+    scene::AnyObject target = before;
+    for (; at != order.end() && at->first == id.index; ++at) {
+      const QString& text = texts.size() == 1 ? texts.front() : texts.value(at->second);
+      const std::string why = set_cell(target, id, field_at(cells[at->second].column()), text.toStdString(), edit);
+      if (!why.empty())
+        return cells.size() == 1 ? QString::fromStdString(why)
+                                 : tr("target %1: %2").arg(id.index + 1).arg(QString::fromStdString(why));
+    }
+    edit.changes.push_back({id, before, std::get<scene::Target>(std::move(target))});
   }
-  edit.label = changed.size() == 1 ? "Change target" : "Change " + std::to_string(changed.size()) + " targets";
+  edit.label = edit.changes.size() == 1 ? "Change target" : fmt::format("Change {} targets", edit.changes.size());
   session_.perform(std::move(edit));
   return {};
 }

@@ -56,6 +56,8 @@ class TargetTableModel : public QAbstractTableModel {
   void refused(const QModelIndex& cell, const QString& text, const QString& sentence);
 
  private:
+  std::string set_cell(scene::AnyObject& target, scene::ObjectId id, const scene::Field& field, const std::string& text,
+                       scene::Edit& edit) const;
   void refresh();
   void follow(const scene::SceneChange& change);
   [[nodiscard]] std::vector<std::size_t> wanted_rows() const;

@@ -97,8 +97,10 @@ std::size_t run_length(std::span<const ListChange> changes) {
     if (next.id.kind != last.id.kind || next.inserts() != last.inserts() || next.removes() != last.removes()) break;
     if (next.inserts() && next.id.index <= last.id.index) break;
     if (next.removes() && next.id.index >= last.id.index) break;
-    // The same object replaced twice: the second expects what the first leaves.
-    if (!next.inserts() && !next.removes() && next.id.index <= last.id.index) break;
+    // One way all through. The same object replaced twice: the second expects what the first leaves.
+    const bool replaces = !next.inserts() && !next.removes();
+    const bool upwards = changes[1].id.index > changes[0].id.index;
+    if (replaces && (next.id.index == last.id.index || (next.id.index > last.id.index) != upwards)) break;
   }
   return length;
 }

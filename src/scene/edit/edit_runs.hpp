@@ -25,8 +25,8 @@ struct ListChange {
 /// @throws std::logic_error for a change that neither takes nor gives an object
 [[nodiscard]] std::vector<ListChange> list_changes(const Edit& edit, bool forwards);
 
-/// How many of the first changes can be made to one list in one pass: replacements, removals in descending or
-/// insertions in ascending order.
+/// How many of the first changes can be made to one list in one pass: removals in descending or insertions in ascending
+/// order, replacements in either.
 [[nodiscard]] std::size_t run_length(std::span<const ListChange> changes);
 
 /// What a run of changes does to places in the list that it changes; those that are removed go. Ascending before and

@@ -75,6 +75,7 @@ class ListStory {
   void note_changed(std::span<const ListChange> run) {
     std::vector<ChangedObject> now;
     for (const ListChange& change : run) now.push_back(compared(change));
+    if (now.front().id > now.back().id) std::ranges::reverse(now);  // as an undo goes
     const auto middle = static_cast<std::ptrdiff_t>(changed_.size());
     changed_.insert(changed_.end(), now.begin(), now.end());
     std::ranges::inplace_merge(changed_, changed_.begin() + middle, {}, &ChangedObject::id);

@@ -304,6 +304,13 @@ std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_
   return {};
 }
 
+bool same_part(const FieldSpec& spec, const FieldValue& a, const FieldValue& b, std::size_t part) {
+  if (spec.type != FieldType::vector) return a == b;
+  core::Vec3 first = std::get<core::Vec3>(a);
+  core::Vec3 second = std::get<core::Vec3>(b);
+  return component(first, part) == component(second, part);
+}
+
 std::string set_value(const FieldSpec& spec, FieldValue& value, std::size_t part, std::string_view text,
                       const LetNames* names) {
   switch (spec.type) {

@@ -22,6 +22,9 @@ namespace sarsim::scene::field_forms {
 
 /// The value of one of `form_fields` as text.
 [[nodiscard]] std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_t part);
+/// Whether two values are equal in what a form shows of them: of vectors, one component. Quicker than their texts, and
+/// stricter: values that differ may have the same text.
+[[nodiscard]] bool same_part(const FieldSpec& spec, const FieldValue& a, const FieldValue& b, std::size_t part);
 
 /// Sets the value of one of `form_fields` from what was typed; says why not, and leaves it as it is, where it cannot.
 /// @param names  of [let], for numbers that are expressions; null: they may not be

@@ -62,7 +62,8 @@ class Form {
     const FieldValue first = field->get(objects.front());
     std::string text = form_text(field->spec, first, part);
     for (const Object& object : objects)
-      if (const FieldValue value = field->get(object); value != first && form_text(field->spec, value, part) != text)
+      if (const FieldValue value = field->get(object);
+          !same_part(field->spec, value, first, part) && form_text(field->spec, value, part) != text)
         return std::nullopt;
     return text;
   }
