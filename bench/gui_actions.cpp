@@ -93,6 +93,18 @@ void run(std::size_t targets) {
   cells->clearSelection();
   measure(targets, "sort off", [&] { cells->sortByColumn(-1, Qt::AscendingOrder); });
   window.findChild<QWidget*>("target_table_dialog")->hide();
+  std::vector<scene::ObjectId> odd;
+  for (std::size_t i = 1; i < targets; i += 2) odd.push_back({scene::ObjectKind::target, i});
+  measure(targets, "delete every other", [&] { session.perform(scene::remove_objects(session.scene(), odd)); });
+  measure(targets, "undo of it", [&] { session.undo(); });
+  measure(targets, "duplicate them", [&] { session.perform(scene::duplicate_objects(session.scene(), odd)); });
+  measure(targets, "undo of it", [&] { session.undo(); });
+  measure(targets, "rename their platform", [&] {
+    session.perform(scene::rename_object(session.scene(), {scene::ObjectKind::platform, 0}, "Ground"));
+  });
+  measure(targets, "undo of it", [&] { session.undo(); });
+  measure(targets, "hide them", [&] { session.set_hidden({all.begin(), all.end()}, true); });
+  measure(targets, "show them", [&] { session.set_hidden({all.begin(), all.end()}, false); });
   auto* script = window.findChild<QDockWidget*>("script_dock");
   measure(targets, "script tab", [&] { script->raise(); });
   auto* text = window.findChild<QPlainTextEdit*>("script_text");

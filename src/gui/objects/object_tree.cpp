@@ -18,6 +18,7 @@
 
 #include "gui/common/object_names.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/shown_selection.hpp"
 #include "gui/objects/object_tree_eye.hpp"
 #include "gui/objects/object_tree_model.hpp"
 #include "scene/edit/edit.hpp"
@@ -161,7 +162,7 @@ QItemSelection ObjectTree::rows_of(const std::set<scene::ObjectId>& objects) con
 // Somebody else selected something, or the tree has another shape.
 void ObjectTree::show_selection(bool reveal) {
   const QScopedValueRollback telling(showing_, true);
-  view_->selectionModel()->select(rows_of(session_.selection()), QItemSelectionModel::ClearAndSelect);
+  show_selected(*view_, rows_of(session_.selection()));
   if (!reveal || !session_.current()) return;
   const QModelIndex current = model_->index_of(*session_.current());
   if (!current.isValid()) return;

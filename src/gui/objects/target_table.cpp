@@ -20,6 +20,7 @@
 #include "gui/common/cell_delegate.hpp"
 #include "gui/common/help_button.hpp"
 #include "gui/common/problem_line.hpp"
+#include "gui/common/shown_selection.hpp"
 #include "gui/objects/import_dialog.hpp"
 #include "gui/objects/target_table_model.hpp"
 #include "scene/edit/edit.hpp"
@@ -191,7 +192,7 @@ void TargetTable::show_selection() {
         QItemSelectionRange(model_->index(rows[i], 0), model_->index(rows[end - 1], model_->columnCount() - 1)));
     i = end;
   }
-  view_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  show_selected(*view_, selection);
   if (!rows.empty()) view_->scrollTo(model_->index(rows.front(), 0));
 }
 
