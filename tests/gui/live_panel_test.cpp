@@ -144,6 +144,23 @@ class LivePanelTest : public QObject {
     QVERIFY(bench.panel->plot().figure() == now);
   }
 
+  void eachSceneHasAnImageOfItsOwnToCompareWith() {
+    Bench bench;
+    bench.panel->keep();
+    const auto kept = bench.panel->kept();
+    QVERIFY(kept != nullptr);
+    bench.main.documents().open_file(QStringLiteral(SARSIM_SOURCE_DIR "/examples/thesis_chapter3.toml"));
+    QVERIFY(bench.panel->kept() == nullptr);
+    QVERIFY(!bench.part<QComboBox>("live_compare").isEnabled());
+    bench.main.session().turn_to(0);
+    QVERIFY(bench.panel->kept() == kept);
+    bench.wait();
+    QVERIFY(bench.part<QComboBox>("live_compare").isEnabled());
+    bench.main.session().turn_to(1);
+    bench.main.session().close(0);
+    QVERIFY(bench.panel->kept() == nullptr);
+  }
+
   void choicesTakeEffectAtOnce() {
     Bench bench;
     const auto sharp = bench.panel->image();

@@ -119,10 +119,11 @@ LivePanel::LivePanel(Session& session, ImageViewers& viewers, QWidget* parent)
     show_image();
   });
   connect(&session_, &Session::scene_changed, this, [this](const scene::SceneChange& change) {
-    if (change.everything) kept_.reset();
+    if (change.everything) take_kept();
     show_simulations();
     compute_soon();
   });
+  connect(&session_, &Session::document_closed, this, [this](int number) { kept_of_.erase(number); });
   connect(&job_, &BackgroundJob::ended, this, &LivePanel::take_end);
   show_simulations();
   show_choices();
@@ -438,9 +439,16 @@ void LivePanel::show_state() {
   state_->say(text);
 }
 
+// Each scene has its own.
+void LivePanel::take_kept() {
+  const auto found = kept_of_.find(session_.number());
+  kept_ = found == kept_of_.end() ? nullptr : found->second;
+  compare_->setEnabled(kept_ != nullptr);
+}
+
 void LivePanel::keep() {
   if (!image_) return;
-  kept_ = image_;
+  kept_ = kept_of_[session_.number()] = image_;
   show_image();
 }
 

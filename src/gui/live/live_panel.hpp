@@ -5,6 +5,7 @@
 #include <QWidget>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -85,6 +86,7 @@ class LivePanel : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void take_kept();
   void make_choices();
   void make_options();
   void make_pictures();
@@ -128,8 +130,9 @@ class LivePanel : public QWidget {
   bool before_is_seen_ = false;  // while blinking
   bool complete_ = false;
   std::shared_ptr<const picture::LiveImage> image_;
-  std::shared_ptr<const picture::LiveImage> kept_;
-  std::shared_ptr<QTemporaryDir> folder_;  // of what is made for a viewer
+  std::shared_ptr<const picture::LiveImage> kept_;                    // of the scene at hand
+  std::map<int, std::shared_ptr<const picture::LiveImage>> kept_of_;  // by the number of the document
+  std::shared_ptr<QTemporaryDir> folder_;                             // of what is made for a viewer
   QString made_file_;
   std::mutex lock_;                           // of `latest_`
   std::optional<picture::LiveEvent> latest_;  // from the thread that computes
