@@ -112,7 +112,7 @@ class FigurePlotTest : public QObject {
     plot.set_figure(four_cells());
     const QCPAxisRect* rect = plot.panel(0);
     QCOMPARE(rect->axis(QCPAxis::atBottom)->label(), QString("Slant range (km)"));
-    QCOMPARE(rect->axis(QCPAxis::atTop)->label(), QString("Delay (us)"));
+    QCOMPARE(rect->axis(QCPAxis::atTop)->label(), QString("Delay (µs)"));
     QCOMPARE(rect->axis(QCPAxis::atLeft)->label(), QString("Time (s)"));
   }
 

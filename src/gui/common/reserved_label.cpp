@@ -1,6 +1,7 @@
 #include "gui/common/reserved_label.hpp"
 
 #include <QEvent>
+#include <QPainter>
 
 namespace sarsim::gui {
 
@@ -18,7 +19,26 @@ void ReservedLabel::say(const QString& words) {
   setToolTip(words);
 }
 
-void ReservedLabel::reserve() { setFixedHeight(lines_ * fontMetrics().lineSpacing() + 2); }
+// Whole lines, as high as a label of so many is.
+void ReservedLabel::reserve() {
+  QLabel sample;
+  sample.setFont(font());
+  sample.setText(QStringList(lines_, QStringLiteral("X")).join('\n'));
+  setFixedHeight(sample.sizeHint().height());
+}
+
+// Words that go on are marked as such.
+void ReservedLabel::paintEvent(QPaintEvent* event) {
+  QLabel::paintEvent(event);
+  if (text().isEmpty() || heightForWidth(width()) <= height()) return;
+  QPainter painter(this);
+  const QString more = QStringLiteral(" …");
+  const int line = fontMetrics().height();
+  const QRect corner(width() - fontMetrics().horizontalAdvance(more), height() - line, width(), line);
+  painter.fillRect(corner, palette().color(backgroundRole()));
+  painter.setPen(palette().color(foregroundRole()));
+  painter.drawText(corner, Qt::AlignLeft | Qt::AlignVCenter, more);
+}
 
 void ReservedLabel::changeEvent(QEvent* event) {
   QLabel::changeEvent(event);

@@ -5,7 +5,7 @@
 namespace sarsim::gui {
 
 /// Words below or beside a picture whose room stays the same whatever they say, so that the picture does not move under
-/// the pointer. Words that need more lines are cut; the tool tip has all of them.
+/// the pointer. Words that need more lines end in an ellipsis; the tool tip has all of them.
 class ReservedLabel : public QLabel {
   Q_OBJECT
 
@@ -18,6 +18,7 @@ class ReservedLabel : public QLabel {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void reserve();

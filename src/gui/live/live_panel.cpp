@@ -247,7 +247,7 @@ void LivePanel::make_foot() {
   use->setMenu(menu);
   use->setPopupMode(QToolButton::InstantPopup);
   row->addWidget(use);
-  state_ = steady_label(this, "live_state", 1);
+  state_ = steady_label(this, "live_state", 2);
   auto* const column = static_cast<QVBoxLayout*>(layout());
   column->addWidget(state_);
   column->addLayout(row);

@@ -160,7 +160,7 @@ TEST(PlotAxes, MarkRangeDelayAndTimeWhereTheyLie) {
   const PlotSize size{600, 401};
   const PlotAxes axes = plot_axes(view, size, 3e8, 60.0);
   EXPECT_EQ(axes.range.title, "Slant range (km)");
-  EXPECT_EQ(axes.delay.title, "Delay (us)");
+  EXPECT_EQ(axes.delay.title, "Delay (µs)");
   EXPECT_EQ(axes.time.title, "Azimuth (ms)");
   ASSERT_GE(axes.range.marks.size(), 4U);
   EXPECT_NEAR(axes.range.marks[1].px, (std::stod(axes.range.marks[1].label) * 1e3 - 3000.0) / 5.0, 1e-6);

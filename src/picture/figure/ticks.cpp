@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -26,7 +27,7 @@ struct Prefix {
 
 Prefix prefix_of(double magnitude) {
   constexpr std::array<Prefix, 8> prefixes{
-      {{1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}}};
+      {{1e12, "T"}, {1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "µ"}, {1e-9, "n"}}};
   for (const Prefix& prefix : prefixes)
     if (magnitude >= prefix.scale * (1.0 - 1e-9)) return prefix;
   return magnitude > 0.0 ? Prefix{1e-12, "p"} : Prefix{1.0, ""};
@@ -50,7 +51,36 @@ std::string label_of(double shown, int decimals) {
   if (decimals > 15) return fmt::format("{:g}", shown);
   std::string label = fmt::format("{:.{}f}", shown, std::max(0, decimals));
   const bool zero = label.find_first_not_of("-0.") == std::string::npos;
-  return zero ? "0" : label;
+  if (zero) return "0";
+  return label.front() == '-' ? "−" + label.substr(1) : label;
+}
+
+// Marks at so many of the unit, from the lowest to the highest.
+std::vector<Tick> ticks_at(const Step& step, double low, double high, double scale) {
+  std::vector<Tick> ticks;
+  const double start = std::ceil(low / step.value - 1e-9);
+  const double count = std::floor(high / step.value + 1e-9) - start;
+  for (int i = 0; i <= count && i <= most_ticks; ++i) {
+    const double shown = (start + i) * step.value;
+    ticks.push_back({shown * scale + 0.0, label_of(shown, -step.exponent)});
+  }
+  return ticks;
+}
+
+// Where one mark alone would say nothing of a scale, short labels may stand nearer together.
+struct Narrower {
+  double share;  // of the spacing
+  std::size_t most_letters;
+};
+constexpr std::array<Narrower, 3> spacings{{{1.0, 1000}, {0.6, 6}, {0.4, 4}}};
+
+std::size_t longest_label(const std::vector<Tick>& ticks) {
+  std::size_t longest = 0;
+  for (const Tick& tick : ticks) {
+    const auto letters = std::ranges::count_if(tick.label, [](char c) { return (c & 0xC0) != 0x80; });
+    longest = std::max(longest, static_cast<std::size_t>(letters));
+  }
+  return longest;
 }
 
 }  // namespace
@@ -66,17 +96,16 @@ Ticks axis_ticks(double first, double last, double length_px, double spacing_px,
     ticks.unit = prefix.text + unit;
   }
   const double span = std::abs(last - first);
-  const double room = std::clamp(length_px / std::max(spacing_px, 1.0), 1.0, static_cast<double>(most_ticks));
   // Nearer together than numbers can be told apart there is no axis.
   if (!(span > 1e-13 * largest) || !std::isfinite(span) || !(length_px > 0.0)) return ticks;
-  const Step step = step_above(span / room / ticks.scale);
   const double low = std::min(first, last) / ticks.scale;
   const double high = std::max(first, last) / ticks.scale;
-  const double start = std::ceil(low / step.value - 1e-9);
-  const double count = std::floor(high / step.value + 1e-9) - start;
-  for (int i = 0; i <= count && i <= most_ticks; ++i) {
-    const double shown = (start + i) * step.value;
-    ticks.ticks.push_back({shown * ticks.scale + 0.0, label_of(shown, -step.exponent)});
+  for (const Narrower& one : spacings) {
+    const double room =
+        std::clamp(length_px / std::max(one.share * spacing_px, 1.0), 1.0, static_cast<double>(most_ticks));
+    std::vector<Tick> marks = ticks_at(step_above(span / room / ticks.scale), low, high, ticks.scale);
+    if (one.share == 1.0 || longest_label(marks) <= one.most_letters) ticks.ticks = std::move(marks);
+    if (ticks.ticks.size() > 1) break;
   }
   if (first > last) std::ranges::reverse(ticks.ticks);
   return ticks;

@@ -12,11 +12,12 @@ struct Tick {
 };
 
 /// Marks of an axis from `first` to `last` (either order): multiples of 1, 2 or 5 times a power of ten, as many as fit
-/// `length_px` at `spacing_px` each, in the order from `first` to `last`. Units of decibels, degrees, percent, square
-/// metres and kelvins, and no unit at all, take no prefix. No marks for an empty or infinite span.
+/// `length_px` at `spacing_px` each, in the order from `first` to `last`; where that would be one mark alone, short
+/// labels stand nearer together. Units of decibels, degrees, percent, square metres and kelvins, and no unit at all,
+/// take no prefix. No marks for an empty or infinite span.
 struct Ticks {
   std::vector<Tick> ticks;
-  std::string unit;    ///< With its prefix, common to all labels: "km".
+  std::string unit;    ///< With its prefix, common to all labels: "km", "µs".
   double scale = 1.0;  ///< What values are divided by for the labels.
 };
 [[nodiscard]] Ticks axis_ticks(double first, double last, double length_px, double spacing_px, const std::string& unit);
