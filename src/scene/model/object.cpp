@@ -1,5 +1,7 @@
 #include "scene/model/object.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
@@ -10,8 +12,14 @@ namespace sarsim::scene {
 
 namespace {
 
+// What rounding leaves of a place given by latitude is none.
+double without_dust(double coordinate_m) {
+  constexpr double dust_m = 1e-8;
+  return std::abs(coordinate_m) < dust_m ? 0.0 : coordinate_m;
+}
+
 std::string position_text(const core::Vec3& at_m) {
-  return fmt::format(" ({:.6g}, {:.6g}, {:.6g}) m", at_m.x, at_m.y, at_m.z);
+  return fmt::format(" ({:.6g}, {:.6g}, {:.6g}) m", without_dust(at_m.x), without_dust(at_m.y), without_dust(at_m.z));
 }
 
 }  // namespace

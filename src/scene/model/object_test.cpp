@@ -54,6 +54,8 @@ TEST(Object, IsCalledByItsNameItsPlaceOrItsFile) {
   Scene scene = harbour();
   EXPECT_EQ(label_of(scene, {ObjectKind::platform, 1}), "Ship");
   EXPECT_EQ(label_of(scene, {ObjectKind::target, 2}), "Target 3 (1, -2.5, 1e+07) m");
+  scene.targets[2].position_m = {-2.8e-10, 3.0, -0.0};
+  EXPECT_EQ(label_of(scene, {ObjectKind::target, 2}), "Target 3 (0, 3, 0) m");
   EXPECT_EQ(label_of(scene, {ObjectKind::surface, 0}), "Surface 1");
   EXPECT_EQ(label_of(scene, {ObjectKind::radar, 0}), "Radar1");
   EXPECT_EQ(label_of(scene, {ObjectKind::simulation, 0}), "sim1.bin");
