@@ -161,6 +161,25 @@ class LivePanelTest : public QObject {
     QVERIFY(bench.panel->kept() == nullptr);
   }
 
+  void ringsMarkWhereTargetsShouldBe() {
+    Bench bench;
+    const auto rings = [&] { return bench.panel->plot().figure().panels.at(0).marks; };
+    QVERIFY(rings().empty());
+    auto& wanted = bench.part<QCheckBox>("live_targets");
+    wanted.click();
+    bench.wait();
+    QCOMPARE(rings().size(), std::size_t{24});
+    QVERIFY(rings()[4].ring);
+    const double before_m = rings()[4].y;
+    bench.move_target(4, 60.0);
+    bench.wait();
+    QCOMPARE(rings().size(), std::size_t{24});
+    QVERIFY2(std::abs(rings()[4].y - before_m) > 20.0, qPrintable(QString::number(rings()[4].y - before_m)));
+    wanted.click();
+    bench.wait();
+    QVERIFY(rings().empty());
+  }
+
   void choicesTakeEffectAtOnce() {
     Bench bench;
     const auto sharp = bench.panel->image();

@@ -270,7 +270,24 @@ void FigurePlot::add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve)
   drawn->setName(QString::fromStdString(curve.name));
 }
 
+// Light on dark, so that it is seen on any colour.
+void FigurePlot::add_ring(QCPAxisRect* rect, const picture::FigureMark& mark) {
+  for (const auto& [colour, width] : {std::pair{Qt::black, 3.0}, std::pair{Qt::white, 1.3}}) {
+    auto* const ring = new QCPItemTracer(this);
+    ring->position->setType(QCPItemPosition::ptPlotCoords);
+    ring->position->setAxisRect(rect);
+    ring->position->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
+    ring->position->setCoords(mark.x, mark.y);
+    ring->setStyle(QCPItemTracer::tsCircle);
+    ring->setSize(16.0);
+    ring->setPen(QPen(QColor(colour), width));
+    ring->setClipAxisRect(rect);
+    ring->setClipToAxisRect(true);
+  }
+}
+
 void FigurePlot::add_mark(QCPAxisRect* rect, const picture::FigureMark& mark) {
+  if (mark.ring) return add_ring(rect, mark);
   auto* const cross = new QCPItemTracer(this);
   auto* const words = new QCPItemText(this);
   for (QCPItemPosition* place : {cross->position, words->position}) {

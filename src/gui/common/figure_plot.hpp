@@ -52,6 +52,7 @@ class FigurePlot : public QCustomPlot {
   void add_image(QCPAxisRect* rect, const picture::FigureImage& image);
   void add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve);
   void add_mark(QCPAxisRect* rect, const picture::FigureMark& mark);
+  void add_ring(QCPAxisRect* rect, const picture::FigureMark& mark);
   void add_legend(QCPAxisRect* rect, const picture::FigurePanel& panel);
   void add_colour_bar(int row, QCPAxisRect* rect, const picture::FigureColourBar& bar);
   void dress(QCPAxis* axis);

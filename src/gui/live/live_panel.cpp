@@ -170,6 +170,8 @@ void LivePanel::make_options() {
   compensation_->setChecked(true);
   autofocus_ = named(new QCheckBox(tr("Autofocus"), options_), "live_autofocus", tr("Autofocus"),
                      tr("Removes phase errors that are left, found in the image itself"));
+  targets_ = named(new QCheckBox(tr("Rings around targets"), options_), "live_targets", tr("Rings around targets"),
+                   tr("Where the targets of the scene should be in the image, of 500 at most"));
   colours_ = narrow_list(options_, "live_colours", tr("Colours"), tr("Colours of the image"));
   for (const picture::ColourMap map : maps) colours_->addItem(text_of(picture::info_of(map).title));
   span_ = named(new QSpinBox(options_), "live_span", tr("Decibels shown"), tr("Shown below the largest magnitude"));
@@ -190,11 +192,13 @@ void LivePanel::make_options() {
   add_titled(tr("&Decibels shown"), span_, 2, 1);
   grid->addWidget(compensation_, 4, 0);
   grid->addWidget(autofocus_, 4, 1);
+  grid->addWidget(targets_, 5, 0, 1, 2);
   static_cast<QVBoxLayout*>(layout())->addWidget(options_);
   options_->hide();
   connect(more_, &QToolButton::toggled, options_, &QWidget::setVisible);
   for (QComboBox* list : {algorithm_, window_}) connect(list, &QComboBox::activated, this, &LivePanel::compute_soon);
-  for (QCheckBox* box : {compensation_, autofocus_}) connect(box, &QCheckBox::toggled, this, &LivePanel::compute_soon);
+  for (QCheckBox* box : {compensation_, autofocus_, targets_})
+    connect(box, &QCheckBox::toggled, this, &LivePanel::compute_soon);
   connect(colours_, &QComboBox::activated, this, &LivePanel::show_image);
   connect(span_, &QSpinBox::valueChanged, this, &LivePanel::show_image);
 }
@@ -283,7 +287,7 @@ void LivePanel::show_choices() {
   picture::LiveProduct product = picture::live_products.at(static_cast<std::size_t>(product_->currentIndex()));
   if (product == picture::LiveProduct::automatic && simulation < session_.scene().simulations.size())
     product = picture::suitable_product(session_.scene(), simulation);
-  for (QWidget* widget : std::initializer_list<QWidget*>{algorithm_, compensation_, autofocus_})
+  for (QWidget* widget : std::initializer_list<QWidget*>{algorithm_, compensation_, autofocus_, targets_})
     widget->setEnabled(product == picture::LiveProduct::focused);
 }
 
@@ -296,6 +300,7 @@ picture::LiveRequest LivePanel::request() const {
   request.options.window = signal::window_from_text(window_->currentText().toStdString()).value_or(signal::SarWindow{});
   request.options.compensation = compensation_->isChecked();
   request.options.autofocus = autofocus_->isChecked();
+  request.options.targets = targets_->isChecked();
   request.size = pixels_of(*plot_);
   return request;
 }
@@ -374,6 +379,7 @@ void LivePanel::show_event() {
   } else {
     image_ = event.image;
   }
+  if (event.kind != picture::LiveEvent::Kind::image) rings_ = image_ ? image_->targets : decltype(rings_)();
   complete_ = newest && event.kind != picture::LiveEvent::Kind::image;
   show_image();
   if (event.kind == picture::LiveEvent::Kind::failed)
@@ -412,7 +418,10 @@ void LivePanel::show_image() {
   const float reference_v = how == Compare::off ? image_->largest_v : std::max(image_->largest_v, kept_->largest_v);
   const auto figure_of = [&](const picture::LiveImage& image) {
     return [&](const picture::PlotSize& size) {
-      return picture::live_figure(picture::reduced(image, size), look(), reference_v);
+      picture::LiveImage small = picture::reduced(image, size);
+      // Rings stay until the whole image has new ones.
+      if (small.targets.empty() && &image == image_.get()) small.targets = rings_;
+      return picture::live_figure(small, look(), reference_v);
     };
   };
   if (both) draw(*before_, figure_of(*kept_));
@@ -443,6 +452,7 @@ void LivePanel::show_state() {
 void LivePanel::take_kept() {
   const auto found = kept_of_.find(session_.number());
   kept_ = found == kept_of_.end() ? nullptr : found->second;
+  rings_.clear();
   compare_->setEnabled(kept_ != nullptr);
 }
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <vector>
 
 #include "gui/common/background_job.hpp"
 #include "gui/common/session.hpp"
@@ -113,6 +114,7 @@ class LivePanel : public QWidget {
   QComboBox* algorithm_ = nullptr;
   QComboBox* window_ = nullptr;
   QCheckBox* compensation_ = nullptr;
+  QCheckBox* targets_ = nullptr;
   QCheckBox* autofocus_ = nullptr;
   QComboBox* colours_ = nullptr;
   QSpinBox* span_ = nullptr;
@@ -130,6 +132,7 @@ class LivePanel : public QWidget {
   bool before_is_seen_ = false;  // while blinking
   bool complete_ = false;
   std::shared_ptr<const picture::LiveImage> image_;
+  std::vector<picture::LiveImage::TargetPlace> rings_;                // of the last whole image
   std::shared_ptr<const picture::LiveImage> kept_;                    // of the scene at hand
   std::map<int, std::shared_ptr<const picture::LiveImage>> kept_of_;  // by the number of the document
   std::shared_ptr<QTemporaryDir> folder_;                             // of what is made for a viewer

@@ -68,11 +68,12 @@ struct FigureColourBar {
   friend bool operator==(const FigureColourBar&, const FigureColourBar&) = default;
 };
 
-/// A mark on the picture: a cross with words beside it.
+/// A mark on the picture: a cross with words beside it, or a ring around a place.
 struct FigureMark {
   double x = 0.0;
   double y = 0.0;
   std::string text;
+  bool ring = false;
 
   friend bool operator==(const FigureMark&, const FigureMark&) = default;
 };

@@ -22,6 +22,8 @@ namespace {
 // A scene of more has a coarse picture of some of them.
 constexpr std::size_t many_targets = 4096;
 constexpr std::size_t coarse_targets = 128;
+// More rings would hide the image.
+constexpr std::size_t most_ringed = 500;
 // Back projection of more samples times pulses has one by omega-k before it.
 constexpr double quick_projections = 2e8;
 
@@ -190,6 +192,9 @@ struct LiveEngine::Focusing {
     FocusedPixels pixels = focused(*last, making);
     pixels.image.cost.echoes = held.take_echoes();
     making.coarse(pixels.image);
+    if (request.options.targets && request.scene->targets.size() <= most_ringed)
+      for (const workflow::TargetTheory& target : workflow::targets_on_image(pixels.begun, pixels.axes, making.control))
+        pixels.image.targets.push_back({target.place.range_m, target.place.azimuth_m});
     std::ranges::move(
         workflow::remarks_on_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control),
         std::back_inserter(pixels.image.problems));

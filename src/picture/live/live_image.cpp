@@ -149,6 +149,8 @@ Figure live_figure(const LiveImage& image, const LiveLook& look, float reference
     figure.panels.push_back(curve_of(image, values, look.span_db));
   else
     figure.panels.push_back(panel_of(image, values, {-look.span_db, 0.0}, colour_table(look.map)));
+  for (const LiveImage::TargetPlace& place : image.targets)
+    figure.panels.front().marks.push_back({place.column, place.row, {}, true});
   return figure;
 }
 

@@ -43,6 +43,13 @@ struct LiveImage {
   std::string made;      ///< "omega-k, 1240 pulses".
   bool coarse = false;   ///< A better one follows.
   std::string coarsely;  ///< Why it is coarse: "256 of 100000 targets".
+  /// Where the targets of the scene should be.
+  struct TargetPlace {
+    double column = 0.0;  ///< In the unit of `columns`.
+    double row = 0.0;     ///< In that of `rows`.
+    friend bool operator==(const TargetPlace&, const TargetPlace&) = default;
+  };
+  std::vector<TargetPlace> targets;  ///< Where they are wanted, of a whole image; of many targets none.
   LiveCost cost;
   core::Problems problems;  ///< Warnings and notes about the image.
 };

@@ -38,6 +38,7 @@ struct LiveOptions {
   signal::SarWindow window{};  ///< Of range and azimuth, the band, or the pulses.
   bool compensation = true;    ///< Motion is compensated where the track needs it; of focused images.
   bool autofocus = false;      ///< Of focused images.
+  bool targets = false;        ///< Where the scene has its targets is wanted too; of focused images.
 
   friend bool operator==(const LiveOptions&, const LiveOptions&) = default;
 };

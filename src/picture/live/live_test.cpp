@@ -166,6 +166,48 @@ TEST(LiveEngineTest, FocusedImageIsThatOfFocus) {
   EXPECT_EQ(peaks(image), 24U);
 }
 
+// Largest magnitude within some pixels of a place.
+float largest_near(const LiveImage& image, const LiveImage::TargetPlace& place, int pixels) {
+  const auto pixel_of = [](const LiveAxis& axis, double at) {
+    return static_cast<int>(std::floor((at - axis.first) / (axis.last - axis.first) * static_cast<double>(axis.count)));
+  };
+  float largest = 0.0F;
+  for (int dy = -pixels; dy <= pixels; ++dy)
+    for (int dx = -pixels; dx <= pixels; ++dx) {
+      const int r = pixel_of(image.rows, place.row) + dy;
+      const int k = pixel_of(image.columns, place.column) + dx;
+      if (r < 0 || k < 0 || r >= static_cast<int>(image.rows.count) || k >= static_cast<int>(image.columns.count))
+        continue;
+      const std::size_t at = static_cast<std::size_t>(r) * image.columns.count + static_cast<std::size_t>(k);
+      largest = std::max(largest, image.magnitude_v[at]);
+    }
+  return largest;
+}
+
+TEST(LiveEngineTest, TellsWhereTargetsShouldBe) {
+  EXPECT_TRUE(made(example("sar_r.toml")).targets.empty());
+  LiveOptions options;
+  options.targets = true;
+  for (const char* name : {"sar_r.toml", "stripmap_motion.toml"}) {
+    const scene::Scene scene = example(name);
+    const LiveImage image = made(scene, options);
+    ASSERT_EQ(image.targets.size(), scene.targets.size()) << name;
+    for (const LiveImage::TargetPlace& place : image.targets)
+      EXPECT_GT(largest_near(image, place, 1), 0.3F * image.largest_v)
+          << name << " " << place.column << " " << place.row;
+    // A place beside them holds less.
+    const LiveImage::TargetPlace beside{image.targets[0].column + 15.0, image.targets[0].row + 25.0};
+    EXPECT_LT(largest_near(image, beside, 1), 0.2F * image.largest_v) << name;
+    const Figure figure = live_figure(image, {});
+    ASSERT_EQ(figure.panels.at(0).marks.size(), image.targets.size());
+    EXPECT_TRUE(figure.panels[0].marks[0].ring);
+    EXPECT_EQ(figure.panels[0].marks[0].x, image.targets[0].column);
+  }
+  scene::Scene many = example("sar_r.toml");
+  many.targets.resize(501, many.targets.front());
+  EXPECT_TRUE(made(many, options).targets.empty());
+}
+
 TEST(LiveEngineTest, SearchPictureIsThatOfSearch) {
   const LiveImage image = made(example("search_radar.toml"));
   workflow::SearchRequest request;

@@ -75,6 +75,12 @@ enum class FocusRemarks {
 [[nodiscard]] FocusReport end_focus(FocusWork& work, const core::Observer& observer,
                                     FocusRemarks remarks = FocusRemarks::first);
 
+/// Where theory has targets in an image in slant range: those that it has echoes of. None in an image on the ground.
+/// @param begun  as `begin_focus` gave it
+/// @param image  of it
+[[nodiscard]] std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal::FocusedImage& image,
+                                                         const core::WorkControl& control);
+
 /// What `end_focus` would have said first.
 /// @param begun  as `begin_focus` gave it
 /// @param ended  as `end_focus` left it

@@ -152,9 +152,7 @@ std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusIn
   const signal::StraightTrack track = signal::fit_straight(echoes.track);
   const signal::ImageFrame& frame = opened.image.frame;
   if (frame.plane == signal::ImagePlane::slant_range) {
-    // Compensated pulses lie elsewhere along the line, and so does the image's origin.
-    for (TargetTheory& theory : theories)
-      theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
+    lay_in_slant_range(theories, track, frame);
     return theories;
   }
   const signal::ImageFrame slant{.plane = signal::ImagePlane::slant_range,

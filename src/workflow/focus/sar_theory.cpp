@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/maths/constants.hpp"
+#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_looks.hpp"
@@ -223,6 +224,13 @@ std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const si
     theories[t] = theory_of(looks, weights, echoes, options, range, t, seen);
   });
   return theories;
+}
+
+void lay_in_slant_range(std::vector<TargetTheory>& theories, const signal::StraightTrack& track,
+                        const signal::ImageFrame& frame) {
+  CORE_EXPECT(frame.plane == signal::ImagePlane::slant_range);
+  for (TargetTheory& theory : theories)
+    theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
 }
 
 }  // namespace sarsim::workflow

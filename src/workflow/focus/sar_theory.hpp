@@ -6,6 +6,7 @@
 
 #include "signal/measure/response.hpp"
 #include "signal/sar/focusing.hpp"
+#include "signal/sar/sar_track.hpp"
 #include "simulate/plan/plan.hpp"
 
 namespace sarsim::workflow {
@@ -38,5 +39,10 @@ struct TargetTheory {
 [[nodiscard]] std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                                           const signal::FocusOptions& options, bool time_domain = false,
                                                           const core::WorkControl& control = {});
+
+/// Moves places from the coordinates of a track to those of an image in slant range, whose origin lies elsewhere along
+/// the line where pulses were compensated.
+void lay_in_slant_range(std::vector<TargetTheory>& theories, const signal::StraightTrack& track,
+                        const signal::ImageFrame& frame);
 
 }  // namespace sarsim::workflow
