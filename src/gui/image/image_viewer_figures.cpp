@@ -228,7 +228,8 @@ void ImageViewer::press_cut(const FigurePlot* cut, double place) {
       SamplePlace{(view.column_first + view.column_last) / 2.0, (view.row_first + view.row_last) / 2.0});
   const raster::FocusedPlaces places = plot_->shown_places();
   const auto number = [place](const raster::ImagePlaces& axis, std::size_t count) {
-    return std::clamp(std::round((place - axis.first) / axis.step), 0.0, static_cast<double>(count - 1));
+    const double nearest = std::round((place - axis.first) / axis.step);
+    return std::isfinite(nearest) ? std::clamp(nearest, 0.0, static_cast<double>(count - 1)) : 0.0;
   };
   if (cut == row_cut_)
     at.column = number(places.range, source_->columns());

@@ -205,16 +205,16 @@ void ImportDialog::read_file() {
 }
 
 void ImportDialog::show_table() {
-  const bool nothing = read_ == nullptr;
+  const bool reading = read_ == nullptr;
   const Table none;
-  const Table& table = nothing ? none : *read_;
+  const Table& table = reading ? none : *read_;
   preview_->setPlainText(first_lines(table.text));
   bad_lines_->clear();
   for (const core::Problem& problem : table.import.problems)
     bad_lines_->addItem(tr("Line %1: %2").arg(problem.place.line).arg(problem_text(problem)));
   bad_lines_->setVisible(bad_lines_->count() > 0);
   const std::size_t count = table.import.targets.size();
-  if (nothing)
+  if (reading)
     summary_->setText(tr("Reading …"));
   else if (!table.failure.isEmpty())
     summary_->setText(tr("Error: %1").arg(table.failure));
@@ -227,7 +227,7 @@ void ImportDialog::show_table() {
                       (bad_lines_->count() == 1 ? tr("; 1 line is left out:")
                                                 : tr("; %1 lines are left out:").arg(bad_lines_->count())));
   QPushButton* add = buttons_->button(QDialogButtonBox::Ok);
-  add->setText(nothing ? tr("&Add") : count == 1 ? tr("&Add 1 target") : tr("&Add %1 targets").arg(count));
+  add->setText(reading ? tr("&Add") : count == 1 ? tr("&Add 1 target") : tr("&Add %1 targets").arg(count));
   add->setEnabled(count > 0);
 }
 

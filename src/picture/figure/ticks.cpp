@@ -48,8 +48,8 @@ Step step_above(double value) {
 }
 
 std::string label_of(double shown, int decimals) {
-  if (decimals > 15) return fmt::format("{:g}", shown);
-  std::string label = fmt::format("{:.{}f}", shown, std::max(0, decimals));
+  const std::string label =
+      decimals > 15 ? fmt::format("{:g}", shown) : fmt::format("{:.{}f}", shown, std::max(0, decimals));
   const bool zero = label.find_first_not_of("-0.") == std::string::npos;
   if (zero) return "0";
   return label.front() == '-' ? "−" + label.substr(1) : label;
@@ -87,7 +87,7 @@ std::size_t longest_label(const std::vector<Tick>& ticks) {
 
 Ticks axis_ticks(double first, double last, double length_px, double spacing_px, const std::string& unit) {
   Ticks ticks;
-  ticks.unit = unit;
+  ticks.unit = unit == "m2" ? "m²" : unit;
   if (!std::isfinite(first) || !std::isfinite(last)) return ticks;
   const double largest = std::max(std::abs(first), std::abs(last));
   if (takes_prefix(unit)) {

@@ -49,6 +49,7 @@ TEST(Ticks, DecibelsAndDegreesTakeNoPrefix) {
   EXPECT_EQ(axis_ticks(0.0, 5e6, 300.0, 50.0, "").scale, 1.0);
   EXPECT_EQ(axis_ticks(0.0, 5e6, 300.0, 50.0, "Hz").unit, "MHz");
   EXPECT_EQ(axis_ticks(0.0, 3e-6, 300.0, 50.0, "s").unit, "µs");
+  EXPECT_EQ(axis_ticks(0.0, 3e-6, 300.0, 50.0, "m2").unit, "m²");
 }
 
 TEST(Ticks, AnEmptyOrInfiniteSpanHasNone) {
