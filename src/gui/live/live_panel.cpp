@@ -170,8 +170,9 @@ void LivePanel::make_options() {
   compensation_->setChecked(true);
   autofocus_ = named(new QCheckBox(tr("Autofocus"), options_), "live_autofocus", tr("Autofocus"),
                      tr("Removes phase errors that are left, found in the image itself"));
-  targets_ = named(new QCheckBox(tr("Rings around targets"), options_), "live_targets", tr("Rings around targets"),
-                   tr("Where the targets of the scene should be in the image, of 500 at most"));
+  targets_ = named(
+      new QCheckBox(tr("Rings around targets"), options_), "live_targets", tr("Rings around targets"),
+      tr("Where the targets of the scene should be in the image, of %1 at most").arg(picture::most_ringed_targets));
   colours_ = narrow_list(options_, "live_colours", tr("Colours"), tr("Colours of the image"));
   for (const picture::ColourMap map : maps) colours_->addItem(text_of(picture::info_of(map).title));
   span_ = named(new QSpinBox(options_), "live_span", tr("Decibels shown"), tr("Shown below the largest magnitude"));

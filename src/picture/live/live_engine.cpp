@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,8 +23,6 @@ namespace {
 // A scene of more has a coarse picture of some of them.
 constexpr std::size_t many_targets = 4096;
 constexpr std::size_t coarse_targets = 128;
-// More rings would hide the image.
-constexpr std::size_t most_ringed = 500;
 // Back projection of more samples times pulses has one by omega-k before it.
 constexpr double quick_projections = 2e8;
 
@@ -69,6 +68,19 @@ FocusedPixels focused(workflow::FocusWork begun, const Making& making) {
   pixels.image = pixels_of(report, pulses, making);
   pixels.axes = report.image.image;
   return pixels;
+}
+
+// Where the targets of the scene should be, or why that is not said.
+void add_targets(FocusedPixels& pixels, const Making& making) {
+  const std::size_t count = making.request.scene->targets.size();
+  if (count > most_ringed_targets) {
+    pixels.image.problems.push_back(core::problem_of(core::Severity::note, "there are too many targets for rings",
+                                                     std::to_string(count),
+                                                     fmt::format("at most {}", most_ringed_targets), {}));
+    return;
+  }
+  for (const workflow::TargetTheory& target : workflow::targets_on_image(pixels.begun, pixels.axes, making.control))
+    pixels.image.targets.push_back({target.place.range_m, target.place.azimuth_m});
 }
 
 workflow::FocusWork begun(workflow::FocusInput input, const LiveOptions& options, const Making& making) {
@@ -192,9 +204,7 @@ struct LiveEngine::Focusing {
     FocusedPixels pixels = focused(*last, making);
     pixels.image.cost.echoes = held.take_echoes();
     making.coarse(pixels.image);
-    if (request.options.targets && request.scene->targets.size() <= most_ringed)
-      for (const workflow::TargetTheory& target : workflow::targets_on_image(pixels.begun, pixels.axes, making.control))
-        pixels.image.targets.push_back({target.place.range_m, target.place.azimuth_m});
+    if (request.options.targets) add_targets(pixels, making);
     std::ranges::move(
         workflow::remarks_on_image(std::move(pixels.begun), std::move(pixels.ended), pixels.axes, making.control),
         std::back_inserter(pixels.image.problems));

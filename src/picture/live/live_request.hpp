@@ -38,10 +38,14 @@ struct LiveOptions {
   signal::SarWindow window{};  ///< Of range and azimuth, the band, or the pulses.
   bool compensation = true;    ///< Motion is compensated where the track needs it; of focused images.
   bool autofocus = false;      ///< Of focused images.
-  bool targets = false;        ///< Where the scene has its targets is wanted too; of focused images.
+  bool targets = false;        ///< Where the scene has its targets is wanted too; of focused images, and of
+                               ///< `most_ringed_targets` at most.
 
   friend bool operator==(const LiveOptions&, const LiveOptions&) = default;
 };
+
+/// More rings around targets would hide the image.
+inline constexpr std::size_t most_ringed_targets = 500;
 
 /// An image that is wanted.
 struct LiveRequest {

@@ -203,9 +203,19 @@ TEST(LiveEngineTest, TellsWhereTargetsShouldBe) {
     EXPECT_TRUE(figure.panels[0].marks[0].ring);
     EXPECT_EQ(figure.panels[0].marks[0].x, image.targets[0].column);
   }
+  options.algorithm = workflow::FocusAlgorithm::back_projection;  // on its own grid
+  const LiveImage projected = made(example("sar_r.toml"), options);
+  ASSERT_EQ(projected.targets.size(), 24U);
+  for (const LiveImage::TargetPlace& place : projected.targets)
+    EXPECT_GT(largest_near(projected, place, 2), 0.3F * projected.largest_v) << place.column << " " << place.row;
+  options.algorithm = workflow::FocusAlgorithm::automatic;
   scene::Scene many = example("sar_r.toml");
-  many.targets.resize(501, many.targets.front());
-  EXPECT_TRUE(made(many, options).targets.empty());
+  many.targets.resize(most_ringed_targets + 1, many.targets.front());
+  const LiveImage crowded = made(many, options);
+  EXPECT_TRUE(crowded.targets.empty());
+  EXPECT_TRUE(std::ranges::any_of(crowded.problems, [](const core::Problem& problem) {
+    return problem.message == "there are too many targets for rings" && problem.found == "501";
+  }));
 }
 
 TEST(LiveEngineTest, SearchPictureIsThatOfSearch) {

@@ -306,13 +306,9 @@ FocusWork begin_focus(FocusInput input, const FocusRequest& asked, const core::W
 
 std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal::FocusedImage& image,
                                            const core::WorkControl& control) {
-  if (image.frame.plane != signal::ImagePlane::slant_range) return {};
-  const bool time_domain = in_time(begun.request);
-  signal::EchoRows echoes = begun.input.echoes;
-  echoes.compensated = time_domain || begun.motion != MotionOrder::none;
-  std::vector<TargetTheory> theories =
-      theory_of_targets(*begun.input.plan, echoes, begun.options, time_domain, control);
-  lay_in_slant_range(theories, signal::fit_straight(echoes.track), image.frame);
+  std::vector<TargetTheory> theories = theory_on_image(
+      {*begun.input.plan, begun.input.echoes, begun.options, in_time(begun.request), begun.motion != MotionOrder::none},
+      image.frame, control);
   std::erase_if(theories, [](const TargetTheory& theory) { return !(theory.amplitude > 0.0); });
   return theories;
 }

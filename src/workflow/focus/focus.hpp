@@ -75,9 +75,10 @@ enum class FocusRemarks {
 [[nodiscard]] FocusReport end_focus(FocusWork& work, const core::Observer& observer,
                                     FocusRemarks remarks = FocusRemarks::first);
 
-/// Where theory has targets in an image in slant range: those that it has echoes of. None in an image on the ground.
+/// What theory says of the targets that it has echoes of, their places in metres as the image has them.
 /// @param begun  as `begin_focus` gave it
 /// @param image  of it
+/// @throw  Interrupted
 [[nodiscard]] std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal::FocusedImage& image,
                                                          const core::WorkControl& control);
 

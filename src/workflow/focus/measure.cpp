@@ -16,7 +16,6 @@
 #include "raster/format/open_raster.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/measure/noise_floor.hpp"
-#include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/movers.hpp"
@@ -125,43 +124,12 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
   return search_m;
 }
 
-// On a ground grid ranges are as far apart as the ground is seen flat, and places along the flight as it climbs.
-void lay_on_ground(TargetTheory& theory, const signal::ImageFrame& grid, const signal::ImageFrame& slant) {
-  const signal::ImagePlace place = signal::place_on_ground(grid, slant, theory.place);
-  const signal::ImagePlace farther =
-      signal::place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
-  const signal::ImagePlace ahead =
-      signal::place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
-  theory.place = place;
-  if (theory.azimuth) {
-    theory.azimuth->width *= ahead.azimuth_m - place.azimuth_m;
-    theory.azimuth->null *= ahead.azimuth_m - place.azimuth_m;
-  }
-  if (!theory.range) return;
-  theory.range->width *= farther.range_m - place.range_m;
-  theory.range->null *= farther.range_m - place.range_m;
-}
-
 std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
                                       const core::WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
-  signal::EchoRows echoes = input.echoes;
-  echoes.compensated = time_domain || opened.origin.motion != "none";
-  std::vector<TargetTheory> theories =
-      theory_of_targets(*input.plan, echoes, opened.origin.options, time_domain, control);
-  const signal::StraightTrack track = signal::fit_straight(echoes.track);
-  const signal::ImageFrame& frame = opened.image.frame;
-  if (frame.plane == signal::ImagePlane::slant_range) {
-    lay_in_slant_range(theories, track, frame);
-    return theories;
-  }
-  const signal::ImageFrame slant{.plane = signal::ImagePlane::slant_range,
-                                 .origin_m = track.origin_m,
-                                 .along = track.along,
-                                 .speed_mps = track.speed_mps};
-  for (TargetTheory& theory : theories)
-    if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
-  return theories;
+  return theory_on_image(
+      {*input.plan, input.echoes, opened.origin.options, time_domain, opened.origin.motion != "none"},
+      opened.image.frame, control);
 }
 
 // Points that are too many to be measured one by one.

@@ -6,8 +6,9 @@
 #include <span>
 
 #include "core/maths/constants.hpp"
-#include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
+#include "signal/sar/ground_grid.hpp"
+#include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
@@ -226,11 +227,47 @@ std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const si
   return theories;
 }
 
-void lay_in_slant_range(std::vector<TargetTheory>& theories, const signal::StraightTrack& track,
-                        const signal::ImageFrame& frame) {
-  CORE_EXPECT(frame.plane == signal::ImagePlane::slant_range);
+namespace {
+
+// On a ground grid ranges are as far apart as the ground is seen flat, and places along the flight as it climbs.
+void lay_on_ground(TargetTheory& theory, const signal::ImageFrame& grid, const signal::ImageFrame& slant) {
+  const signal::ImagePlace place = signal::place_on_ground(grid, slant, theory.place);
+  const signal::ImagePlace farther =
+      signal::place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
+  const signal::ImagePlace ahead =
+      signal::place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
+  theory.place = place;
+  if (theory.azimuth) {
+    theory.azimuth->width *= ahead.azimuth_m - place.azimuth_m;
+    theory.azimuth->null *= ahead.azimuth_m - place.azimuth_m;
+  }
+  if (!theory.range) return;
+  theory.range->width *= farther.range_m - place.range_m;
+  theory.range->null *= farther.range_m - place.range_m;
+}
+
+}  // namespace
+
+std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::ImageFrame& frame,
+                                          const core::WorkControl& control) {
+  signal::EchoRows echoes = focused.echoes;
+  echoes.compensated = focused.time_domain || focused.compensated;
+  std::vector<TargetTheory> theories =
+      theory_of_targets(focused.plan, echoes, focused.options, focused.time_domain, control);
+  const signal::StraightTrack track = signal::fit_straight(echoes.track);
+  if (frame.plane == signal::ImagePlane::slant_range) {
+    // Compensated pulses lie elsewhere along the line, and so does the image's origin.
+    for (TargetTheory& theory : theories)
+      theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
+    return theories;
+  }
+  const signal::ImageFrame slant{.plane = signal::ImagePlane::slant_range,
+                                 .origin_m = track.origin_m,
+                                 .along = track.along,
+                                 .speed_mps = track.speed_mps};
   for (TargetTheory& theory : theories)
-    theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
+    if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
+  return theories;
 }
 
 }  // namespace sarsim::workflow

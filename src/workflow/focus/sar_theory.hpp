@@ -6,7 +6,6 @@
 
 #include "signal/measure/response.hpp"
 #include "signal/sar/focusing.hpp"
-#include "signal/sar/sar_track.hpp"
 #include "simulate/plan/plan.hpp"
 
 namespace sarsim::workflow {
@@ -40,9 +39,19 @@ struct TargetTheory {
                                                           const signal::FocusOptions& options, bool time_domain = false,
                                                           const core::WorkControl& control = {});
 
-/// Moves places from the coordinates of a track to those of an image in slant range, whose origin lies elsewhere along
-/// the line where pulses were compensated.
-void lay_in_slant_range(std::vector<TargetTheory>& theories, const signal::StraightTrack& track,
-                        const signal::ImageFrame& frame);
+/// Echoes, and how an image was focused of them.
+struct FocusedEchoes {
+  const simulate::Plan& plan;
+  const signal::EchoRows& echoes;  ///< As recorded, along their own track; no rows are read.
+  const signal::FocusOptions& options;
+  bool time_domain = false;  ///< Back projection.
+  bool compensated = false;  ///< Their motion was.
+};
+
+/// The same as `theory_of_targets`, in the coordinates of an image, in slant range or on the ground: metres from its
+/// origin, along the flight and in range.
+/// @throw  Interrupted
+[[nodiscard]] std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::ImageFrame& frame,
+                                                        const core::WorkControl& control);
 
 }  // namespace sarsim::workflow
