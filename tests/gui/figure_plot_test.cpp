@@ -142,6 +142,25 @@ class FigurePlotTest : public QObject {
     QCOMPARE(legend->itemCount(), 1);
   }
 
+  void words_of_marks_stay_within_the_panel() {
+    picture::Figure figure = four_cells();
+    for (const double x : {1000.0, 2900.0}) figure.panels[0].marks.push_back({x, 1.0, "-53.98 dB"});
+    gui::FigurePlot plot;
+    plot.resize(500, 300);
+    plot.set_figure(figure);
+    plot.replot();
+    int found = 0;
+    for (int i = 0; i < plot.itemCount(); ++i) {
+      const auto* const words = qobject_cast<QCPItemText*>(plot.item(i));
+      if (words == nullptr) continue;
+      ++found;
+      const QRect area = plot.panel(0)->rect();
+      QVERIFY(words->left->pixelPosition().x() >= area.left() - 1 &&
+              words->right->pixelPosition().x() <= area.right() + 1);
+    }
+    QCOMPARE(found, 2);
+  }
+
   void pictures_have_the_asked_size_times_the_scale() {
     const QTemporaryDir folder;
     gui::FigurePlot plot;

@@ -22,6 +22,7 @@ namespace {
 
 constexpr int bar_width_px = 14;
 constexpr std::size_t most_stops = 256;
+constexpr double words_turn_at = 0.75;  // share of a panel's width
 
 // Marks at round numbers for whatever length the axis has when it is drawn.
 class RoundTicker : public QCPAxisTicker {
@@ -300,8 +301,12 @@ void FigurePlot::add_mark(QCPAxisRect* rect, const picture::FigureMark& mark) {
   cross->setSize(9.0);
   cross->setPen(QPen(ink(picture::Role::error), 1.5));
   words->setText(QString::fromStdString(mark.text));
-  words->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
-  words->setPadding(QMargins(6, 2, 4, 4));
+  // Words at the right end of the panel stand to the left of their place, where they have room.
+  const QCPAxis* const across = rect->axis(QCPAxis::atBottom);
+  const double share = (mark.x - across->range().lower) / across->range().size();
+  const bool at_end = (across->rangeReversed() ? 1.0 - share : share) > words_turn_at;
+  words->setPositionAlignment((at_end ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
+  words->setPadding(QMargins(6, 2, 6, 4));
   words->setFont(font());
   words->setColor(ink(picture::Role::error));
   for (QCPAbstractItem* item : {static_cast<QCPAbstractItem*>(cross), static_cast<QCPAbstractItem*>(words)}) {

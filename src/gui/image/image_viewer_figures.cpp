@@ -207,7 +207,8 @@ void ImageViewer::show_cuts() {
     panel.y = {std::string(picture::axis_title_of(look_.quantity)), unit().toStdString(), 0.0, 1.0, {}};
     set_span(panel.y, curve.y);
     if (std::isfinite(curve.y[marked]))
-      panel.marks.push_back({curve.x[marked], curve.y[marked], number_text(curve.y[marked], unit()).toStdString()});
+      panel.marks.push_back({curve.x[marked], curve.y[marked],
+                             picture::read_out_text(number_text(curve.y[marked], unit()).toStdString())});
     panel.curves.push_back(std::move(curve));
     picture::Figure figure;
     figure.panels.push_back(std::move(panel));

@@ -229,7 +229,9 @@ void draw_mark(const Canvas& canvas, const FigureMark& mark, const PlacedPanel& 
   cairo_line_to(cairo, x, y + arm_px);
   cairo_stroke(cairo);
   const Words words(canvas, mark.text);
-  words.draw(x + gap_px, y - gap_px + 2.0 - words.height());
+  // Words that would end outside stand to the left of their place.
+  const bool fits = x + gap_px + words.width() <= p.area.right();
+  words.draw(fits ? x + gap_px : x - gap_px - words.width(), y - gap_px + 2.0 - words.height());
 }
 
 // Marks and words below (or above) the panel's area.
