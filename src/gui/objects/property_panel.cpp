@@ -116,7 +116,8 @@ PanelSubject PropertyPanel::wanted_subject() const {
   for (const scene::ObjectId id : session_.selection())
     if (id.kind == current->kind) ids.push_back(id);
   PanelSubject subject(session_.document(), current->kind, ids);
-  return subject.ids().empty() ? PanelSubject(session_.document()) : subject;
+  if (subject.ids().empty()) return PanelSubject(session_.document());
+  return subject;
 }
 
 void PropertyPanel::refresh() {

@@ -223,11 +223,7 @@ void ScenePanel::show_marks() {
     cameras_->setPalette(own);
     scene_->findChild<QLabel*>("hand_words")->setPalette(own);
   }
-  picture::DrawingOptions options = scene_->options();
-  options.selected = session_.selection();
-  options.hidden = session_.hidden();
-  options.selected_point = selected_point_;
-  scene_->set_options(options);
+  scene_->set_marks(session_.selection(), session_.hidden(), selected_point_);
   show_handles();
   show_path_end();
 }

@@ -87,6 +87,16 @@ void SceneWidget::set_options(picture::DrawingOptions options) {
   redraw();
 }
 
+// Sets of many objects are copied only where they differ.
+void SceneWidget::set_marks(const std::set<scene::ObjectId>& selected, const std::set<scene::ObjectId>& hidden,
+                            std::optional<picture::PathPointId> point) {
+  if (options_.selected != selected) options_.selected = selected;
+  if (options_.hidden != hidden) options_.hidden = hidden;
+  options_.selected_point = point;
+  options_.coarse = false;
+  redraw();
+}
+
 void SceneWidget::set_dark(bool dark) {
   if (dark == dark_) return;
   dark_ = dark;

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,9 @@ class SceneWidget : public QWidget {
   [[nodiscard]] picture::Camera usual_camera() const;
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
   void set_options(picture::DrawingOptions options);
+  /// Of the same only what is selected and hidden; draws the scene fully.
+  void set_marks(const std::set<scene::ObjectId>& selected, const std::set<scene::ObjectId>& hidden,
+                 std::optional<picture::PathPointId> point);
   [[nodiscard]] const picture::DrawingOptions& options() const { return options_; }
   /// Light marks on a dark ground, or the other way round.
   void set_dark(bool dark);
