@@ -55,7 +55,8 @@ class SceneWidget : public QWidget {
   [[nodiscard]] picture::Camera usual_camera() const;
   /// What is hovered, the pixel scale and the coarse detail are the widget's own.
   void set_options(picture::DrawingOptions options);
-  /// Of the same only what is selected and hidden; draws the scene fully.
+  /// Changes only what is selected and hidden, and which point of a path is selected, if any; draws the scene in full
+  /// detail.
   void set_marks(const std::set<scene::ObjectId>& selected, const std::set<scene::ObjectId>& hidden,
                  std::optional<picture::PathPointId> point);
   [[nodiscard]] const picture::DrawingOptions& options() const { return options_; }

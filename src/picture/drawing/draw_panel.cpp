@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -199,20 +200,19 @@ void draw_curve(const Canvas& canvas, const FigureCurve& curve, const PlacedPane
   cairo_stroke(cairo);
 }
 
-// A cross with words above it to the right.
 // Light on dark, so that it is seen on any colour.
 void draw_ring(cairo_t* cairo, double x, double y) {
   constexpr double radius_px = 8.0;
-  constexpr double full_turn = 6.283185307179586;
   for (const double light : {0.0, 1.0}) {
     cairo_set_source_rgb(cairo, light, light, light);
     cairo_set_line_width(cairo, light > 0.0 ? 1.3 : 3.0);
     cairo_new_sub_path(cairo);
-    cairo_arc(cairo, x, y, radius_px, 0.0, full_turn);
+    cairo_arc(cairo, x, y, radius_px, 0.0, 2.0 * std::numbers::pi);
     cairo_stroke(cairo);
   }
 }
 
+// A ring, or a cross with words above it, to the right where they have room.
 void draw_mark(const Canvas& canvas, const FigureMark& mark, const PlacedPanel& p) {
   constexpr double arm_px = 4.5;
   const double x = p.x.place(mark.x);

@@ -19,7 +19,8 @@ struct TableLine {
 
 /// Splits a table into lines and cells: at tabs where a line has any, else at semicolons, else at commas, else at
 /// blanks. Empty lines and those that begin with '#' or '!' are left out; lines end with LF, CR LF or CR.
-/// @param take  is given one line after the other; what it throws ends the reading
+/// @param take  is given one line after the other; its text and cells point into `text`, the line itself is good until
+///              it returns; what it throws ends the reading
 void each_table_line(std::string_view text, const std::function<void(const TableLine&)>& take);
 /// The same, all at once.
 [[nodiscard]] std::vector<TableLine> table_lines(std::string_view text);
