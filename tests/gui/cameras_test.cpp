@@ -1,9 +1,11 @@
+#include <QImage>
 #include <QLabel>
 #include <QMenu>
 #include <QTest>
 #include <QToolButton>
 
 #include <cmath>
+#include <set>
 
 #include "core/maths/constants.hpp"
 #include "gui/gui_test.hpp"
@@ -75,6 +77,22 @@ class CamerasTest : public QObject {
     for (const core::Problem& problem : bench.session.problems()) qInfo("%s", problem.message.c_str());
     QCOMPARE(bench.session.scene().radars.size(), std::size_t{1});
     QCOMPARE(bench.session.scene().platforms.size(), std::size_t{2});
+  }
+
+  void what_is_hidden_or_selected_is_so_in_the_picture() {
+    Bench bench;
+    const scene::ObjectId ship{scene::ObjectKind::platform, 0};
+    const QImage plain = bench.view().grab().toImage();
+    QVERIFY(bench.view().grab().toImage() == plain);
+    bench.session.set_hidden({ship}, true);
+    QVERIFY(bench.view().options().hidden == std::set<scene::ObjectId>{ship});
+    QVERIFY(bench.view().grab().toImage() != plain);
+    bench.session.set_hidden({ship}, false);
+    QVERIFY(bench.view().grab().toImage() == plain);
+    bench.session.select_only(ship);
+    QVERIFY(bench.view().grab().toImage() != plain);
+    bench.session.select({});
+    QVERIFY(bench.view().grab().toImage() == plain);
   }
 
   void along_the_beam_the_eye_is_at_the_antenna_as_time_runs() {
