@@ -91,7 +91,7 @@ class LayoutsTest : public QObject {
       window.resize(width, 700);
       window.apply_layout(width > 1000 ? "scene" : "views");
       QTest::qWait(50);
-      QVERIFY2(words->width() >= words->sizeHint().width(), qPrintable(QString::number(scene.width())));
+      QTRY_VERIFY2(words->width() >= words->sizeHint().width(), qPrintable(QString::number(scene.width())));
       QVERIFY(words->geometry().right() <= scene.width());
       QVERIFY(words->geometry().bottom() < 100);
     }
