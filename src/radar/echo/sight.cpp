@@ -99,11 +99,14 @@ struct Angles {
 };
 
 HWY_INLINE Angles angles_of(Tag d, const Triple& v, Vector level, Vector distance) {
+  const auto one = hn::Set(d, 1.0);
   const auto vertical = hn::Eq(level, hn::Zero(d));
-  const auto per_level = hn::Div(hn::Set(d, 1.0), hn::IfThenElse(vertical, hn::Set(d, 1.0), level));
-  const auto per_distance = hn::Div(hn::Set(d, 1.0), distance);
-  return {hn::Mul(v.x, per_level), hn::IfThenElse(vertical, hn::Set(d, 1.0), hn::Mul(v.y, per_level)),
-          hn::Mul(v.z, per_distance), hn::Mul(level, per_distance)};
+  const auto divisor = hn::IfThenElse(vertical, one, level);
+  const auto per_both = hn::Div(one, hn::Mul(divisor, distance));
+  const auto per_level = hn::Mul(per_both, distance);
+  const auto per_distance = hn::Mul(per_both, divisor);
+  return {hn::Mul(v.x, per_level), hn::IfThenElse(vertical, one, hn::Mul(v.y, per_level)), hn::Mul(v.z, per_distance),
+          hn::Mul(level, per_distance)};
 }
 
 // cos and sin of any angle in radians.
@@ -112,15 +115,36 @@ HWY_INLINE void cos_sin(Tag d, Vector radians, Vector& cosine, Vector& sine) {
   cos_sin_turns(d, fraction_of_turn(turns), cosine, sine);
 }
 
-// sin(x)/x with x = 2 pi cut sine.
+// sin(x)/x for |x| <= pi by its Taylor series, within 4e-16.
+HWY_INLINE Vector main_lobe(Tag d, Vector x) {
+  const auto x2 = hn::Mul(x, x);
+  auto sum = hn::Set(d, -1.0 / 10888869450418352160768000000.0);
+  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 15511210043330985984000000.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 25852016738884976640000.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 51090942171709440000.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 121645100408832000.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 355687428096000.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 1307674368000.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 6227020800.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 39916800.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 362880.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 5040.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 120.0));
+  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 6.0));
+  return hn::MulAdd(sum, x2, hn::Set(d, 1.0));
+}
+
+// sin(x)/x with x = 2 pi cut sine. What a lane gets does not depend on the others.
 HWY_INLINE Vector sinx_cut(Tag d, double cut, Vector sine) {
   const auto turns = hn::Mul(hn::Set(d, cut), sine);
+  const auto x = hn::Mul(turns, hn::Set(d, 6.283185307179586476925));
+  const auto inside = hn::Le(hn::Abs(turns), hn::Set(d, 0.5));
+  const auto lobe = main_lobe(d, x);
+  if (hn::AllTrue(d, inside)) return lobe;
   auto c = hn::Zero(d);
   auto s = hn::Zero(d);
   cos_sin_turns(d, fraction_of_turn(turns), c, s);
-  const auto x = hn::Mul(turns, hn::Set(d, 6.283185307179586476925));
-  const auto small = hn::Lt(hn::Abs(x), hn::Set(d, 1e-8));
-  return hn::IfThenElse(small, hn::Set(d, 1.0), hn::Div(s, hn::IfThenElse(small, hn::Set(d, 1.0), x)));
+  return hn::IfThenElse(inside, lobe, hn::Div(s, x));
 }
 
 // The sin(x)/x cuts at an offset.
@@ -279,7 +303,7 @@ struct Columns {
 struct Flights {
   Triple look;      // to the points as they are met
   Vector distance;  // its length
-  Vector ways;      // way out times way home
+  Vector per_ways;  // 1/(way out times way home)
   Vector delay, doppler;
   Mask slow;  // nothing near the speed of light
 };
@@ -288,8 +312,9 @@ struct Flights {
 HWY_INLINE Flights thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity) {
   Flights out;
   out.look = look;
-  out.ways = inner(look, look);
-  out.distance = hn::Sqrt(out.ways);
+  const auto distance2 = inner(look, look);
+  out.per_ways = hn::Div(hn::Set(d, 1.0), distance2);
+  out.distance = hn::Sqrt(distance2);
   const auto v = hn::Div(inner(look, velocity), out.distance);
   out.delay = hn::Div(hn::Add(out.distance, out.distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v));
   out.doppler = hn::Mul(hn::Add(v, v), hn::Set(d, 1.0 / frame.light_speed_mps));
@@ -308,9 +333,10 @@ HWY_INLINE Flights flights_to_rest(Tag d, const SightFrame& frame, const Triple&
   const auto distance2 = inner(look, look);
   out.distance = hn::Sqrt(distance2);
   out.slow = w2 < 0.998 ? hn::Eq(hn::Zero(d), hn::Zero(d)) : hn::Gt(hn::Zero(d), hn::Zero(d));
+  const auto one = hn::Set(d, 1.0);
   if (w2 == 0.0) {
-    out.ways = distance2;
-    out.delay = hn::Div(hn::Add(out.distance, out.distance), hn::Set(d, frame.light_speed_mps));
+    out.per_ways = hn::Div(one, distance2);
+    out.delay = hn::Mul(hn::Add(out.distance, out.distance), hn::Set(d, per_light));
     out.doppler = hn::Zero(d);
     return out;
   }
@@ -318,13 +344,14 @@ HWY_INLINE Flights flights_to_rest(Tag d, const SightFrame& frame, const Triple&
   const auto half = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, 1.0 / (1.0 - w2)));
   const auto length = hn::Add(half, half);
   const auto home = hn::Sub(length, out.distance);
-  out.ways = hn::Mul(out.distance, home);
-  out.delay = hn::Div(length, hn::Set(d, frame.light_speed_mps));
-  // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w).
+  out.delay = hn::Mul(length, hn::Set(d, per_light));
+  // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w); one division for that and the ways.
   const auto out_w = inner(look, scaled(d, frame.radar_slope_mps, per_light));
   const auto home_w = hn::MulSub(length, hn::Set(d, slope_w), out_w);
-  out.doppler =
-      hn::Div(hn::MulSub(home_w, out.distance, hn::Mul(out_w, home)), hn::Mul(home, hn::Sub(out.distance, out_w)));
+  const auto ahead = hn::Sub(out.distance, out_w);
+  const auto per_all = hn::Div(one, hn::Mul(hn::Mul(out.distance, home), ahead));
+  out.per_ways = hn::Mul(per_all, ahead);
+  out.doppler = hn::Mul(hn::MulSub(home_w, out.distance, hn::Mul(out_w, home)), hn::Mul(per_all, out.distance));
   return out;
 }
 
@@ -348,11 +375,11 @@ HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, c
   const auto half = hn::Mul(hn::Sub(out.distance, inner(out.look, way)), hn::Set(d, 1.0 / (1.0 - w2)));
   const auto length = hn::Add(half, half);
   const auto home = hn::Sub(length, out.distance);
-  out.ways = hn::Mul(out.distance, home);
-  out.delay = hn::Div(length, hn::Set(d, frame.light_speed_mps));
+  out.delay = hn::Mul(length, scale);
   const auto out_w_m = inner(out.look, w);
   const auto per_out = hn::Div(one, out.distance);
   const auto per_home = hn::Div(one, home);
+  out.per_ways = hn::Mul(per_out, per_home);
   const auto out_b_m = inner(out.look, b);
   const auto out_w = hn::Mul(out_w_m, per_out);
   const auto out_b = hn::Mul(out_b_m, per_out);
@@ -411,7 +438,7 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const
   weigh(d, scenery, flight.look, flight.distance, a, decibels);
   if (points.law == PointArrays::Law::curve || antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0)
     a = hn::Mul(a, amplitude_of_decibels(d, decibels));
-  if (frame.spreading) a = hn::Div(a, flight.ways);
+  if (frame.spreading) a = hn::Mul(a, flight.per_ways);
   at.put(d, a, to.amplitude);
   const auto apart = hn::Ge(flight.distance, hn::Set(d, doubtful_distance_m));
   return hn::And(hn::And(flight.slow, apart), hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));

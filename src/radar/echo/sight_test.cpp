@@ -241,6 +241,39 @@ TEST(WriteEchoes, WithABeamAreMultipliedBySinXOverXOfEveryCut) {
   });
 }
 
+// Vectors whose points are all in the main lobe, some, and none.
+TEST(WriteEchoes, WithABeamAreTheSameWhateverTheirNeighboursAre) {
+  std::mt19937 random(5);
+  at_every_simd_level([&] {
+    SightFrame frame = random_frame(random);
+    frame.world_from_platform_rate = {{core::Vec3{}, core::Vec3{}, core::Vec3{}}};
+    frame.origin_m = {0.0, 2500.0, 0.0};
+    frame.antenna_from_world = yaw(0.0);
+    AntennaSight beam;
+    beam.cut = {20.0, 10.0, 20.0, 10.0};
+    PointArrays points = random_points(random, 96, false);
+    for (std::size_t i = 0; i < 32; ++i) {
+      points.x_m[i] *= 0.1, points.y_m[i] *= 0.1, points.z_m[i] *= 0.1;
+      if (i >= 16) points.x_m[i + 16] += 1000.0;
+    }
+    const EchoBatch all = written(points, frame, beam).echoes;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      PointArrays one;
+      one.x_m = {points.x_m[i]}, one.y_m = {points.y_m[i]}, one.z_m = {points.z_m[i]};
+      one.root_rcs_m = {points.root_rcs_m[i]};
+      const EchoBatch alone = written(one, frame, beam).echoes;
+      EXPECT_EQ(alone.amplitude_sqrt_w[0], all.amplitude_sqrt_w[i]) << i;
+      EXPECT_EQ(alone.delay_s[0], all.delay_s[i]) << i;
+      const core::Vec3 look =
+          frame.origin_m + frame.world_from_platform * core::Vec3{one.x_m[0], one.y_m[0], one.z_m[0]};
+      const double azimuth = std::atan2(look.x, look.y), elevation = std::asin(look.z / core::norm(look));
+      const double gain = std::pow(sinx(azimuth, 0.022) * sinx(elevation, 0.044), 2.0);
+      const double plain = written(one, frame).echoes.amplitude_sqrt_w[0];
+      EXPECT_NEAR(all.amplitude_sqrt_w[i], plain * gain, 1e-13 * plain) << i;
+    }
+  });
+}
+
 TEST(WriteEchoes, OnTheAxisOfABeamHaveGainOneAndRightAboveItNone) {
   at_every_simd_level([] {
     SightFrame frame;

@@ -317,6 +317,8 @@ struct SpectralKernel::Typed : Implementation {
   void add_edge_pieces() {
     for (EdgePiece<Real>& piece : pieces) {
       if (pulse->doppler_rule == DopplerRule::stretch && gathered.motion.moving()) {
+        // Without bends they are the same at each edge.
+        if (&piece == &pieces.front() || !gathered.bend_per_s.empty()) find_late_rates(piece);
         add_stretched_edge(piece);
         continue;
       }
@@ -332,6 +334,11 @@ struct SpectralKernel::Typed : Implementation {
     }
   }
 
+  void find_late_rates(const EdgePiece<Real>& piece) {
+    late.resize(position.size());
+    late_rates(doppler, gathered.bend_per_s, body.from_middle_s(piece.hard), late);
+  }
+
   // An edge comes back where its hard end does, the few samples beside it as they were sent but for their phase: with
   // h the hard end, D' = late_of(h)/h and s the time from it, D' f h + D' (f s + K (h + s) s) turns.
   void add_stretched_edge(EdgePiece<Real>& piece) {
@@ -343,8 +350,6 @@ struct SpectralKernel::Typed : Implementation {
     piece.doppler_slope = slope * grid.interval_s;
     piece.doppler_bend = sweep * grid.interval_s * grid.interval_s;
     piece.late = hard_s / grid.interval_s;
-    late.resize(position.size());
-    late_rates(doppler, gathered.bend_per_s, hard_s, late);
     add_edges<Real>(piece, position, strength, late, edge_row);
   }
 

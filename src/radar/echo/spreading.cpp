@@ -144,12 +144,6 @@ HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Rea
   }
 }
 
-// Interleaved complex numbers times (re, im): re in both lanes of a pair, im with the sign that its lane takes.
-template <class D, class V = hn::Vec<D>>
-HWY_INLINE V complex_product(D d, V pairs, V re, V signed_im) {
-  return hn::MulAdd(pairs, re, hn::Mul(hn::Reverse2(d, pairs), signed_im));
-}
-
 // -1 in even lanes, +1 in odd ones.
 template <class D>
 HWY_INLINE hn::Vec<D> pair_signs(D d) {
@@ -166,15 +160,15 @@ HWY_INLINE hn::Vec<D> sample_numbers(D d, std::size_t lane) {
 }
 
 // How the Doppler phase runs along the few samples of the edges of a block of echoes: not at all, or seen from the
-// middle sample by so little that a short series turns them, or by any angle.
-enum class EdgeTurn { none, slight, any };
+// middle sample by so little that the angle itself, or a short series, turns them, or by any angle.
+enum class EdgeTurn { none, faint, slight, any };
 
 // The strengths of the edges of a block of echoes, turned by the Doppler phase of the middle sample, and how the phase
 // goes on from there.
 template <class Real>
 struct TurnedEdges {
   static constexpr std::size_t most = Places<Real>::most;
-  HWY_ALIGN double turns[most];
+  HWY_ALIGN Real turns[most];
   HWY_ALIGN Real slope[most];  // Turns per sample, backwards
   HWY_ALIGN Real bend[most];   // and per sample squared.
   HWY_ALIGN Real strength[2 * most];
@@ -186,11 +180,12 @@ double middle_sample(const EdgePiece<Real>& piece) {
   return 0.5 * (0.5 * static_cast<double>(piece.samples.lanes) - 1.0);
 }
 
-// Phases of the middle samples and their changes. The next terms of the series, the fourth power of the angle over 24,
-// are lost in the last digit of Real (1e-13 in double precision) below `slight_angle`.
+// Phases of the middle samples and their changes. What a series leaves out, half the square of the angle below
+// `faint_angle` and its fourth power over 24 below `slight_angle`, is lost in the last digit of Real.
 template <class Real>
 HWY_INLINE void place_turns(const EdgePiece<Real>& piece, std::span<const double> doppler, std::size_t first,
                             std::size_t count, const Places<Real>& places, TurnedEdges<Real>& out) {
+  constexpr double faint_angle = sizeof(Real) == 4 ? 2e-4 : 1e-8;
   constexpr double slight_angle = sizeof(Real) == 4 ? 0.02 : 1e-3;
   const hn::ScalableTag<double> d;
   HWY_ALIGN double buffer[Places<Real>::most];
@@ -207,13 +202,13 @@ HWY_INLINE void place_turns(const EdgePiece<Real>& piece, std::span<const double
     const auto turns = hn::Mul(speed, hn::Add(offset, hn::Mul(sample, hn::Add(slope, bent))));
     const auto change = hn::Neg(hn::Mul(speed, hn::Add(slope, hn::Add(bent, bent))));
     const auto curve = hn::Neg(hn::Mul(speed, bend));
-    hn::Store(hn::Sub(hn::Round(turns), turns), d, out.turns + k);
+    store_narrow(d, hn::Sub(hn::Round(turns), turns), out.turns + k);
     store_narrow(d, change, out.slope + k);
     store_narrow(d, curve, out.bend + k);
     largest = hn::Max(largest, hn::MulAdd(hn::Set(d, middle), hn::Abs(curve), hn::Abs(change)));
   }
   const double angle = 6.283185307179586476925 * middle * hn::GetLane(hn::MaxOfLanes(d, largest));
-  out.turn = angle < slight_angle ? EdgeTurn::slight : EdgeTurn::any;
+  out.turn = angle < faint_angle ? EdgeTurn::faint : angle < slight_angle ? EdgeTurn::slight : EdgeTurn::any;
 }
 
 // Strengths times the phasors of the middle samples.
@@ -222,18 +217,17 @@ HWY_INLINE void turn_strengths(const std::complex<Real>* HWY_RESTRICT strength, 
                                TurnedEdges<Real>& out) {
   using Edges = TurnedEdges<Real>;
   const hn::ScalableTag<Real> d;
-  HWY_ALIGN Real given[2 * Edges::most];
-  HWY_ALIGN Real turns[Edges::most];
-  std::copy_n(reinterpret_cast<const Real*>(strength), 2 * count, given);
-  std::transform(out.turns, out.turns + count, turns, [](double t) { return static_cast<Real>(t); });
-  for (std::size_t padded = count; padded % hn::Lanes(d) != 0; ++padded) {
-    turns[padded] = 0;
-    given[2 * padded] = given[2 * padded + 1] = 0;
+  HWY_ALIGN Real padded[2 * Edges::most];
+  const Real* given = reinterpret_cast<const Real*>(strength);
+  if (count % hn::Lanes(d) != 0) {
+    std::copy_n(given, 2 * count, padded);
+    for (std::size_t k = count; k % hn::Lanes(d) != 0; ++k) out.turns[k] = padded[2 * k] = padded[2 * k + 1] = 0;
+    given = padded;
   }
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
     auto c = hn::Zero(d);
     auto s = hn::Zero(d);
-    cos_sin_turns(d, hn::Load(d, turns + k), c, s);
+    cos_sin_turns(d, hn::Load(d, out.turns + k), c, s);
     auto re = hn::Zero(d);
     auto im = hn::Zero(d);
     hn::LoadInterleaved2(d, given + 2 * k, re, im);
@@ -242,22 +236,50 @@ HWY_INLINE void turn_strengths(const std::complex<Real>* HWY_RESTRICT strength, 
   }
 }
 
-// The samples of an edge turned from the middle one: `i` counts them from there.
+// A strength for each lane of interleaved samples: they are multiplied by `re`, and their neighbours in the pair, the
+// other part of the number, by `im`, which has the sign that its lane takes.
+template <class V>
+struct PairFactors {
+  V re, im;
+};
+
+// Where the samples of the lanes stand, from the middle one.
+template <class V>
+struct LanePlaces {
+  V samples;  // from the middle
+  V angle;    // times 2 pi
+  V signs;    // -1 in even lanes, +1 in odd ones
+  V signed_angle;
+};
+
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE LanePlaces<V> lane_places(D d, std::size_t lane, V middle) {
+  const auto samples = hn::Sub(sample_numbers(d, lane), middle);
+  const auto angle = hn::Mul(samples, hn::Set(d, hn::TFromD<D>(6.283185307179586476925)));
+  const auto signs = pair_signs(d);
+  return {samples, angle, signs, hn::Mul(angle, signs)};
+}
+
+// A strength turned from sample to sample.
 template <EdgeTurn Turn, class D, class V = hn::Vec<D>>
-HWY_INLINE V turned(D d, V pairs, V i, V slope, V bend) {
+HWY_INLINE PairFactors<V> turned(D d, const LanePlaces<V>& at, V re, V im, V slope, V bend) {
   using T = hn::TFromD<D>;
-  const auto turns = hn::Mul(i, hn::MulAdd(i, bend, slope));
+  if constexpr (Turn == EdgeTurn::none) return {re, hn::Mul(im, at.signs)};
+  const auto change = hn::MulAdd(at.samples, bend, slope);
+  if constexpr (Turn == EdgeTurn::faint)
+    return {hn::NegMulAdd(hn::Mul(at.angle, change), im, re),
+            hn::MulAdd(hn::Mul(at.signed_angle, change), re, hn::Mul(im, at.signs))};
   auto c = hn::Set(d, T(1));
   auto s = hn::Zero(d);
   if constexpr (Turn == EdgeTurn::slight) {
-    const auto angle = hn::Mul(turns, hn::Set(d, T(6.283185307179586476925)));
+    const auto angle = hn::Mul(at.angle, change);
     const auto square = hn::Mul(angle, angle);
     c = hn::MulAdd(square, hn::Set(d, T(-0.5)), c);
     s = hn::Mul(angle, hn::MulAdd(square, hn::Set(d, T(-1.0 / 6.0)), hn::Set(d, T(1))));
   } else {
-    cos_sin_turns(d, fraction_of_turn(turns), c, s);
+    cos_sin_turns(d, fraction_of_turn(hn::Mul(at.samples, change)), c, s);
   }
-  return complex_product(d, pairs, c, hn::Mul(s, pair_signs(d)));
+  return {hn::NegMulAdd(im, s, hn::Mul(re, c)), hn::Mul(hn::MulAdd(re, s, hn::Mul(im, c)), at.signs)};
 }
 
 template <class Real, std::size_t Degree, std::size_t Chunks, EdgeTurn Turn>
@@ -267,21 +289,20 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& plac
   const hn::ScalableTag<Real> d;
   const Polynomials<Real, Degree, Chunks> polynomials(piece.samples);
   const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
-  const auto signs = pair_signs(d);
   const auto middle = hn::Set(d, static_cast<Real>(middle_sample(piece)));
   for (std::size_t k = 0; k < count; ++k) {
     const auto y = hn::Set(d, places.y[k]);
-    const auto s_re = hn::Set(d, strength[2 * k]);
-    const auto s_im = hn::Mul(hn::Set(d, strength[2 * k + 1]), signs);
+    const auto re = hn::Set(d, strength[2 * k]);
+    const auto im = hn::Set(d, strength[2 * k + 1]);
+    const auto slope = Turn == EdgeTurn::none ? hn::Zero(d) : hn::Set(d, edges.slope[k]);
+    const auto bend = Turn == EdgeTurn::none ? hn::Zero(d) : hn::Set(d, edges.bend[k]);
     Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + places.cell[k]);
     for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
       const std::size_t lane = chunk * hn::Lanes(d);
-      auto pairs = polynomials.at(places.table[k], chunk, y);
-      if constexpr (Turn != EdgeTurn::none)
-        pairs = turned<Turn>(d, pairs, hn::Sub(sample_numbers(d, lane), middle), hn::Set(d, edges.slope[k]),
-                             hn::Set(d, edges.bend[k]));
-      const auto sum = hn::MulAdd(pairs, s_re, hn::LoadU(d, out + lane));
-      hn::StoreU(hn::MulAdd(hn::Reverse2(d, pairs), s_im, sum), d, out + lane);
+      const auto pairs = polynomials.at(places.table[k], chunk, y);
+      const auto factors = turned<Turn>(d, lane_places(d, lane, middle), re, im, slope, bend);
+      const auto sum = hn::MulAdd(pairs, factors.re, hn::LoadU(d, out + lane));
+      hn::StoreU(hn::MulAdd(hn::Reverse2(d, pairs), factors.im, sum), d, out + lane);
     }
   }
 }
@@ -298,7 +319,9 @@ HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& pla
   }
   place_turns(piece, doppler, first, count, places, edges);
   turn_strengths(strength.data() + first, count, edges);
-  if (edges.turn == EdgeTurn::slight)
+  if (edges.turn == EdgeTurn::faint)
+    edge_loop<Real, Degree, Chunks, EdgeTurn::faint>(piece, places, count, edges.strength, edges, out);
+  else if (edges.turn == EdgeTurn::slight)
     edge_loop<Real, Degree, Chunks, EdgeTurn::slight>(piece, places, count, edges.strength, edges, out);
   else
     edge_loop<Real, Degree, Chunks, EdgeTurn::any>(piece, places, count, edges.strength, edges, out);
