@@ -163,9 +163,19 @@ class SessionTest : public QObject {
     QVERIFY(told.session.document().text() == alone.text());
     QVERIFY(told.session.scene() == alone.scene());
     QVERIFY(words_of(told.session.problems()) == words_of(alone.problems()));
-    told.session.undo();
-    QCOMPARE(told.session.scene().targets.size(), std::size_t{3});
-    QVERIFY(!told.session.document().changed());
+    const auto undone = [&] {
+      QCOMPARE(told.session.scene().targets.size(), std::size_t{3});
+      QVERIFY(!told.session.document().changed());
+    };
+    for (const auto step : {&gui::Session::undo, &gui::Session::redo, &gui::Session::take_back}) {
+      turns = 0;
+      (told.session.*step)();
+      QVERIFY2(turns > 0, "no event was handled meanwhile");
+      if (step != &gui::Session::redo) undone();
+      if (step == &gui::Session::redo) QVERIFY(told.session.document().text() == alone.text());
+      if (step == &gui::Session::redo) QCOMPARE(told.changes.back().inserted.size(), many);
+    }
+    QVERIFY(!told.session.document().history().can_redo());
     // Where somebody else changes the document meanwhile, the edit is made on what is there.
     QTimer::singleShot(0, [&] { told.session.perform(told.move_target(1, 55.0)); });
     told.session.perform(scene::add_targets(told.session.scene(), targets));

@@ -1,8 +1,5 @@
 #include "gui/common/session.hpp"
 
-#include <QEventLoop>
-#include <QGuiApplication>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gui/common/waiting.hpp"
 #include "workflow/input/motion_input.hpp"
 
 namespace sarsim::gui {
@@ -25,6 +23,16 @@ constexpr std::size_t long_text_bytes = 300'000;
 // Fewer are changed in a moment.
 constexpr std::size_t many_objects = 10'000;
 
+// What an edit names that came to nothing.
+scene::SceneChange as_it_was(const scene::Edit& edit, const scene::Scene& scene) {
+  scene::SceneChange change = scene::change_of(edit);
+  change.removed.clear();
+  change.inserted.clear();
+  std::erase_if(change.changed,
+                [&](const scene::ChangedObject& object) { return !scene::has_object(scene, object.id); });
+  return change;
+}
+
 }  // namespace
 
 Session::Session(QObject* parent) : QObject(parent) {
@@ -37,11 +45,6 @@ Session::Session(QObject* parent) : QObject(parent) {
 }
 
 Session::~Session() = default;
-
-std::shared_ptr<const scene::Scene> Session::shared_scene() const {
-  if (desk_->shared == nullptr) desk_->shared = std::make_shared<const scene::Scene>(scene());
-  return desk_->shared;
-}
 
 std::size_t Session::at_hand() const {
   const auto found = std::ranges::find(desks_, desk_, &std::unique_ptr<Desk>::get);
@@ -112,56 +115,52 @@ void Session::close(std::size_t index) {
   emit row_changed();
 }
 
-void Session::perform(scene::Edit edit) {
-  if (edit.changes.empty() && !edit.options_after && !edit.world_after && !edit.air_after) return;
-  const bool in_run = !edit.merge_key.empty();
+void Session::perform(scene::Edit wanted) {
+  if (wanted.changes.empty() && !wanted.options_after && !wanted.world_after && !wanted.air_after) return;
+  const bool in_run = !wanted.merge_key.empty();
   const std::uint64_t revision = desk_->document.revision();
-  scene::SceneChange change = scene::change_of(edit);
-  if (edit.changes.size() < many_objects)
-    desk_->document.perform(std::move(edit));
-  else
-    perform_beside(edit);
+  const auto edit = std::make_shared<const scene::Edit>(std::move(wanted));
+  change_document(*edit, [edit](scene::Document& document) { document.perform(*edit); });
   if (in_run)
     problems_soon_.stop();
   else
     look_for_problems();
   log_replaced_expressions();
   // Also where nothing came of it: a window shows what was asked for and has to go back.
-  if (desk_->document.revision() != revision) change = follow_last_edit();
-  emit scene_changed(change);
+  emit scene_changed(desk_->document.revision() == revision ? as_it_was(*edit, scene()) : follow_last_edit());
   if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
 }
 
-// On a thread of its own, while windows are painted and take no keys. Where a timer has changed the document meanwhile
-// it is made again, if it still fits.
-void Session::perform_beside(const scene::Edit& edit) {
+void Session::change_document(const scene::Edit& step, const Change& change) {
+  if (step.changes.size() < many_objects)
+    change(desk_->document);
+  else
+    change_beside(step.label, change);
+}
+
+// On a thread of its own. Where a timer has changed the document meanwhile it is made again, if it still fits.
+void Session::change_beside(const std::string& label, const Change& change) {
   const int number = desk_->number;
   const std::uint64_t revision = desk_->document.revision();
-  auto made = std::make_shared<scene::Document>(desk_->document);
-  QString failure;
-  QEventLoop until_made;
-  BackgroundJob job;
-  connect(&job, &BackgroundJob::ended, &until_made, [&](JobEnd end, const QString& why) {
-    if (end != JobEnd::done) failure = why;
-    until_made.quit();
-  });
-  QGuiApplication::setOverrideCursor(Qt::WaitCursor);
-  job.start([made, &edit](const core::StopFlag&, const BackgroundJob::Report&) {
-    made->perform(edit);
+  const auto made = std::make_shared<scene::Document>(desk_->document);
+  const QString what = QString::fromStdString(label);
+  const Waited waited = run_and_wait(what, [made, change](const core::StopFlag&, const BackgroundJob::Report& report) {
+    // Shares of the time, roughly.
+    change(*made);
+    report(0.5);
     // What windows ask for at once.
     static_cast<void>(made->problems());
+    report(0.9);
     static_cast<void>(made->commands());
   });
-  until_made.exec(QEventLoop::ExcludeUserInputEvents);
-  QGuiApplication::restoreOverrideCursor();
+  if (waited.end == JobEnd::cancelled) return log(core::Severity::note, tr("%1 was cancelled").arg(what));
   try {
     if (desk_->number != number) throw std::runtime_error(tr("another scene was opened meanwhile").toStdString());
-    if (desk_->document.revision() != revision) return desk_->document.perform(edit);
-    if (!failure.isEmpty() || job.running()) throw std::runtime_error(failure.toStdString());
+    if (desk_->document.revision() != revision) return change(desk_->document);
+    if (waited.end == JobEnd::failed) throw std::runtime_error(waited.failure.toStdString());
     desk_->document = std::move(*made);
   } catch (const std::exception& error) {
-    this->log(core::Severity::error,
-              tr("%1 was not done: %2").arg(QString::fromStdString(edit.label), QString::fromUtf8(error.what())));
+    log(core::Severity::error, tr("%1 was not done: %2").arg(what, QString::fromUtf8(error.what())));
   }
 }
 
@@ -179,22 +178,23 @@ void Session::type_text(const std::string& text) {
 }
 
 void Session::undo() {
-  if (!desk_->document.history().can_undo()) return;
-  desk_->document.undo();
-  look_for_problems();
-  emit scene_changed(follow_last_edit());
+  take_step(desk_->document.history().next_undo(), [](scene::Document& document) { document.undo(); });
 }
 
 void Session::take_back() {
-  if (!desk_->document.history().can_undo()) return;
-  desk_->document.take_back();
-  look_for_problems();
-  emit scene_changed(follow_last_edit());
+  take_step(desk_->document.history().next_undo(), [](scene::Document& document) { document.take_back(); });
 }
 
 void Session::redo() {
-  if (!desk_->document.history().can_redo()) return;
-  desk_->document.redo();
+  take_step(desk_->document.history().next_redo(), [](scene::Document& document) { document.redo(); });
+}
+
+// Backwards or forwards in the history; null where that ends.
+void Session::take_step(const scene::Edit* step, const Change& change) {
+  if (step == nullptr) return;
+  const std::uint64_t revision = desk_->document.revision();
+  change_document(*step, change);
+  if (desk_->document.revision() == revision) return;
   look_for_problems();
   emit scene_changed(follow_last_edit());
 }
@@ -206,6 +206,7 @@ void Session::save(const std::filesystem::path& path) {
 }
 
 void Session::select(std::set<scene::ObjectId> objects) {
+  std::erase_if(objects, [this](scene::ObjectId id) { return !scene::has_object(scene(), id); });
   if (objects == desk_->selection) return;
   desk_->selection = std::move(objects);
   if (!desk_->current || !desk_->selection.contains(*desk_->current))
@@ -270,16 +271,15 @@ void Session::log_replaced_expressions() {
 scene::SceneChange Session::follow_last_edit() {
   const auto& last = desk_->document.last_edit();
   if (!last) return {};
-  scene::SceneChange change = scene::change_of(last->edit, last->forwards);
-  if (!change.empty()) desk_->shared.reset();
+  scene::SceneChange change = scene::change_of(*last->edit, last->forwards);
   if (change.same_objects()) return change;
   const auto follow = [&](const std::set<scene::ObjectId>& ids) {
-    std::set<scene::ObjectId> there = scene::moved(ids, last->edit, last->forwards);
+    std::set<scene::ObjectId> there = scene::moved(ids, *last->edit, last->forwards);
     std::erase_if(there, [&](scene::ObjectId id) { return !scene::has_object(scene(), id); });
     return there;
   };
   desk_->hidden = follow(desk_->hidden);
-  const auto current = desk_->current ? scene::moved(*desk_->current, last->edit, last->forwards) : std::nullopt;
+  const auto current = desk_->current ? scene::moved(*desk_->current, *last->edit, last->forwards) : std::nullopt;
   const std::set<scene::ObjectId> selected = follow(desk_->selection);
   desk_->current = current && selected.contains(*current) ? current : std::nullopt;
   if (!desk_->current && !selected.empty()) desk_->current = *selected.begin();
@@ -300,7 +300,7 @@ void Session::look_for_problems() {
   }
   // Of others than the same objects they would be told.
   const auto& last = document.last_edit();
-  if (!last || !scene::change_of(last->edit, last->forwards).same_objects()) desk_->problems.clear();
+  if (!last || !scene::keeps_objects(*last->edit)) desk_->problems.clear();
   searched_ = document.revision();
   found_ = std::make_shared<scene::Document::Findings>();
   search_.run([search = std::move(search), found = found_](const core::StopFlag&, const BackgroundJob::Report&) {

@@ -4,6 +4,7 @@
 #include <QTimer>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -32,7 +33,7 @@ class Session : public QObject {
   [[nodiscard]] const scene::Document& document() const { return desk_->document; }
   [[nodiscard]] const scene::Scene& scene() const { return desk_->document.scene(); }
   /// The scene as it is, for work that goes on while it changes. Copied at most once for each change.
-  [[nodiscard]] std::shared_ptr<const scene::Scene> shared_scene() const;
+  [[nodiscard]] std::shared_ptr<const scene::Scene> shared_scene() const { return desk_->document.shared_scene(); }
 
   /// How many documents are open, one at least; they stand in a row.
   [[nodiscard]] std::size_t document_count() const { return desks_.size(); }
@@ -56,9 +57,9 @@ class Session : public QObject {
   void close(std::size_t index);
 
   /// Applies an edit; an empty one is passed over. Selection and hidden objects follow theirs. One of many objects is
-  /// made on another thread; windows are painted meanwhile, but take no keys and clicks. What cannot be done is told in
-  /// the log.
-  void perform(scene::Edit edit);
+  /// made on another thread, here and in `undo` and `redo`, and can be cancelled (`run_and_wait`). What cannot be done
+  /// is told in the log.
+  void perform(scene::Edit wanted);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();
   /// Replaces the script, as typed (Document::type_text).
@@ -81,7 +82,7 @@ class Session : public QObject {
   [[nodiscard]] const std::set<scene::ObjectId>& selection() const { return desk_->selection; }
   /// The object that panels show: the one selected last, if any.
   [[nodiscard]] std::optional<scene::ObjectId> current() const { return desk_->current; }
-  /// Selects these and no others.
+  /// Selects these and no others; those that the scene does not have are passed over.
   void select(std::set<scene::ObjectId> objects);
   /// Selects one object.
   void select_only(scene::ObjectId object);
@@ -122,12 +123,14 @@ class Session : public QObject {
     std::set<scene::ObjectId> hidden;
     double time_s = 0.0;
     core::Problems problems;
-    std::shared_ptr<const scene::Scene> shared;  // null until somebody asks for the scene as it is
   };
 
   [[nodiscard]] std::unique_ptr<Desk> desk_with(scene::Document document);
   void show_desk(Desk& desk);
-  void perform_beside(const scene::Edit& edit);
+  using Change = std::function<void(scene::Document& document)>;
+  void take_step(const scene::Edit* step, const Change& change);
+  void change_document(const scene::Edit& step, const Change& change);
+  void change_beside(const std::string& label, const Change& change);
   [[nodiscard]] scene::SceneChange follow_last_edit();
   void look_for_problems();
   void log_replaced_expressions();

@@ -286,7 +286,7 @@ void ScenePanel::zoom_to_selection() {
 // What is imported or pasted is not lost out of sight, or as a dot.
 void ScenePanel::show_what_came(const scene::SceneChange& change) {
   const auto& last = session_.document().last_edit();
-  if (!last || !last->forwards || !last->edit.label.starts_with("Add ")) return;
+  if (!last || !last->forwards || !last->edit->label.starts_with("Add ")) return;
   const bool many = change.inserted.size() > 1 ||
                     (change.inserted.size() == 1 && change.inserted[0].kind == scene::ObjectKind::cloud);
   if (!many) return;

@@ -240,7 +240,7 @@ bool ScriptEditor::take_last_changes() {
   if (document.revision() == revision_) return true;
   if (document.revision() != revision_ + 1 || !document.last_edit()) return false;
   const auto& [edit, forwards] = *document.last_edit();
-  const auto changes = decoded_changes(edit.script.changes, forwards, document.text(), coding_);
+  const auto changes = decoded_changes(edit->script.changes, forwards, document.text(), coding_);
   if (!changes) return false;
   shared_ = changed_text(std::move(shared_), *changes);
   splicing_ = true;

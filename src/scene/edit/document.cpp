@@ -1,6 +1,7 @@
 #include "scene/edit/document.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <iterator>
 #include <stdexcept>
 #include <utility>
@@ -94,7 +95,7 @@ Document Document::from_text(std::string text) {
 void Document::load(std::string text) {
   text_ = std::move(text);
   ScriptReading reading = read(text_);
-  scene_ = std::move(reading.scene);
+  scene_ = std::make_shared<Scene>(std::move(reading.scene));
   forget_places();
   findings_ = found_in(std::move(reading));
 }
@@ -109,16 +110,31 @@ bool Document::reads_files() const {
     return platform.path == Platform::Path::ephemeris || platform.path == Platform::Path::orbit ||
            platform.rotation_kind == Platform::Rotation::quaternions || platform.read_path;
   };
-  return !scene_.clouds.empty() || std::ranges::any_of(scene_.platforms, reads);
+  return !scene_->clouds.empty() || std::ranges::any_of(scene_->platforms, reads);
 }
 
 void Document::read_files() {
   if (!file_reader_ || (!reads_files() && of_files_.empty())) return;
-  of_files_ = file_reader_(scene_, path_.parent_path());
+  of_files_ = file_reader_(own_scene(), path_.parent_path());
   findings_.reset();
 }
 
 bool Document::changed() const { return history_.changed(); }
+
+// The scene, to be changed: what others see stays as it is.
+Scene& Document::own_scene() {
+  if (scene_.use_count() > 1)
+    scene_ = std::make_shared<Scene>(*scene_);
+  else
+    std::atomic_thread_fence(std::memory_order_acquire);  // another thread has read it to the end
+  return *scene_;
+}
+
+// The same for an edit, which may be one of the text alone.
+Scene& Document::scene_for(const Edit& edit) {
+  const bool changes = !edit.changes.empty() || edit.options_after || edit.world_after || edit.air_after;
+  return changes ? own_scene() : *scene_;
+}
 
 DataFileLoader Document::disk() const { return disk_loader(path_.parent_path()); }
 
@@ -133,7 +149,7 @@ ScriptReading Document::read(const std::string& text) const {
 }
 
 Document::Findings Document::found_in(ScriptReading reading) const {
-  return findings_of(std::move(reading), scene_, of_files_);
+  return findings_of(std::move(reading), *scene_, of_files_);
 }
 
 // The scene of a text is the one that is edited, as far as its problems go.
@@ -191,7 +207,7 @@ std::vector<IncludedText> Document::included() const {
 bool Document::touches_included(const Edit& edit) const {
   if (language() != Language::format_2 || sound_text() == nullptr) return false;
   return std::ranges::any_of(edit.changes, [&](const ObjectChange& change) {
-    const std::size_t all = count_of(scene_, change.id.kind);
+    const std::size_t all = count_of(*scene_, change.id.kind);
     return change.before && change.id.index + std::min(all, commands()[change.id.kind].size()) < all;
   });
 }
@@ -228,19 +244,19 @@ TypedFields Document::typed_fields(std::optional<ObjectId> id) const {
     std::optional<format_2::TypedObject> said;
     if (tables().options) said.emplace(*text, tables(), *tables().options);
     for (const Field& field : option_fields())
-      if (has_default(field)) fields[field.id] = said ? said->typed(scene_.options, field) : TypedField{false};
+      if (has_default(field)) fields[field.id] = said ? said->typed(scene_->options, field) : TypedField{false};
     return fields;
   }
   const std::vector<TextStretch>& places = commands()[id->kind];
-  const std::size_t included = count_of(scene_, id->kind) - std::min(places.size(), count_of(scene_, id->kind));
-  if (!has_object(scene_, *id)) return fields;
+  const std::size_t included = count_of(*scene_, id->kind) - std::min(places.size(), count_of(*scene_, id->kind));
+  if (!has_object(*scene_, *id)) return fields;
   if (id->index < included) return typed_in_included(*id);
   const std::size_t index = id->index - included;
   const format_2::ObjectTable* const table = format_2::table_with(tables(), id->kind, index);
   if (table == nullptr) return fields;
   std::optional<core::toml::Value> row;
   if (table->positions) row = {core::toml::Kind::array, core::toml::span_of(places[index].begin, places[index].end)};
-  return typed_of(format_2::TypedObject(*text, tables(), *table, row), *id, scene_);
+  return typed_of(format_2::TypedObject(*text, tables(), *table, row), *id, *scene_);
 }
 
 // The same of an object of an included file, as the files were when they were first asked for since the last change.
@@ -255,7 +271,7 @@ TypedFields Document::typed_in_included(ObjectId id) const {
     const format_2::ObjectTable* const table = format_2::table_with(file.tables, id.kind, index);
     std::optional<core::toml::Value> row;
     if (table->positions) row = format_2::rows_of(file.text, *table->positions).at(index - table->preceding);
-    return typed_of(format_2::TypedObject(file.text, file.tables, *table, row), id, scene_);
+    return typed_of(format_2::TypedObject(file.text, file.tables, *table, row), id, *scene_);
   }
   return {};
 }
@@ -301,13 +317,13 @@ Language Document::language() const {
 Document::NewText Document::text_after(const Edit& edit, const DataFileLoader& loader) const {
   const bool is_2 = language() == Language::format_2;
   const bool known = sound_text() != nullptr;
-  const std::string written = known ? "" : is_2 ? write_format_2(scene_) : write_script(scene_);
+  const std::string written = known ? "" : is_2 ? write_format_2(*scene_) : write_script(*scene_);
   const std::string& base = known ? *sound_text() : written;
   if (!is_2) return script_after(base, edit, loader);
   Format2Splice spliced =
-      known ? splice_format_2(base, tables(), touches_included(edit) ? included() : std::vector<IncludedText>{}, scene_,
-                              edit, path_.string(), loader)
-            : splice_format_2(base, format_2::find_tables(base), {}, scene_, edit, path_.string(), loader);
+      known ? splice_format_2(base, tables(), touches_included(edit) ? included() : std::vector<IncludedText>{},
+                              *scene_, edit, path_.string(), loader)
+            : splice_format_2(base, format_2::find_tables(base), {}, *scene_, edit, path_.string(), loader);
   NewText next{std::move(spliced.text), std::nullopt, {}, std::move(spliced.included)};
   if (spliced.rows_alone && known) {
     next.tables = format_2::after_changes(tables(), spliced.changes);
@@ -323,14 +339,14 @@ Document::NewText Document::script_after(const std::string& base, const Edit& ed
   const bool unknown = text_broken_ && !sound_text_;
   const CommandPlaces found = unknown ? find_commands(base) : CommandPlaces{};
   const CommandPlaces& places = unknown ? found : commands();
-  if (places.fits(scene_)) {
+  if (places.fits(*scene_)) {
     Splice spliced = splice(base, places, edit, loader);
     if (keeps_line_ends(base, spliced.text)) {
       TextChanges changes = text_broken_ ? text_difference(text_, spliced.text) : std::move(spliced.changes);
       return {std::move(spliced.text), std::move(spliced.places), std::move(changes), {}};
     }
   }
-  Scene after = scene_;
+  Scene after = *scene_;
   apply(edit, after);
   std::string text = write_script(after);
   TextChanges changes = text_difference(text_, text);
@@ -351,8 +367,8 @@ void Document::perform(Edit edit) {
   edit.typed.clear();
   if (changes_nothing(edit)) return;
   change_included(edit.script, true, data);
-  history_.perform(edit, scene_);
-  note_edit(std::move(edit), true);
+  Scene& scene = scene_for(edit);
+  note_edit(history_.perform(std::move(edit), scene), true);
   text_ = std::move(next.text);
   forget_places();
   commands_ = std::move(next.commands);
@@ -367,7 +383,7 @@ void Document::perform(Edit edit) {
 }
 
 std::string Document::world_objection(const World& world) const {
-  const Edit edit = change_world(scene_, world);
+  const Edit edit = change_world(*scene_, world);
   if (changes_nothing(edit)) return {};
   const ScriptReading reading = read(text_after(edit, data_.loader(disk())).text);
   const auto error = std::ranges::find(reading.problems, core::Severity::error, &core::Problem::severity);
@@ -376,7 +392,7 @@ std::string Document::world_objection(const World& world) const {
 
 // What stands on the Earth by its latitude has other coordinates in another world.
 void Document::follow_world(Edit& edit, const std::string& text) const {
-  Edit whole = difference(scene_, read(text).scene, edit.label);
+  Edit whole = difference(*scene_, read(text).scene, edit.label);
   whole.merge_key = std::move(edit.merge_key);
   edit = std::move(whole);
 }
@@ -385,12 +401,12 @@ void Document::type_text(std::string text) {
   if (text == text_) return;
   ScriptReading reading = read(text);
   const bool broken = core::has_errors(reading.problems);
-  Edit edit = broken ? Edit{} : difference(scene_, reading.scene, "");
+  Edit edit = broken ? Edit{} : difference(*scene_, reading.scene, "");
   edit.label = "Edit script";
   edit.merge_key = "script";
   edit.script = {text_difference(text_, text), {}, text_broken_, broken};
-  history_.perform(edit, scene_);
-  note_edit(std::move(edit), true);
+  Scene& scene = scene_for(edit);
+  note_edit(history_.perform(std::move(edit), scene), true);
   if (!broken) {
     sound_text_.reset();
     forget_places();
@@ -403,29 +419,36 @@ void Document::type_text(std::string text) {
   read_files();
 }
 
-void Document::undo() { follow_history(history_.undo(scene_), false); }
+void Document::undo() {
+  if (!history_.can_undo()) throw std::logic_error("history: nothing to undo");
+  follow_history(history_.undo(scene_for(*history_.next_undo())), false);
+}
 
 void Document::take_back() {
   undo();
   history_.forget_undone();
 }
 
-void Document::redo() { follow_history(history_.redo(scene_), true); }
+void Document::redo() {
+  if (!history_.can_redo()) throw std::logic_error("history: nothing to redo");
+  follow_history(history_.redo(scene_for(*history_.next_redo())), true);
+}
 
-void Document::note_edit(Edit edit, bool forwards) {
+void Document::note_edit(std::shared_ptr<const Edit> edit, bool forwards) {
   last_edit_ = LastEdit{std::move(edit), forwards};
   ++revision_;
 }
 
 // Does to the text what a step of the history has done to the scene.
-void Document::follow_history(const Edit& edit, bool forwards) {
-  text_ = forwards ? apply_changes(text_, edit.script.changes) : revert_changes(text_, edit.script.changes);
-  text_broken_ = forwards ? edit.script.broken_after : edit.script.broken_before;
+void Document::follow_history(std::shared_ptr<const Edit> edit, bool forwards) {
+  const ScriptChange& script = edit->script;
+  text_ = forwards ? apply_changes(text_, script.changes) : revert_changes(text_, script.changes);
+  text_broken_ = forwards ? script.broken_after : script.broken_before;
   sound_text_.reset();
   forget_places();
-  data_.follow(edit, forwards, disk());
-  change_included(edit.script, forwards, data_);
-  note_edit(edit, forwards);
+  data_.follow(*edit, forwards, disk());
+  change_included(script, forwards, data_);
+  note_edit(std::move(edit), forwards);
   findings_.reset();
   read_files();
 }

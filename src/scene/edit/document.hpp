@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,7 +49,11 @@ class Document {
   /// From here on the points of clouds are read, at once and after each change.
   void read_files_with(FileReader reader);
 
-  [[nodiscard]] const Scene& scene() const { return scene_; }
+  /// As it is; an edit may put another one in its place.
+  [[nodiscard]] const Scene& scene() const { return *scene_; }
+  /// The same for work that goes on while the document changes: it stays as it is. Costs nothing until the next edit,
+  /// which then works on a copy. Copies of a document share it likewise.
+  [[nodiscard]] std::shared_ptr<const Scene> shared_scene() const { return scene_; }
   [[nodiscard]] const std::string& text() const { return text_; }
   /// Empty where it was never saved.
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
@@ -113,7 +118,7 @@ class Document {
   [[nodiscard]] const History& history() const { return history_; }
   /// The edit that the last perform, undo, redo or type_text applied, and in which direction; for those who follow ids.
   struct LastEdit {
-    Edit edit;
+    std::shared_ptr<const Edit> edit;  ///< Never null.
     bool forwards = true;
   };
   [[nodiscard]] const std::optional<LastEdit>& last_edit() const { return last_edit_; }
@@ -142,9 +147,9 @@ class Document {
 
   void load(std::string text);
   void read_files();
-  void follow_history(const Edit& edit, bool forwards);
+  void follow_history(std::shared_ptr<const Edit> edit, bool forwards);
   void follow_world(Edit& edit, const std::string& text) const;
-  void note_edit(Edit edit, bool forwards);
+  void note_edit(std::shared_ptr<const Edit> edit, bool forwards);
   [[nodiscard]] NewText text_after(const Edit& edit, const DataFileLoader& loader) const;
   [[nodiscard]] NewText script_after(const std::string& base, const Edit& edit, const DataFileLoader& loader) const;
   [[nodiscard]] const std::string* sound_text() const;
@@ -160,8 +165,10 @@ class Document {
   [[nodiscard]] const Findings& findings() const;
   [[nodiscard]] Findings found_in(ScriptReading reading) const;
   [[nodiscard]] bool reads_files() const;
+  [[nodiscard]] Scene& own_scene();
+  [[nodiscard]] Scene& scene_for(const Edit& edit);
 
-  Scene scene_;
+  std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();  // never null but in one that was moved away
   std::string text_;
   bool text_broken_ = false;
   std::optional<std::string> sound_text_;  // the last that could be read, where it is known and the text is broken

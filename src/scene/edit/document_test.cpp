@@ -96,13 +96,39 @@ TEST(Document, WritesAnEditIntoTheTextAndTakesItBackByteByByte) {
   EXPECT_TRUE(document.changed());
   ASSERT_TRUE(document.last_edit());
   EXPECT_TRUE(document.last_edit()->forwards);
-  EXPECT_EQ(document.last_edit()->edit.label, "Move target");
+  EXPECT_EQ(document.last_edit()->edit->label, "Move target");
   document.undo();
   EXPECT_EQ(document.text(), small_script);
   EXPECT_FALSE(document.changed());
   EXPECT_FALSE(document.last_edit()->forwards);
   document.redo();
   EXPECT_EQ(document.scene().targets[0].position_m.x, 7.5);
+}
+
+TEST(Document, CopiesShareTheSceneUntilOneChanges) {
+  Document one = Document::from_text(small_script);
+  one.perform(move_to(one, 7.5));
+  Document other = one;
+  EXPECT_EQ(&other.scene(), &one.scene());
+  EXPECT_EQ(other.last_edit()->edit, one.last_edit()->edit);
+  const std::shared_ptr<const Scene> before = one.shared_scene();
+  other.perform(move_to(other, 8.5));
+  EXPECT_NE(&other.scene(), &one.scene());
+  EXPECT_EQ(other.scene().targets[0].position_m.x, 8.5);
+  EXPECT_EQ(one.shared_scene(), before);
+  EXPECT_EQ(before->targets[0].position_m.x, 7.5);
+  one.undo();
+  EXPECT_EQ(before->targets[0].position_m.x, 7.5);
+  EXPECT_EQ(one.scene().targets[0].position_m.x, 1.0);
+  EXPECT_EQ(one.text(), small_script);
+  other.undo();
+  EXPECT_TRUE(other.scene() == *before);
+  // A comment changes no scene.
+  const std::shared_ptr<const Scene> shared = one.shared_scene();
+  one.type_text(one.text() + "! a comment\n");
+  EXPECT_EQ(one.shared_scene(), shared);
+  EXPECT_THROW(Document().undo(), std::logic_error);
+  EXPECT_THROW(Document().redo(), std::logic_error);
 }
 
 std::vector<std::string> words_of(const core::Problems& problems) {
@@ -156,7 +182,7 @@ TEST(Document, FollowsTypedText) {
   document.type_text(text);
   EXPECT_EQ(document.scene().targets[0].position_m, (core::Vec3{4.0, 5.0, 6.0}));
   EXPECT_EQ(document.text(), text);
-  EXPECT_EQ(document.last_edit()->edit.changes.size(), 1U);
+  EXPECT_EQ(document.last_edit()->edit->changes.size(), 1U);
   document.undo();
   EXPECT_EQ(document.text(), small_script);
   EXPECT_TRUE(document.scene() == scene_of(small_script));

@@ -5,43 +5,45 @@
 
 namespace sarsim::scene {
 
-void History::perform(Edit edit, Scene& scene) {
-  if (changes_nothing(edit)) return;
-  apply(edit, scene);
+std::shared_ptr<const Edit> History::perform(Edit edit, Scene& scene) {
+  auto step = std::make_shared<const Edit>(std::move(edit));
+  if (changes_nothing(*step)) return step;
+  apply(*step, scene);
   const bool merges =
-      run_open_ && done_ > 0 && !edit.merge_key.empty() && edits_[done_ - 1].merge_key == edit.merge_key;
+      run_open_ && done_ > 0 && !step->merge_key.empty() && edits_[done_ - 1]->merge_key == step->merge_key;
   if (saved_ > done_) saved_reachable_ = false;
   edits_.resize(done_);
-  run_open_ = !edit.merge_key.empty();
+  run_open_ = !step->merge_key.empty();
   if (!merges) {
-    edits_.push_back(std::move(edit));
+    edits_.push_back(step);
     ++done_;
-    return;
+    return step;
   }
-  edits_.back() = composed(std::move(edits_.back()), edit);
-  if (changes_nothing(edits_.back())) {
+  edits_.back() = std::make_shared<const Edit>(composed(*edits_.back(), *step));
+  if (changes_nothing(*edits_.back())) {
     edits_.pop_back();
     --done_;
     run_open_ = false;
   }
+  return step;
 }
 
 void History::end_run() { run_open_ = false; }
 
-std::string History::undo_label() const { return can_undo() ? edits_[done_ - 1].label : ""; }
+std::string History::undo_label() const { return can_undo() ? next_undo()->label : ""; }
 
-std::string History::redo_label() const { return can_redo() ? edits_[done_].label : ""; }
+std::string History::redo_label() const { return can_redo() ? next_redo()->label : ""; }
 
-const Edit& History::undo(Scene& scene) {
+std::shared_ptr<const Edit> History::undo(Scene& scene) {
   if (!can_undo()) throw std::logic_error("history: nothing to undo");
-  revert(edits_[done_ - 1], scene);
+  revert(*edits_[done_ - 1], scene);
   run_open_ = false;
   return edits_[--done_];
 }
 
-const Edit& History::redo(Scene& scene) {
+std::shared_ptr<const Edit> History::redo(Scene& scene) {
   if (!can_redo()) throw std::logic_error("history: nothing to redo");
-  apply(edits_[done_], scene);
+  apply(*edits_[done_], scene);
   run_open_ = false;
   return edits_[done_++];
 }

@@ -28,7 +28,7 @@ TEST(History, UndoesAndRedoesStepByStep) {
   history.perform(move_to(scene, 1.0), scene);
   history.perform(add_object(scene, Radar{}), scene);
   EXPECT_EQ(history.undo_label(), "Add radar");
-  EXPECT_EQ(history.undo(scene).label, "Add radar");
+  EXPECT_EQ(history.undo(scene)->label, "Add radar");
   EXPECT_TRUE(scene.radars.empty());
   EXPECT_EQ(history.redo_label(), "Add radar");
   EXPECT_EQ(history.undo_label(), "Move target");
@@ -70,7 +70,7 @@ TEST(History, MergesARunOfEditsWithOneKey) {
   Scene scene = two_targets();
   History history;
   for (int i = 1; i <= 100; ++i) history.perform(move_to(scene, i, "drag"), scene);
-  EXPECT_EQ(history.undo(scene).changes.size(), 1U);
+  EXPECT_EQ(history.undo(scene)->changes.size(), 1U);
   EXPECT_TRUE(scene == two_targets());
   EXPECT_FALSE(history.can_undo());
   history.redo(scene);
@@ -83,7 +83,7 @@ TEST(History, MergesADragThatGainsAnObject) {
   history.perform(move_to(scene, 1.0, "drag"), scene);
   history.perform(move_to(scene, 2.0, "drag", 1), scene);
   history.perform(move_to(scene, 3.0, "drag"), scene);
-  EXPECT_EQ(history.undo(scene).changes.size(), 2U);
+  EXPECT_EQ(history.undo(scene)->changes.size(), 2U);
   EXPECT_TRUE(scene == two_targets());
 }
 

@@ -141,6 +141,12 @@ bool SceneChange::concerns_names() const {
          std::ranges::any_of(changed, [](const ChangedObject& object) { return object.name || object.carrier; });
 }
 
+bool keeps_objects(const Edit& edit) {
+  return !edit.world_after && !edit.air_after && std::ranges::all_of(edit.changes, [](const ObjectChange& change) {
+    return change.before.has_value() && change.after.has_value();
+  });
+}
+
 SceneChange change_of(const Edit& edit, bool forwards) {
   std::array<ListStory, std::size(all_object_kinds)> stories;
   const std::vector<ListChange> changes = list_changes(edit, forwards);

@@ -41,6 +41,10 @@ struct SceneChange {
   friend bool operator==(const SceneChange&, const SceneChange&) = default;
 };
 
+/// True where each object is the one that it was before an edit, or before undoing it: `SceneChange::same_objects`
+/// without looking at the objects.
+[[nodiscard]] bool keeps_objects(const Edit& edit);
+
 /// What an edit did to a scene, or undoing it. An edit that came to nothing changed the objects that it names: who
 /// shows what was asked for has to go back.
 ///

@@ -141,6 +141,10 @@ TEST(SceneChange, TellsOfOptions) {
   const SceneChange change = change_of(change_options(scene, options));
   EXPECT_TRUE(change.options);
   EXPECT_TRUE(change.changed.empty());
+  EXPECT_TRUE(keeps_objects(change_options(scene, options)));
+  World world;
+  world.frame = World::Frame::earth;
+  EXPECT_FALSE(keeps_objects(change_world(scene, world)));
 }
 
 TEST(SceneChange, IsTrueOfRandomEditsAndOfRunsOfThem) {
@@ -156,6 +160,7 @@ TEST(SceneChange, IsTrueOfRandomEditsAndOfRunsOfThem) {
       apply(edit, scene);
       expect_true(change_of(edit), edit, true, before, scene);
       expect_true(change_of(edit, false), edit, false, scene, before);
+      EXPECT_EQ(keeps_objects(edit), change_of(edit).same_objects());
       run = i == 0 ? edit : composed(std::move(run), edit);
     }
     expect_true(change_of(run), run, true, first, scene);

@@ -273,7 +273,7 @@ void expect_text_says_scene(const Document& document, const fs::path& path) {
 
 // Everything before and behind a single command that an edit replaced is as it was.
 void expect_rest_unchanged(const Document& document, const std::string& before, const CommandPlaces& places) {
-  const Edit& edit = document.last_edit()->edit;
+  const Edit& edit = *document.last_edit()->edit;
   if (edit.changes.size() != 1 || !edit.changes[0].before || !edit.changes[0].after || edit.options_after) return;
   const ObjectId id = edit.changes[0].id;
   const TextStretch was = places[id.kind][id.index];

@@ -1,0 +1,152 @@
+#include <QElapsedTimer>
+#include <QProgressDialog>
+#include <QPushButton>
+#include <QTimer>
+#include <QtTest>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "core/report/refused.hpp"
+#include "gui/common/session.hpp"
+#include "gui/common/waiting.hpp"
+#include "gui/gui_test.hpp"
+#include "gui/small_scene.hpp"
+#include "scene/edit/edit.hpp"
+
+// Waiting for work on another thread, and giving it up.
+
+namespace sarsim::waiting_test {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+QProgressDialog* waiting_dialog() {
+  for (QWidget* window : QApplication::topLevelWidgets())
+    if (window->objectName() == "waiting_dialog" && window->isVisible()) return qobject_cast<QProgressDialog*>(window);
+  return nullptr;
+}
+
+// Clicks Cancel as soon as there is a dialog.
+class Impatience {
+ public:
+  Impatience() {
+    QObject::connect(&timer_, &QTimer::timeout, [this] {
+      QProgressDialog* const dialog = waiting_dialog();
+      if (dialog == nullptr) return;
+      timer_.stop();
+      words = dialog->labelText();
+      clicked.start();
+      dialog->findChild<QPushButton*>()->click();
+    });
+    timer_.start(20);
+  }
+
+  QString words;
+  QElapsedTimer clicked;
+
+ private:
+  QTimer timer_;
+};
+
+}  // namespace
+
+class WaitingTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void short_work_shows_no_dialog() {
+    bool seen = false;
+    QTimer watch;
+    connect(&watch, &QTimer::timeout, [&] { seen |= waiting_dialog() != nullptr; });
+    watch.start(5);
+    int done = 0;
+    const gui::Waited waited =
+        gui::run_and_wait("Short work", [&](const core::StopFlag&, const gui::BackgroundJob::Report&) { done = 1; });
+    QVERIFY(waited.end == gui::JobEnd::done);
+    QCOMPARE(done, 1);
+    QVERIFY(!seen);
+    QVERIFY(QApplication::overrideCursor() == nullptr);
+  }
+
+  void work_that_fails_says_why() {
+    const gui::Waited waited = gui::run_and_wait("Work", [](const core::StopFlag&, const gui::BackgroundJob::Report&) {
+      throw std::runtime_error("there is no such object");
+    });
+    QVERIFY(waited.end == gui::JobEnd::failed);
+    QCOMPARE(waited.failure, QString("there is no such object"));
+  }
+
+  void long_work_tells_how_far_it_is() {
+    QString words;
+    int value = 0;
+    QTimer watch;
+    connect(&watch, &QTimer::timeout, [&] {
+      const QProgressDialog* const dialog = waiting_dialog();
+      if (dialog == nullptr) return;
+      words = dialog->labelText();
+      value = std::max(value, dialog->value());
+    });
+    watch.start(5);
+    const Clock::time_point begin = Clock::now();
+    const gui::Waited waited = gui::run_and_wait("Fill RCS", [begin](const core::StopFlag&,
+                                                                     const gui::BackgroundJob::Report& report) {
+      for (double share = 0.0; share < 1.0; share = std::chrono::duration<double>(Clock::now() - begin).count() / 1.2) {
+        report(share);
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      }
+    });
+    QVERIFY(waited.end == gui::JobEnd::done);
+    QVERIFY2(words.startsWith("Fill RCS") && words.contains("left"), qPrintable(words));
+    QVERIFY2(value > 500 && value < 1000, qPrintable(QString::number(value)));
+    QVERIFY(waiting_dialog() == nullptr);
+  }
+
+  // Also work that does not look whether it is to stop.
+  void work_is_given_up_at_once() {
+    const auto ended = std::make_shared<std::atomic<bool>>(false);
+    Impatience impatience;
+    const gui::Waited waited =
+        gui::run_and_wait("Endless work", [ended](const core::StopFlag& stop, const gui::BackgroundJob::Report&) {
+          while (!stop.requested()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+          std::this_thread::sleep_for(std::chrono::milliseconds(500));
+          *ended = true;
+        });
+    QVERIFY(waited.end == gui::JobEnd::cancelled);
+    QVERIFY(!*ended);
+    QVERIFY(impatience.clicked.elapsed() < 300);
+    QTRY_VERIFY(*ended);
+  }
+
+  void an_edit_that_is_given_up_leaves_the_scene_as_it_was() {
+    gui::Session session;
+    test::open(session, test::small_scene());
+    const std::string text = session.document().text();
+    const std::uint64_t revision = session.document().revision();
+    QStringList told;
+    connect(&session, &gui::Session::logged, [&](int, const QString& words) { told += words; });
+    std::size_t inserted = 0;
+    connect(&session, &gui::Session::scene_changed,
+            [&](const scene::SceneChange& change) { inserted += change.inserted.size(); });
+    Impatience impatience;
+    session.perform(scene::add_targets(session.scene(), test::many_targets(200'000).targets));
+    if (impatience.words.isEmpty()) QSKIP("this machine is too fast to give up an edit of 200 000 targets");
+    QVERIFY2(impatience.words.startsWith("Add"), qPrintable(impatience.words));
+    QCOMPARE(session.document().revision(), revision);
+    QCOMPARE(session.document().text(), text);
+    QCOMPARE(inserted, std::size_t{0});
+    QVERIFY2(told.size() == 1 && told[0].contains("was cancelled"), qPrintable(told.join('\n')));
+    session.select({test::target(0), test::target(199'999)});
+    QCOMPARE(session.selection().size(), std::size_t{1});
+  }
+};
+
+const test::AddTest added("waiting_test", test::run_test<WaitingTest>);
+
+}  // namespace sarsim::waiting_test
+
+#include "waiting_test.moc"
