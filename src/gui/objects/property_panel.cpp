@@ -25,6 +25,9 @@ namespace {
 // Figures that follow the time need not be newer than an eye sees.
 constexpr int derived_delay_ms = 40;
 
+// With this delay a timer fires after what it was started among.
+constexpr int after_painting_ms = 20;
+
 std::string merge_key_of(const PanelSubject& subject, const scene::Field& field) {
   std::string key = "step " + field.id;
   if (subject.kind()) {
@@ -87,9 +90,17 @@ PropertyPanel::PropertyPanel(Session& session, QWidget* parent) : QScrollArea(pa
   derived_timer_.setInterval(derived_delay_ms);
   connect(&derived_timer_, &QTimer::timeout, this, &PropertyPanel::fill_derived);
   connect(&session_, &Session::scene_changed, this, &PropertyPanel::follow);
-  connect(&session_, &Session::selection_changed, this, &PropertyPanel::refresh);
+  connect(&session_, &Session::selection_changed, this, &PropertyPanel::refresh_soon);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, [this] {
+    // All windows are painted first.
+    if (soon_.interval() == 0)
+      soon_.start(after_painting_ms);
+    else
+      refresh();
+  });
   connect(&session_, &Session::problems_changed, this, [this] {
-    if (committing_) return;
+    if (committing_ || soon_.isActive()) return;
     fill_problems();
     arrange();
   });
@@ -120,8 +131,19 @@ PanelSubject PropertyPanel::wanted_subject() const {
   return subject;
 }
 
+// Many objects take a while, which is spent once the other windows have followed, and once for changes in a row.
+void PropertyPanel::refresh_soon() {
+  constexpr std::size_t many = 20'000;
+  if (session_.selection().size() < many) return refresh();
+  soon_.start(0);
+}
+
+// Whether the fields show objects that are no longer as they are shown, or gone.
+bool PropertyPanel::is_stale() const { return soon_.isActive() && !subject_.stands_in(session_.scene()); }
+
 void PropertyPanel::refresh() {
   if (committing_) return;
+  soon_.stop();
   if (PanelSubject wanted = wanted_subject(); !wanted.same_objects(subject_)) {
     const std::uint64_t revision = session_.document().revision();
     commit_pending();
@@ -141,7 +163,8 @@ void PropertyPanel::refresh() {
 // Fields show their objects and names of others, and what the text says of them, which a change of the text alone may
 // concern; problems and figures depend on all of the scene.
 void PropertyPanel::follow(const scene::SceneChange& change) {
-  if (shows(change) || change.empty()) return refresh();
+  if (soon_.isActive()) return;
+  if (shows(change) || change.empty()) return refresh_soon();
   if (!committing_) fill_outlook();
 }
 
@@ -169,6 +192,7 @@ void PropertyPanel::commit() {
 }
 
 void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
+  if (is_stale()) return refresh();
   const std::string key = step ? merge_key_of(subject_, editor->field()) : std::string();
   FieldChange change = subject_.change(session_.document(), editor->field(), text.toStdString(), key);
   if (!change.failure.empty()) {
@@ -180,6 +204,7 @@ void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
 }
 
 void PropertyPanel::apply_entries(ListField* editor, const EntryChange& change) {
+  if (is_stale()) return refresh();
   FieldChange made = subject_.change_entries(session_.document(), editor->field(), change);
   if (!made.failure.empty()) return editor->show_failure(QString::fromStdString(made.failure));
   editor->clear_failure();
@@ -187,11 +212,13 @@ void PropertyPanel::apply_entries(ListField* editor, const EntryChange& change) 
 }
 
 void PropertyPanel::reset(FieldEditor* editor) {
+  if (is_stale()) return refresh();
   editor->restore();
   session_.perform(subject_.reset(session_.document(), editor->field()));
 }
 
 void PropertyPanel::judge(FieldEditor* editor, const QString& text) {
+  if (is_stale()) return;
   const FieldChange change = subject_.change(session_.document(), editor->field(), text.toStdString());
   if (change.failure.empty())
     editor->clear_failure();

@@ -56,6 +56,8 @@ class PropertyPanel : public QScrollArea {
   };
 
   void refresh();
+  void refresh_soon();
+  [[nodiscard]] bool is_stale() const;
   void follow(const scene::SceneChange& change);
   [[nodiscard]] bool shows(const scene::SceneChange& change) const;
   void fill_outlook();
@@ -96,6 +98,7 @@ class PropertyPanel : public QScrollArea {
   QGroupBox* derived_box_ = nullptr;
   QTableWidget* derived_ = nullptr;
   QTimer derived_timer_;
+  QTimer soon_;  // many objects are selected, or have changed, which is not shown yet
   bool committing_ = false;
 };
 

@@ -176,9 +176,12 @@ void TargetTable::take_selection() {
   if (!targets.empty()) session_.select({targets.begin(), targets.end()});
 }
 
-// Marks the rows of targets that were selected elsewhere; cells selected here stay as they are.
+// Marks the rows of targets that were selected elsewhere; cells selected here stay as they are. While the table is
+// hidden that waits until it is shown.
 void TargetTable::show_selection() {
   if (showing_) return;
+  stale_ = !isVisible();
+  if (stale_) return;
   std::vector<int> rows;
   for (const scene::ObjectId id : session_.selection())
     if (const int row = model_->row_of(id); row >= 0) rows.push_back(row);
@@ -194,6 +197,11 @@ void TargetTable::show_selection() {
   }
   show_selected(*view_, selection);
   if (!rows.empty()) view_->scrollTo(model_->index(rows.front(), 0));
+}
+
+void TargetTable::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (stale_) show_selection();
 }
 
 void TargetTable::update_buttons() {

@@ -42,6 +42,7 @@ class TargetTable : public QWidget {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void make_widgets();
@@ -69,6 +70,7 @@ class TargetTable : public QWidget {
   QTableView* view_ = nullptr;
   ProblemLine* message_ = nullptr;
   bool showing_ = false;
+  bool stale_ = false;  // others were selected while it was hidden
 };
 
 /// The table in a window of its own, which does not keep others from being used.
