@@ -1,5 +1,6 @@
 // gui_actions [TARGETS...]: processor time of the window's thread for what a user does with many targets.
 
+#include <QAbstractEventDispatcher>
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
@@ -29,20 +30,46 @@ namespace {
 
 using namespace sarsim;
 
+// The processor time of the window's thread from one pause to the next, in which it answers; also within an action
+// that waits for another thread.
+class Stretches {
+ public:
+  Stretches() : begin_ms_(sarsim::bench::thread_ms()) {
+    const auto* const dispatcher = QAbstractEventDispatcher::instance();
+    pauses_ = QObject::connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, [this] { pause(); });
+  }
+  Stretches(const Stretches&) = delete;
+  Stretches& operator=(const Stretches&) = delete;
+  ~Stretches() { QObject::disconnect(pauses_); }
+
+  void pause() {
+    const double now_ms = sarsim::bench::thread_ms();
+    longest_ms_ = std::max(longest_ms_, now_ms - begin_ms_);
+    begin_ms_ = now_ms;
+  }
+  [[nodiscard]] double longest_ms() const { return longest_ms_; }
+
+ private:
+  QMetaObject::Connection pauses_;
+  double begin_ms_;
+  double longest_ms_ = 0.0;
+};
+
 // The action, and all that the window does of itself in the second after it; the longest stretch without an answer.
 void measure(std::size_t targets, const char* what, const std::function<void()>& act) {
   QTest::qWait(700);
   const double begin = sarsim::bench::thread_ms();
+  Stretches stretches;
   act();
   const double act_ms = sarsim::bench::thread_ms() - begin;
-  double longest = act_ms;
+  stretches.pause();
   for (int i = 0; i < 100; ++i) {
-    const double before = sarsim::bench::thread_ms();
     QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
-    longest = std::max(longest, sarsim::bench::thread_ms() - before);
+    stretches.pause();
     QTest::qSleep(8);
   }
-  std::printf("%8zu  %-24s %9.1f %9.1f %9.1f\n", targets, what, act_ms, longest, sarsim::bench::thread_ms() - begin);
+  std::printf("%8zu  %-24s %9.1f %9.1f %9.1f\n", targets, what, act_ms, stretches.longest_ms(),
+              sarsim::bench::thread_ms() - begin);
   std::fflush(stdout);
 }
 
