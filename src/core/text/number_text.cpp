@@ -202,6 +202,11 @@ std::string bytes_text(double bytes) {
   return fmt::format("{:.3g} {}", bytes, units[unit]);
 }
 
+std::string with_minus_sign(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
+}
+
 std::string duration_text(double seconds) {
   if (seconds < 0.001) return "below 1 ms";
   if (seconds < 60.0) return fmt::format("{:.2g} s", seconds);

@@ -29,6 +29,9 @@ void append_number(std::string& text, double value, int exponent_shift = 0);
 /// `value` with an SI prefix and `digits` significant digits for people to read: 5.3e9, "Hz" gives "5.3 GHz".
 [[nodiscard]] std::string with_prefix(double value, std::string_view unit, int digits = 6);
 
+/// A number as print has it: with the sign of minus where it begins with a hyphen, "−30 m". For what is only read.
+[[nodiscard]] std::string with_minus_sign(std::string number);
+
 /// A count of bytes for people to read: "1.5 MB" (decimal prefixes).
 [[nodiscard]] std::string bytes_text(double bytes);
 

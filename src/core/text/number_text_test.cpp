@@ -20,6 +20,13 @@ TEST(ParseNumber, ReadsDecimalNumbers) {
   EXPECT_EQ(parse_number("0.1"), 0.1);
 }
 
+TEST(WithMinusSign, IsForTheFirstCharacterAlone) {
+  EXPECT_EQ(with_minus_sign("-30 m"), "−30 m");
+  EXPECT_EQ(with_minus_sign("30 m"), "30 m");
+  EXPECT_EQ(with_minus_sign("1e-6"), "1e-6");
+  EXPECT_EQ(with_minus_sign(""), "");
+}
+
 TEST(ParseNumber, ReadsExponentsWithEitherLetter) {
   EXPECT_EQ(parse_number("1e3"), 1000.0);
   EXPECT_EQ(parse_number("1E+03"), 1000.0);

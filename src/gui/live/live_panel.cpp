@@ -19,6 +19,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/text/number_text.hpp"
 #include "gui/common/figure_plot.hpp"
 #include "gui/common/named.hpp"
 #include "gui/common/problem_line.hpp"
@@ -442,7 +443,9 @@ void LivePanel::show_state() {
   const picture::LiveImage& shown = before_is_seen_ ? *kept_ : *image_;
   QString text = text_of(picture::title_of(shown.product)) + ": ";
   if (shown.coarse) text += tr("coarse (%1), ").arg(text_of(shown.coarsely));
-  text += tr("%1, %L2 ms").arg(text_of(shown.made)).arg(shown.cost.seconds * 1e3, 0, 'f', 0);
+  const double seconds = shown.cost.seconds;
+  text += text_of(shown.made) + ", " +
+          (seconds < 1.0 ? tr("%1 ms").arg(1e3 * seconds, 0, 'f', 0) : text_of(core::duration_text(seconds)));
   if (comparing() == Compare::difference) text = tr("Now minus before. ") + text;
   if (comparing() == Compare::blink) text = (before_is_seen_ ? tr("Before. ") : tr("Now. ")) + text;
   if (comparing() == Compare::side_by_side) text = tr("Before, now. ") + text;

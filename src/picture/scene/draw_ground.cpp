@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/maths/rounding.hpp"
+#include "core/text/number_text.hpp"
 #include "picture/figure/ticks.hpp"
 #include "picture/scene/drawing_pen.hpp"
 #include "scene/schema/quantity.hpp"
@@ -59,8 +60,8 @@ void put_distance(Pen& pen, const core::Vec3& one, const core::Vec3& other, doub
   if (length < 1.0 || !pen.visible(near)) return;
   const double out = pen.px(label_out_px) / length;
   pen.text(near.x + out * (near.x - far.x), near.y + out * (near.y - far.y) + pen.px(4.0),
-           scene::quantity_text(core::tidy(value_m, 6), scene::Quantity::length), Role::text, false, true,
-           Drawing::Hold::spare);
+           core::with_minus_sign(scene::quantity_text(core::tidy(value_m, 6), scene::Quantity::length)), Role::text,
+           false, true, Drawing::Hold::spare);
 }
 
 }  // namespace

@@ -552,6 +552,19 @@ TEST(Drawing, TheGroundGridHasRoundStepsAtAnyZoomAndNoneFromItsEdge) {
   EXPECT_TRUE(lines_of(drawn({}, preset(front_camera(), ViewPreset::front), options), Role::faint).empty());
 }
 
+TEST(Drawing, DistancesOnTheGroundHaveASignOfMinus) {
+  DrawingOptions options = bare_options();
+  options.ground_grid = options.labels = true;
+  Camera camera = Camera::start(800.0, 600.0);
+  camera.pixels_per_m = 0.01;
+  std::size_t negative = 0;
+  for (const Drawing::Text& text : drawn({}, camera, options).texts) {
+    EXPECT_EQ(text.text.find('-'), std::string::npos) << text.text;
+    if (text.text.starts_with("−")) ++negative;
+  }
+  EXPECT_GT(negative, 0U);
+}
+
 TEST(Drawing, RoomIsUsedAgainAndNothingIsLeftOver) {
   Drawing drawing;
   draw_scene(random_snapshot(1, 100.0), front_camera(), {}, drawing);

@@ -126,18 +126,12 @@ double pointed_turn(const HandDrag& drag, const core::Vec3& axis, double x_px, d
   return std::atan2(core::dot(axis, core::cross(a, b)), core::dot(a, b));
 }
 
-// With the minus sign of print.
-std::string printed(std::string text) {
-  if (!text.empty() && text.front() == '-') text.replace(0, 1, "−");
-  return text;
-}
-
 std::string length_words(double m, double step_m) {
-  return printed(scene::quantity_text(core::rounded_to(m, step_m), scene::Quantity::length));
+  return core::with_minus_sign(scene::quantity_text(core::rounded_to(m, step_m), scene::Quantity::length));
 }
 
 std::string angle_words(double rad) {
-  return printed(core::format_number(core::rounded_to(rad * core::deg_per_rad, 0.01)) + "°");
+  return core::with_minus_sign(core::format_number(core::rounded_to(rad * core::deg_per_rad, 0.01)) + "°");
 }
 
 constexpr std::array<const char*, 3> hand_axis_letters{"x", "y", "z"};
@@ -193,7 +187,8 @@ std::string move_words(const HandDrag& drag, const HandMove& move, const core::V
   const core::Vec3& by = move.delta_world_m;
   std::string words = fmt::format("x {}  y {}  z {}", length_words(place_world_m.x, step),
                                   length_words(place_world_m.y, step), length_words(place_world_m.z, step));
-  if (!drag.typed.empty()) return words + fmt::format("\nΔ {}{}: typed", printed(drag.typed), lock_words(drag, move));
+  if (!drag.typed.empty())
+    return words + fmt::format("\nΔ {}{}: typed", core::with_minus_sign(drag.typed), lock_words(drag, move));
   if (drag.lock.kind == HandLock::Kind::axis)
     return words + fmt::format("\nΔ {}{}", length_words(core::dot(by, drag.axes_world[drag.lock.axis]), step),
                                lock_words(drag, move));
@@ -202,7 +197,7 @@ std::string move_words(const HandDrag& drag, const HandMove& move, const core::V
 }
 
 std::string turn_words(const HandDrag& drag, const std::string& name, double from_rad, double by_rad) {
-  const std::string by = drag.typed.empty() ? angle_words(by_rad) : printed(drag.typed) + ": typed";
+  const std::string by = drag.typed.empty() ? angle_words(by_rad) : core::with_minus_sign(drag.typed) + ": typed";
   return fmt::format("{} {}\nΔ {}", name, angle_words(from_rad + by_rad), by);
 }
 

@@ -38,10 +38,7 @@ double arc_m(const radar::EarthFrame& earth, const radar::Geodetic& from, const 
   return 2.0 * radius_m * std::asin(std::min(1.0, 0.5 * chord_m / radius_m));
 }
 
-std::string ruler_length(double m) {
-  const std::string text = core::with_prefix(m, "m", 5);
-  return m < 0.0 ? "−" + text.substr(1) : text;
-}
+std::string ruler_length(double m) { return core::with_minus_sign(core::with_prefix(m, "m", 5)); }
 
 std::string ruler_angle(double rad) {
   const double deg = rad * core::deg_per_rad;
