@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace sarsim::picture {
 
@@ -15,6 +16,7 @@ constexpr double main_axis_room_px = 230.0;  // with the letter
 constexpr double own_axis_room_px = 70.0;
 constexpr double point_room_px = 8.0;
 constexpr double letter_px = 8.0;
+constexpr double triad_px = 130.0;  // of the lower right corner: the axes there, and own axes above them
 
 // What axes with letters take about their origin.
 MarkRoom room_of_axes(const Camera& camera, const core::Vec3& at_m, const core::Mat3& world_from_axes,
@@ -49,6 +51,21 @@ std::vector<MarkRoom> rooms_of(const Snapshot& snapshot, const Camera& camera, c
     rooms.push_back({radar.position_world_m, half, half, scale * 12.0, scale * 28.0});
   }
   return rooms;
+}
+
+// What lifts the lowest of the points that lie under the corner triad above it.
+std::optional<MarkRoom> room_above_triad(const Camera& camera, const std::vector<core::Vec3>& points_m,
+                                         double pixel_scale) {
+  const double corner_px = triad_px * pixel_scale;
+  std::optional<MarkRoom> lowest;
+  double lowest_px = camera.height_px - corner_px;
+  for (const core::Vec3& point : points_m) {
+    const auto at = camera.project(point);
+    if (!at || at->x < camera.width_px - corner_px || at->y < lowest_px) continue;
+    lowest_px = at->y;
+    lowest = MarkRoom{point, 0.0, 0.0, 0.0, corner_px};
+  }
+  return lowest;
 }
 
 // The corners of the box that holds points in the picture's axes.
@@ -101,7 +118,13 @@ Camera showing_all(const Camera& camera, const Snapshot& snapshot, const Drawing
   const double room = point_room_px * options.pixel_scale;
   for (const core::Vec3& corner : corners_about(shown, points)) rooms.push_back({corner, room, room, room, room});
   for (MarkRoom& mark : rooms) mark.above_px += buttons_px * options.pixel_scale;
-  return with_whole_marks(shown, rooms, free_edge_px * options.pixel_scale);
+  const double edge = free_edge_px * options.pixel_scale;
+  shown = with_whole_marks(shown, rooms, edge);
+  if (!options.corner_triad) return shown;
+  const auto above = room_above_triad(shown, points, options.pixel_scale);
+  if (!above) return shown;
+  rooms.push_back(*above);
+  return with_whole_marks(shown, rooms, edge);
 }
 
 Camera showing(const Camera& camera, const Snapshot& snapshot, const std::set<scene::ObjectId>& objects,

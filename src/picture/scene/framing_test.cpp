@@ -64,6 +64,30 @@ TEST(Framing, ShowAllLeavesNoAxisAndNoNameCut) {
   }
 }
 
+// A ship 8 km off, in pictures of many sizes.
+TEST(Framing, ShowAllKeepsEverythingFromUnderTheCornerTriad) {
+  const core::Vec3 ship_m{0.0, 8000.0, 0.0};
+  const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, ship_m, {30.0, 8003.0, 3.0}});
+  int under = 0;
+  for (const double scale : {1.0, 2.0})
+    for (double width = 320.0; width < 900.0; width += 60.0)
+      for (double height = 300.0; height < 1000.0; height += 50.0) {
+        const Camera camera = Camera::start(scale * width, scale * height);
+        DrawingOptions options;
+        options.pixel_scale = scale;
+        const auto is_under = [&](const Camera& shown) {
+          const auto at = shown.project(ship_m);
+          EXPECT_TRUE(at->x > 0.0 && at->x < camera.width_px && at->y > 0.0 && at->y < camera.height_px);
+          return at->x > camera.width_px - 90.0 * scale && at->y > camera.height_px - 90.0 * scale;
+        };
+        options.corner_triad = false;
+        if (is_under(showing_all(camera, snapshot, options))) ++under;
+        options.corner_triad = true;
+        EXPECT_FALSE(is_under(showing_all(camera, snapshot, options))) << width << " x " << height;
+      }
+  EXPECT_GT(under, 0);
+}
+
 TEST(Framing, WhatIsSelectedFillsThePicture) {
   const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {9000.0, 0.0, 0.0}, {9010.0, 0.0, 0.0}, {9000.0, 10.0, 0.0}});
   const Camera above = preset(Camera::start(800.0, 600.0), ViewPreset::top);
