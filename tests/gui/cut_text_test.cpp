@@ -201,6 +201,12 @@ class CutTextTest : public QObject {
       viewer.findChild<QToolButton*>(tool)->click();
       found += cut_for_good(viewer, QString("viewer with ") + tool);
     }
+    auto* const draw_as = viewer.findChild<QComboBox*>("image_draw_as");
+    for (int i = draw_as->count() - 1; i >= 0; --i) {
+      draw_as->setCurrentIndex(i);
+      emit draw_as->activated(i);
+      found += cut_for_good(viewer, "viewer with " + draw_as->currentText());
+    }
     const QPointF middle = viewer.plot().rect().center();
     QTest::mouseClick(&viewer.plot(), Qt::LeftButton, {}, middle.toPoint());
     found += cut_for_good(viewer, "viewer with a point");

@@ -194,6 +194,70 @@ class ImageViewerTest : public QObject {
     QVERIFY(!bench.viewer.plot().cursor(0));
   }
 
+  // By hand: curves at least 20 pixels apart, the largest value as 3/8 of that, decibels as nine tenths.
+  void slices_are_curves_through_the_samples() {
+    gui::ImagePart part;
+    part.window = {0, 12, 0, 5, 1, 1};
+    part.value = raster::ImageValue::real;
+    part.samples.assign(60, 0.0);
+    part.samples[4 * 5 + 2] = 2.0;
+    part.samples[4 * 5 + 3] = -1.0;
+    gui::PartColours colours;
+    colours.quantity = picture::DisplayQuantity::real;
+    colours.limits = {-1.0, 2.0};
+    colours.reference_v = 2.0;
+    const gui::ImageView view = gui::whole_view(12, 5);
+    const QSize plot_px(50, 120);  // 10 pixels a sample
+    const auto rows = gui::slices_of(part, colours, picture::DrawAs::curves_per_pulse, view, plot_px);
+    QCOMPARE(rows.size(), std::size_t{6});
+    QCOMPARE(rows[2].base, 4.0);
+    QCOMPARE(rows[2].points.size(), std::size_t{5});
+    QCOMPARE(rows[2].points[2], QPointF(2.0, 4.0 - 0.375 * 2.0));
+    QCOMPARE(rows[2].points[3], QPointF(3.0, 4.0 + 0.375));
+    QCOMPARE(rows[1].points[2], QPointF(2.0, 2.0));
+    const auto columns = gui::slices_of(part, colours, picture::DrawAs::curves_per_range, view, plot_px);
+    QCOMPARE(columns.size(), std::size_t{3});
+    QCOMPARE(columns[1].points[4], QPointF(2.0 + 0.375 * 2.0, 4.0));
+    // A view that moves meets the same rows.
+    part.window.row0 = 1;
+    QCOMPARE(gui::slices_of(part, colours, picture::DrawAs::curves_per_pulse, view, plot_px)[0].base, 2.0);
+    part.window.row0 = 0;
+    colours.quantity = picture::DisplayQuantity::decibels;
+    colours.limits = {-40.0, 0.0};
+    const auto decibels = gui::slices_of(part, colours, picture::DrawAs::curves_per_pulse, view, plot_px);
+    QCOMPARE(decibels[2].points[2], QPointF(2.0, 4.0 - 0.9 * 2.0));
+    QCOMPARE(decibels[2].points[0], QPointF(0.0, 4.0));
+    QVERIFY(gui::slices_of(part, colours, picture::DrawAs::pixels, view, plot_px).empty());
+  }
+
+  void slices_are_chosen_drawn_and_saved() {
+    Bench bench;
+    gui::ImagePlot& plot = bench.viewer.plot();
+    auto* const choice = bench.viewer.findChild<QComboBox*>("image_draw_as");
+    auto* const peak = bench.viewer.findChild<QWidget*>("image_peak");
+    QVERIFY(peak->isVisibleTo(&bench.viewer));
+    const QImage pixels = plot.grab().toImage();
+    for (const int index : {1, 2}) {
+      choice->setCurrentIndex(index);
+      emit choice->activated(index);
+      QVERIFY(wait_for_picture(bench.viewer));
+      QVERIFY(!peak->isVisibleTo(&bench.viewer));
+      QVERIFY(plot.slices().size() > 3);
+      QCOMPARE(plot.slices()[0].points.size(), index == 1 ? plot.part()->window.cols : plot.part()->window.rows);
+      QVERIFY(!plot.part()->peaks);
+      QVERIFY(plot.grab().toImage() != pixels);
+      const picture::Figure figure = bench.viewer.figure();
+      QVERIFY(!figure.panels.at(0).image);
+      QCOMPARE(figure.panels[0].curves.size(), plot.slices().size());
+    }
+    choice->setCurrentIndex(0);
+    emit choice->activated(0);
+    QVERIFY(wait_for_picture(bench.viewer));
+    QVERIFY(plot.slices().empty());
+    QVERIFY(bench.viewer.figure().panels.at(0).image.has_value());
+    QVERIFY(plot.grab().toImage() == pixels);
+  }
+
   void a_cursor_is_dragged_and_the_cuts_follow() {
     Bench bench;
     gui::ImagePlot& plot = bench.viewer.plot();

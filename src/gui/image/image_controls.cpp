@@ -27,6 +27,13 @@ ImageControls::ImageControls(QWidget* parent)
   layout->setContentsMargins(0, 0, 0, 0);
   form_ = add_form_group(layout, tr("Colours"));
   quantity_ = colours_.add_quantity(form_);
+  draw_as_ = rows_.add_choice(
+      form_,
+      {tr("Draw as"), "image_draw_as",
+       tr("Colours, or curves through the samples: one for each row (slices in Y) or column (slices in X), at least 20 "
+          "pixels apart")},
+      [this](int index) { change([index](PartLook& look) { look.draw_as = static_cast<picture::DrawAs>(index); }); });
+  draw_as_->addItems({tr("Colour pixels"), tr("Row curves"), tr("Column curves")});
   peak_ = rows_.add_mark(form_,
                          {tr("Peak of each pixel"), "image_peak",
                           tr("Where a pixel has many samples: the largest magnitude of them instead of one. Takes all "
@@ -150,13 +157,15 @@ void ImageControls::show_look(const PartLook& look, raster::ImageValue value, co
     for (int i = 0; i < quantity_->count(); ++i)
       items->item(i)->setEnabled(has_quantity(value, static_cast<picture::DisplayQuantity>(i)));
   rows_.while_showing([&] {
+    draw_as_->setCurrentIndex(static_cast<int>(look.draw_as));
     peak_->setChecked(look.peak);
     numbers_->setChecked(look.numbers);
     equal_scale_->setChecked(look.equal_scale);
   });
   const bool magnitudes =
       look.quantity == picture::DisplayQuantity::decibels || look.quantity == picture::DisplayQuantity::magnitude;
-  show_row(form_, peak_, samples && magnitudes);
+  show_row(form_, draw_as_, samples);
+  show_row(form_, peak_, samples && magnitudes && look.draw_as == picture::DrawAs::pixels);
 }
 
 }  // namespace sarsim::gui

@@ -60,6 +60,7 @@ class ImageControls : public QWidget {
   ColourRows colours_;
   QFormLayout* form_ = nullptr;
   QComboBox* quantity_ = nullptr;
+  QComboBox* draw_as_ = nullptr;
   QCheckBox* peak_ = nullptr;
   QCheckBox* numbers_ = nullptr;
   QCheckBox* equal_scale_ = nullptr;

@@ -11,6 +11,7 @@
 
 #include "picture/colour/colour_map.hpp"
 #include "picture/colour/display_quantity.hpp"
+#include "picture/echo/echo_window.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
 
@@ -56,9 +57,13 @@ struct PartLook : picture::ColourLook {
     map = picture::ColourMap::ocean;
   }
 
+  picture::DrawAs draw_as = picture::DrawAs::pixels;  ///< Never automatic.
   bool peak = true;         ///< Where a pixel has many samples, the largest magnitude of them.
   bool numbers = false;     ///< Axes have the numbers of rows and samples, not their places.
   bool equal_scale = true;  ///< Of images in metres: as long across as downwards.
+
+  /// Curves go through samples.
+  [[nodiscard]] bool wants_peaks() const { return peak && draw_as == picture::DrawAs::pixels; }
 
   friend bool operator==(const PartLook&, const PartLook&) = default;
 };

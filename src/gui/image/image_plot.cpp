@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gui/common/palette_colours.hpp"
 #include "gui/common/plot_frame.hpp"
 #include "picture/figure/ticks.hpp"
 
@@ -40,6 +41,16 @@ void ImagePlot::set_axes(bool numbers, bool equal_scale) {
   numbers_ = numbers;
   equal_scale_ = equal_scale;
   update();
+}
+
+void ImagePlot::set_draw_as(picture::DrawAs draw_as) {
+  draw_as_ = draw_as;
+  update();
+}
+
+std::vector<ImageSlice> ImagePlot::slices() const {
+  if (!part_) return {};
+  return slices_of(*part_, painted_.colours, draw_as_, view_, plot_rect().size());
 }
 
 bool ImagePlot::has_equal_scale() const {
@@ -173,7 +184,7 @@ void ImagePlot::paintEvent(QPaintEvent*) {
   paint_plot(painter);
   painter.setPen(palette().color(QPalette::WindowText));
   paint_axes(painter);
-  if (!bar_.isNull()) paint_colour_bar(painter);
+  if (!bar_.isNull() && draw_as_ == picture::DrawAs::pixels) paint_colour_bar(painter);
   paint_marks(painter);
   paint_rectangle(painter, rectangle_with_shift() ? Qt::DashLine : Qt::SolidLine);
 }
@@ -183,11 +194,40 @@ void ImagePlot::paint_plot(QPainter& painter) const {
   painter.save();
   painter.setClipRect(plot);
   painter.fillRect(plot, empty_ground(palette()));
+  if (draw_as_ != picture::DrawAs::pixels && part_ && part_->colours.empty()) {
+    paint_slices(painter);
+    painter.restore();
+    return;
+  }
   // No smoothing: no colour that no sample has.
   if (!coarse_.isNull())
     painter.drawImage(rect_of(QRectF(-0.5, -0.5, static_cast<double>(columns_), static_cast<double>(rows_))), coarse_);
   if (part_ && !painted_.image.isNull()) painter.drawImage(rect_of(extent_of(part_->window)), painted_.image);
   painter.restore();
+}
+
+void ImagePlot::paint_slices(QPainter& painter) const {
+  const QRect plot = plot_rect();
+  const bool across = draw_as_ == picture::DrawAs::curves_per_pulse;
+  painter.fillRect(plot, colour_of(picture::Role::background, palette()));
+  painter.setRenderHint(QPainter::Antialiasing);
+  const std::vector<ImageSlice> slices = this->slices();
+  painter.setPen(QPen(colour_of(picture::Role::faint, palette()), 1.0));
+  for (const ImageSlice& slice : slices) {
+    const QPointF base = pixel_of({slice.base, slice.base});
+    if (across)
+      painter.drawLine(QPointF(plot.left(), base.y()), QPointF(plot.right(), base.y()));
+    else
+      painter.drawLine(QPointF(base.x(), plot.top()), QPointF(base.x(), plot.bottom()));
+  }
+  painter.setPen(QPen(colour_of(picture::Role::curve, palette()), 1.2));
+  QPolygonF line;
+  for (const ImageSlice& slice : slices) {
+    line.clear();
+    for (const QPointF& point : slice.points) line.append(pixel_of({point.x(), point.y()}));
+    painter.drawPolyline(line);
+  }
+  painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
 void ImagePlot::paint_axes(QPainter& painter) const {

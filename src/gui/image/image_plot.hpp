@@ -7,6 +7,7 @@
 
 #include "gui/common/gesture_plot.hpp"
 #include "gui/image/image_part.hpp"
+#include "gui/image/image_slices.hpp"
 #include "raster/table/image_places.hpp"
 
 namespace sarsim::gui {
@@ -48,6 +49,10 @@ class ImagePlot : public GesturePlot {
   void set_part(std::shared_ptr<const ImagePart> part, PaintedPart painted, const QString& unit);
   [[nodiscard]] const std::shared_ptr<const ImagePart>& part() const { return part_; }
   [[nodiscard]] const PaintedPart& painted() const { return painted_; }
+  /// Whether what was read is drawn as pixels or as curves (`slices_of`).
+  void set_draw_as(picture::DrawAs draw_as);
+  /// The curves that are seen; none where there are pixels.
+  [[nodiscard]] std::vector<ImageSlice> slices() const;
   /// A picture of the whole image, to be seen where no samples are yet.
   void set_coarse(const QImage& picture);
   /// Whether a click asks for a reading.
@@ -101,6 +106,7 @@ class ImagePlot : public GesturePlot {
   void move_mark(std::size_t index, QPointF to) override;
 
  private:
+  void paint_slices(QPainter& painter) const;
   void paint_axes(QPainter& painter) const;
   void paint_colour_bar(QPainter& painter) const;
   void paint_marks(QPainter& painter) const;
@@ -117,6 +123,7 @@ class ImagePlot : public GesturePlot {
   std::optional<raster::FocusedPlaces> places_;
   bool numbers_ = false;
   bool equal_scale_ = true;
+  picture::DrawAs draw_as_ = picture::DrawAs::pixels;
   ImageView view_;
   std::shared_ptr<const ImagePart> part_;
   PaintedPart painted_;

@@ -12,7 +12,7 @@ constexpr double draft_s = 0.03;
 
 bool wants_peaks(const PartRequest& request) {
   const picture::DisplayQuantity quantity = request.look.quantity;
-  return request.look.peak &&
+  return request.look.wants_peaks() &&
          (quantity == picture::DisplayQuantity::magnitude || quantity == picture::DisplayQuantity::decibels) &&
          (request.window.row_step > 1 || request.window.col_step > 1) &&
          request.source->info().value != raster::ImageValue::rgb;

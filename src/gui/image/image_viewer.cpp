@@ -142,6 +142,7 @@ void ImageViewer::take_source(raster::OpenedRaster& result) {
   plot_->set_part(nullptr, {}, {});
   plot_->set_size(rows_, source_->columns());
   plot_->set_axes(look_.numbers, look_.equal_scale);
+  plot_->set_draw_as(look_.draw_as);
   take_places();
   if (columns_before != source_->columns()) {
     history_.clear();
@@ -296,6 +297,7 @@ void ImageViewer::set_look(const PartLook& look) {
   look_set_ = true;
   look_ = look;
   plot_->set_axes(look_.numbers, look_.equal_scale);
+  plot_->set_draw_as(look_.draw_as);
   controls_->show_look(look_, source_ ? source_->info().value : raster::ImageValue::complex, value_unit());
   if (overview_shown_) show_overview();
   if (statistics_) show_statistics();
@@ -365,7 +367,7 @@ void ImageViewer::read_part() {
   const QSize size = plot_->device_size();
   raster::ImageWindow window =
       window_for(plot_->view(), static_cast<std::size_t>(size.width()), static_cast<std::size_t>(size.height()), rows_,
-                 source_->columns(), look_.peak);
+                 source_->columns(), look_.wants_peaks());
   if (window.samples() == 0) {
     plot_->set_part(nullptr, {}, {});
     return;

@@ -395,6 +395,17 @@ picture::Figure ImageViewer::figure() const {
   panel.x = {places.range.label, places.range.unit, across(view.column_first), across(view.column_last), {}};
   panel.y = {places.azimuth.label, places.azimuth.unit, down(view.row_last), down(view.row_first), {}};
   if (look_.equal_scale && places.range.unit == "m" && places.azimuth.unit == "m") panel.y_per_x = 1.0;
+  if (look_.draw_as != picture::DrawAs::pixels && part->colours.empty()) {
+    for (const ImageSlice& slice : plot_->slices()) {
+      picture::FigureCurve& curve = panel.curves.emplace_back();
+      for (const QPointF& point : slice.points) {
+        curve.x.push_back(across(point.x()));
+        curve.y.push_back(down(point.y()));
+      }
+    }
+    figure.panels.push_back(std::move(panel));
+    return figure;
+  }
   const QRectF place = extent_of(part->window);
   picture::FigureImage image;
   image.width = part->window.cols;
