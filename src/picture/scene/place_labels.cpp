@@ -12,6 +12,7 @@ constexpr float letter_px = 7.0F;
 constexpr float line_px = 13.0F;
 constexpr float above_px = 10.0F;  // of a letter above its base line
 constexpr float below_px = 2.0F;
+constexpr float rim_px = 5.0F;            // that stays free: words that are longer than estimated would be cut there
 constexpr std::size_t most_placed = 500;  // beyond it nobody reads them, and each is compared with all
 constexpr std::array<float, 7> lines{0.0F, 1.0F, -1.0F, 2.0F, -2.0F, 3.0F, -3.0F};
 
@@ -56,8 +57,9 @@ void move_to_room(Drawing::Text& text, const std::vector<Box>& taken, float scal
 
 void place_labels(std::vector<Drawing::Text>& texts, const Camera& camera, double pixel_scale) {
   if (texts.size() > most_placed) return;
-  const Box picture{0.0F, static_cast<float>(camera.width_px), 0.0F, static_cast<float>(camera.height_px)};
   const auto scale = static_cast<float>(pixel_scale);
+  const float rim = rim_px * scale;
+  const Box picture{rim, static_cast<float>(camera.width_px) - rim, 0.0F, static_cast<float>(camera.height_px)};
   std::vector<Box> taken;
   for (const Drawing::Text& text : texts)
     if (text.hold == Drawing::Hold::fixed) taken.push_back(box_of(text, scale));

@@ -23,8 +23,17 @@ TEST(PlaceLabels, LeavesOutDistancesThatTheEdgeWouldCut) {
   EXPECT_EQ(texts[1].y, 100.0F);
 }
 
+// Wide letters are longer than estimated.
+TEST(PlaceLabels, KeepsDistancesAwayFromTheSides) {
+  std::vector<Drawing::Text> texts{text(362, 20, "500 m", Hold::spare), text(359, 60, "500 m", Hold::spare),
+                                   text(3, 100, "500 m", Hold::spare)};
+  place_labels(texts, picture, 1.0);
+  ASSERT_EQ(texts.size(), 1U);
+  EXPECT_EQ(texts[0].y, 60.0F);
+}
+
 TEST(PlaceLabels, LeavesWordsThatHaveRoomWhereTheyAre) {
-  std::vector<Drawing::Text> texts{text(0, 20, "Plane", Hold::movable), text(0, 40, "500 m", Hold::spare),
+  std::vector<Drawing::Text> texts{text(0, 20, "Plane", Hold::movable), text(6, 40, "500 m", Hold::spare),
                                    text(60, 20, "Radar", Hold::movable)};
   place_labels(texts, picture, 1.0);
   ASSERT_EQ(texts.size(), 3U);
