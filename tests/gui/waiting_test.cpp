@@ -123,6 +123,16 @@ class WaitingTest : public QObject {
   }
 
   void an_edit_that_is_given_up_leaves_the_scene_as_it_was() {
+    // As many as it takes on this machine.
+    std::size_t count = 100'000;
+    bool given_up = false;
+    for (; !given_up && count < 3'000'000; count *= 2) given_up = gives_up_adding(count);
+    QVERIFY(given_up);
+  }
+
+ private:
+  // False where the edit was done before the dialog came.
+  static bool gives_up_adding(std::size_t count) {
     gui::Session session;
     test::open(session, test::small_scene());
     const std::string text = session.document().text();
@@ -133,15 +143,18 @@ class WaitingTest : public QObject {
     connect(&session, &gui::Session::scene_changed,
             [&](const scene::SceneChange& change) { inserted += change.inserted.size(); });
     Impatience impatience;
-    session.perform(scene::add_targets(session.scene(), test::many_targets(200'000).targets));
-    if (impatience.words.isEmpty()) QSKIP("this machine is too fast to give up an edit of 200 000 targets");
-    QVERIFY2(impatience.words.startsWith("Add"), qPrintable(impatience.words));
-    QCOMPARE(session.document().revision(), revision);
-    QCOMPARE(session.document().text(), text);
-    QCOMPARE(inserted, std::size_t{0});
-    QVERIFY2(told.size() == 1 && told[0].contains("was cancelled"), qPrintable(told.join('\n')));
-    session.select({test::target(0), test::target(199'999)});
-    QCOMPARE(session.selection().size(), std::size_t{1});
+    session.perform(scene::add_targets(session.scene(), test::many_targets(count).targets));
+    if (impatience.words.isEmpty()) return false;
+    [&] {
+      QVERIFY2(impatience.words.startsWith("Add"), qPrintable(impatience.words));
+      QCOMPARE(session.document().revision(), revision);
+      QCOMPARE(session.document().text(), text);
+      QCOMPARE(inserted, std::size_t{0});
+      QVERIFY2(told.size() == 1 && told[0].contains("was cancelled"), qPrintable(told.join('\n')));
+      session.select({test::target(0), test::target(count - 1)});
+      QCOMPARE(session.selection().size(), std::size_t{1});
+    }();
+    return true;
   }
 };
 

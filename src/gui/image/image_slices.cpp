@@ -2,28 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+
+#include "picture/image/image_figure.hpp"
 
 namespace sarsim::gui {
-
-namespace {
-
-constexpr double nearest_px = 20.0;
-
-// How far a curve reaches from its base for a value, as a share of the distance to the next.
-std::function<double(double)> reach_of(const PartColours& colours) {
-  const picture::ColourLimits& limits = colours.limits;
-  if (colours.quantity == picture::DisplayQuantity::decibels)
-    return [limits](double value) {
-      return 0.9 * (std::max(value, limits.low) - limits.low) / (limits.high - limits.low);
-    };
-  const double largest = colours.quantity == picture::DisplayQuantity::phase
-                             ? 180.0
-                             : std::max(std::abs(limits.low), std::abs(limits.high));
-  return [largest](double value) { return std::isfinite(value) && largest > 0.0 ? 0.375 * value / largest : 0.0; };
-}
-
-}  // namespace
 
 std::vector<ImageSlice> slices_of(const ImagePart& part, const PartColours& colours, picture::DrawAs draw_as,
                                   const ImageView& view, QSize plot_px) {
@@ -34,9 +16,11 @@ std::vector<ImageSlice> slices_of(const ImagePart& part, const PartColours& colo
   const raster::ImageWindow& window = part.window;
   const std::size_t step = across ? window.row_step : window.col_step;
   const double sample_px = across ? plot_px.height() / view.rows() : plot_px.width() / view.columns();
-  const double every = std::max(1.0, std::ceil(nearest_px / (sample_px * static_cast<double>(step))));
+  const double every = std::max(1.0, std::ceil(picture::nearest_curves_px / (sample_px * static_cast<double>(step))));
   const double apart = every * static_cast<double>(step);
-  const auto reach = reach_of(colours);
+  const picture::ColourLimits& limits = colours.limits;
+  const auto reach =
+      picture::curve_reach(colours.quantity, limits, std::max(std::abs(limits.low), std::abs(limits.high)));
   for (std::size_t i = 0; i < (across ? window.rows : window.cols); ++i) {
     const auto base = static_cast<double>(across ? window.row(i) : window.column(i));
     if (std::fmod(std::floor(base / static_cast<double>(step)), every) != 0.0) continue;

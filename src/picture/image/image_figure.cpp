@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <stdexcept>
 #include <utility>
 
@@ -15,8 +14,6 @@ namespace sarsim::picture {
 namespace {
 
 using Samples = std::vector<std::complex<double>>;
-
-constexpr double nearest_curves_px = 20.0;
 
 struct Extent {
   std::size_t first;
@@ -164,20 +161,9 @@ void turn_upright(FigurePanel& panel) {
                      image.cells.begin() + static_cast<std::ptrdiff_t>(high * image.width));
 }
 
-// How far a curve reaches from its base for a value, as a share of the distance to the next: positive and negative
-// together take three quarters of it, decibels nine tenths from their lower limit on.
-std::function<double(double)> reach_of(const ShownSamples& seen, DisplayQuantity quantity) {
-  if (quantity == DisplayQuantity::decibels)
-    return [limits = seen.limits](double value) {
-      return 0.9 * (std::max(value, limits.low) - limits.low) / (limits.high - limits.low);
-    };
-  const double largest = quantity == DisplayQuantity::phase ? 180.0 : seen.statistics.largest_v;
-  return [largest](double value) { return std::isfinite(value) && largest > 0.0 ? 0.375 * value / largest : 0.0; };
-}
-
 void add_curves(FigurePanel& panel, const ShownSamples& seen, const Extent& across, const Extent& up,
                 const Places& columns, const Places& rows, const ImageLook& look) {
-  const auto reach = reach_of(seen, look.quantity);
+  const auto reach = curve_reach(look.quantity, seen.limits, seen.statistics.largest_v);
   const bool per_row = look.draw_as == DrawAs::curves_per_pulse;
   const double spacing =
       per_row ? rows.step * static_cast<double>(up.step) : columns.step * static_cast<double>(across.step);
@@ -198,6 +184,15 @@ std::size_t curves_in(std::size_t pixels) {
 }
 
 }  // namespace
+
+std::function<double(double)> curve_reach(DisplayQuantity quantity, const ColourLimits& limits, double largest) {
+  if (quantity == DisplayQuantity::decibels)
+    return [limits](double value) {
+      return 0.9 * (std::max(value, limits.low) - limits.low) / (limits.high - limits.low);
+    };
+  if (quantity == DisplayQuantity::phase) largest = 180.0;
+  return [largest](double value) { return std::isfinite(value) && largest > 0.0 ? 0.375 * value / largest : 0.0; };
+}
 
 Figure image_figure(const raster::Raster& source, const ImageLook& wanted, const PlotSize& size,
                     const core::WorkControl& control) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -30,6 +31,16 @@ struct ImageLook : ColourLook {
   std::optional<raster::ImagePlaces> column_places;
   std::optional<std::string> unit;  ///< Of the values; otherwise V, or none where the file holds counts or levels.
 };
+
+/// Curves through samples are no nearer than this, pixels.
+inline constexpr double nearest_curves_px = 20.0;
+
+/// How far a curve through samples reaches from its base for a value of a quantity, as a share of the distance to the
+/// next curve: positive and negative together take three quarters of it, degrees as much from -180 to 180, decibels
+/// nine tenths from their lower limit to the upper.
+/// @param largest  magnitude of the values, in their unit; for phases and decibels of no account
+[[nodiscard]] std::function<double(double)> curve_reach(DisplayQuantity quantity, const ColourLimits& limits,
+                                                        double largest);
 
 /// A picture of a file of any size: where it has more samples than pixels, a subset of them or the largest of each
 /// pixel. Axes are pulses and samples, or, where the file or the look says them, slant range and time; the larger place

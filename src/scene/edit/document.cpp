@@ -130,9 +130,10 @@ Scene& Document::own_scene() {
   return *scene_;
 }
 
-// The same for an edit, which may be one of the text alone.
-Scene& Document::scene_for(const Edit& edit) {
-  const bool changes = !edit.changes.empty() || edit.options_after || edit.world_after || edit.air_after;
+// The same for an edit, which may be one of the text alone, or none.
+Scene& Document::scene_for(const Edit* edit) {
+  const bool changes =
+      edit != nullptr && (!edit->changes.empty() || edit->options_after || edit->world_after || edit->air_after);
   return changes ? own_scene() : *scene_;
 }
 
@@ -367,7 +368,7 @@ void Document::perform(Edit edit) {
   edit.typed.clear();
   if (changes_nothing(edit)) return;
   change_included(edit.script, true, data);
-  Scene& scene = scene_for(edit);
+  Scene& scene = scene_for(&edit);
   note_edit(history_.perform(std::move(edit), scene), true);
   text_ = std::move(next.text);
   forget_places();
@@ -405,7 +406,7 @@ void Document::type_text(std::string text) {
   edit.label = "Edit script";
   edit.merge_key = "script";
   edit.script = {text_difference(text_, text), {}, text_broken_, broken};
-  Scene& scene = scene_for(edit);
+  Scene& scene = scene_for(&edit);
   note_edit(history_.perform(std::move(edit), scene), true);
   if (!broken) {
     sound_text_.reset();
@@ -419,20 +420,14 @@ void Document::type_text(std::string text) {
   read_files();
 }
 
-void Document::undo() {
-  if (!history_.can_undo()) throw std::logic_error("history: nothing to undo");
-  follow_history(history_.undo(scene_for(*history_.next_undo())), false);
-}
+void Document::undo() { follow_history(history_.undo(scene_for(history_.next_undo())), false); }
 
 void Document::take_back() {
   undo();
   history_.forget_undone();
 }
 
-void Document::redo() {
-  if (!history_.can_redo()) throw std::logic_error("history: nothing to redo");
-  follow_history(history_.redo(scene_for(*history_.next_redo())), true);
-}
+void Document::redo() { follow_history(history_.redo(scene_for(history_.next_redo())), true); }
 
 void Document::note_edit(std::shared_ptr<const Edit> edit, bool forwards) {
   last_edit_ = LastEdit{std::move(edit), forwards};

@@ -166,7 +166,7 @@ class Document {
   [[nodiscard]] Findings found_in(ScriptReading reading) const;
   [[nodiscard]] bool reads_files() const;
   [[nodiscard]] Scene& own_scene();
-  [[nodiscard]] Scene& scene_for(const Edit& edit);
+  [[nodiscard]] Scene& scene_for(const Edit* edit);
 
   std::shared_ptr<Scene> scene_ = std::make_shared<Scene>();  // never null but in one that was moved away
   std::string text_;
