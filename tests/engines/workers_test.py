@@ -24,10 +24,36 @@ ENGINES = {"dask": ("dask", "distributed"), "ray": ("ray",)}
 
 
 def wait_for(file, words):
-    end = time.monotonic() + 20
+    end = time.monotonic() + 60  # Python starts anew on each worker, which takes long on a machine that has much else to do.
     while words not in file.read_text():
         expect(time.monotonic() < end, f"no '{words}' in\n{file.read_text()[-3000:]}")
         time.sleep(0.02)
+
+
+def stop_part_at_work(folder, output, lost):
+    """Stops a process that makes another part than the lost one; one that ends before it stands still does not count."""
+    known = [lost]
+    while True:
+        pid, parent, part = part_at_work(folder, output, known)
+        try:
+            os.kill(pid, signal.SIGSTOP)
+        except ProcessLookupError:
+            pass
+        if stands_still(pid):
+            return pid, parent, part
+        known.append(part)
+
+
+def stands_still(pid):
+    """Whether a process was stopped, not ended; waits until it is one of them."""
+    while True:
+        try:
+            state = pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            return False
+        if state in "TZX":
+            return state == "T"
+        time.sleep(0.01)
 
 
 def main():
@@ -45,8 +71,7 @@ def main():
             pid, worker, lost = part_at_work(folder, "run1")
             os.kill(worker, signal.SIGKILL)
             os.kill(pid, signal.SIGKILL)
-            pid, worker, orphan = part_at_work(folder, "run1", known=[lost])
-            os.kill(pid, signal.SIGSTOP)
+            pid, worker, orphan = stop_part_at_work(folder, "run1", lost)
             os.kill(worker, signal.SIGKILL)
             expect_done(run([program(), "run", "scene.toml", "--out", "whole", "--threads", "1"], cwd=folder))
             if engine == "dask":  # Ray ends what its workers have started.

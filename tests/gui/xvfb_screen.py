@@ -15,7 +15,7 @@ import time
 from pathlib import Path
 
 TOOLS = {"Xvfb": "xvfb", "xdotool": "xdotool", "import": "imagemagick", "compare": "imagemagick"}
-LONGEST_S = 100.0  # on a machine that has much else to do; a story takes a tenth of it
+LONGEST_S = 170.0  # on a machine that has much else to do; a story takes a tenth of it
 PATIENCE_S = 30.0
 SIZE = (1280, 860)
 
@@ -144,8 +144,12 @@ def place_main_window(screen, number):
     wait_for("the window has its size", lambda: size in screen.tool("xdotool", "getwindowgeometry", number))
 
 
-def wait_until_drawn(screen, name, other=None):
-    """A picture of the screen that does not change any more and, where another is given, differs from that."""
+def wait_until_drawn(screen, name, other=None, area=(0, 0, *SIZE), pixels=50):
+    """A picture of the screen that does not change any more and, where another is given, differs from that.
+
+    More than so many pixels of an area (left, top, width, height) have to differ: what is waited for comes after the
+    answer of other windows, late on a machine that has much else to do.
+    """
     def stands_still():
         one = screen.picture(name)
         for _ in range(3):  # the live image comes coarse first and pauses before it is whole
@@ -153,7 +157,7 @@ def wait_until_drawn(screen, name, other=None):
             two = screen.picture(f"{name}_again")
             if screen.differing_pixels(one, two) >= 100:  # fewer are a caret that blinks
                 return False
-        return other is None or screen.differing_pixels(two, other) > 50
+        return other is None or screen.differing_in(two, other, area) > pixels
     wait_for(f"the screen shows {name}", stands_still)
     (screen.pictures / f"{name}_again.png").unlink()
     return screen.pictures / f"{name}.png"
