@@ -22,8 +22,8 @@ class Platform(SceneObject):
     )
     path = ChoiceField(
         "path",
-        {"stationary": "Stationary", "points": "Trajectory", "ephemeris": "Orbit file", "orbit": "Orbit", "legs": "Legs", "waypoints": "Waypoints", "relative": "Relative"},
-        "Whether the platform stays where it is or follows a path. One of \"stationary\" (the platform stays where it is), \"points\" (the platform follows a path), \"ephemeris\" (states from a file), \"orbit\" (an ellipse round the Earth, turned by J2), \"legs\" (straight pieces, turns and climbs), \"waypoints\" (a route through points), \"relative\" (beside another platform).",
+        {"stationary": "Stationary", "points": "Trajectory", "ephemeris": "Orbit file", "orbit": "Orbit", "state": "Orbit by state", "legs": "Legs", "waypoints": "Waypoints", "relative": "Relative"},
+        "Whether the platform stays where it is or follows a path. One of \"stationary\" (the platform stays where it is), \"points\" (the platform follows a path), \"ephemeris\" (states from a file), \"orbit\" (an ellipse round the Earth, turned by J2), \"state\" (from a position and a velocity, under gravity with J2), \"legs\" (straight pieces, turns and climbs), \"waypoints\" (a route through points), \"relative\" (beside another platform).",
     )
     position = VectorField(
         "position",
@@ -75,6 +75,16 @@ class Platform(SceneObject):
         "anomaly",
         "deg",
         "At time 0; on a circular orbit the angle from the perigee. Takes -360 to 360 deg. Only where path is orbit.",
+    )
+    state_position = VectorField(
+        "state_position",
+        "m",
+        "At time 0 from the centre of the Earth, z to the north pole, x to longitude 0 (ECEF, ITRF). Only where path is state.",
+    )
+    state_velocity = VectorField(
+        "state_velocity",
+        "m/s",
+        "At time 0 over the turning Earth, in the axes of the position; it goes on under gravity with J2. Only where path is state.",
     )
     start = VectorField("start", "m", "Where the first leg begins. Only where path is legs.")
     course = NumberField(
@@ -157,7 +167,7 @@ class Platform(SceneObject):
     aligned = CheckField(
         "aligned",
         "",
-        "Turns the platform so that its x axis points along the velocity; the y axis stays parallel to the world's x-y plane. Only where path is points or ephemeris or orbit or legs or waypoints or relative.",
+        "Turns the platform so that its x axis points along the velocity; the y axis stays parallel to the world's x-y plane. Only where path is points or ephemeris or orbit or state or legs or waypoints or relative.",
     )
     rotation_rate = VectorField("rotation_rate", "deg/s", "Added to the rotation as rate times time.")
     position_error = ChoiceField(

@@ -39,6 +39,8 @@ anchor = { latitude = "-16 deg", longitude = "-68.5 deg" }
 EPOCH = 'epoch = "2020-07-28T22:59:42Z"'
 ANCHOR = 'anchor = { latitude = "-16 deg", longitude = "-68.5 deg" }'
 ORBIT = 'path = { type = "ephemeris", file = "orbit.csv" }'
+STATE_M = "[2057735.247194, -6459802.571744, -2037501.319184]"
+STATE_MPS = "[-886.585360, -2517.114487, 7108.167902]"
 STEERING = 'rotation = "zero-doppler"'
 PLACE = 'position = { latitude = "-16 deg", longitude = "-68.6 deg", height = "0 m" }'
 SATELLITE = f"""\
@@ -275,6 +277,12 @@ def places():
               "That is no ellipse.", "eccentricity is out of range"),
         orbit([(ORBIT, 'path = { type = "orbit", semi_major_axis = "7070 km", inclination = @"200 deg" }')],
               "Inclinations end at 180 deg.", "inclination is out of range"),
+        orbit([(ORBIT, f'path = {{ type = @"state", position = [6000e3, 0, 0], velocity = {STATE_MPS} }}')],
+              "The state counts from the centre of the Earth.", "state of the orbit is inside the Earth"),
+        orbit([(ORBIT, f'path = {{ type = "state", position = {STATE_M}, velocity = @[-0.886, -2.517, 7.108] }}')],
+              "Velocities are in m/s.", "the orbit comes down to the ground", status=0),
+        orbit([(ORBIT, f'path = {{ type = "state", position = {STATE_M}, @speed = "7.6 km/s" }}')],
+              "A state needs a velocity, not a speed.", "does not apply here"),
         orbit([(ORBIT, f'parent = @"Base"\n{ORBIT}'), ("[[target]]", '[[platform]]\nname = "Base"\n[[target]]')],
               "An orbit is a path in the world.", "not in the frame of a parent"),
         orbit([(ORBIT, "position = [0, 0, 5000]")], "What rests has no direction of flight.", "stays where it is"),

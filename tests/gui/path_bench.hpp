@@ -20,14 +20,17 @@ struct PathBench {
     panel.resize(900, 700);
     panel.show();
     session.select_only(test::platform(0));
+    look_from_above(0.1);
+  }
+  void look_from_above(double pixels_per_m) {
     picture::Camera camera = picture::preset(view().camera(), picture::ViewPreset::top);
     camera.focus_world_m = points().front();
-    camera.pixels_per_m = 0.1 * view().pixel_scale();
+    camera.pixels_per_m = pixels_per_m * view().pixel_scale();
     view().set_camera(camera);
   }
   [[nodiscard]] gui::SceneWidget& view() { return panel.scene(); }
   [[nodiscard]] const scene::Platform& platform(std::size_t index = 0) { return session.scene().platforms.at(index); }
-  [[nodiscard]] std::vector<core::Vec3> points() { return scene::path_points(platform()); }
+  [[nodiscard]] std::vector<core::Vec3> points() { return scene::path_points(platform(), session.scene().world); }
   [[nodiscard]] std::string undo_label() { return session.document().history().undo_label(); }
   [[nodiscard]] std::string text() { return session.document().text(); }
   [[nodiscard]] double pixel_m() { return view().pixel_scale() / view().camera().pixels_per_m; }

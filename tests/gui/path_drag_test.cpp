@@ -53,6 +53,20 @@ waypoints = [
 ]
 )";
 
+constexpr const char* state_text = R"(format = "sarsim 2"
+
+[world]
+frame = "earth"
+
+[[platform]]
+name = "Satellite"
+rotation = "zero-doppler"
+[platform.path]
+type = "state"
+position = [7078000, 0, 0]            # over the anchor
+velocity = [0, -1500, 7400]
+)";
+
 using Bench = test::PathBench;
 
 QLabel* place(Bench& bench) { return bench.panel.findChild<QLabel*>("place_under_pointer"); }
@@ -124,7 +138,63 @@ class PathDragTest : public QObject {
     const core::Vec3 after = bench.points()[1];
     QVERIFY(std::abs(after.z - from.z) < 1e-6);
     QVERIFY(core::norm(after - to) < 4.0 / camera.pixels_per_m);
-    QCOMPARE(bench.points()[0], scene::path_points(scene::Document::from_text(waypoints_text).scene().platforms[0])[0]);
+    QCOMPARE(bench.points()[0],
+             scene::path_points(scene::Document::from_text(waypoints_text).scene().platforms[0], {})[0]);
+  }
+
+  void the_state_of_a_satellite_is_put_elsewhere() {
+    Bench bench(state_text);
+    const std::vector<core::Vec3> before = bench.points();
+    QCOMPARE(before.size(), std::size_t{2});
+    bench.look_from_above(1e-4);
+    const core::Vec3 to = before[0] + core::Vec3{3e5, 8e5, 0.0};
+    bench.drag(bench.pixel_of(before[0]), bench.pixel_of(to));
+    const core::Vec3 after = bench.points()[0];
+    QVERIFY(core::norm(after - to) < 2.0 * bench.pixel_m());
+    const scene::Platform& moved = bench.platform();
+    QVERIFY(std::abs(core::norm(moved.state_velocity_mps) - std::hypot(1500.0, 7400.0)) < 200.0);
+    QVERIFY(std::abs(core::dot(moved.state_velocity_mps, moved.state_position_m)) <
+            0.02 * core::norm(moved.state_velocity_mps) * core::norm(moved.state_position_m));
+    QVERIFY(bench.text().find("# over the anchor") != std::string::npos);
+    QVERIFY(bench.text().find("type = \"state\"") != std::string::npos);
+    bench.session.undo();
+    QCOMPARE(bench.text(), std::string(state_text));
+  }
+
+  void the_end_of_a_velocity_turns_the_orbit() {
+    Bench bench(state_text);
+    bench.look_from_above(1e-4);
+    const core::Vec3 tip = bench.points()[1];
+    const core::Vec3 to = tip + core::Vec3{2e5, 0.0, 0.0};
+    bench.drag(bench.pixel_of(tip), bench.pixel_of(to));
+    QVERIFY(core::norm(bench.points()[1] - to) < 2.0 * bench.pixel_m());
+    QVERIFY((bench.platform().state_position_m == core::Vec3{7078e3, 0.0, 0.0}));
+    QVERIFY(bench.platform().state_velocity_mps.y > 1500.0);
+    QVERIFY(bench.undo_label().find("Move point of path") != std::string::npos);
+  }
+
+  void a_state_cannot_be_deleted() {
+    Bench bench(state_text);
+    bench.look_from_above(1e-4);
+    bench.click(bench.pixel_of(bench.points()[1]));
+    bench.key(Qt::Key_Delete);
+    QCOMPARE(bench.text(), std::string(state_text));
+  }
+
+  void the_orbit_is_computed_anew_while_the_state_is_dragged() {
+    Bench bench(state_text);
+    bench.look_from_above(1e-4);
+    const auto shown = [&] { return bench.view().snapshot().platforms[0]; };
+    const core::Vec3 from = bench.points()[0];
+    QVERIFY(core::norm(shown().pose.position_world_m - from) < 1e-3);
+    bench.mouse(QEvent::MouseButtonPress, bench.pixel_of(from));
+    bench.mouse(QEvent::MouseMove, bench.pixel_of(from + core::Vec3{-4e5, 6e5, 0.0}));
+    QVERIFY(core::norm(bench.points()[0] - from) > 5e5);
+    QVERIFY(core::norm(shown().pose.position_world_m - bench.points()[0]) < 1e-3);
+    QVERIFY(shown().trail_world_m.size() > 10);
+    QTest::keyClick(&bench.view(), Qt::Key_Escape);
+    QVERIFY(core::norm(shown().pose.position_world_m - from) < 1e-3);
+    QCOMPARE(bench.text(), std::string(state_text));
   }
 
   void the_place_under_the_pointer_is_told_in_the_worlds_own_terms() {

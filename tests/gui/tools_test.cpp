@@ -178,8 +178,8 @@ class ToolsTest : public QObject {
     bench.panel.draw_path(true);
     bench.click(bench.pixel_of({-800.0, 500.0, 0.0}));
     QVERIFY(bench.platform(1).path == scene::Platform::Path::waypoints);
-    QCOMPARE(scene::path_points(bench.platform(1)).size(), std::size_t{2});
-    QVERIFY((scene::path_points(bench.platform(1))[0] == core::Vec3{500.0, 500.0, 0.0}));
+    QCOMPARE(scene::path_points(bench.platform(1), {}).size(), std::size_t{2});
+    QVERIFY((scene::path_points(bench.platform(1), {})[0] == core::Vec3{500.0, 500.0, 0.0}));
   }
 
   void a_scene_in_the_language_of_1998_says_that_it_has_no_waypoints() {

@@ -95,7 +95,7 @@ class WorldInfo {
     for (const scene::Platform& platform : scene_.platforms)
       if (platform.read_path && !platform.read_path->description.empty())
         add_line(fmt::format("path of {}", platform.name),
-                 platform.ephemeris_file.empty()
+                 platform.path != scene::Platform::Path::ephemeris
                      ? platform.read_path->description
                      : fmt::format("{}: {}", platform.ephemeris_file, platform.read_path->description));
   }

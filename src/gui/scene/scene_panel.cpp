@@ -326,7 +326,8 @@ void ScenePanel::begin_path_drag(const picture::PathPointId& point) {
   select_point(point);
   begin_drag(point.platform);
   if (!dragged_) return;
-  const std::vector<core::Vec3> points = scene::path_points(std::get<scene::Platform>(*dragged_));
+  const std::vector<core::Vec3> points =
+      scene::path_points(std::get<scene::Platform>(*dragged_), session_.scene().world);
   if (point.index < points.size())
     held_m_ = points[point.index];
   else
@@ -375,7 +376,7 @@ void ScenePanel::drag_path(const picture::PathPointId& point, const core::Vec3& 
     return;
   }
   const core::Vec3 to_m = moved(held_m_, platform_from_world_ * delta_world_m);
-  if (auto changed = scene::with_path_point(platform, point.index, to_m, resolution_m))
+  if (auto changed = scene::with_path_point(platform, session_.scene().world, point.index, to_m, resolution_m))
     write_dragged(point.platform, std::move(*changed), "Move point of path");
 }
 

@@ -128,6 +128,7 @@ class ScenePanel : public QWidget {
   void take_back();
   void take_tool();
   void show_path_end();
+  [[nodiscard]] bool holds_state() const;
   [[nodiscard]] std::optional<scene::ObjectId> platform_to_draw() const;
   [[nodiscard]] core::Vec3 in_path_frame(const scene::Platform& platform, const core::Vec3& world_m) const;
   [[nodiscard]] core::Vec3 rounded_place(const core::Vec3& world_m) const;

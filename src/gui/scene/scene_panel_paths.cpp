@@ -139,13 +139,22 @@ void ScenePanel::add_point_here() {
                tr("Select a platform that goes by waypoints or legs and put the pointer on the line of its path."));
 }
 
+// Whether the selected point is one of an orbit's state, which cannot lack any.
+bool ScenePanel::holds_state() const {
+  const auto& platforms = session_.scene().platforms;
+  return selected_point_ && selected_point_->platform.index < platforms.size() &&
+         platforms[selected_point_->platform.index].path == scene::Platform::Path::state;
+}
+
 void ScenePanel::delete_point() {
   if (!selected_point_ || !scene::has_object(session_.scene(), selected_point_->platform)) return;
   const picture::PathPointId point = *selected_point_;
   const scene::Platform& platform = session_.scene().platforms[point.platform.index];
   const bool legs = platform.path == scene::Platform::Path::legs;
   change_path(point.platform, scene::without_path_point(platform, point.index),
-              legs ? "Delete leg" : "Delete waypoint");
+              holds_state() ? "Delete point"
+              : legs        ? "Delete leg"
+                            : "Delete waypoint");
 }
 
 void ScenePanel::add_hand_entries(QMenu& menu) {
@@ -156,7 +165,7 @@ void ScenePanel::add_hand_entries(QMenu& menu) {
     connect(action, &QAction::triggered, this, work);
   };
   if (place_of_menu_) add(tr("Add &Waypoint Here"), "hand_add_point", [this] { add_point_here(); });
-  if (selected_point_) add(tr("Delete Waypoin&t"), "hand_delete_point", [this] { delete_point(); });
+  if (selected_point_ && !holds_state()) add(tr("Delete Waypoin&t"), "hand_delete_point", [this] { delete_point(); });
   if (platform_to_draw()) add(tr("Draw &Path"), "hand_draw_path", [this] { draw_path(true); });
   if (!session_.selection().empty()) {
     add(tr("&Zoom to Selection"), "hand_zoom", [this] { zoom_to_selection(); });

@@ -14,6 +14,7 @@
 #include "picture/scene/snapshot_symbol.hpp"
 #include "scene/edit/path_points.hpp"
 #include "scene/model/cloud_points.hpp"
+#include "scene/model/orbit.hpp"
 #include "scene/model/route.hpp"
 #include "scene/model/scene_index.hpp"
 #include "scene/model/world_frame.hpp"
@@ -109,7 +110,7 @@ struct Path {
 // @param platform  cleaned
 Path path_of(const scene::Platform& platform, const radar::Track& track, core::InterpolationRules rule) {
   Path path;
-  path.orbits = platform.path == scene::Platform::Path::orbit || platform.path == scene::Platform::Path::ephemeris;
+  path.orbits = scene::is_orbit(platform.path);
   const bool of_points = platform.path == scene::Platform::Path::trajectory;
   if (!platform.parent.empty() || (!of_points && platform.path != scene::Platform::Path::stationary)) {
     path.track = &track;
@@ -130,9 +131,13 @@ Path path_of(const scene::Platform& platform, const radar::Track& track, core::I
   return path;
 }
 
-Route route_of(const scene::Platform& platform, std::size_t parent) {
-  Route route{scene::path_points(platform), {}, parent};
+Route route_of(const scene::Platform& platform, const scene::World& world, std::size_t parent) {
+  Route route{scene::path_points(platform, world), {}, parent};
   if (route.points_m.empty()) return route;
+  if (platform.path == scene::Platform::Path::state) {
+    route.line_m = route.points_m;
+    return route;
+  }
   const radar::SegmentPath path = scene::route_of(platform).path;
   for (int i = 0; i <= route_steps; ++i)
     route.line_m.push_back(path.at(path.start_s() + path.duration_s() * i / route_steps).position_world_m);
@@ -144,7 +149,7 @@ Route route_of(const scene::Platform& platform, std::size_t parent) {
 void rest_unless_flown(scene::Platform& platform) {
   using enum scene::Platform::Path;
   if ((platform.path != legs && platform.path != waypoints) || scene::route_of(platform).fault.empty()) return;
-  const std::vector<core::Vec3> points = scene::path_points(platform);
+  const std::vector<core::Vec3> points = scene::path_points(platform, {});
   platform.path = stationary;
   platform.position_m = points.empty() ? core::Vec3{} : finite_or_zero(points.front());
 }
@@ -290,7 +295,7 @@ void SnapshotMaker::Prepared::add_platforms(scene::Scene frames) {
   routes.clear();
   PlatformFinder platform_of(frames);
   for (scene::Platform& platform : frames.platforms) {
-    routes.push_back(route_of(platform, platform_of(platform.parent)));
+    routes.push_back(route_of(platform, frames.world, platform_of(platform.parent)));
     rest_unless_flown(platform);
   }
   try {

@@ -34,9 +34,9 @@ struct Snapshot {
     std::vector<double> trail_s;            ///< The times at which it is there.
     core::Vec3 foot_world_m;                ///< The ground below it (`ground_below`).
     std::optional<PlatformSymbol> symbol;   ///< Nothing where it is at rest.
-    /// Of legs and waypoints the points of `scene::path_points`,
+    /// Of legs, waypoints and states the points of `scene::path_points`,
     std::vector<core::Vec3> path_points_world_m;
-    std::vector<core::Vec3> path_world_m;  ///< and the path from the first to the last of them.
+    std::vector<core::Vec3> path_world_m;  ///< and the path, or the arrow, from the first to the last of them.
   };
   /// Where a target is.
   struct Target {

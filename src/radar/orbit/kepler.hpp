@@ -80,4 +80,8 @@ class SecularOrbit {
   OrbitRates rates_;
 };
 
+/// The elements of the `SecularOrbit` that goes through a state at time 0 with its velocity: the reverse of
+/// `SecularOrbit::at(0)`, to rounding. Nothing where `osculating_elements` finds none.
+[[nodiscard]] std::optional<KeplerElements> secular_elements(const OrbitState& state, const EarthGravity& gravity = {});
+
 }  // namespace sarsim::radar

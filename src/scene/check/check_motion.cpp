@@ -11,6 +11,7 @@
 
 #include "radar/earth/earth_frame.hpp"
 #include "scene/check/check_values.hpp"
+#include "scene/model/orbit.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/route.hpp"
 #include "scene/model/world_frame.hpp"
@@ -66,7 +67,8 @@ Finding needs_earth(std::string_view what) {
 
 void check_laws(Findings& findings, const World& world, const Platform& platform) {
   const bool flat = world.frame == World::Frame::flat;
-  if (flat && platform.path == Platform::Path::orbit) findings.error("path", needs_earth("an orbit"));
+  const bool computed = platform.path == Platform::Path::orbit || platform.path == Platform::Path::state;
+  if (flat && computed) findings.error("path", needs_earth("an orbit"));
   if (flat && platform.rotation_kind == Platform::Rotation::zero_doppler)
     findings.error("rotation_kind", needs_earth("zero-Doppler steering"));
   if (flat && platform.rotation_kind == Platform::Rotation::nadir)
@@ -79,7 +81,7 @@ void check_laws(Findings& findings, const World& world, const Platform& platform
                                      .expected = "a platform that moves, or a fixed rotation",
                                      .hint = {}});
   const bool in_parent = !platform.parent.empty() && platform.parent != "Earth";
-  if (in_parent && (platform.path == Platform::Path::ephemeris || platform.path == Platform::Path::orbit))
+  if (in_parent && is_orbit(platform.path))
     findings.error("parent", {.message = "an orbit is a path in the world, not in the frame of a parent",
                               .found = platform.parent,
                               .expected = "no parent",
@@ -100,9 +102,10 @@ void check_files(Findings& findings, const Platform& platform) {
   const auto not_read = [&](std::string_view field, const std::string& file) {
     findings.error(field, {.message = std::string(unread_motion), .found = file, .expected = {}, .hint = {}});
   };
-  const bool from_file = platform.path == Platform::Path::ephemeris && !platform.ephemeris_file.empty();
-  if ((from_file || platform.path == Platform::Path::orbit) && !platform.read_path)
-    not_read(from_file ? "ephemeris_file" : "path", platform.ephemeris_file);
+  const bool from_file = platform.path == Platform::Path::ephemeris;
+  const bool named = !from_file || !platform.ephemeris_file.empty();
+  if (is_orbit(platform.path) && named && !platform.read_path)
+    not_read(from_file ? "ephemeris_file" : "path", from_file ? platform.ephemeris_file : std::string());
   if (platform.rotation_kind == Platform::Rotation::quaternions && !platform.attitude_file.empty() &&
       !platform.read_attitude)
     not_read("attitude_file", platform.attitude_file);

@@ -106,5 +106,15 @@ TEST(CheckMotion, TellsOfALeaderInAnotherFrame) {
   EXPECT_EQ(expect_warning(scene, {"platform", 3, "leader"}).hint, "Remove the parent.");
 }
 
+TEST(CheckMotion, WantsTheEarthBelowASatellite) {
+  Scene scene = sound_scene();
+  scene.platforms[1].path = Platform::Path::state;
+  const core::Problems problems = check(scene);
+  ASSERT_FALSE(problems.empty());
+  EXPECT_EQ(
+      core::to_string(problems.front()),
+      "error: an orbit needs the Earth, but the world is flat; expected [world] with frame = \"earth\" and an anchor");
+}
+
 }  // namespace check_motion_test
 }  // namespace sarsim::scene

@@ -16,6 +16,7 @@
 #include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/scene_writer.hpp"
+#include "scene/model/orbit.hpp"
 #include "scene/script/tokens.hpp"
 #include "scene/script/writer.hpp"
 
@@ -107,8 +108,7 @@ void Document::read_files_with(FileReader reader) {
 
 bool Document::reads_files() const {
   const auto reads = [](const Platform& platform) {
-    return platform.path == Platform::Path::ephemeris || platform.path == Platform::Path::orbit ||
-           platform.rotation_kind == Platform::Rotation::quaternions || platform.read_path;
+    return is_orbit(platform.path) || platform.rotation_kind == Platform::Rotation::quaternions || platform.read_path;
   };
   return !scene_->clouds.empty() || std::ranges::any_of(scene_->platforms, reads);
 }

@@ -62,7 +62,7 @@ std::optional<core::Vec3> last_direction(Platform platform) {
   Leg straight;
   straight.length_m = 1.0;
   platform.legs.push_back(straight);
-  const std::vector<core::Vec3> points = path_points(platform);
+  const std::vector<core::Vec3> points = path_points(platform, {});
   if (points.size() != platform.legs.size() + 1) return std::nullopt;
   return points.back() - points[points.size() - 2];
 }
@@ -81,7 +81,7 @@ Leg turn_like_before(const Platform& platform) {
 PathEdit with_leg_behind(const Platform& platform, const core::Vec3& to_m, double resolution_m) {
   const auto direction = last_direction(platform);
   if (!direction) return refused("a leg of the path cannot be flown");
-  const std::vector<core::Vec3> points = path_points(platform);
+  const std::vector<core::Vec3> points = path_points(platform, {});
   const core::Vec3 way = to_m - points.back();
   const double length_m = std::hypot(way.x, way.y);
   if (!(length_m > resolution_m)) return refused("the place is where the path ends");
@@ -96,7 +96,7 @@ PathEdit with_leg_behind(const Platform& platform, const core::Vec3& to_m, doubl
   straight.length_m = core::rounded_to(length_m, resolution_m);
   longer.legs.push_back(straight);
   const std::size_t point = longer.legs.size();
-  auto fitted = with_path_point(longer, point, to_m, resolution_m);
+  auto fitted = with_path_point(longer, {}, point, to_m, resolution_m);
   return flown(fitted ? std::move(*fitted) : std::move(longer), point);
 }
 
@@ -116,7 +116,7 @@ PathEdit with_waypoint_behind(Platform platform, const core::Vec3& to_m) {
 }  // namespace
 
 PathEdit with_point_between(const Platform& platform, const core::Vec3& at_m) {
-  const std::vector<core::Vec3> points = path_points(platform);
+  const std::vector<core::Vec3> points = path_points(platform, {});
   if (points.size() < 2) return refused("the path has no legs");
   const std::size_t first = nearest_pair(points, at_m);
   if (platform.path == Platform::Path::legs)
@@ -135,12 +135,14 @@ PathEdit with_point_behind(const Platform& platform, const core::Vec3& to_m, dou
     case Platform::Path::trajectory:
     case Platform::Path::ephemeris:
     case Platform::Path::orbit:
+    case Platform::Path::state:
     case Platform::Path::relative: break;
   }
   return refused("only platforms that rest, or go by waypoints or legs, take points by hand");
 }
 
 PathEdit without_path_point(const Platform& platform, std::size_t index) {
+  if (platform.path == Platform::Path::state) return refused("a state stays; it can be moved");
   Platform less = platform;
   if (platform.path == Platform::Path::waypoints) {
     if (index >= less.waypoints.size()) return refused("the path has no such point");

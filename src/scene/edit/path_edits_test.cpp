@@ -33,7 +33,7 @@ Platform plane() {
 }
 
 void expect_point(const Platform& platform, std::size_t index, const core::Vec3& at_m, double tolerance_m) {
-  const std::vector<core::Vec3> points = path_points(platform);
+  const std::vector<core::Vec3> points = path_points(platform, {});
   ASSERT_LT(index, points.size());
   EXPECT_LT(core::norm(points[index] - at_m), tolerance_m) << points[index].x << ' ' << points[index].y;
 }
@@ -50,7 +50,7 @@ TEST(PathEdits, AWaypointComesBetweenThoseOfItsLeg) {
 
 TEST(PathEdits, AStraightLegIsDividedAndFliesAsBefore) {
   const Platform before = plane();
-  const core::Vec3 end = path_points(before).back();
+  const core::Vec3 end = path_points(before, {}).back();
   const PathEdit edit = with_point_between(before, {3.0, 801.0, 0.0});
   ASSERT_TRUE(edit.platform) << edit.refusal;
   EXPECT_EQ(edit.platform->legs.size(), std::size_t{4});
@@ -61,7 +61,7 @@ TEST(PathEdits, AStraightLegIsDividedAndFliesAsBefore) {
 }
 
 TEST(PathEdits, ATurnIsNotDivided) {
-  const std::vector<core::Vec3> points = path_points(plane());
+  const std::vector<core::Vec3> points = path_points(plane(), {});
   const PathEdit edit = with_point_between(plane(), 0.5 * (points[1] + points[2]) + core::Vec3{-100.0, 100.0, 0.0});
   EXPECT_FALSE(edit.platform);
   EXPECT_NE(edit.refusal.find("straight leg"), std::string::npos);
@@ -75,7 +75,7 @@ TEST(PathEdits, WaypointsGoOnToAPlace) {
 }
 
 TEST(PathEdits, LegsGoOnByATurnAndAStraightLegThatEndsThere) {
-  const core::Vec3 end = path_points(plane()).back();
+  const core::Vec3 end = path_points(plane(), {}).back();
   for (const core::Vec3& way : {core::Vec3{1000.0, -3000.0, 0.0}, core::Vec3{2000.0, 2000.0, 0.0}}) {
     const PathEdit edit = with_point_behind(plane(), end + way, 1.0);
     ASSERT_TRUE(edit.platform) << edit.refusal;

@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/maths/rounding.hpp"
 #include "scene/model/route.hpp"
+#include "scene/model/world_frame.hpp"
 
 namespace sarsim::scene {
 
@@ -184,9 +185,47 @@ class LegFit {
   std::vector<Knob> knobs_;
 };
 
+// Where a state and the end of its velocity are in the world.
+std::vector<core::Vec3> state_points(const Platform& platform, const radar::EarthFrame& earth) {
+  const core::Vec3 ahead_m = state_arrow_s * platform.state_velocity_mps;
+  return {earth.world_from_ecef(platform.state_position_m), earth.world_from_ecef(platform.state_position_m + ahead_m)};
+}
+
+// A vector turned as the vertical turns from one place to another, the shortest way; places opposite each other leave
+// it as it is.
+core::Vec3 turned_with_vertical(const core::Vec3& vector, const core::Vec3& from, const core::Vec3& to) {
+  const core::Vec3 a = (1.0 / core::norm(from)) * from;
+  const core::Vec3 b = (1.0 / core::norm(to)) * to;
+  const core::Vec3 sum = a + b;
+  const double cosine_1 = 1.0 + core::dot(a, b);
+  if (!(cosine_1 > 1e-9)) return vector;
+  return vector - (core::dot(sum, vector) / cosine_1) * sum + (2.0 * core::dot(a, vector)) * b;
+}
+
+core::Vec3 rounded(const core::Vec3& v, double step) {
+  return {core::rounded_to(v.x, step), core::rounded_to(v.y, step), core::rounded_to(v.z, step)};
+}
+
+Platform with_state_point(Platform platform, const radar::EarthFrame& earth, std::size_t index, const core::Vec3& to_m,
+                          double resolution_m) {
+  const core::Vec3 to_ecef_m = earth.ecef_from_world(to_m);
+  const double step_mps = power_of_ten_below(resolution_m / state_arrow_s);
+  core::Vec3 velocity_mps = (1.0 / state_arrow_s) * (to_ecef_m - platform.state_position_m);
+  if (index == 0) {
+    velocity_mps = turned_with_vertical(platform.state_velocity_mps, platform.state_position_m, to_ecef_m);
+    platform.state_position_m = rounded(to_ecef_m, resolution_m);
+  }
+  platform.state_velocity_mps = rounded(velocity_mps, step_mps);
+  return platform;
+}
+
 }  // namespace
 
-std::vector<core::Vec3> path_points(const Platform& platform) {
+std::vector<core::Vec3> path_points(const Platform& platform, const World& world) {
+  if (platform.path == Platform::Path::state) {
+    const auto earth = earth_of(world);
+    return earth ? state_points(platform, *earth) : std::vector<core::Vec3>();
+  }
   std::vector<core::Vec3> points;
   if (platform.path == Platform::Path::waypoints)
     for (const Waypoint& waypoint : platform.waypoints) points.push_back(waypoint.position_m);
@@ -199,13 +238,16 @@ std::vector<core::Vec3> path_points(const Platform& platform) {
 
 std::string path_point_name(const Platform& platform, std::size_t index) {
   if (platform.path == Platform::Path::waypoints) return fmt::format("waypoint {}", index + 1);
+  if (platform.path == Platform::Path::state) return index == 0 ? "state at time 0" : "velocity";
   return index == 0 ? "start" : fmt::format("end of leg {}", index);
 }
 
-std::optional<Platform> with_path_point(const Platform& platform, std::size_t index, const core::Vec3& to_m,
-                                        double resolution_m) {
-  const std::vector<core::Vec3> points = path_points(platform);
+std::optional<Platform> with_path_point(const Platform& platform, const World& world, std::size_t index,
+                                        const core::Vec3& to_m, double resolution_m) {
+  const std::vector<core::Vec3> points = path_points(platform, world);
   if (index >= points.size() || !std::isfinite(core::norm(to_m))) return std::nullopt;
+  if (platform.path == Platform::Path::state)
+    return with_state_point(platform, *earth_of(world), index, to_m, resolution_m);
   Platform moved = platform;
   if (platform.path == Platform::Path::waypoints) {
     moved.waypoints[index].position_m = to_m;

@@ -130,9 +130,14 @@ const std::vector<std::string>& paths_of(ObjectKind kind) {
 std::string owner_of(ObjectKind kind, std::string_view path) { return owner_of(*plain_table(header_of(kind)), path); }
 
 std::string owner_of(const PlainTable& table, std::string_view path) {
-  const std::vector<PathFacts> all = paths_of(table);
-  const auto found = std::ranges::find(all, path, &PathFacts::path);
-  return found == all.end() ? std::string() : dependence_text(table, *found);
+  std::string text;
+  for (const PathFacts& facts : paths_of(table)) {
+    if (facts.path != path) continue;
+    const std::string one = dependence_text(table, facts);
+    if (one.empty()) return {};
+    if (text.find(one) == std::string::npos) text += (text.empty() ? "" : ", or ") + one;
+  }
+  return text;
 }
 
 std::vector<Choice> alternatives(const FieldSpec& spec) {

@@ -47,7 +47,8 @@ struct Dependence {
 
 /// Every path below an object of a kind, and those of the words of its choices: "pulse.type".
 [[nodiscard]] const std::vector<std::string>& paths_of(ObjectKind kind);
-/// `dependence_text` of a path of a kind; empty also for a path that the kind does not have.
+/// `dependence_text` of a path of a kind, or those of all fields that have the path, as `path.start` of legs and lines;
+/// empty also for a path that the kind does not have.
 [[nodiscard]] std::string owner_of(ObjectKind kind, std::string_view path);
 [[nodiscard]] std::string owner_of(const PlainTable& table, std::string_view path);
 

@@ -9,7 +9,7 @@
 
 namespace sarsim::scene {
 
-/// The states of a platform with Path::ephemeris or Path::orbit, over times of the scene and in its world.
+/// The states of a platform whose path is an orbit (scene/model/orbit.hpp), over times of the scene and in its world.
 struct ReadPath {
   std::shared_ptr<const radar::StateTable> states;
   radar::TimeSpan usable;   ///< Times for which the states may be used.

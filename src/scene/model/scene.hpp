@@ -94,6 +94,7 @@ struct Platform {
     trajectory,  ///< Points against time.
     ephemeris,   ///< A file.
     orbit,       ///< An ellipse that J2 turns.
+    state,       ///< A position and a velocity, from which gravity leads on.
     legs,
     waypoints,
     relative,  ///< To another platform.
@@ -137,12 +138,15 @@ struct Platform {
   double semi_major_axis_m = 7071e3;  ///< Path::orbit: mean elements at time 0.
   double eccentricity = 0.0;
   core::Angle inclination;
-  core::Angle node_longitude;  ///< Of the ascending node, over the Earth as it lies at time 0.
-  core::Angle perigee;         ///< Argument of perigee.
-  core::Angle anomaly;         ///< Mean anomaly.
-  core::Vec3 start_m;          ///< Path::legs.
-  core::Angle course;          ///< Azimuth of the first leg.
-  double speed_mps = 0.0;      ///< Level speed; Path::legs and waypoints.
+  core::Angle node_longitude;                       ///< Of the ascending node, over the Earth as it lies at time 0.
+  core::Angle perigee;                              ///< Argument of perigee.
+  core::Angle anomaly;                              ///< Mean anomaly.
+  core::Vec3 state_position_m{7071e3, 0.0, 0.0};    ///< Path::state: at time 0 from the Earth's centre, in axes fixed
+                                                    ///< to it (ECEF, ITRF),
+  core::Vec3 state_velocity_mps{0.0, 7000.0, 0.0};  ///< and over the turning Earth.
+  core::Vec3 start_m;                               ///< Path::legs.
+  core::Angle course;                               ///< Azimuth of the first leg.
+  double speed_mps = 0.0;                           ///< Level speed; Path::legs and waypoints.
   std::vector<Leg> legs;
   std::vector<Waypoint> waypoints;
   core::Angle bank;                ///< Of the turns between waypoints.

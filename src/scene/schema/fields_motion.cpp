@@ -93,6 +93,28 @@ void add_orbit(FieldTable<Platform>& table) {
                                  .tip = "At time 0; on a circular orbit the angle from the perigee."});
 }
 
+void add_state(FieldTable<Platform>& table) {
+  table.when<&Platform::path>(PathKind::state);
+  table.add<&Platform::state_position_m>(
+      {.id = "state_position_m",
+       .key = "path.position",
+       .label = "ECEF coordinate",
+       .words = "position of the state",
+       .quantity = Quantity::length,
+       .example = "[2057735.247, -6459802.572, -2037501.319]",
+       .since_2 = true,
+       .tip = "At time 0 from the centre of the Earth, z to the north pole, x to longitude 0 (ECEF, ITRF)."});
+  table.add<&Platform::state_velocity_mps>(
+      {.id = "state_velocity_mps",
+       .key = "path.velocity",
+       .label = "ECEF velocity",
+       .words = "velocity of the state",
+       .quantity = Quantity::speed,
+       .example = "[-886.58536, -2517.114487, 7108.167902]",
+       .since_2 = true,
+       .tip = "At time 0 over the turning Earth, in the axes of the position; it goes on under gravity with J2."});
+}
+
 void add_routes(FieldTable<Platform>& table) {
   table.when<&Platform::path>(PathKind::legs);
   table.add<&Platform::start_m>({.id = "start_m",
@@ -193,6 +215,7 @@ void add_relative(FieldTable<Platform>& table) {
 void add_paths(FieldTable<Platform>& table) {
   add_ephemeris(table);
   add_orbit(table);
+  add_state(table);
   add_routes(table);
   add_relative(table);
 }

@@ -1,3 +1,4 @@
+#include "scene/model/orbit.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/schema/fields_motion.hpp"
 
@@ -19,6 +20,8 @@ void add_position(FieldTable<Platform>& table) {
                    {"TRAJECTORY", Platform::Path::trajectory, "Trajectory", "the platform follows a path", "points"},
                    {"", Platform::Path::ephemeris, "Orbit file", "states from a file", "ephemeris"},
                    {"", Platform::Path::orbit, "Orbit", "an ellipse round the Earth, turned by J2", "orbit"},
+                   {"", Platform::Path::state, "Orbit by state",
+                    "from a position and a velocity, under gravity with J2", "state"},
                    {"", Platform::Path::legs, "Legs", "straight pieces, turns and climbs", "legs"},
                    {"", Platform::Path::waypoints, "Waypoints", "a route through points", "waypoints"},
                    {"", Platform::Path::relative, "Relative", "beside another platform", "relative"}},
@@ -79,7 +82,8 @@ void add_rotation(FieldTable<Platform>& table) {
                                       .tip = "Rotation about x, y and z in degrees against time."});
   add_attitude_laws(table);
   using Way = Platform::Path;
-  table.when<&Platform::path>(Way::trajectory, Way::ephemeris, Way::orbit, Way::legs, Way::waypoints, Way::relative);
+  table.when<&Platform::path>(Way::trajectory, Way::ephemeris, Way::orbit, Way::state, Way::legs, Way::waypoints,
+                              Way::relative);
   table.add<&Platform::aligned>(
       {.id = "aligned",
        .key = "path.aligned",
@@ -214,6 +218,7 @@ void begin_platform(const Platform& before, Platform& after) {
     const auto& path = before.trajectory_m.part;
     after.position_m = {first_value(path[0]), first_value(path[1]), first_value(path[2])};
   }
+  continue_orbit(before, after);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     if (after.rotation_kind == Platform::Rotation::user)
       begin_constant(after.rotation_deg.part[axis], before.rotation[axis].deg());

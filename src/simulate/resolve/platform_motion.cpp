@@ -162,6 +162,7 @@ class TrackMaker {
       case Platform::Path::trajectory: return radar::FunctionPath{three_functions(platform.trajectory_m, rule_)};
       case Platform::Path::ephemeris:
       case Platform::Path::orbit:
+      case Platform::Path::state:
         if (!platform.read_path)
           throw std::invalid_argument("the orbit of platform '" + platform.name + "' is not read");
         return radar::StatePath{platform.read_path->states};

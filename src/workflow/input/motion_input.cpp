@@ -10,10 +10,13 @@
 
 #include <fmt/format.h>
 
+#include "radar/earth/ellipsoid.hpp"
 #include "radar/earth/instant.hpp"
+#include "radar/orbit/j2_motion.hpp"
 #include "radar/orbit/kepler.hpp"
 #include "radar/orbit/sgp4.hpp"
 #include "scene/ephemeris/read_ephemeris.hpp"
+#include "scene/model/orbit.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/world_frame.hpp"
 #include "scene/script/reader.hpp"
@@ -102,26 +105,90 @@ class PathMaker {
   // An ellipse whose node is given over the Earth as it lies at time 0.
   std::shared_ptr<const scene::ReadPath> of_orbit() {
     if (!axes_.earth()) return refuse(no_earth("an orbit"));
-    const radar::KeplerElements elements{platform_.semi_major_axis_m, platform_.eccentricity,
-                                         platform_.inclination.rad(), platform_.node_longitude.rad(),
-                                         platform_.perigee.rad(),     platform_.anomaly.rad()};
+    const auto elements = scene::elements_of(platform_);
+    if (!elements) return nullptr;  // `check` says it.
     const double perigee_m = platform_.semi_major_axis_m * (1.0 - platform_.eccentricity);
     if (!(perigee_m > radar::wgs84_semi_major_m))
       return refuse(path_problem("the perigee of the orbit is inside the Earth",
                                  fmt::format("{:.1f} km from the centre", 1e-3 * perigee_m), "more than 6378.137 km",
                                  "change semi_major_axis or eccentricity"));
-    const radar::SecularOrbit orbit(elements);
+    const radar::SecularOrbit orbit(*elements);
     radar::StateSamples samples;
     for (const double time_s : computed_times()) {
       const radar::OrbitMotion motion = orbit.at(time_s);
-      const radar::TurningFrame turning = radar::turning_about_z(
-          std::remainder(radar::earth_rate_rad_per_s * time_s, 2.0 * core::pi), radar::earth_rate_rad_per_s);
-      add(samples, time_s, axes_.from_ecef(turning.to({motion.position_m, motion.velocity_mps})), true);
+      add(samples, time_s, axes_.from_ecef(over_earth({motion.position_m, motion.velocity_mps}, time_s)), true);
     }
     return made(samples, radar::hermite_degree_7, needed_with_margin(), "mean elements, turned by J2");
   }
 
+  // From a state over the Earth at time 0 on.
+  std::shared_ptr<const scene::ReadPath> of_state() {
+    if (!axes_.earth()) return refuse(no_earth("an orbit"));
+    const radar::OrbitState start = scene::inertial_state_of(platform_);
+    if (!std::isfinite(core::norm(start.position_m) + core::norm(start.velocity_mps))) return nullptr;  // `check`
+    if (height_of(start.position_m) < 0.0)
+      return refuse(path_problem("the state of the orbit is inside the Earth", said_height(start.position_m),
+                                 "a position outside it", "it counts from the centre of the Earth"));
+    const std::vector<double> times_s = computed_times();
+    const std::vector<radar::OrbitState> states = radar::states_under_j2(start, times_s);
+    radar::StateSamples samples;
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      const radar::StateVector state = over_earth(states[i], times_s[i]);
+      const bool needed = times_s[i] >= needed_.first_s && times_s[i] <= needed_.last_s;
+      if (needed && height_of(state.position_m) < 0.0)
+        return refuse(path_problem("the orbit meets the ground within the recordings",
+                                   fmt::format("{} at {:.0f} s", said_height(state.position_m), times_s[i]),
+                                   "a state that stays outside the Earth", counts_over_earth));
+      add(samples, times_s[i], axes_.from_ecef(state), true);
+    }
+    const auto ellipse = radar::osculating_elements(start);
+    warn_of_ellipse(ellipse);
+    return made(samples, radar::hermite_degree_7, needed_with_margin(), said_ellipse(ellipse));
+  }
+
  private:
+  static constexpr const char* counts_over_earth =
+      "the velocity counts over the turning Earth, which takes up to 465 m/s at the equator from what stars see";
+
+  // What does not turn agrees with the Earth at time 0.
+  static radar::StateVector over_earth(const radar::OrbitState& state, double time_s) {
+    return radar::turning_about_z(std::remainder(radar::earth_rate_rad_per_s * time_s, 2.0 * core::pi),
+                                  radar::earth_rate_rad_per_s)
+        .to({state.position_m, state.velocity_mps});
+  }
+
+  static double height_of(const core::Vec3& ecef_m) { return radar::geodetic_of(ecef_m).height_m; }
+  static std::string said_height(const core::Vec3& ecef_m) {
+    return fmt::format("{:.3f} km above the ellipsoid", 1e-3 * height_of(ecef_m));
+  }
+
+  static double perigee_m(const radar::KeplerElements& ellipse) {
+    return ellipse.semi_major_axis_m * (1.0 - ellipse.eccentricity);
+  }
+
+  void warn_of_ellipse(const std::optional<radar::KeplerElements>& ellipse) {
+    const auto warn = [&](std::string message, std::string found, std::string expected) {
+      core::Problem problem = core::problem_of(core::Severity::warning, std::move(message), std::move(found),
+                                               std::move(expected), counts_over_earth);
+      problem.subject.field = "state_velocity_mps";
+      problems_.push_back(std::move(problem));
+    };
+    if (!ellipse)
+      warn("the state belongs to no orbit: it leaves the Earth or falls straight down",
+           fmt::format("{:.3f} m/s", core::norm(platform_.state_velocity_mps)), "the velocity of a satellite");
+    else if (!(perigee_m(*ellipse) > radar::wgs84_semi_major_m))
+      warn("the orbit comes down to the ground: its perigee is inside the Earth",
+           fmt::format("{:.1f} km from the centre", 1e-3 * perigee_m(*ellipse)), "more than 6378.137 km");
+  }
+
+  static std::string said_ellipse(const std::optional<radar::KeplerElements>& ellipse) {
+    if (!ellipse) return "from a state, under gravity with J2";
+    return fmt::format(
+        "from a state, under gravity with J2: {:.1f} to {:.1f} km from the centre, inclination {:.4f} deg",
+        1e-3 * perigee_m(*ellipse), 1e-3 * ellipse->semi_major_axis_m * (1.0 + ellipse->eccentricity),
+        ellipse->inclination_rad * core::deg_per_rad);
+  }
+
   std::shared_ptr<const scene::ReadPath> refuse(core::Problem problem) {
     problems_.push_back(std::move(problem));
     return nullptr;
@@ -402,12 +469,17 @@ std::string key_of_path(const Platform& p, const std::string& world) {
   if (p.path == Platform::Path::orbit)
     return fmt::format("{}|{}|{}|{}|{}|{}|{}", world, p.semi_major_axis_m, p.eccentricity, p.inclination.deg(),
                        p.node_longitude.deg(), p.perigee.deg(), p.anomaly.deg());
+  if (p.path == Platform::Path::state) {
+    const core::Vec3& at = p.state_position_m;
+    const core::Vec3& to = p.state_velocity_mps;
+    return fmt::format("{}|{}|{}|{}|{}|{}|{}", world, at.x, at.y, at.z, to.x, to.y, to.z);
+  }
   return fmt::format("{}|{}|{}|{}", world, p.ephemeris_file, p.satellite, static_cast<int>(p.interpolation));
 }
 
 void read_path(scene::Scene& scene, Platform& platform, const fs::path& folder, core::Problems& problems) {
   const bool from_file = platform.path == Platform::Path::ephemeris;
-  if (!from_file && platform.path != Platform::Path::orbit) {
+  if (!scene::is_orbit(platform.path)) {
     platform.read_path = {};
     return;
   }
@@ -418,7 +490,9 @@ void read_path(scene::Scene& scene, Platform& platform, const fs::path& folder, 
   std::optional<FileText> file;
   if (from_file && !(file = text_of_file(platform.ephemeris_file, folder, problems))) return;
   PathMaker maker(scene, platform, problems);
-  const auto made = from_file ? maker.of_file(*file) : maker.of_orbit();
+  const auto made = from_file                                ? maker.of_file(*file)
+                    : platform.path == Platform::Path::orbit ? maker.of_orbit()
+                                                             : maker.of_state();
   if (!made) return;
   auto kept = std::make_shared<scene::ReadPath>(*made);
   kept->made_of = key;
@@ -458,7 +532,7 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
     Platform& platform = scene.platforms[i];
     core::Problems of_path, of_attitude;
     read_path(scene, platform, folder, of_path);
-    add(std::move(of_path), platform.path == Platform::Path::orbit ? "path" : "ephemeris_file");
+    add(std::move(of_path), platform.path == Platform::Path::ephemeris ? "ephemeris_file" : "path");
     read_attitude(scene, platform, folder, of_attitude);
     add(std::move(of_attitude), "attitude_file");
   }

@@ -6,13 +6,16 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "radar/earth/ellipsoid.hpp"
 #include "radar/orbit/kepler.hpp"
 #include "scene/model/read_path.hpp"
+#include "scene/model/world_frame.hpp"
 #include "support/test_folder.hpp"
 
 namespace sarsim::workflow {
@@ -53,6 +56,68 @@ TEST(MotionInput, AnOrbitIsTheEllipseThatJ2TurnsOverTheTurningEarth) {
   EXPECT_NEAR(at->position_m.x, -std::sin(turn) * p.x + std::cos(turn) * p.y, 1e-6);
   EXPECT_NEAR(at->position_m.y, p.z, 1e-6);
   EXPECT_NEAR(at->position_m.z, std::cos(turn) * p.x + std::sin(turn) * p.y - radar::wgs84_semi_major_m, 1e-6);
+}
+
+scene::Scene scene_with_state(const core::Vec3& position_m, const core::Vec3& velocity_mps) {
+  scene::Scene scene = earth_scene(-60.0, 60.0);
+  scene::Platform& platform = scene.platforms[0];
+  platform.path = scene::Platform::Path::state;
+  platform.state_position_m = position_m;
+  platform.state_velocity_mps = velocity_mps;
+  return scene;
+}
+
+constexpr core::Vec3 sentinel_m{2057735.247194, -6459802.571744, -2037501.319184};
+constexpr core::Vec3 sentinel_mps{-886.585360, -2517.114487, 7108.167902};
+
+// States of examples/satellite.EOF, which tests/examples/satellite_orbit.py integrates over the turning Earth.
+TEST(MotionInput, AStateGoesOnUnderGravityOverTheTurningEarth) {
+  scene::Scene scene = scene_with_state(sentinel_m, sentinel_mps);
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  const scene::ReadPath& path = *scene.platforms[0].read_path;
+  const std::pair<double, core::Vec3> expected[] = {{-60.0, {2106052.660777, -6295652.295544, -2459570.336658}},
+                                                    {0.0, sentinel_m},
+                                                    {60.0, {1999809.972282, -6597471.772572, -1607165.949963}}};
+  const auto earth = scene::earth_of(scene.world);
+  for (const auto& [time_s, ecef_m] : expected) {
+    const auto at = path.states->at(time_s);
+    ASSERT_TRUE(at);
+    EXPECT_LT(core::norm(earth->ecef_from_world(at->position_m) - ecef_m), 2e-6) << time_s;
+  }
+  const auto now = path.states->at(0.0);
+  EXPECT_LT(core::norm(earth->ecef_axes_from_world(now->velocity_mps) - sentinel_mps), 1e-7);
+  EXPECT_EQ(path.description,
+            "from a state, under gravity with J2: 7072.3 to 7084.9 km from the centre, inclination 98.1769 deg");
+}
+
+TEST(MotionInput, AStateIsMadeAnewWhereItChanged) {
+  scene::Scene scene = scene_with_state(sentinel_m, sentinel_mps);
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  const auto first = scene.platforms[0].read_path;
+  scene.platforms[0].state_velocity_mps.z += 1.0;
+  ASSERT_EQ(messages(read_motions(scene, {})), "");
+  EXPECT_NE(scene.platforms[0].read_path.get(), first.get());
+}
+
+TEST(MotionInput, RefusesStatesThatAreNoOrbits) {
+  const auto told = [](const core::Vec3& position_m, const core::Vec3& velocity_mps) {
+    scene::Scene scene = scene_with_state(position_m, velocity_mps);
+    const std::string said = messages(read_motions(scene, {}));
+    return said + (scene.platforms[0].read_path ? "path" : "none");
+  };
+  EXPECT_THAT(told({6000e3, 0.0, 0.0}, {0.0, 7000.0, 0.0}),
+              testing::AllOf(HasSubstr("error: the state of the orbit is inside the Earth"),
+                             HasSubstr("-378.137 km above the ellipsoid"), testing::EndsWith("none")));
+  // 7.5 km/s for 7500 m/s falls like a stone, from high enough not within the recording.
+  EXPECT_THAT(told(sentinel_m, 1e-3 * sentinel_mps),
+              testing::AllOf(HasSubstr("warning: the orbit comes down to the ground"), testing::EndsWith("path")));
+  EXPECT_THAT(told({6378.2e3, 0.0, 0.0}, {-7000.0, 0.0, 0.0}),
+              testing::AllOf(HasSubstr("error: the orbit meets the ground within the recordings"),
+                             HasSubstr("above the ellipsoid at"), testing::EndsWith("none")));
+  EXPECT_THAT(told(sentinel_m, 2.0 * sentinel_mps),
+              testing::AllOf(HasSubstr("warning: the state belongs to no orbit"), testing::EndsWith("path")));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(told({nan, 0.0, 0.0}, {0.0, 7000.0, 0.0}), "none");
 }
 
 constexpr const char* vanguard =
