@@ -6,6 +6,8 @@
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTextBrowser>
+#include <QTextFrame>
+#include <QTextTable>
 #include <QToolButton>
 #include <QtTest>
 
@@ -89,6 +91,22 @@ class HelpTest : public QObject {
       QVERIFY2(!browser->document()->isEmpty(), qPrintable(place.page));
       if (!place.heading.isEmpty()) QCOMPARE(help.heading(), place.heading);
     }
+  }
+
+  void a_page_is_laid_out_once() {
+    gui::HelpWindow help;
+    help.show();
+    const QSignalSpy changed(help.findChild<QTextBrowser*>()->document(), &QTextDocument::contentsChange);
+    help.show_page("formats/scene.md", "Functions");
+    QCOMPARE(help.heading(), QString("Functions"));
+    QVERIFY2(changed.size() < 10, qPrintable(QString::number(changed.size())));
+    int tables = 0;
+    for (QTextFrame* frame : help.findChild<QTextBrowser*>()->document()->rootFrame()->childFrames())
+      if (const auto* table = qobject_cast<QTextTable*>(frame)) {
+        QVERIFY(table->format().borderCollapse());  // Rows are told apart by one fine line.
+        ++tables;
+      }
+    QVERIFY(tables > 10);
   }
 
   void f1_opens_the_page_of_the_window_that_has_the_keyboard_data() {

@@ -23,9 +23,17 @@ namespace sarsim::gui {
 
 namespace {
 
-// Pictures that are wider than the window are shown smaller.
+// Shows pictures that are wider than the window smaller.
 class GuidePage : public QTextBrowser {
  public:
+  // Laid out once, not for each piece of it that is read.
+  void doSetSource(const QUrl& page, QTextDocument::ResourceType type) override {
+    QTextCursor cursor(document());
+    cursor.beginEditBlock();
+    QTextBrowser::doSetSource(page, type);
+    cursor.endEditBlock();
+    lay_out_tables();
+  }
   QVariant loadResource(int type, const QUrl& name) override {
     const QVariant resource = QTextBrowser::loadResource(type, name);
     if (type != QTextDocument::ImageResource) return resource;
@@ -41,6 +49,29 @@ class GuidePage : public QTextBrowser {
     picture.setDevicePixelRatio(scale);
     return picture;
   }
+
+ private:
+  // Rows of a table are told apart by one fine line, words by some room.
+  void lay_out_tables() {
+    QTextCursor cursor(document());
+    cursor.beginEditBlock();
+    const QColor line = palette().color(QPalette::PlaceholderText);
+    for (QTextFrame* frame : document()->rootFrame()->childFrames()) {
+      auto* table = qobject_cast<QTextTable*>(frame);
+      if (table == nullptr) continue;
+      QTextTableFormat format = table->format();
+      format.setBorderCollapse(true);
+      format.setBorder(1);
+      format.setBorderBrush(line);
+      format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+      format.setCellPadding(5);
+      format.setCellSpacing(0);
+      format.setTopMargin(6);
+      format.setBottomMargin(6);
+      table->setFormat(format);
+    }
+    cursor.endEditBlock();
+  }
 };
 
 bool is_heading(const QTextBlock& block) { return block.blockFormat().headingLevel() > 0; }
@@ -54,7 +85,6 @@ HelpWindow::HelpWindow(QWidget* parent) : QDialog(parent), browser_(new GuidePag
   browser_->setAccessibleName(tr("Page of the guide"));
   browser_->setOpenLinks(false);
   browser_->document()->setDocumentMargin(12);
-  connect(browser_, &QTextBrowser::sourceChanged, this, &HelpWindow::lay_out_tables);
   if (!folder().isEmpty()) browser_->setSearchPaths({folder()});
   auto* buttons = new QDialogButtonBox;
   auto* back = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
@@ -85,25 +115,6 @@ QString HelpWindow::folder() {
   for (const char* place : {"../share/doc/sarsim", "../../../docs", "../../docs", "../../../../docs"})
     if (program.exists(QString(place) + "/README.md")) return QDir::cleanPath(program.absoluteFilePath(place));
   return {};
-}
-
-// Rows of a table are told apart by one fine line, words by some room.
-void HelpWindow::lay_out_tables() {
-  const QColor line = palette().color(QPalette::PlaceholderText);
-  for (QTextFrame* frame : browser_->document()->rootFrame()->childFrames()) {
-    auto* table = qobject_cast<QTextTable*>(frame);
-    if (table == nullptr) continue;
-    QTextTableFormat format = table->format();
-    format.setBorderCollapse(true);
-    format.setBorder(1);
-    format.setBorderBrush(line);
-    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
-    format.setCellPadding(5);
-    format.setCellSpacing(0);
-    format.setTopMargin(6);
-    format.setBottomMargin(6);
-    table->setFormat(format);
-  }
 }
 
 void HelpWindow::show_page(const QString& page, const QString& heading) {

@@ -26,7 +26,6 @@ class HelpWindow : public QDialog {
  private:
   bool scroll_to(const QString& anchor);
   void follow(const QUrl& link);
-  void lay_out_tables();
   void find_next(bool from_here);
 
   QTextBrowser* browser_;

@@ -40,13 +40,12 @@ using Fields = std::vector<std::pair<std::string, std::string>>;
 Fields fields_of(std::string_view text) {
   Fields fields;
   while (!text.empty()) {
-    const std::size_t equals = text.find('=');
-    const std::size_t line = text.find('\n');
-    if (line < equals) {
-      text.remove_prefix(line + 1);
+    const std::size_t line = std::min(text.find('\n'), text.size());
+    const std::size_t equals = text.substr(0, line).find('=');
+    if (equals == std::string_view::npos) {
+      text.remove_prefix(std::min(line + 1, text.size()));
       continue;
     }
-    if (equals == std::string_view::npos) break;
     const std::string name = core::lower_case(core::trimmed(text.substr(0, equals)));
     text = text.substr(equals + 1);
     const std::size_t brace = text.find_first_not_of(" \t");
