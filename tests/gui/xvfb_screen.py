@@ -42,14 +42,15 @@ def wait_for(what, condition, patience_s=PATIENCE_S):
 
 
 class Screen:
-    def __init__(self, pictures):
+    def __init__(self, pictures, memory):
         self.pictures = pictures
+        self.memory = memory / "Xvfb_screen0"  # What the screen shows, line by line behind a header.
         pictures.mkdir(parents=True, exist_ok=True)
         for old in pictures.glob("*.png"):
             old.unlink()
         read_end, write_end = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-nolisten", "tcp", "-noreset"],
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{SIZE[0]}x{SIZE[1]}x24", "-fbdir", str(memory), "-nolisten", "tcp", "-noreset"],
             pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, preexec_fn=die_with_parent)
         os.close(write_end)
         with os.fdopen(read_end) as answer:
@@ -77,6 +78,22 @@ class Screen:
         if not path.exists():
             raise Failed(f"no picture {name}")
         return path
+
+    def lines(self):
+        """The lines of the screen as they are now, as bytes."""
+        size = 4 * SIZE[0]
+        pixels = self.memory.read_bytes()[-size * SIZE[1]:]
+        return [pixels[at:at + size] for at in range(0, len(pixels), size)]
+
+    def stands_still(self, for_s=0.45, steps=3):
+        """Whether fewer than 100 pixels, as of a caret that blinks, change meanwhile."""
+        before = self.lines()
+        for _ in range(steps):
+            time.sleep(for_s / steps)
+            changed = [pair for pair in zip(before, self.lines()) if pair[0] != pair[1]]
+            if sum(a[i:i + 4] != b[i:i + 4] for a, b in changed[:100] for i in range(0, len(a), 4)) >= 100:
+                return False
+        return True
 
     def differing_pixels(self, one, other, rows=SIZE[1]):
         """How many pixels of the upper rows differ by more than 5 %."""
@@ -150,17 +167,11 @@ def wait_until_drawn(screen, name, other=None, area=(0, 0, *SIZE), pixels=50):
     More than so many pixels of an area (left, top, width, height) have to differ: what is waited for comes after the
     answer of other windows, late on a machine that has much else to do.
     """
-    def stands_still():
-        one = screen.picture(name)
-        for _ in range(3):  # the live image comes coarse first and pauses before it is whole
-            time.sleep(0.15)
-            two = screen.picture(f"{name}_again")
-            if screen.differing_pixels(one, two) >= 100:  # fewer are a caret that blinks
-                return False
-        return other is None or screen.differing_in(two, other, area) > pixels
-    wait_for(f"the screen shows {name}", stands_still)
-    (screen.pictures / f"{name}_again.png").unlink()
-    return screen.pictures / f"{name}.png"
+    def drawn():
+        # The live image comes coarse first and pauses before it is whole.
+        return screen.stands_still() and (other is None or screen.differing_in(screen.picture(name), other, area) > pixels)
+    wait_for(f"the screen shows {name}", drawn)
+    return screen.picture(name) if other is None else screen.pictures / f"{name}.png"
 
 
 def run_story(pictures, tell):
@@ -176,10 +187,11 @@ def run_story(pictures, tell):
         signal.signal(number, stop)
     signal.setitimer(signal.ITIMER_REAL, LONGEST_S)
     begin = time.monotonic()
-    with tempfile.TemporaryDirectory(prefix="sarsim-story-", ignore_cleanup_errors=True) as home:
+    folders = [tempfile.TemporaryDirectory(prefix=f"sarsim-{use}-", ignore_cleanup_errors=True) for use in ("story", "screen")]
+    with folders[0] as home, folders[1] as memory:
         screen = None
         try:
-            screen = Screen(pictures)
+            screen = Screen(pictures, Path(memory))
             tell(screen, Path(home))
             print(f"the story took {time.monotonic() - begin:.1f} s; pictures: {pictures}")
             return 0
