@@ -79,12 +79,12 @@ class Platform(SceneObject):
     state_position = VectorField(
         "state_position",
         "m",
-        "At time 0 from the centre of the Earth, z to the north pole, x to longitude 0 (ECEF, ITRF). Only where path is state.",
+        "At time 0 from the centre of the Earth, z to the north pole, x to longitude 0 (ECEF, ITRF). Takes -1000000000 to 1000000 km. Only where path is state.",
     )
     state_velocity = VectorField(
         "state_velocity",
         "m/s",
-        "At time 0 over the turning Earth, in the axes of the position; it goes on under gravity with J2. Only where path is state.",
+        "At time 0 over the turning Earth, in the axes of the position; it goes on under gravity with J2. Takes -100000 to 100000 m/s. Only where path is state.",
     )
     start = VectorField("start", "m", "Where the first leg begins. Only where path is legs.")
     course = NumberField(

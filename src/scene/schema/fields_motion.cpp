@@ -101,6 +101,7 @@ void add_state(FieldTable<Platform>& table) {
        .label = "ECEF coordinate",
        .words = "position of the state",
        .quantity = Quantity::length,
+       .range = {-1e9, 1e9},
        .example = "[2057735.247, -6459802.572, -2037501.319]",
        .since_2 = true,
        .tip = "At time 0 from the centre of the Earth, z to the north pole, x to longitude 0 (ECEF, ITRF)."});
@@ -110,6 +111,7 @@ void add_state(FieldTable<Platform>& table) {
        .label = "ECEF velocity",
        .words = "velocity of the state",
        .quantity = Quantity::speed,
+       .range = {-1e5, 1e5},
        .example = "[-886.58536, -2517.114487, 7108.167902]",
        .since_2 = true,
        .tip = "At time 0 over the turning Earth, in the axes of the position; it goes on under gravity with J2."});

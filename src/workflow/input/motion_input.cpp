@@ -35,6 +35,7 @@ using scene::Platform;
 constexpr double state_spacing_s = 10.0;
 constexpr double state_margin_s = 60.0;
 constexpr std::size_t most_states = 2'000'000;
+constexpr double farthest_from_state_s = 864e3;
 
 core::Problem path_problem(std::string message, std::string found = {}, std::string expected = {},
                            std::string hint = {}) {
@@ -129,6 +130,12 @@ class PathMaker {
     if (height_of(start.position_m) < 0.0)
       return refuse(path_problem("the state of the orbit is inside the Earth", said_height(start.position_m),
                                  "a position outside it", "it counts from the centre of the Earth"));
+    const double farthest_s = std::max(std::abs(needed_.first_s), std::abs(needed_.last_s));
+    if (farthest_s > farthest_from_state_s)
+      return refuse(path_problem("the recordings are too far from the state of the orbit",
+                                 fmt::format("{:.0f} s from time 0", farthest_s),
+                                 fmt::format("at most {:.0f} s, 10 days", farthest_from_state_s),
+                                 "by then drag, Sun and Moon have led elsewhere: take a file, or another epoch"));
     const std::vector<double> times_s = computed_times();
     const std::vector<radar::OrbitState> states = radar::states_under_j2(start, times_s);
     radar::StateSamples samples;
@@ -148,7 +155,7 @@ class PathMaker {
 
  private:
   static constexpr const char* counts_over_earth =
-      "the velocity counts over the turning Earth, which takes up to 465 m/s at the equator from what stars see";
+      "the velocity counts over the turning Earth: what stars see differs by up to 520 m/s on a low orbit";
 
   // What does not turn agrees with the Earth at time 0.
   static radar::StateVector over_earth(const radar::OrbitState& state, double time_s) {

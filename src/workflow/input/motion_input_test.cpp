@@ -116,6 +116,10 @@ TEST(MotionInput, RefusesStatesThatAreNoOrbits) {
                              HasSubstr("above the ellipsoid at"), testing::EndsWith("none")));
   EXPECT_THAT(told(sentinel_m, 2.0 * sentinel_mps),
               testing::AllOf(HasSubstr("warning: the state belongs to no orbit"), testing::EndsWith("path")));
+  scene::Scene late = scene_with_state(sentinel_m, sentinel_mps);
+  late.geometries[0].time_end_s = 1e12;
+  EXPECT_THAT(messages(read_motions(late, {})), HasSubstr("found '1000000000000 s from time 0'"));
+  EXPECT_FALSE(late.platforms[0].read_path);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(told({nan, 0.0, 0.0}, {0.0, 7000.0, 0.0}), "none");
 }
