@@ -69,11 +69,12 @@ TEST_F(SteppedWorkflow, ProfilesShowBothPointsWhereTheyAre) {
   core::Observer observer;
   observer.progress = [&](const std::string& stage, const core::Progress&) { ++stages[stage]; };
   observer.remark = [&](const core::Problems& problems) { told = problems; };
-  const ProfilesReport report = profiles(profiles_request(), observer);
+  ProfilesRequest request = profiles_request();
+  request.threads = 1;  // Of several, another than the one that tells may take all the rows.
+  const ProfilesReport report = profiles(request, observer);
   EXPECT_THAT(report.files, testing::ElementsAre(folder_ / "ship.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "ship.csv"));
-  // Work of milliseconds may end before anything is told.
-  EXPECT_THAT(stages, testing::Each(testing::Key((folder_ / "ship.csv").string())));
+  EXPECT_THAT(stages, testing::ElementsAre(testing::Key((folder_ / "ship.csv").string())));
   EXPECT_EQ(told.size(), report.problems.size());
   EXPECT_EQ(report.bursts, 6U);
   EXPECT_EQ(report.series.rows.size(), 6U);
