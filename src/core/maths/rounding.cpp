@@ -20,4 +20,8 @@ double rounded_to(double value, double step) {
   return std::isfinite(multiple) ? tidy(multiple, digits) : value;
 }
 
+Vec3 rounded_to(const Vec3& value, double step) {
+  return {rounded_to(value.x, step), rounded_to(value.y, step), rounded_to(value.z, step)};
+}
+
 }  // namespace sarsim::core

@@ -38,5 +38,9 @@ TEST(Rounding, KeepsAValueWhereThereIsNoStep) {
   EXPECT_EQ(rounded_to(1e308, 1e308), 1e308);
 }
 
+TEST(RoundedTo, TakesEachCoordinateOfAVector) {
+  EXPECT_EQ(rounded_to(Vec3{1.26, -0.04, 7.0}, 0.1), (Vec3{1.3, 0.0, 7.0}));
+}
+
 }  // namespace rounding_test
 }  // namespace sarsim::core

@@ -202,10 +202,6 @@ core::Vec3 turned_with_vertical(const core::Vec3& vector, const core::Vec3& from
   return vector - (core::dot(sum, vector) / cosine_1) * sum + (2.0 * core::dot(a, vector)) * b;
 }
 
-core::Vec3 rounded(const core::Vec3& v, double step) {
-  return {core::rounded_to(v.x, step), core::rounded_to(v.y, step), core::rounded_to(v.z, step)};
-}
-
 Platform with_state_point(Platform platform, const radar::EarthFrame& earth, std::size_t index, const core::Vec3& to_m,
                           double resolution_m) {
   const core::Vec3 to_ecef_m = earth.ecef_from_world(to_m);
@@ -213,9 +209,9 @@ Platform with_state_point(Platform platform, const radar::EarthFrame& earth, std
   core::Vec3 velocity_mps = (1.0 / state_arrow_s) * (to_ecef_m - platform.state_position_m);
   if (index == 0) {
     velocity_mps = turned_with_vertical(platform.state_velocity_mps, platform.state_position_m, to_ecef_m);
-    platform.state_position_m = rounded(to_ecef_m, resolution_m);
+    platform.state_position_m = core::rounded_to(to_ecef_m, resolution_m);
   }
-  platform.state_velocity_mps = rounded(velocity_mps, step_mps);
+  platform.state_velocity_mps = core::rounded_to(velocity_mps, step_mps);
   return platform;
 }
 

@@ -15,10 +15,6 @@ constexpr double velocity_step_mps = 1e-6;
 constexpr double angle_step_deg = 1e-8;  // 1 mm on a low orbit
 constexpr double eccentricity_step = 1e-10;
 
-core::Vec3 rounded(const core::Vec3& v, double step) {
-  return {core::rounded_to(v.x, step), core::rounded_to(v.y, step), core::rounded_to(v.z, step)};
-}
-
 core::Angle rounded_angle(double rad) {
   return core::Angle::from_deg(core::rounded_to(rad * core::deg_per_rad, angle_step_deg));
 }
@@ -54,8 +50,9 @@ void continue_orbit(const Platform& before, Platform& after) {
     const auto elements = elements_of(before);
     if (!elements) return;
     const radar::OrbitMotion motion = radar::SecularOrbit(*elements).at(0.0);
-    after.state_position_m = rounded(motion.position_m, position_step_m);
-    after.state_velocity_mps = rounded(motion.velocity_mps - turning_mps(motion.position_m), velocity_step_mps);
+    after.state_position_m = core::rounded_to(motion.position_m, position_step_m);
+    after.state_velocity_mps =
+        core::rounded_to(motion.velocity_mps - turning_mps(motion.position_m), velocity_step_mps);
   } else if (before.path == Platform::Path::state && after.path == Platform::Path::orbit) {
     const auto elements = radar::secular_elements(inertial_state_of(before));
     if (!elements) return;
