@@ -30,17 +30,21 @@ namespace {
 
 using namespace sarsim;
 
-// The processor time of the window's thread from one pause to the next, in which it answers; also within an action
-// that waits for another thread.
+// The processor time of the window's thread from one pause to the next, in which it takes keys and clicks: where its
+// loop waits, and where it turns. Also within an action that waits for another thread.
 class Stretches {
  public:
   Stretches() : begin_ms_(sarsim::bench::thread_ms()) {
     const auto* const dispatcher = QAbstractEventDispatcher::instance();
-    pauses_ = QObject::connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, [this] { pause(); });
+    waits_ = QObject::connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, [this] { pause(); });
+    turns_ = QObject::connect(dispatcher, &QAbstractEventDispatcher::awake, [this] { pause(); });
   }
   Stretches(const Stretches&) = delete;
   Stretches& operator=(const Stretches&) = delete;
-  ~Stretches() { QObject::disconnect(pauses_); }
+  ~Stretches() {
+    QObject::disconnect(waits_);
+    QObject::disconnect(turns_);
+  }
 
   void pause() {
     const double now_ms = sarsim::bench::thread_ms();
@@ -50,7 +54,8 @@ class Stretches {
   [[nodiscard]] double longest_ms() const { return longest_ms_; }
 
  private:
-  QMetaObject::Connection pauses_;
+  QMetaObject::Connection waits_;
+  QMetaObject::Connection turns_;
   double begin_ms_;
   double longest_ms_ = 0.0;
 };

@@ -607,6 +607,14 @@ class PanelTest : public QObject {
     qInfo() << "10000 targets in the panel:" << timer.elapsed() << "ms";
     QCOMPARE(bench.line("rcs_m2")->text(), QString("1 m²"));
     QVERIFY(timer.elapsed() < 5000);
+    const auto rcs_of = [&](std::size_t index) { return bench.session.scene().targets[index].rcs_m2; };
+    bench.type("rcs_m2", "3");
+    QCOMPARE(rcs_of(0) + rcs_of(9999), 6.0);
+    bench.type("rcs_m2", "3 s");
+    QVERIFY2(bench.problem("rcs_m2").contains("3 s"), qPrintable(bench.problem("rcs_m2")));
+    QCOMPARE(rcs_of(9999), 3.0);
+    bench.session.undo();
+    QCOMPARE(rcs_of(0) + rcs_of(9999), 2.0);
   }
 };
 

@@ -3,6 +3,11 @@
 #include <QTest>
 #include <QTimer>
 
+#include <chrono>
+#include <set>
+#include <stdexcept>
+#include <thread>
+
 #include "gui/gui_test.hpp"
 #include "gui/objects/object_tree_model.hpp"
 #include "gui/objects/target_table_model.hpp"
@@ -181,6 +186,68 @@ class SessionTest : public QObject {
     told.session.perform(scene::add_targets(told.session.scene(), targets));
     QCOMPARE(told.session.scene().targets.size(), many + 3);
     QCOMPARE(told.session.scene().targets[1].position_m.x, 55.0);
+  }
+
+  void an_edit_of_many_objects_is_made_on_another_thread() {
+    Announced told;
+    const auto make = [](std::thread::id* at) {
+      return [at](const scene::Document& document, scene::Edit& edit) {
+        *at = std::this_thread::get_id();
+        edit = scene::remove_objects(document.scene(), {test::target(0)});
+        return std::string();
+      };
+    };
+    std::thread::id few;
+    QCOMPARE(told.session.make_and_perform("Remove", 3, make(&few)), std::string());
+    QCOMPARE(few, std::this_thread::get_id());
+    std::thread::id many;
+    QCOMPARE(told.session.make_and_perform("Remove", 1'000'000, make(&many)), std::string());
+    QVERIFY(many != std::thread::id() && many != few);
+    QCOMPARE(told.session.scene().targets.size(), std::size_t{1});
+    QCOMPARE(told.changes.size(), std::size_t{2});
+  }
+
+  void an_edit_that_cannot_be_made_changes_nothing_and_says_why() {
+    Announced told;
+    for (const std::size_t objects : {std::size_t{1}, std::size_t{1'000'000}}) {
+      const std::string why = told.session.make_and_perform(
+          "Fill", objects, [](const scene::Document&, scene::Edit&) { return std::string("the RCS is negative"); });
+      QCOMPARE(why, std::string("the RCS is negative"));
+    }
+    const std::string failed = told.session.make_and_perform(
+        "Fill", 1'000'000,
+        [](const scene::Document&, scene::Edit&) -> std::string { throw std::out_of_range("there is no target 7"); });
+    QCOMPARE(failed, std::string("there is no target 7"));
+    // It was made for a scene that is no longer there.
+    QTimer::singleShot(0, [&] { told.session.perform(told.move_target(1, 55.0)); });
+    const std::string late =
+        told.session.make_and_perform("Remove", 1'000'000, [](const scene::Document& document, scene::Edit& edit) {
+          std::this_thread::sleep_for(std::chrono::milliseconds(100));
+          edit = scene::remove_objects(document.scene(), {test::target(0)});
+          return std::string();
+        });
+    QCOMPARE(late, std::string("the scene was changed meanwhile"));
+    QCOMPARE(told.session.scene().targets.size(), std::size_t{3});
+    QCOMPARE(told.changes.size(), std::size_t{1});
+  }
+
+  void a_selection_is_told_when_the_scene_is_known() {
+    Announced told;
+    told.session.select({test::target(1), test::target(2)});
+    const std::uint64_t number = told.session.selection_number();
+    QStringList order;
+    connect(&told.session, &gui::Session::scene_changed, [&] { order += "scene"; });
+    connect(&told.session, &gui::Session::selection_changed, [&] { order += "selection"; });
+    told.session.perform(scene::remove_objects(told.session.scene(), {test::target(0)}));
+    QCOMPARE(order, QStringList({"scene", "selection"}));
+    QVERIFY(told.session.selection() == (std::set{test::target(0), test::target(1)}));
+    QVERIFY(told.session.selection_number() != number);
+    // The one that is gone was not selected, and none of the others moves.
+    order.clear();
+    told.session.select_only(test::target(0));
+    order.clear();
+    told.session.perform(scene::remove_objects(told.session.scene(), {test::target(1)}));
+    QCOMPARE(order, QStringList({"scene"}));
   }
 
   void a_moved_target_refreshes_its_rows_alone() {

@@ -378,6 +378,13 @@ class TargetTableTest : public QObject {
     qInfo() << "filling 10000 cells:" << timer.elapsed() << "ms";
     QCOMPARE(bench.targets()[9999].rcs_m2, 2.0);
     QVERIFY(timer.elapsed() < 5000);
+    // Also so many are refused in words, and changed in one step.
+    bench.table.fill_selection("2 s");
+    QVERIFY2(bench.message().contains("target 1:") && bench.message().contains("Nothing was changed"),
+             qPrintable(bench.message()));
+    QCOMPARE(bench.targets()[0].rcs_m2, 2.0);
+    bench.session.undo();
+    QVERIFY(std::ranges::all_of(bench.targets(), [](const scene::Target& target) { return target.rcs_m2 == 1.0; }));
   }
 
   void many_rows_apart_from_each_other_are_selected_at_once() {

@@ -23,6 +23,19 @@
 namespace sarsim::tree_test {
 namespace {
 
+// How often a widget is painted.
+class PaintCount : public QObject {
+ public:
+  explicit PaintCount(QWidget* widget) { widget->installEventFilter(this); }
+  int count = 0;
+
+ protected:
+  bool eventFilter(QObject*, QEvent* event) override {
+    if (event->type() == QEvent::Paint) ++count;
+    return false;
+  }
+};
+
 struct Bench {
   Bench() { start(test::small_scene()); }
   explicit Bench(const scene::Scene& scene) { start(scene); }
@@ -375,6 +388,38 @@ class TreeTest : public QObject {
     bench.session.perform(scene::rename_object(bench.session.scene(), test::platform(1), "Folded"));
     bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(498)}));
     QVERIFY(!bench.view->isExpanded(bench.row("Folded")));
+  }
+
+  void changes_of_many_are_painted_and_selected_once() {
+    Bench bench(test::many_targets(500));
+    std::set<scene::ObjectId> odd;
+    for (std::size_t i = 1; i < 500; i += 2) odd.insert(test::target(i));
+    bench.session.select(odd);
+    QCoreApplication::processEvents();
+    PaintCount paints(bench.view->viewport());
+    bench.session.set_hidden(odd, true);
+    QCoreApplication::processEvents();
+    QVERIFY(paints.count > 0);
+    // What is gone before them moves all of them; the row of each is found and shown once.
+    paints.count = 0;
+    QSignalSpy selections(bench.view->selectionModel(), &QItemSelectionModel::selectionChanged);
+    bench.session.perform(scene::remove_objects(bench.session.scene(), {test::target(0)}));
+    QCoreApplication::processEvents();
+    QVERIFY(paints.count > 0);
+    QCOMPARE(selections.size(), 1);
+    QCOMPARE(bench.view->selectionModel()->selectedRows().size(), 250);
+    const auto is_selected = [&](std::size_t index) {
+      return bench.view->selectionModel()->isSelected(bench.model->index_of(test::target(index)));
+    };
+    QVERIFY(is_selected(0) && !is_selected(1));
+    // Other objects of the same number are shown as well.
+    std::set<scene::ObjectId> even;
+    for (std::size_t i = 1; i < 499; i += 2) even.insert(test::target(i));
+    paints.count = 0;
+    bench.session.select(even);
+    QCoreApplication::processEvents();
+    QVERIFY(paints.count > 0);
+    QVERIFY(is_selected(1) && !is_selected(0));
   }
 
   void ten_thousand_targets_stay_quick() {

@@ -328,7 +328,7 @@ std::map<std::string, int> places_that_edit() {
     const std::string name = entry.path().filename().string();
     if (!name.ends_with(".cpp") || name == "session.cpp") continue;
     const std::string text = file_text(entry.path());
-    const std::regex call(R"(session_?(\(\))?\.(perform|type_text)\()");
+    const std::regex call(R"(session_?(\(\))?\.(perform|make_and_perform|type_text)\()");
     const auto found = std::distance(std::sregex_iterator(text.begin(), text.end(), call), std::sregex_iterator());
     if (found > 0) places[name] = static_cast<int>(found);
   }

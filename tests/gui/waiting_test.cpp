@@ -130,6 +130,29 @@ class WaitingTest : public QObject {
     QVERIFY(given_up);
   }
 
+  void an_edit_that_is_given_up_while_it_is_made_is_not_performed() {
+    gui::Session session;
+    test::open(session, test::small_scene());
+    QStringList told;
+    connect(&session, &gui::Session::logged, [&](int, const QString& words) { told += words; });
+    const auto go_on = std::make_shared<std::atomic<bool>>(false);
+    const auto made = std::make_shared<std::atomic<bool>>(false);
+    Impatience impatience;
+    const std::string why = session.make_and_perform(
+        "Change RCS", 1'000'000, [go_on, made](const scene::Document& document, scene::Edit& edit) {
+          while (!*go_on) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+          edit = scene::remove_objects(document.scene(), {test::target(0)});
+          *made = true;
+          return std::string();
+        });
+    QCOMPARE(why, std::string());
+    QCOMPARE(told, QStringList({"Change RCS was cancelled"}));
+    *go_on = true;
+    QTRY_VERIFY(*made);
+    QTest::qWait(50);
+    QCOMPARE(session.scene().targets.size(), test::small_scene().targets.size());
+  }
+
  private:
   // False where the edit was done before the dialog came.
   static bool gives_up_adding(std::size_t count) {

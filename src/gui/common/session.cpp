@@ -63,6 +63,7 @@ std::unique_ptr<Session::Desk> Session::desk_with(scene::Document document) {
 
 void Session::show_desk(Desk& desk) {
   desk_ = &desk;
+  ++selection_number_;
   look_for_problems();  // of one that was left they are known, but for a long text that was left in the middle
   emit document_replaced();
   scene::SceneChange change;
@@ -127,8 +128,38 @@ void Session::perform(scene::Edit wanted) {
     look_for_problems();
   log_replaced_expressions();
   // Also where nothing came of it: a window shows what was asked for and has to go back.
-  emit scene_changed(desk_->document.revision() == revision ? as_it_was(*edit, scene()) : follow_last_edit());
+  tell(desk_->document.revision() == revision ? Followed{as_it_was(*edit, scene())} : follow_last_edit());
   if (in_run) problems_soon_.start();  // The pause counts from when the windows have followed.
+}
+
+std::string Session::make_and_perform(const QString& what, std::size_t objects, const MakeEdit& make) {
+  scene::Edit edit;
+  if (objects < many_objects) {
+    std::string why = make(desk_->document, edit);
+    if (why.empty()) perform(std::move(edit));
+    return why;
+  }
+  // Work that is given up goes on with these.
+  struct Making {
+    scene::Document document;
+    scene::Edit edit;
+    std::string why;
+  };
+  const int number = desk_->number;
+  const std::uint64_t revision = desk_->document.revision();
+  const auto making = std::make_shared<Making>();
+  making->document = desk_->document;
+  const Waited waited = run_and_wait(what, [making, make](const core::StopFlag&, const BackgroundJob::Report&) {
+    making->why = make(making->document, making->edit);
+  });
+  if (waited.end == JobEnd::cancelled) {
+    log(core::Severity::note, tr("%1 was cancelled").arg(what));
+    return {};
+  }
+  if (waited.end == JobEnd::failed) return waited.failure.toStdString();
+  if (desk_->number != number || desk_->document.revision() != revision) return "the scene was changed meanwhile";
+  if (making->why.empty()) perform(std::move(making->edit));
+  return making->why;
 }
 
 void Session::change_document(const scene::Edit& step, const Change& change) {
@@ -174,7 +205,7 @@ void Session::type_text(const std::string& text) {
   desk_->document.type_text(text);
   if (desk_->document.revision() == revision) return;
   look_for_problems();
-  emit scene_changed(follow_last_edit());
+  tell(follow_last_edit());
 }
 
 void Session::undo() {
@@ -196,7 +227,7 @@ void Session::take_step(const scene::Edit* step, const Change& change) {
   change_document(*step, change);
   if (desk_->document.revision() == revision) return;
   look_for_problems();
-  emit scene_changed(follow_last_edit());
+  tell(follow_last_edit());
 }
 
 void Session::save(const std::filesystem::path& path) {
@@ -208,7 +239,7 @@ void Session::save(const std::filesystem::path& path) {
 void Session::select(std::set<scene::ObjectId> objects) {
   std::erase_if(objects, [this](scene::ObjectId id) { return !scene::has_object(scene(), id); });
   if (objects == desk_->selection) return;
-  desk_->selection = std::move(objects);
+  take_selection(std::move(objects));
   if (!desk_->current || !desk_->selection.contains(*desk_->current))
     desk_->current = desk_->selection.empty() ? std::nullopt : std::optional(*desk_->selection.begin());
   emit selection_changed();
@@ -216,12 +247,13 @@ void Session::select(std::set<scene::ObjectId> objects) {
 
 void Session::select_only(scene::ObjectId object) {
   if (desk_->current == object && desk_->selection.size() == 1) return;
-  desk_->selection = {object};
+  take_selection({object});
   desk_->current = object;
   emit selection_changed();
 }
 
 void Session::select_also(scene::ObjectId object) {
+  ++selection_number_;
   if (desk_->selection.erase(object) > 0) {
     if (desk_->current == object)
       desk_->current = desk_->selection.empty() ? std::nullopt : std::optional(*desk_->selection.begin());
@@ -268,11 +300,11 @@ void Session::log_replaced_expressions() {
 }
 
 // Keeps pointing at the same objects where an edit moved them.
-scene::SceneChange Session::follow_last_edit() {
+Session::Followed Session::follow_last_edit() {
   const auto& last = desk_->document.last_edit();
   if (!last) return {};
   scene::SceneChange change = scene::change_of(*last->edit, last->forwards);
-  if (change.same_objects()) return change;
+  if (change.same_objects()) return {std::move(change)};
   const auto follow = [&](const std::set<scene::ObjectId>& ids) {
     std::set<scene::ObjectId> there = scene::moved(ids, *last->edit, last->forwards);
     std::erase_if(there, [&](scene::ObjectId id) { return !scene::has_object(scene(), id); });
@@ -280,13 +312,23 @@ scene::SceneChange Session::follow_last_edit() {
   };
   desk_->hidden = follow(desk_->hidden);
   const auto current = desk_->current ? scene::moved(*desk_->current, *last->edit, last->forwards) : std::nullopt;
-  const std::set<scene::ObjectId> selected = follow(desk_->selection);
+  std::set<scene::ObjectId> selected = follow(desk_->selection);
   desk_->current = current && selected.contains(*current) ? current : std::nullopt;
   if (!desk_->current && !selected.empty()) desk_->current = *selected.begin();
-  const bool same = selected == desk_->selection;
-  desk_->selection = selected;
-  if (!same) emit selection_changed();
-  return change;
+  const bool differs = selected != desk_->selection;
+  if (differs) take_selection(std::move(selected));
+  return {std::move(change), differs};
+}
+
+// Windows know the scene before they hear of a selection in it.
+void Session::tell(const Followed& followed) {
+  emit scene_changed(followed.change);
+  if (followed.selection_differs) emit selection_changed();
+}
+
+void Session::take_selection(std::set<scene::ObjectId> objects) {
+  desk_->selection = std::move(objects);
+  ++selection_number_;
 }
 
 void Session::look_for_problems() {

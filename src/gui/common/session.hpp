@@ -60,6 +60,14 @@ class Session : public QObject {
   /// made on another thread, here and in `undo` and `redo`, and can be cancelled (`run_and_wait`). What cannot be done
   /// is told in the log.
   void perform(scene::Edit wanted);
+  /// Makes an edit from a document, or says why it cannot be made, in words.
+  using MakeEdit = std::function<std::string(const scene::Document& document, scene::Edit& edit)>;
+  /// Makes an edit and performs it. One of many objects is made on another thread from a copy of the document, so
+  /// `make` must hold on to all that it needs.
+  /// @param what     for the dialog of work that takes longer than a moment
+  /// @param objects  that it changes, about
+  /// @return  why it was not made; empty also where the user gave it up
+  [[nodiscard]] std::string make_and_perform(const QString& what, std::size_t objects, const MakeEdit& make);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();
   /// Replaces the script, as typed (Document::type_text).
@@ -80,6 +88,8 @@ class Session : public QObject {
   [[nodiscard]] const core::Problems& problems() const { return desk_->problems; }
 
   [[nodiscard]] const std::set<scene::ObjectId>& selection() const { return desk_->selection; }
+  /// Tells selections apart: equal numbers, equal selections.
+  [[nodiscard]] std::uint64_t selection_number() const { return selection_number_; }
   /// The object that panels show: the one selected last, if any.
   [[nodiscard]] std::optional<scene::ObjectId> current() const { return desk_->current; }
   /// Selects these and no others; those that the scene does not have are passed over.
@@ -108,7 +118,7 @@ class Session : public QObject {
   void document_replaced();  ///< Another document is at hand.
   void document_closed(int number);  ///< A document is gone: what was kept about it is of no use any more.
   void row_changed();                ///< Other documents are open, or they stand in another order.
-  void selection_changed();          ///< Other objects are selected.
+  void selection_changed();          ///< Other objects are selected; comes after `scene_changed`.
   void hidden_changed();             ///< Other objects are hidden.
   void time_changed(double time_s);  ///< The scene is seen at another time.
   void logged(int severity, const QString& text);  ///< A line for the log panel.
@@ -131,13 +141,21 @@ class Session : public QObject {
   void take_step(const scene::Edit* step, const Change& change);
   void change_document(const scene::Edit& step, const Change& change);
   void change_beside(const std::string& label, const Change& change);
-  [[nodiscard]] scene::SceneChange follow_last_edit();
+  // What became of the scene, and whether other objects are selected than before.
+  struct Followed {
+    scene::SceneChange change;
+    bool selection_differs = false;
+  };
+  [[nodiscard]] Followed follow_last_edit();
+  void tell(const Followed& followed);
+  void take_selection(std::set<scene::ObjectId> objects);
   void look_for_problems();
   void log_replaced_expressions();
   void find_put_off_problems();
   void take_search(bool good);
 
   int last_number_ = 0;
+  std::uint64_t selection_number_ = 0;
   std::vector<std::unique_ptr<Desk>> desks_;
   Desk* desk_ = nullptr;  // the one at hand
   QTimer problems_soon_;

@@ -27,8 +27,29 @@ namespace sarsim::gui {
 
 namespace {
 
+// Qt looks for the place of each row of a long range to paint these rows alone; all that can be seen is painted sooner.
+class TreeView : public QTreeView {
+ public:
+  using QTreeView::QTreeView;
+
+ protected:
+  void dataChanged(const QModelIndex& first, const QModelIndex& last, const QVector<int>& roles) override {
+    if (last.row() - first.row() < many_rows) return QTreeView::dataChanged(first, last, roles);
+    QTreeView::dataChanged(first, first, roles);
+    viewport()->update();
+  }
+
+  void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override {
+    if (selected.size() + deselected.size() < many_rows) return QTreeView::selectionChanged(selected, deselected);
+    viewport()->update();
+  }
+
+ private:
+  static constexpr int many_rows = 100;
+};
+
 QTreeView* make_view(ObjectTreeModel* model, QWidget* parent) {
-  auto* view = new QTreeView(parent);
+  auto* view = new TreeView(parent);
   view->setObjectName("object_tree");
   view->setAccessibleName(ObjectTree::tr("Objects of the scene"));
   view->setModel(model);
@@ -102,7 +123,9 @@ void ObjectTree::connect_all() {
     if (folded_.erase(before) > 0) folded_.insert(now);
   });
   connect(&session_, &Session::selection_changed, this, [this] {
-    if (!showing_) show_selection(true);
+    if (showing_) return;
+    if (shown_selection_ != session_.selection_number()) show_selection();
+    reveal_current();
   });
   connect(view_, &QTreeView::customContextMenuRequested, this, &ObjectTree::show_menu);
   connect(view_, &QTreeView::doubleClicked, this, &ObjectTree::request_edit);
@@ -160,10 +183,15 @@ QItemSelection ObjectTree::rows_of(const std::set<scene::ObjectId>& objects) con
 }
 
 // Somebody else selected something, or the tree has another shape.
-void ObjectTree::show_selection(bool reveal) {
+void ObjectTree::show_selection() {
   const QScopedValueRollback telling(showing_, true);
   show_selected(*view_, rows_of(session_.selection()));
-  if (!reveal || !session_.current()) return;
+  shown_selection_ = session_.selection_number();
+}
+
+void ObjectTree::reveal_current() {
+  if (!session_.current()) return;
+  const QScopedValueRollback telling(showing_, true);
   const QModelIndex current = model_->index_of(*session_.current());
   if (!current.isValid()) return;
   view_->selectionModel()->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
@@ -192,7 +220,7 @@ void ObjectTree::restore_view() {
         current_row_ < 0 || rows == 0 ? top : model_->index(std::min(current_row_, rows - 1), 0, top);
     view_->selectionModel()->setCurrentIndex(near, QItemSelectionModel::NoUpdate);
   }
-  show_selection(false);
+  show_selection();
   view_->verticalScrollBar()->setValue(scroll_);
 }
 

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <set>
@@ -54,7 +55,8 @@ class ObjectTree : public QWidget {
   bool key_pressed(int key, Qt::KeyboardModifiers modifiers);
   void show_menu(const QPoint& at);
   void take_selection();
-  void show_selection(bool reveal);
+  void show_selection();
+  void reveal_current();
   void save_view();
   void restore_view();
   void request_edit(const QModelIndex& index);
@@ -66,7 +68,8 @@ class ObjectTree : public QWidget {
   QLineEdit* filter_ = nullptr;
   QTreeView* view_ = nullptr;
   ProblemLine* message_ = nullptr;
-  bool showing_ = false;  // the view is being told, not the user's doing
+  bool showing_ = false;               // the view is being told, not the user's doing
+  std::uint64_t shown_selection_ = 0;  // by its number
 
   // What the view forgets when the tree has another shape.
   std::set<QString> folded_;

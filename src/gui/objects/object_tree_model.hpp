@@ -91,6 +91,7 @@ class ObjectTreeModel : public QAbstractItemModel {
 
   [[nodiscard]] std::vector<Group> groups_of_scene() const;
   void keep_matching(std::vector<Group>& groups) const;
+  [[nodiscard]] std::vector<scene::ObjectId> matching(const std::vector<scene::ObjectId>& objects) const;
   [[nodiscard]] bool matches(const QString& text) const;
   void index_rows();
   bool read_problems();

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QScopedValueRollback>
 #include <QTableWidget>
 #include <QToolButton>
@@ -181,8 +182,7 @@ void PropertyPanel::commit_pending() {
     if (!editor->pending()) continue;
     if (!subject_.stands_in(session_.scene())) return;
     editor->commit();
-    subject_ = subject_.kind() ? PanelSubject(session_.document(), *subject_.kind(), subject_.ids())
-                               : PanelSubject(session_.document());
+    subject_ = PanelSubject(session_.document(), subject_.kind(), subject_.ids());
   }
 }
 
@@ -194,13 +194,20 @@ void PropertyPanel::commit() {
 void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
   if (is_stale()) return refresh();
   const std::string key = step ? merge_key_of(subject_, editor->field()) : std::string();
-  FieldChange change = subject_.change(session_.document(), editor->field(), text.toStdString(), key);
-  if (!change.failure.empty()) {
-    const QString sentence = QString::fromStdString(change.failure);
-    if (committing_) session_.log(core::Severity::warning, tr("Not applied: %1").arg(sentence));
-    return step ? editor->refuse_step(sentence) : editor->show_failure(sentence);
-  }
-  session_.perform(std::move(change.edit));
+  const auto change = [kind = subject_.kind(), ids = subject_.ids(), field = editor->field(), text = text.toStdString(),
+                       key](const scene::Document& document, scene::Edit& edit) {
+    FieldChange made = PanelSubject(document, kind, ids).change(document, field, text, key);
+    edit = std::move(made.edit);
+    return made.failure;
+  };
+  const QPointer<FieldEditor> asked = editor;  // Other work may rebuild the panel meanwhile.
+  const std::string why =
+      session_.make_and_perform(QString::fromStdString(change_label(editor->field())), subject_.ids().size(), change);
+  if (why.empty()) return;
+  const QString sentence = QString::fromStdString(why);
+  if (committing_) session_.log(core::Severity::warning, tr("Not applied: %1").arg(sentence));
+  if (asked && step) asked->refuse_step(sentence);
+  if (asked && !step) asked->show_failure(sentence);
 }
 
 void PropertyPanel::apply_entries(ListField* editor, const EntryChange& change) {
@@ -214,12 +221,24 @@ void PropertyPanel::apply_entries(ListField* editor, const EntryChange& change) 
 void PropertyPanel::reset(FieldEditor* editor) {
   if (is_stale()) return refresh();
   editor->restore();
-  session_.perform(subject_.reset(session_.document(), editor->field()));
+  const auto change = [kind = subject_.kind(), ids = subject_.ids(), field = editor->field()](
+                          const scene::Document& document, scene::Edit& edit) {
+    edit = PanelSubject(document, kind, ids).reset(document, field);
+    return std::string();
+  };
+  const std::string why =
+      session_.make_and_perform(QString::fromStdString(change_label(editor->field())), subject_.ids().size(), change);
+  if (!why.empty()) session_.log(core::Severity::warning, tr("Not reset: %1").arg(QString::fromStdString(why)));
 }
 
+// By the first of many objects, as each key is pressed.
 void PropertyPanel::judge(FieldEditor* editor, const QString& text) {
   if (is_stale()) return;
-  const FieldChange change = subject_.change(session_.document(), editor->field(), text.toStdString());
+  constexpr std::size_t most_judged = 100;
+  std::vector<scene::ObjectId> first = subject_.ids();
+  if (first.size() > most_judged) first.resize(most_judged);
+  const FieldChange change = PanelSubject(session_.document(), subject_.kind(), first)
+                                 .change(session_.document(), editor->field(), text.toStdString());
   if (change.failure.empty())
     editor->clear_failure();
   else

@@ -47,20 +47,23 @@ std::string words_of(scene::ObjectKind kind, std::size_t count) {
 
 }  // namespace
 
-PanelSubject::PanelSubject(const scene::Document& document)
-    : options_(document.scene().options),
+std::string change_label(const scene::Field& field) { return "Change " + within_sentence(field.label); }
+
+PanelSubject::PanelSubject(const scene::Document& document, std::optional<scene::ObjectKind> kind,
+                           const std::vector<scene::ObjectId>& ids)
+    : kind_(kind),
+      options_(document.scene().options),
       world_(document.scene().world),
       air_(document.scene().atmosphere),
-      is_format_2_(document.language() == scene::Language::format_2),
-      typed_{document.typed_fields(std::nullopt)} {}
-
-PanelSubject::PanelSubject(const scene::Document& document, scene::ObjectKind kind,
-                           const std::vector<scene::ObjectId>& ids)
-    : kind_(kind), options_(document.scene().options) {
+      is_format_2_(document.language() == scene::Language::format_2) {
+  if (!kind) {
+    typed_ = {document.typed_fields(std::nullopt)};
+    return;
+  }
   constexpr std::size_t most_looked_at = 100;
   const scene::Scene& scene = document.scene();
   std::ranges::copy_if(ids, std::back_inserter(ids_), [&](scene::ObjectId id) { return scene::has_object(scene, id); });
-  scene::visit_kind(kind, [&](const auto& known) {
+  scene::visit_kind(*kind, [&](const auto& known) {
     auto& objects = objects_.*known.list;
     objects.reserve(ids_.size());
     for (const scene::ObjectId id : ids_) objects.push_back((scene.*known.list)[id.index]);
@@ -188,7 +191,7 @@ FieldChange PanelSubject::change(const scene::Document& document, const scene::F
   if (!kind_ && is_of_world(field.id)) return change_world(document, field, text);
   const scene::LetNames* const names = document.let_names();
   const bool is_typed = names != nullptr && merge_key.empty() && field.kind == scene::FieldKind::quantity;
-  FieldChange change = change_all(document, "Change " + within_sentence(field.label), is_typed,
+  FieldChange change = change_all(document, change_label(field), is_typed,
                                   [&](auto& object) { return set_in(object, field.id, text, names); });
   change.edit.merge_key = merge_key;
   if (is_typed && change.failure.empty()) say(change.edit, field, scene::text_as_typed(field, text, *names));
@@ -203,7 +206,7 @@ FieldChange PanelSubject::change_air(const scene::Document& document, const scen
   change.failure = scene::set_field(air, field.id, text, names);
   if (!change.failure.empty() || air == air_) return change;
   change.edit = scene::change_atmosphere(document.scene(), air);
-  change.edit.label = "Change " + within_sentence(field.label);
+  change.edit.label = change_label(field);
   return change;
 }
 
@@ -213,8 +216,7 @@ FieldChange PanelSubject::change_world(const scene::Document& document, const sc
   FieldChange change;
   change.failure = scene::set_field(world, field.id, text, document.let_names());
   if (change.failure.empty()) change.failure = document.world_objection(world);
-  if (change.failure.empty())
-    change.edit = edit_of_world(document, std::move(world), "Change " + within_sentence(field.label));
+  if (change.failure.empty()) change.edit = edit_of_world(document, std::move(world), change_label(field));
   return change;
 }
 
@@ -237,9 +239,7 @@ FieldChange PanelSubject::change_entries(
   if (failure.empty()) failure = objection_of_script(changed, names);
   if (!failure.empty()) return {{}, std::move(failure)};
   if (changed == object(0)) return {};
-  return {scene::replace_object(document.scene(), ids_.front(), std::move(changed),
-                                "Change " + within_sentence(list.label)),
-          {}};
+  return {scene::replace_object(document.scene(), ids_.front(), std::move(changed), change_label(list)), {}};
 }
 
 std::optional<scene::AnyObject> PanelSubject::only_object() const {

@@ -19,15 +19,17 @@ struct FieldChange {
   std::string failure;
 };
 
+/// What the menu calls the change of a field: "Change position x".
+[[nodiscard]] std::string change_label(const scene::Field& field);
+
 /// What a property panel shows: objects of one kind or, where there are none, what holds for the whole scene: the
 /// world, the run options and the atmosphere.
 class PanelSubject {
  public:
   PanelSubject() = default;
-  /// The world, the run options and the atmosphere of a scene.
-  explicit PanelSubject(const scene::Document& document);
-  /// Objects of one kind; ids that the scene does not have are left out.
-  PanelSubject(const scene::Document& document, scene::ObjectKind kind, const std::vector<scene::ObjectId>& ids);
+  /// Objects of one kind, without those that the scene does not have; without a kind, what holds for the whole scene.
+  explicit PanelSubject(const scene::Document& document, std::optional<scene::ObjectKind> kind = std::nullopt,
+                        const std::vector<scene::ObjectId>& ids = {});
 
   /// Nothing for what holds for the whole scene.
   [[nodiscard]] std::optional<scene::ObjectKind> kind() const { return kind_; }

@@ -163,10 +163,13 @@ void TargetTable::fill_platforms() {
 }
 
 std::vector<scene::ObjectId> TargetTable::selected_targets() const {
-  std::set<scene::ObjectId> targets;
+  std::vector<scene::ObjectId> targets;
   for (const QItemSelectionRange& range : view_->selectionModel()->selection())
-    for (int row = range.top(); row <= range.bottom(); ++row) targets.insert(model_->target_at(row));
-  return {targets.begin(), targets.end()};
+    for (int row = range.top(); row <= range.bottom(); ++row) targets.push_back(model_->target_at(row));
+  std::ranges::sort(targets);
+  const auto twice = std::ranges::unique(targets);
+  targets.erase(twice.begin(), twice.end());
+  return targets;
 }
 
 void TargetTable::take_selection() {

@@ -64,12 +64,50 @@ SortKey sort_key(const scene::Field& field, const scene::AnyObject& target) {
   return {scene::read_quantity(text, field.quantity).value.value_or(std::numeric_limits<double>::infinity()), {}};
 }
 
+// Plain values need no names; those of [let] are only known once the text has been read.
+std::string set_cell(const scene::Document& document, scene::AnyObject& target, scene::ObjectId id,
+                     const scene::Field& field, const std::string& text, scene::Edit& edit) {
+  if (!scene::field_applies(target, field.id))
+    return "the " + field.label + " means nothing here; choose another reflectivity or gain first";
+  std::string why = scene::set_field(target, field.id, text);
+  if (why.empty() || field.kind != scene::FieldKind::quantity) return why;
+  const scene::LetNames* const names = document.let_names();
+  if (names == nullptr) return why;
+  why = scene::set_field(target, field.id, text, names);
+  if (!why.empty()) return why;
+  edit.typed.push_back({id, &field, scene::text_as_typed(field, text, *names)});
+  return {};
+}
+
+// What is put into a cell.
+struct CellText {
+  std::size_t target;
+  const scene::Field* field;  // of `fields_of`
+  std::string text;
+};
+
+// Puts texts into cells, those of a target one after the other; else says why not.
+std::string fill_cells(const scene::Document& document, const std::vector<CellText>& cells, scene::Edit& edit) {
+  for (auto at = cells.begin(); at != cells.end();) {
+    const scene::ObjectId id{scene::ObjectKind::target, at->target};
+    const scene::Target& before = document.scene().targets.at(id.index);
+    scene::AnyObject target = before;
+    for (; at != cells.end() && at->target == id.index; ++at) {
+      const std::string why = set_cell(document, target, id, *at->field, at->text, edit);
+      if (!why.empty()) return cells.size() == 1 ? why : fmt::format("target {}: {}", id.index + 1, why);
+    }
+    edit.changes.push_back({id, before, std::get<scene::Target>(std::move(target))});
+  }
+  edit.label = edit.changes.size() == 1 ? "Change target" : fmt::format("Change {} targets", edit.changes.size());
+  return {};
+}
+
 }  // namespace
 
 TargetTableModel::TargetTableModel(Session& session, QObject* parent) : QAbstractTableModel(parent), session_(session) {
   for (const scene::Field& field : scene::fields_of(scene::ObjectKind::target))
-    if (field.kind != scene::FieldKind::function) columns_.push_back(field);
-  std::ranges::stable_partition(columns_, [](const scene::Field& field) { return !field.rare; });
+    if (field.kind != scene::FieldKind::function) columns_.push_back(&field);
+  std::ranges::stable_partition(columns_, [](const scene::Field* field) { return !field->rare; });
   take_rows(wanted_rows());
   read_problems();
   connect(&session_, &Session::scene_changed, this, &TargetTableModel::follow);
@@ -163,11 +201,11 @@ int TargetTableModel::row_of(scene::ObjectId target) const {
 }
 
 const scene::Field& TargetTableModel::field_at(int column) const {
-  return columns_.at(static_cast<std::size_t>(column));
+  return *columns_.at(static_cast<std::size_t>(column));
 }
 
 int TargetTableModel::column_of(const std::string& field) const {
-  const auto found = std::ranges::find(columns_, field, &scene::Field::id);
+  const auto found = std::ranges::find_if(columns_, [&](const scene::Field* one) { return one->id == field; });
   return found == columns_.end() ? -1 : static_cast<int>(found - columns_.begin());
 }
 
@@ -239,9 +277,9 @@ QVariant TargetTableModel::data(const QModelIndex& index, int role) const {
 
 Qt::ItemFlags TargetTableModel::flags(const QModelIndex& index) const {
   if (!index.isValid() || !scene::has_object(session_.scene(), target_at(index.row()))) return Qt::NoItemFlags;
-  const scene::AnyObject target = session_.scene().targets[target_at(index.row()).index];
   const Qt::ItemFlags flags = Qt::ItemIsSelectable | Qt::ItemIsEnabled;
-  return scene::field_applies(target, field_at(index.column()).id) ? flags | Qt::ItemIsEditable : flags;
+  const bool applies = scene::field_applies(session_.scene(), target_at(index.row()), field_at(index.column()).id);
+  return applies ? flags | Qt::ItemIsEditable : flags;
 }
 
 bool TargetTableModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -254,45 +292,19 @@ bool TargetTableModel::setData(const QModelIndex& index, const QVariant& value, 
   return false;
 }
 
-// Plain values need no names; those of [let] are only known once the text has been read.
-std::string TargetTableModel::set_cell(scene::AnyObject& target, scene::ObjectId id, const scene::Field& field,
-                                       const std::string& text, scene::Edit& edit) const {
-  if (!scene::field_applies(target, field.id))
-    return "the " + field.label + " means nothing here; choose another reflectivity or gain first";
-  std::string why = scene::set_field(target, field.id, text);
-  if (why.empty() || field.kind != scene::FieldKind::quantity) return why;
-  const scene::LetNames* const names = session_.document().let_names();
-  if (names == nullptr) return why;
-  why = scene::set_field(target, field.id, text, names);
-  if (!why.empty()) return why;
-  const scene::Field* const known = &*std::ranges::find(scene::fields_of(id.kind), field.id, &scene::Field::id);
-  edit.typed.push_back({id, known, scene::text_as_typed(field, text, *names)});
-  return {};
-}
-
 QString TargetTableModel::fill(const QModelIndexList& cells, const QStringList& texts) {
-  // The cells of a target one after the other.
-  std::vector<std::pair<std::size_t, qsizetype>> order;
-  order.reserve(static_cast<std::size_t>(cells.size()));
-  for (qsizetype i = 0; i < cells.size(); ++i) order.emplace_back(target_at(cells[i].row()).index, i);
-  std::ranges::sort(order);
-  scene::Edit edit;
-  for (auto at = order.begin(); at != order.end();) {
-    const scene::ObjectId id{scene::ObjectKind::target, at->first};
-    const scene::Target& before = session_.scene().targets.at(id.index);
-    scene::AnyObject target = before;
-    for (; at != order.end() && at->first == id.index; ++at) {
-      const QString& text = texts.size() == 1 ? texts.front() : texts.value(at->second);
-      const std::string why = set_cell(target, id, field_at(cells[at->second].column()), text.toStdString(), edit);
-      if (!why.empty())
-        return cells.size() == 1 ? QString::fromStdString(why)
-                                 : tr("target %1: %2").arg(id.index + 1).arg(QString::fromStdString(why));
-    }
-    edit.changes.push_back({id, before, std::get<scene::Target>(std::move(target))});
-  }
-  edit.label = edit.changes.size() == 1 ? "Change target" : fmt::format("Change {} targets", edit.changes.size());
-  session_.perform(std::move(edit));
-  return {};
+  std::vector<CellText> filled;
+  filled.reserve(static_cast<std::size_t>(cells.size()));
+  for (qsizetype i = 0; i < cells.size(); ++i)
+    filled.push_back({target_at(cells[i].row()).index, &field_at(cells[i].column()),
+                      (texts.size() == 1 ? texts.front() : texts.value(i)).toStdString()});
+  std::ranges::stable_sort(filled, {}, &CellText::target);
+  const std::size_t count = filled.size();
+  const std::string why = session_.make_and_perform(
+      tr("Change targets"), count, [filled = std::move(filled)](const scene::Document& document, scene::Edit& edit) {
+        return fill_cells(document, filled, edit);
+      });
+  return QString::fromStdString(why);
 }
 
 }  // namespace sarsim::gui

@@ -56,8 +56,6 @@ class TargetTableModel : public QAbstractTableModel {
   void refused(const QModelIndex& cell, const QString& text, const QString& sentence);
 
  private:
-  std::string set_cell(scene::AnyObject& target, scene::ObjectId id, const scene::Field& field, const std::string& text,
-                       scene::Edit& edit) const;
   void refresh();
   void follow(const scene::SceneChange& change);
   [[nodiscard]] std::vector<std::size_t> wanted_rows() const;
@@ -68,7 +66,7 @@ class TargetTableModel : public QAbstractTableModel {
 
   Session& session_;
   std::optional<std::string> platform_;
-  std::vector<scene::Field> columns_;
+  std::vector<const scene::Field*> columns_;  // of `fields_of`
   int sort_column_ = -1;
   Qt::SortOrder sort_order_ = Qt::AscendingOrder;
   std::vector<std::size_t> rows_;                                  // positions in the scene's list of targets

@@ -36,6 +36,8 @@ SceneWidget::SceneWidget(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setContextMenuPolicy(Qt::PreventContextMenu);  // A right drag zooms: menus open when the button goes up.
   setAttribute(Qt::WA_OpaquePaintEvent);
+  soon_.setSingleShot(true);
+  connect(&soon_, &QTimer::timeout, this, qOverload<>(&QWidget::update));
   hand_words_ = new QLabel(this);
   hand_words_->setObjectName(QStringLiteral("hand_words"));
   hand_words_->setAccessibleName(tr("Where what is dragged is"));
@@ -145,9 +147,14 @@ void SceneWidget::change_camera(const picture::Camera& camera) {
   emit camera_changed();
 }
 
+// Many targets take a while to paint, which is spent in a turn of its own: what is pressed meanwhile is taken before.
 void SceneWidget::redraw() {
+  constexpr std::size_t many_targets = 20'000;
   drawn_ = false;
-  update();
+  if (press_.gesture != Gesture::none || snapshot_.targets.size() < many_targets)
+    update();
+  else if (!soon_.isActive())
+    soon_.start();
 }
 
 void SceneWidget::refresh_drawing(bool dragging) {

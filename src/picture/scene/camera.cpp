@@ -63,9 +63,10 @@ MarkBox box_of(const std::vector<MarkRoom>& marks, const Camera& camera) {
   constexpr double largest_part = 0.4;
   const double wide = largest_part * camera.width_px;
   const double high = largest_part * camera.height_px;
+  const Projection project(camera);
   MarkBox box;
   for (const MarkRoom& mark : marks) {
-    const auto at = camera.project(mark.at_world_m);
+    const auto at = project(mark.at_world_m);
     if (!at) continue;
     box.left = std::min(box.left, at->x - std::min(mark.left_px, wide));
     box.right = std::max(box.right, at->x + std::min(mark.right_px, wide));
@@ -105,12 +106,17 @@ double Camera::scale_at(double depth_m) const {
   return ahead_m > nearest_seen_part * viewer_m ? pixels_per_m * viewer_m / ahead_m : 0.0;
 }
 
-std::optional<PicturePoint> Camera::project(const core::Vec3& world_m) const {
-  const core::Vec3 picture_m = picture_from_world() * (world_m - focus_world_m);
+std::optional<PicturePoint> Camera::project(const core::Vec3& world_m) const { return Projection(*this)(world_m); }
+
+Projection::Projection(const Camera& camera) : camera_(camera), picture_from_world_(camera.picture_from_world()) {}
+
+std::optional<PicturePoint> Projection::operator()(const core::Vec3& world_m) const {
+  const core::Vec3 picture_m = picture_from_world_ * (world_m - camera_.focus_world_m);
   if (!finite(picture_m)) return std::nullopt;
-  const double scale = scale_at(-picture_m.z);
+  const double scale = camera_.scale_at(-picture_m.z);
   if (scale == 0.0) return std::nullopt;
-  return PicturePoint{0.5 * width_px + scale * picture_m.x, 0.5 * height_px - scale * picture_m.y, -picture_m.z};
+  return PicturePoint{0.5 * camera_.width_px + scale * picture_m.x, 0.5 * camera_.height_px - scale * picture_m.y,
+                      -picture_m.z};
 }
 
 core::Vec3 Camera::unproject(double x_px, double y_px) const {

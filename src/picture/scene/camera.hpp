@@ -53,6 +53,19 @@ struct Camera {
   [[nodiscard]] Viewpoint viewpoint() const;
 };
 
+/// `Camera::project` of many points: the rotation is found once.
+class Projection {
+ public:
+  /// Keeps a copy of the camera.
+  explicit Projection(const Camera& camera);
+  /// What `Camera::project` gives for a point.
+  [[nodiscard]] std::optional<PicturePoint> operator()(const core::Vec3& world_m) const;
+
+ private:
+  Camera camera_;
+  core::Mat3 picture_from_world_;
+};
+
 inline constexpr double smallest_pixels_per_m = 1e-7;
 inline constexpr double largest_pixels_per_m = 1e5;
 

@@ -54,6 +54,13 @@ bool field_applies(const AnyObject& object, std::string_view id) {
   return std::visit([&](const auto& alternative) { return form_of(alternative).applies(alternative, id); }, object);
 }
 
+bool field_applies(const Scene& scene, ObjectId object, std::string_view id) {
+  return visit_list(scene, object.kind, [&](const auto& objects) {
+    const auto& one = objects.at(object.index);
+    return form_of(one).applies(one, id);
+  });
+}
+
 bool field_applies(const Scene& scene, ObjectKind kind, std::string_view id) {
   return visit_list(scene, kind, [&]<class Object>(const std::vector<Object>& objects) {
     return form_of(Object{}).applies(objects, id);

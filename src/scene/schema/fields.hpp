@@ -58,6 +58,7 @@ struct Field {
 
 /// Whether a field means something for an object as it is: the bandwidth of a chirp but not of a monochrome pulse.
 [[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
+[[nodiscard]] bool field_applies(const Scene& scene, ObjectId object, std::string_view id);
 [[nodiscard]] bool field_applies(const Atmosphere& atmosphere, std::string_view id);
 [[nodiscard]] bool field_applies(const World& world, std::string_view id);
 
