@@ -16,6 +16,8 @@ constexpr double main_axis_room_px = 230.0;  // with the letter
 constexpr double own_axis_room_px = 70.0;
 constexpr double point_room_px = 8.0;
 constexpr double letter_px = 8.0;
+constexpr double bar_width_px = 160.0;  // of the lower left corner: the scale bar, with its words
+constexpr double bar_height_px = 46.0;
 constexpr double triad_px = 130.0;  // of the lower right corner: the axes there, and own axes above them
 
 // What axes with letters take about their origin.
@@ -57,15 +59,31 @@ std::vector<MarkRoom> rooms_of(const Snapshot& snapshot, const Camera& camera, c
 std::optional<MarkRoom> room_above_triad(const Camera& camera, const std::vector<core::Vec3>& points_m,
                                          double pixel_scale) {
   const double corner_px = triad_px * pixel_scale;
+  const Projection project(camera);
   std::optional<MarkRoom> lowest;
   double lowest_px = camera.height_px - corner_px;
   for (const core::Vec3& point : points_m) {
-    const auto at = camera.project(point);
+    const auto at = project(point);
     if (!at || at->x < camera.width_px - corner_px || at->y < lowest_px) continue;
     lowest_px = at->y;
     lowest = MarkRoom{point, 0.0, 0.0, 0.0, corner_px};
   }
   return lowest;
+}
+
+// What lifts the letters of the main axes above the scale bar.
+std::vector<MarkRoom> rooms_above_bar(const Camera& camera, double pixel_scale) {
+  const auto origin = camera.project({});
+  if (!origin) return {};
+  std::vector<MarkRoom> rooms;
+  for (const core::Vec3& axis : core::transposed(camera.picture_from_world()).row) {
+    const double right_px = main_axis_room_px * pixel_scale * axis.x;
+    const double below_px = -main_axis_room_px * pixel_scale * axis.y;
+    if (origin->x + right_px < bar_width_px * pixel_scale &&
+        origin->y + below_px > camera.height_px - bar_height_px * pixel_scale)
+      rooms.push_back({{}, 0.0, 0.0, 0.0, below_px + bar_height_px * pixel_scale});
+  }
+  return rooms;
 }
 
 // The corners of the box that holds points in the picture's axes.
@@ -120,10 +138,12 @@ Camera showing_all(const Camera& camera, const Snapshot& snapshot, const Drawing
   for (MarkRoom& mark : rooms) mark.above_px += buttons_px * options.pixel_scale;
   const double edge = free_edge_px * options.pixel_scale;
   shown = with_whole_marks(shown, rooms, edge);
-  if (!options.corner_triad) return shown;
-  const auto above = room_above_triad(shown, points, options.pixel_scale);
-  if (!above) return shown;
-  rooms.push_back(*above);
+  std::vector<MarkRoom> corners;
+  if (options.coordinate_systems) corners = rooms_above_bar(shown, options.pixel_scale);
+  if (options.corner_triad)
+    if (const auto above = room_above_triad(shown, points, options.pixel_scale)) corners.push_back(*above);
+  if (corners.empty()) return shown;
+  rooms.insert(rooms.end(), corners.begin(), corners.end());
   return with_whole_marks(shown, rooms, edge);
 }
 
@@ -154,8 +174,9 @@ std::vector<core::Vec3> points_of(const Snapshot& snapshot, const std::set<scene
 
 bool shows_well(const Camera& camera, const std::vector<core::Vec3>& points_world_m) {
   double left = camera.width_px, right = 0.0, top = camera.height_px, bottom = 0.0;
+  const Projection project(camera);
   for (const core::Vec3& point : points_world_m) {
-    const auto at = camera.project(point);
+    const auto at = project(point);
     if (!at || at->x < 0.0 || at->y < 0.0 || at->x > camera.width_px || at->y > camera.height_px) return false;
     left = std::min(left, at->x);
     right = std::max(right, at->x);

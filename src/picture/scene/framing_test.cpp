@@ -88,6 +88,26 @@ TEST(Framing, ShowAllKeepsEverythingFromUnderTheCornerTriad) {
   EXPECT_GT(under, 0);
 }
 
+// A target behind the origin: the letter of an axis is at the lower left. In lower pictures there is no room for both.
+TEST(Framing, ShowAllKeepsTheLettersOfAxesFromTheScaleBar) {
+  const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {-4000.0, 4000.0, 0.0}});
+  for (const double scale : {1.0, 2.0})
+    for (double width = 500.0; width < 1500.0; width += 50.0)
+      for (double height = 350.0; height < 1000.0; height += 50.0) {
+        DrawingOptions options;
+        options.pixel_scale = scale;
+        Drawing drawing;
+        const Camera shown = showing_all(Camera::start(scale * width, scale * height), snapshot, options);
+        draw_scene(snapshot, shown, options, drawing);
+        for (const Drawing::Text& text : drawing.texts) {
+          const bool letter = text.text == "X" || text.text == "Y" || text.text == "Z";
+          const bool low = static_cast<double>(text.y) > scale * (height - 36.0);
+          EXPECT_FALSE(letter && low && static_cast<double>(text.x) < 150.0 * scale)
+              << text.text << " in " << width << " x " << height << ", " << scale;
+        }
+      }
+}
+
 TEST(Framing, WhatIsSelectedFillsThePicture) {
   const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {9000.0, 0.0, 0.0}, {9010.0, 0.0, 0.0}, {9000.0, 10.0, 0.0}});
   const Camera above = preset(Camera::start(800.0, 600.0), ViewPreset::top);
