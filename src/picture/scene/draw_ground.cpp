@@ -75,9 +75,10 @@ void draw_ground_grid(Pen& pen) {
       const core::Vec3 from = node(*grid, axis, along, grid->first[1 - axis]);
       const core::Vec3 to = node(*grid, axis, along, grid->last[1 - axis]);
       pen.world_line(from, to, Role::faint, along == 0 ? 2.0 : 1.0);
-      // The ends of both families meet at the corners, and 0 is said once.
-      const bool inner = along > grid->first[axis] && along < grid->last[axis] && (along != 0 || axis == 0);
-      if (words && inner) put_distance(pen, from, to, static_cast<double>(along) * grid->step_m);
+      // The ends of both families meet at the corners. 0 is said once, where no axes with their own words show it.
+      const bool inner = along > grid->first[axis] && along < grid->last[axis];
+      const bool said = along == 0 && (axis != 0 || pen.options().coordinate_systems);
+      if (words && inner && !said) put_distance(pen, from, to, static_cast<double>(along) * grid->step_m);
     }
 }
 

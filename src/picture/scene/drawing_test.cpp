@@ -565,6 +565,21 @@ TEST(Drawing, DistancesOnTheGroundHaveASignOfMinus) {
   EXPECT_GT(negative, 0U);
 }
 
+// The line of 0 lies under an axis, where its words would be written across those of the axis.
+TEST(Drawing, TheGroundGridSaysZeroOnceAndNotBesideTheMainAxes) {
+  DrawingOptions options = bare_options();
+  options.ground_grid = options.labels = true;
+  Camera camera = Camera::start(800.0, 600.0);
+  camera.pixels_per_m = 0.01;
+  const auto zeros = [&] {
+    const Drawing drawing = drawn({}, camera, options);
+    return std::ranges::count(drawing.texts, "0 m", &Drawing::Text::text);
+  };
+  EXPECT_EQ(zeros(), 1);
+  options.coordinate_systems = true;
+  EXPECT_EQ(zeros(), 0);
+}
+
 TEST(Drawing, RoomIsUsedAgainAndNothingIsLeftOver) {
   Drawing drawing;
   draw_scene(random_snapshot(1, 100.0), front_camera(), {}, drawing);

@@ -18,7 +18,8 @@ constexpr double point_room_px = 8.0;
 constexpr double letter_px = 8.0;
 constexpr double bar_width_px = 160.0;  // of the lower left corner: the scale bar, with its words
 constexpr double bar_height_px = 46.0;
-constexpr double triad_px = 130.0;  // of the lower right corner: the axes there, and own axes above them
+constexpr double letter_corner_px = 100.0;  // of the lower right corner: the axes there
+constexpr double triad_px = 130.0;          // of the lower right corner: the axes there, and own axes above them
 
 // What axes with letters take about their origin.
 MarkRoom room_of_axes(const Camera& camera, const core::Vec3& at_m, const core::Mat3& world_from_axes,
@@ -71,17 +72,20 @@ std::optional<MarkRoom> room_above_triad(const Camera& camera, const std::vector
   return lowest;
 }
 
-// What lifts the letters of the main axes above the scale bar.
-std::vector<MarkRoom> rooms_above_bar(const Camera& camera, double pixel_scale) {
+// What lifts the letters of the main axes above the scale bar and the corner triad, where there are these.
+std::vector<MarkRoom> rooms_above_corners(const Camera& camera, const DrawingOptions& options) {
   const auto origin = camera.project({});
-  if (!origin) return {};
+  if (!origin || !options.coordinate_systems) return {};
+  const double scale = options.pixel_scale;
+  const double letter_triad_px = options.corner_triad ? letter_corner_px * scale : 0.0;
   std::vector<MarkRoom> rooms;
   for (const core::Vec3& axis : core::transposed(camera.picture_from_world()).row) {
-    const double right_px = main_axis_room_px * pixel_scale * axis.x;
-    const double below_px = -main_axis_room_px * pixel_scale * axis.y;
-    if (origin->x + right_px < bar_width_px * pixel_scale &&
-        origin->y + below_px > camera.height_px - bar_height_px * pixel_scale)
-      rooms.push_back({{}, 0.0, 0.0, 0.0, below_px + bar_height_px * pixel_scale});
+    const double x_px = origin->x + main_axis_room_px * scale * axis.x;
+    const double below_px = -main_axis_room_px * scale * axis.y;
+    const double free_px = x_px < bar_width_px * scale                ? bar_height_px * scale
+                           : x_px > camera.width_px - letter_triad_px ? letter_triad_px
+                                                                      : 0.0;
+    if (origin->y + below_px > camera.height_px - free_px) rooms.push_back({{}, 0.0, 0.0, 0.0, below_px + free_px});
   }
   return rooms;
 }
@@ -138,8 +142,7 @@ Camera showing_all(const Camera& camera, const Snapshot& snapshot, const Drawing
   for (MarkRoom& mark : rooms) mark.above_px += buttons_px * options.pixel_scale;
   const double edge = free_edge_px * options.pixel_scale;
   shown = with_whole_marks(shown, rooms, edge);
-  std::vector<MarkRoom> corners;
-  if (options.coordinate_systems) corners = rooms_above_bar(shown, options.pixel_scale);
+  std::vector<MarkRoom> corners = rooms_above_corners(shown, options);
   if (options.corner_triad)
     if (const auto above = room_above_triad(shown, points, options.pixel_scale)) corners.push_back(*above);
   if (corners.empty()) return shown;

@@ -108,6 +108,23 @@ TEST(Framing, ShowAllKeepsTheLettersOfAxesFromTheScaleBar) {
       }
 }
 
+// The origin is at the right, and the letter of an axis would be among those of the triad, where it is left out.
+TEST(Framing, ShowAllKeepsTheLettersOfAxesFromTheCornerTriad) {
+  const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {-2000.0, -8000.0, 3000.0}});
+  for (const double scale : {1.0, 2.0})
+    for (double width = 700.0; width < 1500.0; width += 50.0)
+      for (double height = 350.0; height < 800.0; height += 50.0) {
+        DrawingOptions options;
+        options.pixel_scale = scale;
+        Drawing drawing;
+        const Camera shown = showing_all(Camera::start(scale * width, scale * height), snapshot, options);
+        draw_scene(snapshot, shown, options, drawing);
+        for (const char* const letter : {"X", "Y", "Z"})
+          EXPECT_EQ(std::ranges::count(drawing.texts, letter, &Drawing::Text::text), 2)
+              << letter << " in " << width << " x " << height << ", " << scale;
+      }
+}
+
 TEST(Framing, WhatIsSelectedFillsThePicture) {
   const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {9000.0, 0.0, 0.0}, {9010.0, 0.0, 0.0}, {9000.0, 10.0, 0.0}});
   const Camera above = preset(Camera::start(800.0, 600.0), ViewPreset::top);
