@@ -135,6 +135,10 @@ class WaitingTest : public QObject {
     test::open(session, test::small_scene());
     QStringList told;
     connect(&session, &gui::Session::logged, [&](int, const QString& words) { told += words; });
+    int went_back = 0;  // windows that show what was asked for
+    connect(&session, &gui::Session::scene_changed, [&](const scene::SceneChange& change) {
+      if (change.empty()) ++went_back;
+    });
     const auto go_on = std::make_shared<std::atomic<bool>>(false);
     const auto made = std::make_shared<std::atomic<bool>>(false);
     Impatience impatience;
@@ -147,6 +151,7 @@ class WaitingTest : public QObject {
         });
     QCOMPARE(why, std::string());
     QCOMPARE(told, QStringList({"Change RCS was cancelled"}));
+    QCOMPARE(went_back, 1);
     *go_on = true;
     QTRY_VERIFY(*made);
     QTest::qWait(50);

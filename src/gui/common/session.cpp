@@ -154,6 +154,7 @@ std::string Session::make_and_perform(const QString& what, std::size_t objects, 
   });
   if (waited.end == JobEnd::cancelled) {
     log(core::Severity::note, tr("%1 was cancelled").arg(what));
+    tell({});  // A window shows what was asked for and has to go back.
     return {};
   }
   if (waited.end == JobEnd::failed) return waited.failure.toStdString();

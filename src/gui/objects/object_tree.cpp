@@ -27,25 +27,26 @@ namespace sarsim::gui {
 
 namespace {
 
-// Qt looks for the place of each row of a long range to paint these rows alone; all that can be seen is painted sooner.
+// Qt looks for the place of each of many rows, or ranges of them, to paint these alone; all that can be seen is painted
+// sooner.
 class TreeView : public QTreeView {
  public:
   using QTreeView::QTreeView;
 
  protected:
   void dataChanged(const QModelIndex& first, const QModelIndex& last, const QVector<int>& roles) override {
-    if (last.row() - first.row() < many_rows) return QTreeView::dataChanged(first, last, roles);
+    if (last.row() - first.row() < many) return QTreeView::dataChanged(first, last, roles);
     QTreeView::dataChanged(first, first, roles);
     viewport()->update();
   }
 
   void selectionChanged(const QItemSelection& selected, const QItemSelection& deselected) override {
-    if (selected.size() + deselected.size() < many_rows) return QTreeView::selectionChanged(selected, deselected);
+    if (selected.size() + deselected.size() < many) return QTreeView::selectionChanged(selected, deselected);
     viewport()->update();
   }
 
  private:
-  static constexpr int many_rows = 100;
+  static constexpr int many = 100;
 };
 
 QTreeView* make_view(ObjectTreeModel* model, QWidget* parent) {

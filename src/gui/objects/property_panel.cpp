@@ -201,8 +201,8 @@ void PropertyPanel::apply(FieldEditor* editor, const QString& text, bool step) {
     return made.failure;
   };
   const QPointer<FieldEditor> asked = editor;  // Other work may rebuild the panel meanwhile.
-  const std::string why =
-      session_.make_and_perform(QString::fromStdString(change_label(editor->field())), subject_.ids().size(), change);
+  const std::string why = session_.make_and_perform(QString::fromStdString(edit_label("Change", editor->field())),
+                                                    subject_.ids().size(), change);
   if (why.empty()) return;
   const QString sentence = QString::fromStdString(why);
   if (committing_) session_.log(core::Severity::warning, tr("Not applied: %1").arg(sentence));
@@ -226,8 +226,8 @@ void PropertyPanel::reset(FieldEditor* editor) {
     edit = PanelSubject(document, kind, ids).reset(document, field);
     return std::string();
   };
-  const std::string why =
-      session_.make_and_perform(QString::fromStdString(change_label(editor->field())), subject_.ids().size(), change);
+  const std::string why = session_.make_and_perform(QString::fromStdString(edit_label("Reset", editor->field())),
+                                                    subject_.ids().size(), change);
   if (!why.empty()) session_.log(core::Severity::warning, tr("Not reset: %1").arg(QString::fromStdString(why)));
 }
 

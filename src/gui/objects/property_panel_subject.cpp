@@ -47,7 +47,9 @@ std::string words_of(scene::ObjectKind kind, std::size_t count) {
 
 }  // namespace
 
-std::string change_label(const scene::Field& field) { return "Change " + within_sentence(field.label); }
+std::string edit_label(std::string_view verb, const scene::Field& field) {
+  return fmt::format("{} {}", verb, within_sentence(field.label));
+}
 
 PanelSubject::PanelSubject(const scene::Document& document, std::optional<scene::ObjectKind> kind,
                            const std::vector<scene::ObjectId>& ids)
@@ -191,7 +193,7 @@ FieldChange PanelSubject::change(const scene::Document& document, const scene::F
   if (!kind_ && is_of_world(field.id)) return change_world(document, field, text);
   const scene::LetNames* const names = document.let_names();
   const bool is_typed = names != nullptr && merge_key.empty() && field.kind == scene::FieldKind::quantity;
-  FieldChange change = change_all(document, change_label(field), is_typed,
+  FieldChange change = change_all(document, edit_label("Change", field), is_typed,
                                   [&](auto& object) { return set_in(object, field.id, text, names); });
   change.edit.merge_key = merge_key;
   if (is_typed && change.failure.empty()) say(change.edit, field, scene::text_as_typed(field, text, *names));
@@ -206,7 +208,7 @@ FieldChange PanelSubject::change_air(const scene::Document& document, const scen
   change.failure = scene::set_field(air, field.id, text, names);
   if (!change.failure.empty() || air == air_) return change;
   change.edit = scene::change_atmosphere(document.scene(), air);
-  change.edit.label = change_label(field);
+  change.edit.label = edit_label("Change", field);
   return change;
 }
 
@@ -216,7 +218,7 @@ FieldChange PanelSubject::change_world(const scene::Document& document, const sc
   FieldChange change;
   change.failure = scene::set_field(world, field.id, text, document.let_names());
   if (change.failure.empty()) change.failure = document.world_objection(world);
-  if (change.failure.empty()) change.edit = edit_of_world(document, std::move(world), change_label(field));
+  if (change.failure.empty()) change.edit = edit_of_world(document, std::move(world), edit_label("Change", field));
   return change;
 }
 
@@ -239,7 +241,7 @@ FieldChange PanelSubject::change_entries(
   if (failure.empty()) failure = objection_of_script(changed, names);
   if (!failure.empty()) return {{}, std::move(failure)};
   if (changed == object(0)) return {};
-  return {scene::replace_object(document.scene(), ids_.front(), std::move(changed), change_label(list)), {}};
+  return {scene::replace_object(document.scene(), ids_.front(), std::move(changed), edit_label("Change", list)), {}};
 }
 
 std::optional<scene::AnyObject> PanelSubject::only_object() const {
@@ -252,21 +254,21 @@ scene::Edit PanelSubject::reset(const scene::Document& document, const scene::Fi
     scene::World world = world_;
     scene::reset_field(world, field.id);
     if (!document.world_objection(world).empty()) return {};
-    return edit_of_world(document, std::move(world), "Reset " + within_sentence(field.label));
+    return edit_of_world(document, std::move(world), edit_label("Reset", field));
   }
   if (!kind_ && is_of_air(field.id)) {
     scene::Atmosphere air = air_;
     scene::reset_field(air, field.id);
     if (air == air_) return {};
     scene::Edit edit = scene::change_atmosphere(document.scene(), air);
-    edit.label = "Reset " + within_sentence(field.label);
+    edit.label = edit_label("Reset", field);
     return edit;
   }
   const auto reset_one = [&](auto& object) {
     scene::reset_field(object, field.id);
     return std::string();
   };
-  scene::Edit edit = change_all(document, "Reset " + within_sentence(field.label), true, reset_one).edit;
+  scene::Edit edit = change_all(document, edit_label("Reset", field), true, reset_one).edit;
   say(edit, field, "");
   return edit;
 }

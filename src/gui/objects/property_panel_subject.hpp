@@ -19,8 +19,8 @@ struct FieldChange {
   std::string failure;
 };
 
-/// What the menu calls the change of a field: "Change position x".
-[[nodiscard]] std::string change_label(const scene::Field& field);
+/// What the menu calls an edit of a field: "Change position x".
+[[nodiscard]] std::string edit_label(std::string_view verb, const scene::Field& field);
 
 /// What a property panel shows: objects of one kind or, where there are none, what holds for the whole scene: the
 /// world, the run options and the atmosphere.
