@@ -1,3 +1,4 @@
+#include <QDir>
 #include <QFile>
 #include <QImage>
 #include <QProcess>
@@ -5,6 +6,10 @@
 #include <QtTest>
 
 #include <algorithm>
+#include <csignal>
+#include <functional>
+
+#include <sys/resource.h>
 
 #include "gui/gui_test.hpp"
 #include "gui/small_scene.hpp"
@@ -18,7 +23,7 @@ namespace {
 constexpr int patience_ms = 60'000;
 
 struct Ended {
-  int status = -1;  ///< -1: killed, because it did not end.
+  int status = -1;  ///< -1: killed, because it did not end, or crashed.
   QString told;     ///< Standard error.
 };
 
@@ -49,10 +54,13 @@ class ScreenshotTest : public QObject {
   QTemporaryDir folder_;
   QString script_;
 
-  [[nodiscard]] Ended run(const QStringList& arguments) const {
+  using Preparing = std::function<void(QProcess& process, QProcessEnvironment& environment)>;
+
+  [[nodiscard]] Ended run(const QStringList& arguments, const Preparing& prepare = {}) const {
     QProcess process;
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* place : {"HOME", "XDG_CONFIG_HOME", "XDG_DATA_HOME"}) environment.insert(place, folder_.path());
+    if (prepare) prepare(process, environment);
     process.setProcessEnvironment(environment);
     process.start(SARSIM_GUI_PROGRAM, arguments);
     if (!process.waitForFinished(patience_ms)) {
@@ -60,7 +68,8 @@ class ScreenshotTest : public QObject {
       process.waitForFinished();
       return {};
     }
-    return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};
+    const bool crashed = process.exitStatus() == QProcess::CrashExit;
+    return {crashed ? -1 : process.exitCode(), QString::fromUtf8(process.readAllStandardError())};
   }
 
  private slots:
@@ -129,6 +138,37 @@ class ScreenshotTest : public QObject {
       QVERIFY2(ended.told.contains("could not be opened"), qPrintable(ended.told));
       QVERIFY(!QFile::exists(folder_.filePath("p.png")));
     }
+  }
+
+  void a_picture_that_finds_no_room_leaves_nothing_and_no_half_file() {
+    const QString picture = folder_.filePath("room.png");
+    const auto with_little_room = [](QProcess& process, QProcessEnvironment&) {
+      process.setChildProcessModifier([] {
+        const rlimit little{4096, 4096};
+        setrlimit(RLIMIT_FSIZE, &little);
+        std::signal(SIGXFSZ, SIG_IGN);
+      });
+    };
+    for (const bool replaces : {false, true}) {
+      if (replaces) write(picture, "as it was");
+      const Ended ended = run({script_, "--screenshot", picture, "--size", "1400", "800"}, with_little_room);
+      QCOMPARE(ended.status, 1);
+      QVERIFY2(ended.told.contains("room.png' could not be written: "), qPrintable(ended.told));
+      QCOMPARE(bytes_of(picture), QByteArray(replaces ? "as it was" : ""));
+      QCOMPARE(QDir(folder_.path()).entryList({"room*"}).size(), replaces ? 1 : 0);
+    }
+  }
+
+  void without_a_display_it_says_so_and_ends() {
+    const auto without_display = [](QProcess&, QProcessEnvironment& environment) {
+      for (const char* name : {"QT_QPA_PLATFORM", "WAYLAND_DISPLAY", "XDG_RUNTIME_DIR"}) environment.remove(name);
+      environment.insert("DISPLAY", ":987");
+    };
+    const Ended ended = run({script_}, without_display);
+    QCOMPARE(ended.status, 1);
+    QVERIFY2(ended.told.startsWith("sarsim-gui: no window can be shown: the display ':987' cannot"),
+             qPrintable(ended.told));
+    QCOMPARE(ended.told.count('\n'), 1);
   }
 
   void mistakes_in_the_arguments_end_as_those_of_sarsim() {

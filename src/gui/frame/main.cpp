@@ -97,6 +97,25 @@ constexpr int exit_bad_input = 2;
 
 void complain(const QString& text) { std::fprintf(stderr, "sarsim-gui: %s\n", qPrintable(text)); }
 
+QString why_no_window() {
+  const QString platform = qEnvironmentVariable("QT_QPA_PLATFORM");
+  const QString display = qEnvironmentVariable("DISPLAY");
+  if (!platform.isEmpty()) return QStringLiteral("Qt cannot use the platform '%1' of QT_QPA_PLATFORM").arg(platform);
+  return display.isEmpty() ? QStringLiteral("there is no display")
+                           : QStringLiteral("the display '%1' cannot be reached").arg(display);
+}
+
+// Without a display Qt would abort, with words about its plugins.
+void end_without_display(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (type == QtFatalMsg) {
+    complain(QStringLiteral("no window can be shown: %1. Start it from a desktop, or through 'ssh -X'; --screenshot "
+                            "FILE.png needs no display")
+                 .arg(why_no_window()));
+    std::_Exit(EXIT_FAILURE);
+  }
+  if (!QByteArray(context.category).startsWith("qt.qpa")) std::fprintf(stderr, "%s\n", qPrintable(text));
+}
+
 // What is wrong with the name of the picture; nothing where none is wanted.
 QString wrong_with_screenshot(const Options& options) {
   if (options.screenshot.empty()) return {};
@@ -163,7 +182,9 @@ int main(int argc, char** argv) {
   if (!options.screenshot.empty() && qEnvironmentVariableIsEmpty("DISPLAY") &&
       qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY") && qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM"))
     qputenv("QT_QPA_PLATFORM", "offscreen");
+  qInstallMessageHandler(end_without_display);
   QApplication application(argc, argv);
+  qInstallMessageHandler(nullptr);
   QApplication::setStyle(sarsim::gui::make_style());
   QCoreApplication::setOrganizationName("Sarsim");
   QCoreApplication::setApplicationName("sarsim-gui");

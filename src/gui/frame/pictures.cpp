@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPixmap>
+#include <QSaveFile>
 #include <QTimer>
 
 #include <algorithm>
@@ -158,8 +159,9 @@ bool write_picture(QWidget& window, const PictureWish& wish) {
   QImage picture = window.grab().toImage();
   if (wish.few_colours) picture = with_few_colours(picture.convertToFormat(QImage::Format_RGB32));
   constexpr int smallest_file = 0;  // quality of PNG: how hard it is packed
-  if (picture.save(wish.file, "PNG", smallest_file)) return true;
-  return complain(QStringLiteral("'%1' could not be written").arg(wish.file));
+  QSaveFile file(wish.file);        // What is cut short leaves nothing, or what was there.
+  if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG", smallest_file) && file.commit()) return true;
+  return complain(QStringLiteral("'%1' could not be written: %2").arg(wish.file, file.errorString()));
 }
 
 }  // namespace
