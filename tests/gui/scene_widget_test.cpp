@@ -9,6 +9,7 @@
 
 #include "core/maths/constants.hpp"
 #include "gui/gui_test.hpp"
+#include "gui/paint_count.hpp"
 #include "gui/scene/scene_widget.hpp"
 
 namespace sarsim::scene_widget_test {
@@ -319,6 +320,24 @@ class SceneWidgetTest : public QObject {
       QVERIFY(std::abs(seen.red() - target.red) + std::abs(seen.green() - target.green) +
                   std::abs(seen.blue() - target.blue) <
               12);
+    }
+  }
+
+  // The event that comes next is handled before.
+  void many_targets_are_painted_in_a_turn_of_their_own() {
+    Bench bench;
+    bench.widget.show();
+    for (const std::size_t count : {std::size_t{100}, std::size_t{20'000}}) {
+      picture::Snapshot snapshot;
+      for (std::size_t i = 0; i < count; ++i)
+        snapshot.targets.push_back(target_at(i, {static_cast<double>(i % 100), static_cast<double>(i / 100), 0.0}));
+      bench.widget.set_snapshot(snapshot);
+      QTest::qWait(100);
+      test::PaintCount paints(&bench.widget);
+      bench.widget.set_marks({{scene::ObjectKind::target, 7}}, {}, std::nullopt);
+      QCoreApplication::sendPostedEvents();
+      QCOMPARE(paints.count, count < 20'000 ? 1 : 0);
+      QTRY_COMPARE(paints.count, 1);
     }
   }
 

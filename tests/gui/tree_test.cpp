@@ -18,23 +18,11 @@
 #include "gui/gui_test.hpp"
 #include "gui/objects/object_tree.hpp"
 #include "gui/objects/object_tree_model.hpp"
+#include "gui/paint_count.hpp"
 #include "small_scene.hpp"
 
 namespace sarsim::tree_test {
 namespace {
-
-// How often a widget is painted.
-class PaintCount : public QObject {
- public:
-  explicit PaintCount(QWidget* widget) { widget->installEventFilter(this); }
-  int count = 0;
-
- protected:
-  bool eventFilter(QObject*, QEvent* event) override {
-    if (event->type() == QEvent::Paint) ++count;
-    return false;
-  }
-};
 
 struct Bench {
   Bench() { start(test::small_scene()); }
@@ -396,7 +384,7 @@ class TreeTest : public QObject {
     for (std::size_t i = 1; i < 500; i += 2) odd.insert(test::target(i));
     bench.session.select(odd);
     QCoreApplication::processEvents();
-    PaintCount paints(bench.view->viewport());
+    test::PaintCount paints(bench.view->viewport());
     bench.session.set_hidden(odd, true);
     QCoreApplication::processEvents();
     QVERIFY(paints.count > 0);

@@ -66,7 +66,7 @@ class Session : public QObject {
   /// `make` must hold on to all that it needs.
   /// @param what     for the dialog of work that takes longer than a moment
   /// @param objects  that it changes, about
-  /// @return  why it was not made; empty also where the user gave it up
+  /// @return  why it was not made, of many objects also what `make` threw; empty also where the user gave it up
   [[nodiscard]] std::string make_and_perform(const QString& what, std::size_t objects, const MakeEdit& make);
   /// Ends a run of merged edits: a drag, a spin box.
   void end_run();

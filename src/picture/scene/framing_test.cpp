@@ -88,41 +88,41 @@ TEST(Framing, ShowAllKeepsEverythingFromUnderTheCornerTriad) {
   EXPECT_GT(under, 0);
 }
 
-// A target behind the origin: the letter of an axis is at the lower left. In lower pictures there is no room for both.
-TEST(Framing, ShowAllKeepsTheLettersOfAxesFromTheScaleBar) {
-  const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {-4000.0, 4000.0, 0.0}});
+// What Show All makes of pictures of many sizes, at both scales; told in pixels of the screen.
+template <class Look>
+void for_sizes(const Snapshot& snapshot, double narrowest, const Look& look) {
   for (const double scale : {1.0, 2.0})
-    for (double width = 500.0; width < 1500.0; width += 50.0)
+    for (double width = narrowest; width < 1500.0; width += 50.0)
       for (double height = 350.0; height < 1000.0; height += 50.0) {
+        SCOPED_TRACE(testing::Message() << width << " x " << height << ", " << scale);
         DrawingOptions options;
         options.pixel_scale = scale;
         Drawing drawing;
-        const Camera shown = showing_all(Camera::start(scale * width, scale * height), snapshot, options);
-        draw_scene(snapshot, shown, options, drawing);
-        for (const Drawing::Text& text : drawing.texts) {
-          const bool letter = text.text == "X" || text.text == "Y" || text.text == "Z";
-          const bool low = static_cast<double>(text.y) > scale * (height - 36.0);
-          EXPECT_FALSE(letter && low && static_cast<double>(text.x) < 150.0 * scale)
-              << text.text << " in " << width << " x " << height << ", " << scale;
-        }
+        draw_scene(snapshot, showing_all(Camera::start(scale * width, scale * height), snapshot, options), options,
+                   drawing);
+        look(drawing, scale, height);
       }
+}
+
+// A target behind the origin: the letter of an axis is at the lower left. In lower pictures there is no room for both.
+TEST(Framing, ShowAllKeepsTheLettersOfAxesFromTheScaleBar) {
+  for_sizes(targets_at({{0.0, 0.0, 0.0}, {-4000.0, 4000.0, 0.0}}), 500.0,
+            [](const Drawing& drawing, double scale, double height) {
+              for (const Drawing::Text& text : drawing.texts) {
+                const bool letter = text.text == "X" || text.text == "Y" || text.text == "Z";
+                const bool low = static_cast<double>(text.y) > scale * (height - 36.0);
+                EXPECT_FALSE(letter && low && static_cast<double>(text.x) < 150.0 * scale) << text.text;
+              }
+            });
 }
 
 // The origin is at the right, and the letter of an axis would be among those of the triad, where it is left out.
 TEST(Framing, ShowAllKeepsTheLettersOfAxesFromTheCornerTriad) {
-  const Snapshot snapshot = targets_at({{0.0, 0.0, 0.0}, {-2000.0, -8000.0, 3000.0}});
-  for (const double scale : {1.0, 2.0})
-    for (double width = 700.0; width < 1500.0; width += 50.0)
-      for (double height = 350.0; height < 800.0; height += 50.0) {
-        DrawingOptions options;
-        options.pixel_scale = scale;
-        Drawing drawing;
-        const Camera shown = showing_all(Camera::start(scale * width, scale * height), snapshot, options);
-        draw_scene(snapshot, shown, options, drawing);
-        for (const char* const letter : {"X", "Y", "Z"})
-          EXPECT_EQ(std::ranges::count(drawing.texts, letter, &Drawing::Text::text), 2)
-              << letter << " in " << width << " x " << height << ", " << scale;
-      }
+  for_sizes(targets_at({{0.0, 0.0, 0.0}, {-2000.0, -8000.0, 3000.0}}), 700.0,
+            [](const Drawing& drawing, double, double) {
+              for (const char* const letter : {"X", "Y", "Z"})
+                EXPECT_EQ(std::ranges::count(drawing.texts, letter, &Drawing::Text::text), 2) << letter;
+            });
 }
 
 TEST(Framing, WhatIsSelectedFillsThePicture) {

@@ -58,9 +58,10 @@ struct Field {
 
 /// Whether a field means something for an object as it is: the bandwidth of a chirp but not of a monochrome pulse.
 [[nodiscard]] bool field_applies(const AnyObject& object, std::string_view id);
-[[nodiscard]] bool field_applies(const Scene& scene, ObjectId object, std::string_view id);
 [[nodiscard]] bool field_applies(const Atmosphere& atmosphere, std::string_view id);
 [[nodiscard]] bool field_applies(const World& world, std::string_view id);
+/// The same for an object of a scene, which is not copied; std::out_of_range where the scene has none there.
+[[nodiscard]] bool field_applies(const Scene& scene, ObjectId object, std::string_view id);
 
 /// The same for all objects of a kind in a scene; true where there is none.
 [[nodiscard]] bool field_applies(const Scene& scene, ObjectKind kind, std::string_view id);
