@@ -7,10 +7,13 @@ Needs a Python with sarkit and sarpy: this one, or the one that SARSIM_TEST_PYTH
 not, 77 packages are missing.
 """
 
+import importlib
 import importlib.util
+import multiprocessing
 import os
 import pathlib
 import re
+import runpy
 import subprocess
 import sys
 import tempfile
@@ -52,13 +55,57 @@ IMAGES = {
 }
 
 
+# What takes seconds to import, here once for all checks.
+CHECKERS = {
+    "sarkit": ("sarkit.verification._cphdcheck", "--thorough"),
+    "sarpy": ("sarpy.consistency.cphd_consistency", "--signal-data"),
+    "crsd": ("sarkit.verification._crsdcheck", "--thorough"),
+}
+OTHERS = ("numpy", "sarkit.cphd", "sarkit.crsd", "sarpy.io.phase_history.cphd", "_pytest.assertion.rewrite")
+
+
 def run(*words):
     done = subprocess.run(words, capture_output=True, text=True)
     return done.returncode, done.stdout + done.stderr
 
 
+def run_apart(module, *words):
+    """Runs a module or a file as a program, in a process of its own that has the imports of this one. Returns its exit status
+    and what it printed."""
+    with tempfile.TemporaryFile("w+") as output:
+        process = multiprocessing.get_context("fork").Process(target=become, args=(module, words, output.fileno()))
+        process.start()
+        process.join()
+        output.seek(0)
+        return process.exitcode, output.read()
+
+
+def become(module, words, output):
+    os.dup2(output, 1)
+    os.dup2(output, 2)
+    sys.argv = [module, *words]
+    if not module.endswith(".py"):
+        sys.modules.pop(module, None)  # Else runpy warns that it is there already.
+        runpy.run_module(module, run_name="__main__")
+        return
+    sys.path.insert(0, str(pathlib.Path(module).parent))
+    runpy.run_path(module, run_name="__main__")
+
+
+def checks_of(name, path):
+    """Names of checks, and the module or file with its words that does each."""
+    if name in RECEIVED:
+        return {"sarkit": (*CHECKERS["crsd"], path)}
+    checks = {reader: (*CHECKERS[reader], path) for reader in ("sarkit", "sarpy")}
+    program = str(pathlib.Path(__file__).parent / "cphd_image.py")
+    for reader in ("sarkit", "sarpy") if name in IMAGES else ():
+        checks["image by " + reader] = (program, path, "--reader", reader, *IMAGES[name])
+    return checks
+
+
 def main(program, examples, small):
-    here = pathlib.Path(__file__).parent
+    for module in (*OTHERS, *(words[0] for words in CHECKERS.values())):
+        importlib.import_module(module)
     failed = []
     with tempfile.TemporaryDirectory() as folder:
         for name, (scene, options) in (FILES | RECEIVED).items():
@@ -66,17 +113,8 @@ def main(program, examples, small):
             scene = small if scene == "small" else str(pathlib.Path(examples) / scene)
             status, said = run(program, "convert", scene, path, *options)
             assert status == 0, said
-            checks = {
-                "sarkit": [sys.executable, "-m", "sarkit.verification._cphdcheck", "--thorough", path],
-                "sarpy": [sys.executable, "-m", "sarpy.consistency.cphd_consistency", "--signal-data", path],
-            }
-            if name in RECEIVED:
-                checks = {"sarkit": [sys.executable, "-m", "sarkit.verification._crsdcheck", "--thorough", path]}
-            for reader in ("sarkit", "sarpy") if name in IMAGES else ():
-                checks["image by " + reader] = [sys.executable, str(here / "cphd_image.py"), path, "--reader", reader,
-                                                *IMAGES[name]]
-            for check, words in checks.items():
-                status, said = run(*words)
+            for check, words in checks_of(name, path).items():
+                status, said = run_apart(*words)
                 said, rounded = ROUNDED.subn("", said)
                 good = (status == 0 or rounded > 0) and "[Error]" not in said and "[Warning]" not in said
                 print(f"{name}, {check}: {'good' if good else said}")

@@ -93,17 +93,20 @@ def spread(file, points):
     signal = file.signal if file.sign < 0 else file.signal.conj()
     way = lambda at: np.linalg.norm(p["TxPos"] - at, axis=1) + np.linalg.norm(p["RcvPos"] - at, axis=1)
     reference = way(p["SRPPos"])
-    count = signal.shape[1]
+    # exp(2 pi j f toa), f = SC0 + k SCSS, of blocks of frequencies and of those within a block.
+    inner = 64
+    vectors, count = signal.shape
+    outer = -(-count // inner)
+    blocks = np.zeros((vectors, outer * inner), complex)
+    blocks[:, :count] = signal
+    blocks = blocks.reshape(vectors, outer, inner)
+    first_hz = p["SC0"][:, None] + p["SCSS"][:, None] * inner * np.arange(outer)
+    beyond_hz = p["SCSS"][:, None] * np.arange(inner)
     total = []
     for point in points:
-        toa = (way(point) - reference) / LIGHT
-        # exp(2 pi j f toa), f = SC0 + k SCSS, by powers of one step.
-        step = np.exp(2j * np.pi * p["SCSS"] * toa)
-        powers = np.empty_like(signal)
-        powers[:, 0] = np.exp(2j * np.pi * p["SC0"] * toa)
-        for k in range(1, count):
-            np.multiply(powers[:, k - 1], step, out=powers[:, k])
-        total.append(np.vdot(powers.conj(), signal) / signal.size)
+        turns = 2j * np.pi * (way(point) - reference)[:, None] / LIGHT
+        sums = (blocks @ np.exp(turns * beyond_hz)[:, :, None])[:, :, 0]
+        total.append((sums * np.exp(turns * first_hz)).sum() / signal.size)
     return np.array(total)
 
 

@@ -95,7 +95,7 @@ def contents(folder):
 
 def steady(name, content):
     """A content without what differs from run to run."""
-    if name.endswith((".html", ".json", ".journal", ".csv", ".svg", ".pdf", ".png")):
+    if name.endswith((".html", ".json", ".journal", ".svg", ".pdf", ".png")):
         return TIMES.sub(b"", content)
     return content
 

@@ -61,8 +61,8 @@ def derivatives(sent, met, received, light_speed):
 
 
 def flight(radar, point, send_time, light_speed):
-    """The arguments give lists of place, velocity and acceleration at a time."""
-    out, delay = times_of_flight(lambda t: radar(t)[0], lambda t: point(t)[0], send_time, light_speed)
-    sent, met, received = radar(send_time), point(send_time + out), radar(send_time + delay)
+    """The first two arguments give lists of place, velocity and acceleration at a time, or of as many as they are asked for."""
+    out, delay = times_of_flight(lambda t: radar(t, 1)[0], lambda t: point(t, 1)[0], send_time, light_speed)
+    sent, met, received = radar(send_time, 3), point(send_time + out, 3), radar(send_time + delay, 3)
     rate, bend = derivatives(sent, met, received, light_speed)
     return Flight(delay, out, met[0] - sent[0], rate / (1 + rate), bend / (1 + rate) ** 3)

@@ -41,8 +41,8 @@ class EmissionModel(Model):
 
         def delay(sent):
             return light_time.times_of_flight(
-                lambda time: self.motion(radar, time).place[0],
-                lambda time: self.motion(carrying, time).of(target.position)[0],
+                lambda time: self.motion(radar, time, 1).place[0],
+                lambda time: self.motion(carrying, time, 1).of(target.position)[0],
                 begin + sent,
                 np.longdouble(self.light_speed),
             )[1]
@@ -62,7 +62,7 @@ def circle(radius, speed):
     return [Curve("CUBIC", list(zip(times.round(3), axis.round(9)))) for axis in axes]
 
 
-def long_pulse(radar_path, target_path, carrier_ghz, bandwidth_ghz, width_ns, position, samples=60):
+def long_pulse(radar_path, target_path, carrier_ghz, bandwidth_ghz, width_ns, position, samples=40):
     """A scene of one target in front of one radar, recorded coarsely; an ideal chirp does not mind."""
     platforms = [scenes.Platform("Radar", trajectory=radar_path), scenes.Platform("Target", trajectory=target_path)]
     pulse = scenes.Pulse("CHIRP", width_ns, bandwidth_ghz)

@@ -83,8 +83,8 @@ class Model(Kinematics):
         """The way of what leaves at a time, in 80 bits (physical)."""
         radar, carrying, place = self.platform(self.radar.platform), self.platform(target.platform), target.position
         return light_time.flight(
-            lambda time: self.motion(radar, time).place,
-            lambda time: self.motion(carrying, time).of(place),
+            lambda time, orders: self.motion(radar, time, orders).place,
+            lambda time, orders: self.motion(carrying, time, orders).of(place),
             np.longdouble(send_time),
             np.longdouble(self.light_speed),
         )

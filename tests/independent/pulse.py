@@ -97,9 +97,14 @@ class Shape:
             near &= times >= self.width_s / 2 - kept - EDGE * interval_s
             near &= times < self.width_s / 2 + kept - EDGE * interval_s
         nodes, weights = self._quadrature(max(band, self.nominal_bandwidth_hz()))
-        lag = times[near, None] - nodes
-        taper = np.exp(TAPER * (np.sqrt(np.clip(1 - (lag / reach) ** 2, 0, None)) - 1))
-        response = np.where(np.abs(lag) <= reach, CUTOFF * band * np.sinc(CUTOFF * band * lag) * taper, 0.0)
+        heights = self.bare(nodes) * self.envelope(nodes) * weights
         samples = np.zeros(times.shape, complex)
-        samples[near] = response @ (self.bare(nodes) * self.envelope(nodes) * weights)
+        for some in np.array_split(np.flatnonzero(near), max(1, near.sum() // 32)):
+            if some.size == 0:
+                continue
+            first, last = np.searchsorted(nodes, [times[some].min() - reach, times[some].max() + reach])
+            lag = times[some, None] - nodes[first:last]
+            taper = np.exp(TAPER * (np.sqrt(np.clip(1 - (lag / reach) ** 2, 0, None)) - 1))
+            response = np.where(np.abs(lag) <= reach, CUTOFF * band * np.sinc(CUTOFF * band * lag) * taper, 0.0)
+            samples[some] = response @ heights[first:last]
         return samples

@@ -86,16 +86,16 @@ class DopplerTheOtherWay(Model):
 class WithoutTurningOfTargets(Model):
     """Speed of a point of a platform without that of its rotation."""
 
-    def motion(self, platform, time):
-        pose = super().motion(platform, time)
-        return pose._replace(world_from_platform=[pose.world_from_platform[0], *STILL])
+    def motion(self, platform, time, orders=3):
+        pose = super().motion(platform, time, orders)
+        return pose._replace(world_from_platform=[pose.world_from_platform[0], *STILL][:orders])
 
 
 class WithoutTurningOfThePath(Model):
     """An aligned platform whose turning along its path moves no point."""
 
     def alignment(self, path):
-        return [[angle[0], 0.0, 0.0] for angle in super().alignment(path)]
+        return [[angle[0], *[0.0] * (len(angle) - 1)] for angle in super().alignment(path)]
 
 
 class NextCarrier(Model):
@@ -144,10 +144,10 @@ class WithoutSensitivityTimeControl(Model):
 class BeamOfThePlatform(Model):
     """Where the beam's yaw does not follow the aligned platform."""
 
-    def motion(self, platform, time):
-        motion = super().motion(platform, time)
+    def motion(self, platform, time, orders=3):
+        motion = super().motion(platform, time, orders)
         carries_radar = platform.name == self.radar.platform
-        return motion._replace(world_from_platform=[np.eye(3), *STILL]) if carries_radar else motion
+        return motion._replace(world_from_platform=[np.eye(3), *STILL][:orders]) if carries_radar else motion
 
 
 class LegHomeToWhereItWasSent(Model):
@@ -157,8 +157,8 @@ class LegHomeToWhereItWasSent(Model):
         radar, carrying = self.platform(self.radar.platform), self.platform(target.platform)
         begin, sent = np.longdouble(send_time), self.motion(radar, np.longdouble(send_time)).place
         return light_time.flight(
-            lambda time: sent if time == begin else [sent[0], *self.motion(radar, time).place[1:]],
-            lambda time: self.motion(carrying, time).of(target.position),
+            lambda time, orders: sent[:orders] if time == begin else [sent[0], *self.motion(radar, time, orders).place[1:]],
+            lambda time, orders: self.motion(carrying, time, orders).of(target.position),
             begin,
             np.longdouble(self.light_speed),
         )
@@ -172,8 +172,8 @@ class TargetWhereItWas(Model):
         begin = np.longdouble(send_time)
         point = self.motion(carrying, begin).of(target.position)
         return light_time.flight(
-            lambda time: self.motion(radar, time).place,
-            lambda time: point,
+            lambda time, orders: self.motion(radar, time, orders).place,
+            lambda time, orders: point,
             begin,
             np.longdouble(self.light_speed),
         )
