@@ -16,6 +16,7 @@
 #include "gui/frame/main_window.hpp"
 #include "gui/gui_test.hpp"
 #include "gui/image/image_viewers.hpp"
+#include "harbour.hpp"
 #include "image_viewer_bench.hpp"
 #include "scene/model/object.hpp"
 
@@ -150,10 +151,11 @@ class CutTextTest : public QObject {
   void no_window_cuts_its_words_data() {
     QTest::addColumn<QString>("scene");
     QTest::addColumn<QSize>("size");
-    QTest::newRow("harbour") << SARSIM_SOURCE_DIR "/tests/gui/harbour.scr" << QSize();
+    const QString harbour = test::small_harbour(folder_.path());
+    QTest::newRow("harbour") << harbour << QSize();
     if (scale() != 1.0) return;  // What differs between scenes does so at any scale.
     QTest::newRow("letter R") << SARSIM_SOURCE_DIR "/examples/sar_r.toml" << QSize();
-    QTest::newRow("harbour, small screen") << SARSIM_SOURCE_DIR "/tests/gui/harbour.scr" << QSize(1366, 768);
+    QTest::newRow("harbour, small screen") << harbour << QSize(1366, 768);
   }
 
   void no_window_cuts_its_words() {
@@ -213,6 +215,9 @@ class CutTextTest : public QObject {
     found.removeDuplicates();
     QVERIFY2(found.isEmpty(), qPrintable('\n' + found.join('\n')));
   }
+
+ private:
+  QTemporaryDir folder_;
 };
 
 const test::AddTest added("cut_text_test", test::run_test<CutTextTest>);

@@ -17,6 +17,7 @@
 #include "gui/frame/pictures.hpp"
 #include "gui/gui_test.hpp"
 #include "gui/objects/object_tree.hpp"
+#include "harbour.hpp"
 
 namespace sarsim::habits_test {
 
@@ -71,7 +72,7 @@ class HabitsTest : public QObject {
   Q_OBJECT
 
  private:
-  static QString harbour() { return QStringLiteral(SARSIM_SOURCE_DIR "/tests/gui/harbour.scr"); }
+  QString harbour() const { return test::small_harbour(folder_.path()); }
   // Actions that a menu shows, with the menus below it.
   static void collect(const QMenu& menu, QList<QAction*>& actions) {
     for (QAction* action : menu.actions()) {
@@ -254,6 +255,9 @@ class HabitsTest : public QObject {
     QVERIFY(!gui::make_picture(main, wish));
     QVERIFY(QDir(folder.path()).isEmpty());
   }
+
+ private:
+  QTemporaryDir folder_;
 };
 
 const test::AddTest added("habits_test", test::run_test<HabitsTest>);

@@ -24,6 +24,7 @@
 #include "gui/gui_test.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
+#include "harbour.hpp"
 #include "scene/edit/recovery.hpp"
 
 namespace sarsim::monkey_test {
@@ -300,8 +301,8 @@ class MonkeyTest : public QObject {
   void many_actions_in_any_order_lose_nothing() {
     const QTemporaryDir home;
     qputenv("XDG_DATA_HOME", home.filePath("data").toLocal8Bit());
-    const QString file = home.filePath("harbour.scr");
-    QVERIFY(QFile::copy(QStringLiteral(SARSIM_SOURCE_DIR "/tests/gui/harbour.scr"), file));
+    const QString file = test::small_harbour(home.path());
+    QVERIFY(!file.isEmpty());
     const std::string before = text_in(file);
     const int actions = wanted("SARSIM_MONKEY_ACTIONS", 250);
     gui::MainWindow window;
@@ -338,8 +339,8 @@ class MonkeyTest : public QObject {
     for (int i = 0; i < kills; ++i) {
       const QTemporaryDir home;
       qputenv("XDG_DATA_HOME", home.filePath("data").toLocal8Bit());
-      const QString file = home.filePath("harbour.scr");
-      QVERIFY(QFile::copy(QStringLiteral(SARSIM_SOURCE_DIR "/tests/gui/harbour.scr"), file));
+      const QString file = test::small_harbour(home.path());
+      QVERIFY(!file.isEmpty());
       const std::string before = text_in(file);
       const Said said = killed_victim(file, i, 1 + static_cast<int>(random() % 60));
       QCOMPARE(text_in(file), before);
