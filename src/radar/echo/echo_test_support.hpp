@@ -9,10 +9,9 @@
 #include <random>
 #include <vector>
 
-#include <hwy/targets.h>
-
 #include "core/maths/constants.hpp"
 #include "radar/echo/reference_kernel.hpp"
+#include "radar/simd/simd_test_support.hpp"
 
 /// Pulses, rows and measures that the tests of the fast kernels share. Samples are 10 ns apart.
 namespace sarsim::radar {
@@ -96,17 +95,6 @@ inline double relative_error(const ComplexRow& got, const ComplexRow& expected, 
   double error = 0.0;
   for (std::size_t i = 0; i < expected.size(); ++i) error += std::norm(got.at(i) - expected[i]);
   return std::sqrt(error) / strength;
-}
-
-/// Runs `f` on every instruction set that this program and this processor have.
-template <class F>
-void at_every_simd_level(const F& f) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    f();
-  }
-  hwy::SetSupportedTargetsForTest(0);
 }
 
 }  // namespace sarsim::radar

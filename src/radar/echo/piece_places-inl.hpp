@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "radar/echo/simd_math-inl.hpp"
 #include "radar/echo/spreading.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {

@@ -10,7 +10,7 @@
 #include <hwy/highway.h>
 
 #include "radar/echo/curve_tables.hpp"
-#include "radar/echo/simd_math-inl.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {

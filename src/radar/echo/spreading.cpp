@@ -10,7 +10,7 @@
 #include <hwy/foreach_target.h>  // includes this file once per instruction set
 
 #include "radar/echo/piece_places-inl.hpp"
-#include "radar/echo/simd_math-inl.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 #include "core/report/expect.hpp"

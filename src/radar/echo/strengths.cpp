@@ -10,7 +10,7 @@
 #define HWY_TARGET_INCLUDE "radar/echo/strengths.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per instruction set
 
-#include "radar/echo/simd_math-inl.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {

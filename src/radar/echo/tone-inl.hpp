@@ -11,8 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "radar/echo/simd_math-inl.hpp"
 #include "radar/echo/tones.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {

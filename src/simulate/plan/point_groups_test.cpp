@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <random>
 
-#include <hwy/targets.h>
-
+#include "radar/simd/simd_test_support.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 
@@ -151,18 +150,8 @@ void expect_same(const Echoes& echoes, double tolerance) {
   }
 }
 
-template <class F>
-void at_every_simd_level(const F& f) {
-  for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-    SCOPED_TRACE(hwy::TargetName(target));
-    hwy::SetSupportedTargetsForTest(target);
-    f();
-  }
-  hwy::SetSupportedTargetsForTest(0);
-}
-
 TEST(FastEchoes, AreThoseOfPulseGeometry) {
-  at_every_simd_level([] {
+  radar::at_every_simd_level([] {
     for (const std::int64_t pulse : {-3, 0, 7}) expect_same(echoes_of(mixed_scene(), pulse), 1e-6);
   });
 }
@@ -231,7 +220,7 @@ TEST(FastEchoes, AreTheSameForEveryPairOfAntennasBeamAndRule) {
 }
 
 TEST(FastEchoes, AreTheSameInEveryProfileStcAndToleranceOnEveryInstructionSet) {
-  at_every_simd_level([] {
+  radar::at_every_simd_level([] {
     for (const scene::Antenna& antenna : antennas())
       for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
         for (const scene::Radar::Stc stc : {scene::Radar::Stc::none, scene::Radar::Stc::range_law})
@@ -247,7 +236,7 @@ TEST(FastEchoes, AreTheSameInEveryProfileStcAndToleranceOnEveryInstructionSet) {
 
 // Along the axes, at knots of the curves, right above and below, behind, and at right angles to the beam.
 TEST(FastEchoes, AreTheSameInSpecialDirections) {
-  at_every_simd_level([] {
+  radar::at_every_simd_level([] {
     for (const scene::Antenna& antenna : antennas())
       for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
         for (const double azimuth_deg : {0.0, 90.0, -90.0, 180.0}) {

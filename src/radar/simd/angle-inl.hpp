@@ -11,7 +11,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
-#include "radar/echo/simd_math-inl.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {

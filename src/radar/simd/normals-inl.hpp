@@ -1,5 +1,5 @@
-// The random numbers of core/maths/random.hpp, one stream per lane; included once per instruction set (Highway's
-// foreach_target).
+// The random numbers of core/maths/random.hpp, a stream and counters of its own per lane; included once per instruction
+// set (Highway's foreach_target).
 
 #if defined(SARSIM_SIMD_NORMALS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef SARSIM_SIMD_NORMALS_INL
@@ -14,7 +14,7 @@
 
 #include <hwy/contrib/math/math-inl.h>
 
-#include "radar/echo/simd_math-inl.hpp"
+#include "radar/simd/math-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {
@@ -68,12 +68,10 @@ HWY_INLINE hn::Vec<D> unit_interval(D d, VU high, VU low) {
 /// `RandomStream::normals(major, minor)` of the streams with these keys: the same bits, and so the same variates to
 /// 2e-14, the rounding of logarithm, cosine and sine.
 template <class D, class VU, class V = hn::Vec<D>>
-HWY_NOINLINE void normal_pair(D d, VU keys, std::int64_t major, std::int64_t minor, V& first, V& second) {
+HWY_NOINLINE void normal_pair(D d, VU keys, VU major, VU minor, V& first, V& second) {
   const hn::RebindToUnsigned<D> du;
-  const auto a = static_cast<std::uint64_t>(major);
-  const auto b = static_cast<std::uint64_t>(minor);
   const PhiloxWords<VU> words =
-      philox(du, PhiloxWords<VU>{{hn::Set(du, b), hn::Set(du, b >> 32), hn::Set(du, a), hn::Set(du, a >> 32)}}, keys);
+      philox(du, PhiloxWords<VU>{{minor, hn::ShiftRight<32>(minor), major, hn::ShiftRight<32>(major)}}, keys);
   const V uniform = unit_interval(d, words.word[0], words.word[1]);
   const V radius = hn::Sqrt(hn::Mul(hn::Log(d, uniform), hn::Set(d, -2.0)));
   V cosine = hn::Zero(d);

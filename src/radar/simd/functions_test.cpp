@@ -2,13 +2,13 @@
 // core/maths/random.hpp.
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "radar/echo/simd_functions_test.cpp"
+#define HWY_TARGET_INCLUDE "radar/simd/functions_test.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per instruction set
 
 #include <cstdint>
 
-#include "radar/echo/simd_angle-inl.hpp"
-#include "radar/echo/simd_normals-inl.hpp"
+#include "radar/simd/angle-inl.hpp"
+#include "radar/simd/normals-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace sarsim::radar::HWY_NAMESPACE {
@@ -43,7 +43,8 @@ void normals(const std::uint64_t* keys, std::int64_t major, std::int64_t minor, 
     const hn::RebindToUnsigned<decltype(d)> du;
     auto a = hn::Zero(d);
     auto b = hn::Zero(d);
-    normal_pair(d, hn::LoadU(du, keys + i), major, minor, a, b);
+    const auto counter = [&](std::int64_t number) { return hn::Set(du, static_cast<std::uint64_t>(number)); };
+    normal_pair(d, hn::LoadU(du, keys + i), counter(major), counter(minor), a, b);
     hn::StoreU(a, d, first + i);
     hn::StoreU(b, d, second + i);
   });
@@ -54,8 +55,15 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "core/maths/constants.hpp"
 #include "core/maths/random.hpp"
-#include "radar/echo/echo_test_support.hpp"
+#include "radar/simd/simd_test_support.hpp"
 
 namespace sarsim::radar {
 
