@@ -14,7 +14,7 @@ from parts_support import SKIPPED, claims, expect, expect_done, expect_same, pro
 
 
 def write_scene(folder, pulses):
-    """scene.toml, of a target that shakes, seen by a noisy receiver: 334 samples a pulse."""
+    """scene.toml, of targets that shake, seen by a noisy receiver: 334 samples a pulse."""
     parts_support.write_scene(folder, pulses)
     expect_done(run([program(), "format", "scene.scr", "--upgrade", "-o", "scene.toml"], cwd=folder))
 

@@ -8,11 +8,11 @@ import sys
 
 SKIPPED = 77
 
-SCENE = """! a target that shakes, seen by a noisy receiver
+SCENE = """! targets that shake, seen by a noisy receiver: enough of them that a run can be killed in the middle
 $PLATFORM Earth STATIONARY 0 0 0 CONST 0 0 0 0 0 0 STDDEV 0 0 0 STDDEV 0 0 0
 $PLATFORM Car TRAJECTORY LINEAR LINEAR LINEAR INLINE 2 0, 0 1, 20 1 0, 1000 1 0, 0
 NOT_ALIGNED CONST 0 0 0 0 0 0 STDDEV 0.1 0.2 0.3 STDDEV 0.1 0.1 0.1
-$TARGET Car 0 0 0 0 0 0 1 0 ISOTROPIC
+{targets}
 $RADAR Radar1 Earth CHIRP 0.05 1000 RECT CONSTANT 1000 SINGLE 1 100 0 300
   ISOTROPIC SAME FIXED 0 0 RECT NO_STC
 $SIMULATION Radar1 900 1400 0 {end} 8 0.1 {lsb} BINARY RAW sim.bin BEGIN 1 1
@@ -27,7 +27,8 @@ def program():
 
 def write_scene(folder, pulses, lsb="3e-5"):
     path = pathlib.Path(folder) / "scene.scr"
-    path.write_text(SCENE.format(end=(pulses - 1) * 0.001, lsb=lsb))
+    targets = "\n".join(f"$TARGET Car {k % 10} {k // 10} 0 0 0 0 1 0 ISOTROPIC" for k in range(200))
+    path.write_text(SCENE.format(end=(pulses - 1) * 0.001, lsb=lsb, targets=targets))
     return path
 
 

@@ -8,7 +8,8 @@
 
 namespace sarsim::radar {
 
-/// Adds white complex noise to a row: independent normal numbers with the given standard deviation in I and in Q.
+/// Adds white complex noise to a row: independent normal numbers with the given standard deviation in I and in Q, those
+/// of `stream.normals(pulse, number of the sample)` to 2e-14 of it.
 ///
 /// @param[in,out] row     samples in volts
 /// @param stddev_v        per component; 0 adds nothing

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "radar/simd/simd_test_support.hpp"
+
 namespace sarsim::radar {
 namespace noise_test {
 
@@ -68,6 +70,22 @@ TEST(AddNoise, StaysWithItsSampleWhenTheWindowMoves) {
   const Row wide = noise(12, -10, 100);
   const Row part = noise(12, 25, 30);
   for (std::size_t i = 0; i < part.size(); ++i) EXPECT_EQ(part[i], wide[35 + i]);
+}
+
+// Of rows of any length, which end within a vector.
+TEST(AddNoise, IsWhatTheStreamGivesForEachSample) {
+  at_every_simd_level([] {
+    for (const std::size_t size : {1u, 2u, 3u, 7u, 8u, 9u, 33u}) {
+      const std::int64_t pulse = (std::int64_t{1} << 40) + 7;
+      const std::int64_t first_sample = -5;
+      const Row row = noise(pulse, first_sample, size);
+      for (std::size_t i = 0; i < size; ++i) {
+        const auto [a, b] = stream().normals(pulse, first_sample + static_cast<std::int64_t>(i));
+        ASSERT_NEAR(row[i].real(), stddev_v * a, stddev_v * 2e-14) << size << ' ' << i;
+        ASSERT_NEAR(row[i].imag(), stddev_v * b, stddev_v * 2e-14) << size << ' ' << i;
+      }
+    }
+  });
 }
 
 TEST(AddNoise, AddsToWhatIsThereAndScalesWithTheStandardDeviation) {

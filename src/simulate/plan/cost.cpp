@@ -14,7 +14,7 @@ constexpr double per_pulse_s = 0.3e-6;
 constexpr double per_sample_s = 0.82e-9;
 constexpr double per_reached_sample_s = 1.75e-9;
 constexpr double per_compressed_sample_s = 9.5e-9;
-constexpr double per_noise_sample_s = 38e-9;
+constexpr double per_noise_sample_s = 5e-9;
 // What each further thread brings: cores share memory, caches and clock, and large transforms live in shared ones.
 constexpr double gain_of_thread = 0.85;
 constexpr double gain_of_crowded_thread = 0.5;
