@@ -2,6 +2,7 @@
 
 #include <QFile>
 #include <QString>
+#include <utility>
 
 /// The scene of the pictures, with something of every kind.
 namespace sarsim::test {
