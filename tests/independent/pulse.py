@@ -99,6 +99,7 @@ class Shape:
         nodes, weights = self._quadrature(max(band, self.nominal_bandwidth_hz()))
         heights = self.bare(nodes) * self.envelope(nodes) * weights
         samples = np.zeros(times.shape, complex)
+        # Some samples at a time, and only the nodes within reach of them.
         for some in np.array_split(np.flatnonzero(near), max(1, near.sum() // 32)):
             if some.size == 0:
                 continue

@@ -223,16 +223,15 @@ HWY_INLINE Triple drawn_position(Tag d, const PointArrays& points, const Points<
                                  Triple point) {
   const hn::RebindToUnsigned<Tag> du;
   const PointJitter& jitter = points.jitter;
-  const auto number = static_cast<std::uint64_t>(pulse);
   auto a = hn::Zero(d);
   auto b = hn::Zero(d);
   if (!jitter.x_stddev_m.empty()) {
-    normal_pair(d, at.of(du, jitter.position_key), hn::Set(du, number), hn::Zero(du), a, b);
+    normal_pair(d, at.of(du, jitter.position_key), pulse, 0, a, b);
     point.x = hn::MulAdd(at.of(d, jitter.x_stddev_m), a, point.x);
     point.y = hn::MulAdd(at.of(d, jitter.y_stddev_m), b, point.y);
   }
   if (!jitter.z_stddev_m.empty()) {
-    normal_pair(d, at.of(du, jitter.position_key), hn::Set(du, number), hn::Set(du, std::uint64_t{1}), a, b);
+    normal_pair(d, at.of(du, jitter.position_key), pulse, 1, a, b);
     point.z = hn::MulAdd(at.of(d, jitter.z_stddev_m), a, point.z);
   }
   return point;
@@ -245,7 +244,7 @@ HWY_INLINE Vector root_rcs(Tag d, const PointArrays& points, const Points<Whole>
   const hn::RebindToUnsigned<Tag> du;
   auto a = hn::Zero(d);
   auto b = hn::Zero(d);
-  normal_pair(d, at.of(du, jitter.rcs_key), hn::Set(du, static_cast<std::uint64_t>(pulse)), hn::Zero(du), a, b);
+  normal_pair(d, at.of(du, jitter.rcs_key), pulse, 0, a, b);
   const auto rcs = hn::MulAdd(at.of(d, jitter.rcs_stddev_m2), a, at.of(d, jitter.rcs_m2));
   return hn::Sqrt(hn::Max(rcs, hn::Zero(d)));
 }
@@ -258,7 +257,7 @@ HWY_INLINE Triple normals(Tag d, const PointArrays& points, const Points<Whole>&
   const hn::RebindToUnsigned<Tag> du;
   auto a = hn::Zero(d);
   auto b = hn::Zero(d);
-  normal_pair(d, at.of(du, jitter.pointing_key), hn::Set(du, static_cast<std::uint64_t>(pulse)), hn::Zero(du), a, b);
+  normal_pair(d, at.of(du, jitter.pointing_key), pulse, 0, a, b);
   auto ca = hn::Zero(d);
   auto sa = hn::Zero(d);
   auto ce = hn::Zero(d);

@@ -43,8 +43,7 @@ void normals(const std::uint64_t* keys, std::int64_t major, std::int64_t minor, 
     const hn::RebindToUnsigned<decltype(d)> du;
     auto a = hn::Zero(d);
     auto b = hn::Zero(d);
-    const auto counter = [&](std::int64_t number) { return hn::Set(du, static_cast<std::uint64_t>(number)); };
-    normal_pair(d, hn::LoadU(du, keys + i), counter(major), counter(minor), a, b);
+    normal_pair(d, hn::LoadU(du, keys + i), major, minor, a, b);
     hn::StoreU(a, d, first + i);
     hn::StoreU(b, d, second + i);
   });

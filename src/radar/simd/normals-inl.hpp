@@ -81,6 +81,15 @@ HWY_NOINLINE void normal_pair(D d, VU keys, VU major, VU minor, V& first, V& sec
   second = hn::Mul(radius, sine);
 }
 
+/// The same for counters that all lanes share.
+template <class D, class VU, class V = hn::Vec<D>>
+HWY_INLINE void normal_pair(D d, VU keys, std::int64_t major, std::int64_t minor, V& first, V& second) {
+  const hn::RebindToUnsigned<D> du;
+  const VU majors = hn::Set(du, static_cast<std::uint64_t>(major));
+  const VU minors = hn::Set(du, static_cast<std::uint64_t>(minor));
+  normal_pair(d, keys, majors, minors, first, second);
+}
+
 }  // namespace sarsim::radar::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
