@@ -139,14 +139,19 @@ double PulseBody::share_of_echo(double t, const PulseClock& clock) const {
 }
 
 std::complex<double> PulseBody::echo(double t, const PulseClock& clock, double carrier_hz) const {
+  const bool even = pulse_->doppler_rule == DopplerRule::thesis || clock.ticks_evenly();
+  const double share = even ? body_share(t) : share_of_echo(t, clock);
+  return share == 0.0 ? 0.0 : part_of_echo(share, t, clock, carrier_hz);
+}
+
+std::complex<double> PulseBody::endless_echo(double t, const PulseClock& clock, double carrier_hz) const {
+  return part_of_echo(1.0, t, clock, carrier_hz);
+}
+
+std::complex<double> PulseBody::part_of_echo(double share, double t, const PulseClock& clock, double carrier_hz) const {
   const auto turned = [](double turns) { return std::polar(1.0, -2.0 * core::pi * (turns - std::round(turns))); };
-  if (pulse_->doppler_rule == DopplerRule::thesis || clock.ticks_evenly()) {
-    const double share = body_share(t);
-    if (share == 0.0) return 0.0;
+  if (pulse_->doppler_rule == DopplerRule::thesis || clock.ticks_evenly())
     return share * value(t) * turned(clock.doppler * doppler_turns(t, carrier_hz));
-  }
-  const double share = share_of_echo(t, clock);
-  if (share == 0.0) return 0.0;
   const double late_s = clock.late(from_middle_s(t));
   return share * value(t - late_s / interval_s_) * turned(carrier_hz * late_s);
 }

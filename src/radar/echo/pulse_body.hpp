@@ -34,6 +34,10 @@ class PulseBody {
   [[nodiscard]] double step(double x) const;
   /// The body of an echo at `t` after the delay less the lead, with what motion does to it: 0 outside.
   [[nodiscard]] std::complex<double> echo(double t, const PulseClock& clock, double carrier_hz) const;
+  /// The same without its ends: the pulse goes on as it does inside, where its modulation says how.
+  [[nodiscard]] std::complex<double> endless_echo(double t, const PulseClock& clock, double carrier_hz) const;
+  /// Whether motion changes how long a pulse is.
+  [[nodiscard]] bool is_stretched() const { return pulse_->doppler_rule == DopplerRule::stretch; }
   /// When what stands at `t` of the pulse comes back in an echo.
   [[nodiscard]] double received(double t, const PulseClock& clock) const;
   /// Phase per unit of D by the rule of the thesis [turns]: f u + K u^2/2, u from the middle of the ideal pulse.
@@ -50,6 +54,8 @@ class PulseBody {
  private:
   void find_edges(std::size_t edge_samples);
   [[nodiscard]] double share_of_echo(double t, const PulseClock& clock) const;
+  [[nodiscard]] std::complex<double> part_of_echo(double share, double t, const PulseClock& clock,
+                                                  double carrier_hz) const;
 
   const EchoPulse* pulse_;
   double interval_s_;

@@ -115,23 +115,26 @@ HWY_INLINE void cos_sin(Tag d, Vector radians, Vector& cosine, Vector& sine) {
   cos_sin_turns(d, fraction_of_turn(turns), cosine, sine);
 }
 
-// sin(x)/x for |x| <= pi by its Taylor series, within 4e-16.
+// sin(x)/x for |x| <= pi by its Taylor series, within 4e-16: the terms of even and of odd powers of x^2 apart, as two
+// sums that do not wait for each other.
 HWY_INLINE Vector main_lobe(Tag d, Vector x) {
   const auto x2 = hn::Mul(x, x);
-  auto sum = hn::Set(d, -1.0 / 10888869450418352160768000000.0);
-  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 15511210043330985984000000.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 25852016738884976640000.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 51090942171709440000.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 121645100408832000.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 355687428096000.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 1307674368000.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 6227020800.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 39916800.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 362880.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 5040.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, 1.0 / 120.0));
-  sum = hn::MulAdd(sum, x2, hn::Set(d, -1.0 / 6.0));
-  return hn::MulAdd(sum, x2, hn::Set(d, 1.0));
+  const auto x4 = hn::Mul(x2, x2);
+  auto even = hn::Set(d, 1.0 / 15511210043330985984000000.0);
+  auto odd = hn::Set(d, -1.0 / 10888869450418352160768000000.0);
+  even = hn::MulAdd(even, x4, hn::Set(d, 1.0 / 51090942171709440000.0));
+  odd = hn::MulAdd(odd, x4, hn::Set(d, -1.0 / 25852016738884976640000.0));
+  even = hn::MulAdd(even, x4, hn::Set(d, 1.0 / 355687428096000.0));
+  odd = hn::MulAdd(odd, x4, hn::Set(d, -1.0 / 121645100408832000.0));
+  even = hn::MulAdd(even, x4, hn::Set(d, 1.0 / 6227020800.0));
+  odd = hn::MulAdd(odd, x4, hn::Set(d, -1.0 / 1307674368000.0));
+  even = hn::MulAdd(even, x4, hn::Set(d, 1.0 / 362880.0));
+  odd = hn::MulAdd(odd, x4, hn::Set(d, -1.0 / 39916800.0));
+  even = hn::MulAdd(even, x4, hn::Set(d, 1.0 / 120.0));
+  odd = hn::MulAdd(odd, x4, hn::Set(d, -1.0 / 5040.0));
+  even = hn::MulAdd(even, x4, hn::Set(d, 1.0));
+  odd = hn::MulAdd(odd, x4, hn::Set(d, -1.0 / 6.0));
+  return hn::MulAdd(odd, x2, even);
 }
 
 // sin(x)/x with x = 2 pi cut sine. What a lane gets does not depend on the others.
@@ -422,12 +425,14 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const
   const AntennaSight& antenna = scenery.antenna;
   const Triple point{at.of(d, points.x_m), at.of(d, points.y_m), at.of(d, points.z_m)};
   // Deviations move points, never speeds.
-  const Triple velocity = turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
+  const bool at_rest = frame.light_time == LightTime::exact && !frame.moves;
+  const Triple velocity =
+      at_rest && !frame.bends ? Triple{} : turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
   const Triple seen =
       turned(d, frame.world_from_platform, drawn_position(d, points, at, frame.pulse, point), frame.origin_m);
   Flights flight = frame.light_time == LightTime::thesis ? thesis_flights(d, frame, seen, velocity)
-                   : frame.moves                         ? flights(d, frame, seen, velocity)
-                                                         : flights_to_rest(d, frame, seen);
+                   : at_rest                             ? flights_to_rest(d, frame, seen)
+                                                         : flights(d, frame, seen, velocity);
   if (to.bend != nullptr) at.put(d, frame.bends ? bent(d, frame, point, velocity, flight) : hn::Zero(d), to.bend);
   at.put(d, flight.delay, to.delay);
   at.put(d, flight.doppler, to.doppler);

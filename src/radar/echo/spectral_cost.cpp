@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/report/expect.hpp"
+#include "radar/echo/dense_row.hpp"
 #include "radar/echo/doppler_coupling.hpp"
 #include "radar/echo/doppler_terms.hpp"
 #include "radar/echo/pulse_body.hpp"
@@ -31,6 +32,10 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
                                        span.half, grid.interval_s, settings.share)
                              .terms_for(span.half, settings.share);
   if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
+  if (settings.single_precision && cost.doppler_terms <= 2 && DenseRow::suits(pulse, body)) {
+    cost.bin_transforms = DenseRow::transforms_about(body, cost.doppler_terms);
+    cost.bin_points = static_cast<std::size_t>(row);
+  }
   return cost;
 }
 

@@ -11,6 +11,7 @@
 #include "core/os/aligned_vector.hpp"
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
+#include "radar/echo/dense_row.hpp"
 #include "radar/echo/direct_kernel.hpp"
 #include "radar/echo/doppler_coupling.hpp"
 #include "radar/echo/doppler_terms.hpp"
@@ -38,7 +39,7 @@ std::size_t row_size_for(std::size_t minimum) {
 
 struct SpectralKernel::Implementation {
   virtual ~Implementation() = default;
-  virtual void begin(double carrier_hz) = 0;
+  virtual void begin(double carrier_hz, std::size_t expected) = 0;
   virtual void take(const EchoBatch& echoes) = 0;
   virtual void finish(std::span<std::complex<double>> row) = 0;
   virtual void finish_filtered(std::span<std::complex<double>> out) = 0;
@@ -104,6 +105,8 @@ struct SpectralKernel::Typed : Implementation {
         folded(row_size) {
     edge_row.resize(grid.count);
     has_body = body.has_body() && make_pieces();
+    if constexpr (sizeof(Real) == 4)
+      if (has_body && DenseRow::suits(echo_pulse, body)) dense.emplace(body, grid, choices.share, room, row_fft);
     if (!filter.taps.empty()) set_filter(filter);
   }
 
@@ -123,8 +126,11 @@ struct SpectralKernel::Typed : Implementation {
     output_index.assign(filter.output_index.begin(), filter.output_index.end());
   }
 
-  void begin(double new_carrier_hz) override {
+  void begin(double new_carrier_hz, std::size_t echoes_expected) override {
     carrier_hz = new_carrier_hz;
+    expected = echoes_expected;
+    densely.reset();
+    if (dense) dense->forget();
     motion.reset();
     spreading = {};
     has_bodies = has_edges = has_plain = false;
@@ -137,6 +143,8 @@ struct SpectralKernel::Typed : Implementation {
     motion = motion ? motion->with(gathered.motion) : gathered.motion;
     const Spectra wanted = wanted_spectra();
     if (!has_body || strays() || wanted.terms * wanted.bend_terms > most_doppler_terms) return take_plainly(echoes);
+    if (take_densely(wanted, echoes.size())) return;
+    part_neighbours(gathered);
     const double most_doppler = std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
     const double allowance = allowance_for(most_doppler * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
     if (!spreading.is_for(allowance, wanted)) {
@@ -153,6 +161,36 @@ struct SpectralKernel::Typed : Implementation {
     add_edge_pieces();
   }
 
+  // Where many echoes fall on each sample. The first part of a pulse decides, for how many are to come.
+  bool take_densely([[maybe_unused]] const Spectra& wanted, [[maybe_unused]] std::size_t given) {
+    if constexpr (sizeof(Real) == 4) {
+      const double touching = static_cast<double>(position.size()) / static_cast<double>(given);
+      const double in_all = touching * static_cast<double>(std::max(expected, given));
+      if (!dense || wanted.terms > 2 || wanted.bends != DopplerSpan{}) return false;
+      if (!densely) densely = DenseRow::is_worth(in_all, DenseRow::transforms_about(body, wanted.terms), row_size);
+      if (!*densely) return false;
+      const DenseMotion common{carrier_hz, wanted.span, wanted.shift_s, wanted.terms};
+      if (!dense->is_for(common)) leave_dense();
+      if (!dense->prepare(common)) return false;
+      dense->take(gathered);
+      return true;
+    }
+    return false;
+  }
+
+  void leave_dense() {
+    if constexpr (sizeof(Real) == 4) {
+      if (!dense || dense->is_empty()) return;
+      begin_bodies();
+      dense->leave(folded);
+    }
+  }
+
+  void begin_bodies() {
+    if (!has_bodies) std::ranges::fill(folded, std::complex<Real>());
+    has_bodies = true;
+  }
+
   // Echoes that are better added directly.
   void take_plainly(const EchoBatch& echoes) {
     if (!has_plain) raw_row.assign(grid.count, {});
@@ -162,6 +200,7 @@ struct SpectralKernel::Typed : Implementation {
 
   void finish(std::span<std::complex<double>> row) override {
     leave_grid();
+    leave_dense();
     if (has_bodies) {
       row_fft.inverse(folded);
       add_row<Real>(row, std::span(folded).first(row.size()));
@@ -172,6 +211,7 @@ struct SpectralKernel::Typed : Implementation {
 
   void finish_filtered(std::span<std::complex<double>> out) override {
     leave_grid();
+    leave_dense();
     if (!has_bodies && !has_plain) return;
     if (!has_bodies) std::ranges::fill(folded, std::complex<Real>());
     if (has_edges || has_plain) {
@@ -289,8 +329,7 @@ struct SpectralKernel::Typed : Implementation {
     if (spreading.spectra == nullptr) return;
     const Band& band = *spreading.band;
     const Spectra& s = *spreading.spectra;
-    if (!has_bodies) std::ranges::fill(folded, std::complex<Real>());
-    has_bodies = true;
+    begin_bodies();
     spreading = {};
     for (std::size_t r = 0; r < s.factor.size(); ++r) {
       const std::span<std::complex<Real>> cell = spread_grid.fold(r);
@@ -484,10 +523,13 @@ struct SpectralKernel::Typed : Implementation {
   core::BasicFft<Real> row_fft;
   std::vector<EdgePiece<Real>> pieces;
   std::list<Band> bands;
+  std::optional<DenseRow> dense;
 
   // Of the pulse that was begun.
   double carrier_hz = 0.0;
   std::optional<MotionSpan> motion;  // of the echoes taken so far; none: none touches the row
+  std::size_t expected = 0;          // echoes in all
+  std::optional<bool> densely;       // none: no echo so far
   Spreading spreading;
   bool has_bodies = false;  // in `folded`
   bool has_edges = false;   // in `edge_row`
@@ -531,14 +573,14 @@ SpectralKernel::SpectralKernel(SpectralKernel&&) noexcept = default;
 SpectralKernel& SpectralKernel::operator=(SpectralKernel&&) noexcept = default;
 
 void SpectralKernel::add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes) {
-  begin(carrier_hz);
+  begin(carrier_hz, echoes.size());
   take(echoes);
   finish(row);
 }
 
-void SpectralKernel::begin(double carrier_hz) {
+void SpectralKernel::begin(double carrier_hz, std::size_t expected) {
   CORE_EXPECT(std::isfinite(carrier_hz));
-  implementation_->begin(carrier_hz);
+  implementation_->begin(carrier_hz, expected);
 }
 
 void SpectralKernel::take(const EchoBatch& echoes) {

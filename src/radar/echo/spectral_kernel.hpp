@@ -17,6 +17,8 @@ struct SpectralCost {
   std::size_t edge_samples = 0;     ///< Samples added directly per echo at the hard edges.
   std::size_t transform_size = 0;   ///< Points of the larger transform.
   std::size_t doppler_terms = 1;    ///< For the Doppler span asked about.
+  std::size_t bin_transforms = 0;   ///< About how many take the place of it for many echoes (DenseRow); 0: none do,
+  std::size_t bin_points = 0;       ///< and the points of one.
 };
 
 /// A finite filter that a row passes: out[i] = sum over k of taps[k] row[output_index[i] + k], all of them inside the
@@ -56,7 +58,8 @@ class SpectralKernel {
   void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes);
 
   /// The same for the echoes of a pulse that come in parts: begins a pulse and forgets what was taken of another.
-  void begin(double carrier_hz);
+  /// @param expected  about how many echoes will be taken: decides whether they are summed bin by bin
+  void begin(double carrier_hz, std::size_t expected = 0);
   /// Takes some of the pulse's echoes.
   void take(const EchoBatch& echoes);
   /// Adds all that was taken to the row. One part gives what `add` gives, bit for bit; more give it to the tolerance.

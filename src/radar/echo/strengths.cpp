@@ -298,6 +298,8 @@ void take_in_turn(core::AlignedVector<Value>& values, core::AlignedVector<Value>
   values.swap(room);
 }
 
+}  // namespace
+
 template <class Real>
 void part_neighbours(Strengths<Real>& echoes) {
   if (!neighbours_meet(echoes.position)) return;
@@ -307,7 +309,8 @@ void part_neighbours(Strengths<Real>& echoes) {
   take_in_turn(echoes.strength, echoes.strength_room);
 }
 
-}  // namespace
+template void part_neighbours(Strengths<float>& echoes);
+template void part_neighbours(Strengths<double>& echoes);
 
 HWY_EXPORT(gather_single);
 HWY_EXPORT(gather_double);
@@ -332,14 +335,12 @@ void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<
   CORE_EXPECT(frame.interval_s > 0.0);
   CORE_EXPECT(echoes.is_whole());
   HWY_DYNAMIC_DISPATCH(gather_single)(echoes, frame, out);
-  part_neighbours(out);
 }
 template <>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<double>& out) {
   CORE_EXPECT(frame.interval_s > 0.0);
   CORE_EXPECT(echoes.is_whole());
   HWY_DYNAMIC_DISPATCH(gather_double)(echoes, frame, out);
-  part_neighbours(out);
 }
 
 template <>

@@ -52,11 +52,15 @@ struct Strengths {
   [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
 };
 
-/// Computes strengths in SIMD; the phase is reduced in double precision before the phasor is taken, which is exact to
-/// that of `Real`. Echoes come in the order of the batch or, where neighbours mostly fall on the same samples, from
-/// sixteen parts of it in turn: one would wait for what the last has just stored.
+/// Computes strengths in SIMD, in the order of the batch; the phase is reduced in double precision before the phasor is
+/// taken, which is exact to that of `Real`.
 template <class Real>
 void gather_strengths(const EchoBatch& echoes, const RowFrame& frame, Strengths<Real>& out);
+
+/// Takes echoes from sixteen parts in turn where neighbours mostly fall on the same samples: added one by one, each
+/// would wait for what the last has just stored.
+template <class Real>
+void part_neighbours(Strengths<Real>& echoes);
 
 /// D' = late_of(e)/e of each echo, what it is late by for each second that a part of the pulse was sent after its
 /// middle; in SIMD.

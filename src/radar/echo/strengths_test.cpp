@@ -62,7 +62,7 @@ TYPED_TEST(GatherStrengths, AgreesWithTheFormulaForAnyNumberOfEchoes) {
 }
 
 // Echo k has amplitude k + 1, so that it is known again; echoes a tenth of a sample apart.
-TYPED_TEST(GatherStrengths, TakesEchoesOfTheSameSamplesFromDistantPartsInTurn) {
+TYPED_TEST(GatherStrengths, OfTheSameSamplesAreTakenFromDistantPartsInTurn) {
   at_every_simd_level([] {
     constexpr std::size_t count = 5003;
     EchoBatch echoes;
@@ -70,6 +70,7 @@ TYPED_TEST(GatherStrengths, TakesEchoesOfTheSameSamplesFromDistantPartsInTurn) {
       echoes.add(20e-6 + 1e-9 * static_cast<double>(k), static_cast<double>(k + 1), 1e-9 * static_cast<double>(k));
     Strengths<TypeParam> out;
     gather_strengths(echoes, frame_of(1e9), out);
+    part_neighbours(out);
     ASSERT_EQ(out.position.size(), count);
     std::vector<bool> met(count, false);
     std::size_t far = 0;

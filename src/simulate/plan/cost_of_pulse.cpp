@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/report/expect.hpp"
+#include "radar/echo/dense_row.hpp"
 #include "radar/echo/shape_table.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
@@ -25,6 +26,7 @@ constexpr double untabled_ns = 20.0;  // pulses too long for a table take the re
 constexpr double spread_ns = 6.0;
 constexpr double doppler_term_ns = 1.0;  // the weight of each further one
 constexpr double edge_sample_ns = 0.28;
+constexpr double bin_point_ns = 2.7;  // of a transform where many echoes fall on each sample
 constexpr double transform_point_ns = 2.2;
 constexpr double transform_octave_ns = 0.45;  // of a point, for each doubling beyond what stays in the cache of a core
 constexpr double cached_points = 32768.0;
@@ -107,6 +109,10 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
                     (spread_ns + doppler_term_ns * (terms - 1.0) +
                      edge_sample_ns * static_cast<double>(estimate.cost.edge_samples)) +
                 precision * point_ns * terms * points;
+  const std::size_t transforms = estimate.cost.bin_transforms;
+  if (transforms > 0 && radar::DenseRow::is_worth(echoes_, transforms, estimate.cost.bin_points))
+    estimate.ns = echoes_ * (spread_ns + doppler_term_ns * (terms - 1.0)) +
+                  bin_point_ns * static_cast<double>(transforms * estimate.cost.bin_points);
   return estimate;
 }
 

@@ -95,14 +95,14 @@ void RowMaker::keep_heard(std::optional<double> since_s) {
 bool RowMaker::take_in_parts(std::optional<double> since_s) {
   const PointGroups& points = *plan_->points;
   bool any = false;
-  spectral_->begin(geometry_.carrier_hz());
+  spectral_->begin(geometry_.carrier_hz(), points.count);
   for (std::size_t from = 0; from < points.count; from += points_at_once) {
     const radar::PointSpan run{from, std::min(from + points_at_once, points.count)};
     if (!certain_echoes(points, geometry_, run, echoes_)) {
       // Where in doubt the plain geometry decides, and says what is wrong with which target.
       geometry_.echoes(echoes_);
       keep_heard(since_s);
-      spectral_->begin(geometry_.carrier_hz());
+      spectral_->begin(geometry_.carrier_hz(), points.count);
       spectral_->take(echoes_);
       return echoes_.size() > 0;
     }

@@ -1,0 +1,198 @@
+#include "radar/echo/dense_row.hpp"
+
+#include "radar/echo/doppler_terms.hpp"
+#include "radar/echo/echo_test_support.hpp"
+#include "radar/echo/spectral_kernel.hpp"
+#include "radar/echo/spectral_settings.hpp"
+
+namespace sarsim::radar {
+namespace dense_row_test {
+
+constexpr double carrier_hz = 2e9;
+constexpr std::size_t very_many = 1'000'000'000;
+
+double cycle_doppler(double samples) { return 1.0 / (carrier_hz * samples * test_interval_s); }
+
+struct Parts {
+  const EchoPulse* pulse;
+  SampleGrid grid;
+  SpectralSettings settings{1e-6};
+  PulseBody body{*pulse, grid.interval_s, settings.edge_samples, settings.beta};
+  core::BasicFft<float> fft{core::fast_fft_size(grid.count + static_cast<std::size_t>(body.last() - body.first()) + 8)};
+  DenseRow row{body, grid, settings.share, stretch_room(*pulse, grid.interval_s), fft};
+};
+
+bool suits(const EchoPulse& pulse) {
+  const SpectralSettings settings(1e-6);
+  return DenseRow::suits(pulse, PulseBody(pulse, test_interval_s, settings.edge_samples, settings.beta));
+}
+
+// The row as one of very many echoes, of which these come first.
+ComplexRow dense_row(const EchoPulse& pulse, const SampleGrid& grid, const std::vector<EchoBatch>& parts,
+                     double tolerance = 1e-6) {
+  SpectralKernel kernel(pulse, grid, tolerance);
+  kernel.begin(carrier_hz, very_many);
+  for (const EchoBatch& part : parts) kernel.take(part);
+  ComplexRow row(grid.count);
+  kernel.finish(row);
+  return row;
+}
+
+void expect_reference(const EchoPulse& pulse, const SampleGrid& grid, const EchoBatch& echoes) {
+  const ComplexRow expected = reference_row(pulse, grid, carrier_hz, echoes);
+  const double strength = strength_of(pulse, grid, echoes);
+  for (const double tolerance : {1e-3, 1e-5, 1e-6})
+    EXPECT_LT(relative_error(dense_row(pulse, grid, {echoes}, tolerance), expected, strength), tolerance)
+        << pulse.pulse.width_s / test_interval_s << " samples";
+}
+
+TEST(DenseRow, IsForPulsesThatGoOnSmoothlyBeyondTheirEnds) {
+  EXPECT_TRUE(suits(test_pulse(Pulse::Kind::chirp, 100.0, 0.8)));
+  EXPECT_TRUE(suits(test_pulse(Pulse::Kind::mono, 100.0)));
+  EXPECT_FALSE(suits(band_limited_test_pulse(60.0, 0.9)));
+  EXPECT_FALSE(suits(test_pulse(Pulse::Kind::chirp, 10.0, 0.8)));  // no body
+  EXPECT_FALSE(suits(test_pulse(Pulse::Kind::code, 325.0)));
+  EchoPulse ramps = test_pulse(Pulse::Kind::chirp, 190.0, 0.7);
+  ramps.pulse.envelope = Pulse::Envelope::linear;
+  ramps.pulse.rise_s = ramps.pulse.fall_s = 40.0 * test_interval_s;
+  EXPECT_FALSE(suits(ramps));
+}
+
+TEST(DenseRow, IsWorthItsTransformsFromSomeEchoesASampleOn) {
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.0, 0.8);
+  const Parts parts{&chirp, test_grid(300)};
+  const std::size_t at_rest = DenseRow::transforms_about(parts.body, 1);
+  const std::size_t in_flight = DenseRow::transforms_about(parts.body, 2);
+  EXPECT_EQ(at_rest, 16u);
+  EXPECT_GT(in_flight, 2 * at_rest);
+  EXPECT_FALSE(DenseRow::is_worth(5'000.0, at_rest, 1'000));
+  EXPECT_TRUE(DenseRow::is_worth(15'000.0, at_rest, 1'000));
+  EXPECT_FALSE(DenseRow::is_worth(15'000.0, in_flight, 1'000));
+  EXPECT_TRUE(DenseRow::is_worth(40'000.0, in_flight, 1'000));
+}
+
+// Bins of the whole interval between samples are not enough for most pulses, and two pieces of it are.
+TEST(DenseRow, FindsBinsThatKeepTheShare) {
+  for (const double width : {100.0, 100.4, 100.02, 99.97}) {
+    const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, width, 0.8);
+    Parts parts{&chirp, test_grid(300)};
+    EXPECT_TRUE(parts.row.prepare({carrier_hz, {}, 0.0, 1})) << width;
+    const double half = 1e-4 * cycle_doppler(width);
+    EXPECT_TRUE(parts.row.prepare({carrier_hz, {3.0 * half, half}, 0.0, 2})) << width;
+  }
+}
+
+TEST(DenseRow, IsThatOfTheReferenceForAnyWidth) {
+  const SampleGrid grid = test_grid(300);
+  for (const double width : {100.0, 100.4, 100.02, 99.97, 100.5})
+    for (const double speed_mps : {0.0, 5.0, 300.0})
+      for (const auto kind : {Pulse::Kind::chirp, Pulse::Kind::mono})
+        expect_reference(test_pulse(kind, width, kind == Pulse::Kind::chirp ? -0.9 : 0.0), grid,
+                         random_echoes(300, grid, 120.0, speed_mps));
+}
+
+TEST(DenseRow, IsThatOfTheReferenceByTheRuleOfTheThesis) {
+  const SampleGrid grid = test_grid(300);
+  EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  chirp.doppler_rule = DopplerRule::thesis;
+  for (const double speed_mps : {0.0, 5.0, 300.0})
+    expect_reference(chirp, grid, random_echoes(300, grid, 120.0, speed_mps));
+}
+
+TEST(DenseRow, IsTheSameAtEverySimdLevel) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  for (const double speed_mps : {0.0, 5.0}) {
+    const EchoBatch echoes = random_echoes(301, grid, 120.0, speed_mps);
+    const ComplexRow expected = reference_row(chirp, grid, carrier_hz, echoes);
+    const double strength = strength_of(chirp, grid, echoes);
+    at_every_simd_level([&] { EXPECT_LT(relative_error(dense_row(chirp, grid, {echoes}), expected, strength), 5e-7); });
+  }
+}
+
+// A wrong decision would be an error of a whole sample.
+TEST(DenseRow, DecidesEndsExactlyOnSamplesLikeTheReference) {
+  const SampleGrid grid = test_grid(300);
+  for (const double width : {100.0, 100.3})
+    for (const double speed_mps : {0.0, -3000.0, 3000.0}) {
+      EchoBatch echoes;
+      for (const double off : {0.0, -0.9e-9, 0.9e-9, 1e-12, -3e-4, 3e-4, -1e-3, 1e-3, 0.2997, 0.3003})
+        for (const double share : {1.0, 0.9, 0.3})
+          echoes.add(grid.first_s + (50.0 + off) * grid.interval_s, 1.0,
+                     2.0 * share * speed_mps / core::exact_light_speed_mps);
+      expect_reference(test_pulse(Pulse::Kind::chirp, width, 0.8), grid, echoes);
+    }
+}
+
+// Of a pulse of whole samples motion moves either end over a sample, one way or the other.
+TEST(DenseRow, DecidesEndsThatMotionMovesOverASample) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.0, 0.8);
+  const double largest = 2e-7;
+  const double ends_move = 50.0 * largest;  // samples
+  EchoBatch echoes;
+  for (const double where : {-0.9, -0.6, -0.2, 0.2, 0.6, 0.9})
+    for (const double share : {-1.0, -0.7, 0.0, 0.7, 1.0})
+      echoes.add(grid.first_s + (50.0 + where * ends_move) * grid.interval_s, 1.0, share * largest);
+  Parts parts{&chirp, grid};
+  ASSERT_TRUE(parts.row.prepare({carrier_hz, span_covering(-largest, largest), 0.0, 2}));
+  expect_reference(chirp, grid, echoes);
+}
+
+TEST(DenseRow, TakesPartsOfAnyMotion) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  EchoBatch all;
+  std::vector<EchoBatch> parts;
+  unsigned seed = 1;
+  for (const double speed_mps : {0.0, 1.0, 20.0, 0.5}) {
+    parts.push_back(random_echoes(200, grid, 120.0, speed_mps, seed++));
+    const EchoBatch& part = parts.back();
+    for (std::size_t k = 0; k < part.size(); ++k) all.add(part.delay_s[k], part.amplitude_sqrt_w[k], part.doppler[k]);
+  }
+  const ComplexRow expected = reference_row(chirp, grid, carrier_hz, all);
+  EXPECT_LT(relative_error(dense_row(chirp, grid, parts), expected, strength_of(chirp, grid, all)), 1e-6);
+}
+
+// What a kernel did before leaves no trace, whatever bins it keeps.
+TEST(DenseRow, DoesNotDependOnRowsBefore) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  const EchoBatch echoes = random_echoes(200, grid, 120.0, 5.0);
+  const ComplexRow expected = dense_row(chirp, grid, {echoes});
+  SpectralKernel used(chirp, grid, 1e-6);
+  for (const double speed_mps : {0.0, 7.0, 1000.0}) {
+    used.begin(carrier_hz, very_many);
+    used.take(random_echoes(100, grid, 120.0, speed_mps, 9));
+  }
+  used.begin(carrier_hz, very_many);
+  used.take(echoes);
+  ComplexRow row(grid.count);
+  used.finish(row);
+  EXPECT_EQ(row, expected);
+}
+
+TEST(DenseRow, PassesAFilterLikeTheRow) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.0, 0.8);
+  const std::vector<std::complex<double>> taps{{1.0, 0.5}, {-0.3, 0.2}, {0.1, -0.4}};
+  std::vector<std::size_t> index;
+  for (std::size_t i = 0; i + taps.size() <= grid.count; i += 2) index.push_back(i);
+  const EchoBatch echoes = random_echoes(300, grid, 120.0, 0.0);
+  const ComplexRow row = reference_row(chirp, grid, carrier_hz, echoes);
+  ComplexRow expected;
+  for (const std::size_t i : index) {
+    std::complex<double> sum;
+    for (std::size_t k = 0; k < taps.size(); ++k) sum += taps[k] * row[i + k];
+    expected.push_back(sum);
+  }
+  SpectralKernel kernel(chirp, grid, 1e-6, {taps, index});
+  kernel.begin(carrier_hz, very_many);
+  kernel.take(echoes);
+  ComplexRow out(index.size());
+  kernel.finish_filtered(out);
+  EXPECT_LT(relative_error(out, expected, strength_of(chirp, grid, echoes)), 2e-6);
+}
+
+}  // namespace dense_row_test
+}  // namespace sarsim::radar
