@@ -26,7 +26,7 @@ namespace sarsim::cli {
 
 namespace {
 
-constexpr std::size_t most_listed = 20;
+constexpr std::size_t most_names_listed = 20;
 constexpr std::size_t most_looked_at = 1000;  // targets whose passage through the beam is looked at
 
 std::string between(double low, double high, std::string_view unit) {
@@ -207,8 +207,8 @@ class SceneInfo {
     json_.key(kind).begin_array();
     for (std::size_t i = 0; i < names.size(); ++i) {
       json_.value(names[i]);
-      if (i < most_listed || arguments_.all) list += (i == 0 ? "" : ", ") + names[i];
-      if (i == most_listed && !arguments_.all) list += ", ...";
+      if (i < most_names_listed || arguments_.all) list += (i == 0 ? "" : ", ") + names[i];
+      if (i == most_names_listed && !arguments_.all) list += ", ...";
     }
     json_.end_array();
     if (!names.empty()) text_ += fmt::format("  {:<24} {} ({})\n", kind, names.size(), list);
@@ -269,7 +269,7 @@ class SceneInfo {
     // Of large clouds only some points were looked at, and nobody could tell which.
     const bool whole = survey.targets.size() == plan.scene->scatterers.size();
     const std::size_t listed = whole ? survey.targets.size() : plan.scene->scatterers.targets();
-    const std::size_t count = arguments_.all ? listed : std::min(listed, most_listed);
+    const std::size_t count = arguments_.all ? listed : std::min(listed, most_names_listed);
     if (count > 0)
       text_ += survey.all_pulses ? "  targets\n"
                                  : fmt::format("  targets (estimated from {} of {} pulses)\n", survey.pulses_sampled,

@@ -8,7 +8,7 @@
 #include "picture/scene/drawing.hpp"
 
 namespace sarsim::picture {
-namespace {
+namespace globe_test {
 
 const radar::EarthFrame earth({{0.5, -1.2, 0.0}, 0.0});
 
@@ -113,5 +113,5 @@ TEST(Globe, SaysDegreesWithTheirSides) {
   EXPECT_TRUE(words.contains("80° W"));
 }
 
-}  // namespace
+}  // namespace globe_test
 }  // namespace sarsim::picture

@@ -193,7 +193,7 @@ class TablePage {
   std::string text_;
 };
 
-std::string general_words() {
+std::string general_section() {
   std::string text = "| Word | Takes | Meaning | 1998 |\n|---|---|---|---|\n";
   for (const char* const word : {"format", "include", "let"}) {
     const Explanation explanation = explain(word);
@@ -206,7 +206,7 @@ std::string general_words() {
 }  // namespace
 
 std::string reference() {
-  std::string text = general_words();
+  std::string text = general_section();
   for (const PlainTable& table : plain_tables()) text += "\n" + TablePage(table).text();
   return text;
 }

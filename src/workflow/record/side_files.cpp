@@ -28,11 +28,11 @@ core::Problem problem_of_file(const fs::path& file, std::string message, std::st
 
 // Whose whole first line is that of a journal, with its checksum.
 bool is_journal(const fs::path& file) {
-  const std::string first_line = core::sealed_line(raster::journal_signature);
-  std::string begin(first_line.size(), '\0');
+  const std::string signature = core::sealed_line(raster::journal_signature);
+  std::string begin(signature.size(), '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return stream && begin == first_line;
+  return stream && begin == signature;
 }
 
 core::Problems problems_of_receipt(const fs::path& receipt) {
