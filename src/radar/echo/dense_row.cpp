@@ -12,7 +12,8 @@ namespace sarsim::radar {
 namespace {
 
 constexpr std::size_t powers = Moments::powers;
-constexpr std::size_t kept_bytes = 32'000'000;  // of factors, per thread
+constexpr std::size_t kept_bytes = 16'000'000;  // of factors, per thread
+constexpr std::size_t most_points = 32'768;     // of a transform: sums and factors of more would take much memory
 constexpr double shortest_run = 0.05;           // samples of phi that polynomials are fitted over
 constexpr double most_pieces = 6.0;             // of a sample
 // Echoes that take as long one by one as a point of one more transform and what is done to it.
@@ -89,7 +90,8 @@ std::size_t DenseRow::transforms_about(const PulseBody& body, std::size_t dopple
 }
 
 bool DenseRow::is_worth(double echoes, std::size_t transforms, std::size_t points) {
-  return echoes > echoes_of_a_point * static_cast<double>(transforms) * static_cast<double>(points);
+  return points <= most_points &&
+         echoes > echoes_of_a_point * static_cast<double>(transforms) * static_cast<double>(points);
 }
 
 DenseRow::DenseRow(const PulseBody& body, const SampleGrid& grid, double share, double room,

@@ -69,6 +69,7 @@ TEST(DenseRow, IsWorthItsTransformsFromSomeEchoesASampleOn) {
   EXPECT_TRUE(DenseRow::is_worth(15'000.0, at_rest, 1'000));
   EXPECT_FALSE(DenseRow::is_worth(15'000.0, in_flight, 1'000));
   EXPECT_TRUE(DenseRow::is_worth(40'000.0, in_flight, 1'000));
+  EXPECT_FALSE(DenseRow::is_worth(1e9, at_rest, 40'000));  // for the memory of the sums
 }
 
 // Bins of the whole interval between samples are not enough for most pulses, and two pieces of it are.

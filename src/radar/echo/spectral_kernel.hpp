@@ -32,15 +32,14 @@ struct RowFilter {
 /// length (docs/theory/spectral-kernel.md). The same definition of a row as `add_echoes`, to the tolerance.
 ///
 /// - Every strength A exp(-j 2 pi f tau) is spread onto a grid of range; one FFT, a multiplication with the spectrum of
-/// the
-///   pulse's body over that of the spreading kernel, folding into the sampled band, one inverse FFT.
+///   the pulse's body over that of the spreading kernel, folding into the sampled band, one inverse FFT.
 /// - Body: the pulse times a step that rises from 0 over the K samples next to each hard edge (end, chip border, kink),
-/// the
-///   integral of a Kaiser window; its spectrum is negligible beyond the pulse's band plus a margin. What it leaves out
-///   at the edges is added directly, as polynomials in the fraction of a sample.
+///   the integral of a Kaiser window; its spectrum is negligible beyond the pulse's band plus a margin. What it leaves
+///   out at the edges is added directly, as polynomials in the fraction of a sample.
 /// - What motion does to an echo, by D and a, is interpolated between a few Chebyshev nodes, each with a spectrum of
-/// its
-///   own; edges take the exact factor.
+///   its own; edges take the exact factor.
+/// - Where many echoes fall on each sample, in single precision, chirps and tones of constant amplitude are summed in
+///   bins of range instead (`DenseRow`).
 ///
 /// Relative error per pulse, ||s - s_ref|| / sqrt(sum |a|^2 ||p||^2), below the tolerance: single precision from 1e-6
 /// upwards, double below, down to 1e-9. One object per thread: it keeps scratch space and the spectra of recent Doppler
