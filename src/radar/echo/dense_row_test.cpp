@@ -155,6 +155,25 @@ TEST(DenseRow, TakesPartsOfAnyMotion) {
   EXPECT_LT(relative_error(dense_row(chirp, grid, parts), expected, strength_of(chirp, grid, all)), 1e-6);
 }
 
+// Echoes at rest stand by the middle of the span that those before them need, too.
+TEST(DenseRow, TakesAPartAtRestBehindOneThatMoves) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.9);
+  std::vector<EchoBatch> parts(2);
+  EchoBatch all;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> position(-100.0, 300.0), share(0.8, 1.0);
+  for (std::size_t part = 0; part < 2; ++part)
+    for (int k = 0; k < 200; ++k) {
+      const double delay_s = grid.first_s + position(random) * grid.interval_s;
+      const double doppler = part == 0 ? share(random) * 8e-10 : 0.0;
+      parts[part].add(delay_s, 1.0, doppler);
+      all.add(delay_s, 1.0, doppler);
+    }
+  const ComplexRow expected = reference_row(chirp, grid, carrier_hz, all);
+  EXPECT_LT(relative_error(dense_row(chirp, grid, parts), expected, strength_of(chirp, grid, all)), 3e-7);
+}
+
 // What a kernel did before leaves no trace, whatever bins it keeps.
 TEST(DenseRow, DoesNotDependOnRowsBefore) {
   const SampleGrid grid = test_grid(300);

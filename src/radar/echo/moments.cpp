@@ -90,7 +90,7 @@ class Placer {
     auto ends = hn::Add(x, hn::Set(d, bins_.end_hard));
     if constexpr (Moves) {
       const auto speed = hn::LoadU(d, doppler);
-      const auto late = hn::MulAdd(speed, speed, speed);  // D/(1 - D)
+      const auto late = hn::MulAdd(speed, hn::MulAdd(speed, speed, speed), speed);  // D/(1 - D) but for D^4
       const auto apart = hn::Sub(speed, hn::Set(d, bins_.middle));
       stands = hn::MulAdd(apart, hn::Set(d, bins_.shift), stands);
       begins = hn::MulAdd(late, hn::Set(d, bins_.begin_late), begins);
@@ -191,8 +191,10 @@ void add_all(const RangeBins& bins, const Strengths<float>& echoes, Moments& out
 }
 
 void add_moments_on_target(const RangeBins& bins, const Strengths<float>& echoes, std::size_t terms, Moments& out) {
+  // Even where all of these echoes are at rest, they may stand apart from the middle of D.
+  const bool moves = bins.shift != 0.0 || bins.begin_late != 0.0 || bins.end_late != 0.0;
   if (terms == 2) return add_all<true, 2>(bins, echoes, out);
-  if (echoes.motion.moving()) return add_all<true, 1>(bins, echoes, out);
+  if (moves) return add_all<true, 1>(bins, echoes, out);
   add_all<false, 1>(bins, echoes, out);
 }
 
