@@ -57,7 +57,7 @@ class SpectralKernel {
   void add(std::span<std::complex<double>> row, double carrier_hz, const EchoBatch& echoes);
 
   /// The same for the echoes of a pulse that come in parts: begins a pulse and forgets what was taken of another.
-  /// @param expected  about how many echoes will be taken: decides whether they are summed bin by bin
+  /// @param expected  about how many echoes of like motion will be taken: decides whether they are summed in bins
   void begin(double carrier_hz, std::size_t expected = 0);
   /// Takes some of the pulse's echoes.
   void take(const EchoBatch& echoes);

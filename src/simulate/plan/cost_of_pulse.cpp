@@ -7,6 +7,7 @@
 #include "radar/echo/dense_row.hpp"
 #include "radar/echo/shape_table.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/point_groups.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
@@ -110,7 +111,10 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
                      edge_sample_ns * static_cast<double>(estimate.cost.edge_samples)) +
                 precision * point_ns * terms * points;
   const std::size_t transforms = estimate.cost.bin_transforms;
-  if (transforms > 0 && radar::DenseRow::is_worth(echoes_, transforms, estimate.cost.bin_points))
+  // As RowMaker does: in flight each part of the points has to be worth its bins.
+  const bool moves = doppler.lowest != 0.0 || doppler.highest != 0.0;
+  const double alike = moves ? std::min(echoes_, static_cast<double>(points_at_once)) : echoes_;
+  if (transforms > 0 && radar::DenseRow::is_worth(alike, transforms, estimate.cost.bin_points))
     estimate.ns = echoes_ * (spread_ns + doppler_term_ns * (terms - 1.0)) +
                   bin_point_ns * static_cast<double>(transforms * estimate.cost.bin_points);
   return estimate;

@@ -95,22 +95,29 @@ void RowMaker::keep_heard(std::optional<double> since_s) {
 bool RowMaker::take_in_parts(std::optional<double> since_s) {
   const PointGroups& points = *plan_->points;
   bool any = false;
-  spectral_->begin(geometry_.carrier_hz(), points.count);
   for (std::size_t from = 0; from < points.count; from += points_at_once) {
     const radar::PointSpan run{from, std::min(from + points_at_once, points.count)};
     if (!certain_echoes(points, geometry_, run, echoes_)) {
       // Where in doubt the plain geometry decides, and says what is wrong with which target.
       geometry_.echoes(echoes_);
       keep_heard(since_s);
-      spectral_->begin(geometry_.carrier_hz(), points.count);
+      spectral_->begin(geometry_.carrier_hz());
       spectral_->take(echoes_);
       return echoes_.size() > 0;
     }
     keep_heard(since_s);
+    if (from == 0) spectral_->begin(geometry_.carrier_hz(), alike(points.count));
     spectral_->take(echoes_);
     any = any || echoes_.size() > 0;
   }
   return any;
+}
+
+// Of so many points, how many have echoes that move alike: all where those of the first part are at rest, else no more
+// than one part, as points in the order of azimuth have another Doppler in each.
+std::size_t RowMaker::alike(std::size_t points) const {
+  const bool moves = std::ranges::any_of(echoes_.doppler, [](double doppler) { return doppler != 0.0; });
+  return moves ? std::min(points, points_at_once) : points;
 }
 
 // Adds these echoes to a row. Returns the samples outside of which it is as it was.
