@@ -8,6 +8,7 @@ The first is a machine that was lost: its part is made by the other worker from 
 that goes on, but for Ray: whoever is given its part finds it taken (exit status 75) and waits. Skipped (77) where no Python has the engine.
 """
 
+import fcntl
 import os
 import pathlib
 import signal
@@ -31,17 +32,41 @@ def wait_for(file, words):
 
 
 def stop_part_at_work(folder, output, lost):
-    """Stops a process that makes another part than the lost one; one that ends before it stands still does not count."""
+    """Stops a process that makes another part than the lost one and does not hold the lock of the folder.
+
+    One that ends before it stands still does not count.
+    """
     known = [lost]
     while True:
         pid, parent, part = part_at_work(folder, output, known)
-        try:
-            os.kill(pid, signal.SIGSTOP)
-        except ProcessLookupError:
-            pass
-        if stands_still(pid):
+        if not signalled(pid, signal.SIGSTOP) or not stands_still(pid):
+            known.append(part)
+        elif is_open(folder / output / "sim.bin.parts"):
             return pid, parent, part
-        known.append(part)
+        else:
+            signalled(pid, signal.SIGCONT)
+            time.sleep(0.01)
+
+
+def signalled(pid, number):
+    try:
+        os.kill(pid, number)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def is_open(parts):
+    """Whether a process may enter the folder: nobody who stands still holds its lock."""
+    end = time.monotonic() + 1
+    with open(parts / "lock", "r+") as lock:
+        while time.monotonic() < end:
+            try:
+                fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                return True
+            except BlockingIOError:
+                time.sleep(0.01)
+    return False
 
 
 def stands_still(pid):

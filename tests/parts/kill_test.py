@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import random
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -20,6 +21,7 @@ import time
 from parts_support import FILES, claims, expect, expect_done, expect_same, program, run, write_scene
 
 PARTS = 8
+ROUNDS = 5
 
 
 class Worker:
@@ -48,6 +50,8 @@ class Worker:
         if self.process.returncode != -signal.SIGKILL:
             return False
         now = claims(self.journal)
+        if self.before and not self.journal.exists():  # The file was complete: only what made it up was being removed.
+            now = self.before
         expect(now[: len(self.before)] == self.before, f"part {self.number}: the journal was not only added to")
         rows = sorted(now)
         for (first, count), (following, _) in zip(rows, rows[1:]):
@@ -70,6 +74,15 @@ class Worker:
         return part
 
 
+def kill_at_random(workers, kills, chance):
+    """How many of the kills found somebody at work."""
+    done = 0
+    while done < kills and (busy := [w for w in workers if w.busy()]):
+        time.sleep(chance.uniform(0.02, 0.12))
+        done += chance.choice(busy).kill()
+    return done
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--kills", type=int, default=30)
@@ -85,21 +98,20 @@ def main():
         expect_done(run([program(), "run", "scene.scr", "--out", "whole", "--format", arguments.format], cwd=folder))
         # On one core the work lasts as long on any machine, and there is somebody to be killed to the end.
         os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})
-        workers = [Worker(k, folder, arguments.format) for k in range(1, PARTS + 1)]
-        kills = 0
-        while kills < arguments.kills:
-            time.sleep(chance.uniform(0.02, 0.12))
-            busy = [w for w in workers if w.busy()]
-            if not busy:
+        kills, known = 0, 0
+        for _ in range(ROUNDS):  # Where much else is done, this script sleeps longer than it asked for, and a run ends early.
+            workers = [Worker(k, folder, arguments.format) for k in range(1, PARTS + 1)]
+            kills += kill_at_random(workers, arguments.kills - kills, chance)
+            known += sum(count for w in workers for _, count in w.before)
+            parts = [w.finish() for w in workers]
+            expect(any(part["complete"] for part in parts), "no part has completed the file")
+            file = FILES[arguments.format]
+            expect_same(folder / "whole" / file, folder / "out" / file)
+            if kills == arguments.kills:
                 break
-            kills += chance.choice(busy).kill()
-        known = sum(count for w in workers for _, count in w.before)
-        parts = [w.finish() for w in workers]
-        expect(any(part["complete"] for part in parts), "no part has completed the file")
-        file = FILES[arguments.format]
-        expect_same(folder / "whole" / file, folder / "out" / file)
-        expect(kills == arguments.kills, f"only {kills} kills found somebody at work: the scene is too small")
-        print(f"{kills} kills, {known} of {arguments.pulses} rows were known from journals, same bytes")
+            shutil.rmtree(folder / "out")
+        expect(kills == arguments.kills, f"only {kills} kills found somebody at work in {ROUNDS} runs")
+        print(f"{kills} kills, {known} rows were known from journals, same bytes")
 
 
 if __name__ == "__main__":
