@@ -66,7 +66,7 @@ MAPS = "sarsim doppler examples/mti.toml --interval 256 --out mti.img --quiet"
 PROFILES = "sarsim profiles examples/stepped_aircraft.toml --velocity estimated --group scans --out aircraft.img --quiet"
 STRIP = "examples/stripmap_motion.toml"
 FOCUS_MOTION = f"sarsim focus {STRIP} --out motion.img --quiet"
-STRIP_VIEW = "--show db --span 40 --peak --azimuth -250 280 --range 8420 8670 --colours ember --size 480 440"
+STRIP_VIEW = "--show db --span 40 --azimuth -250 280 --range 8420 8670 --colours ember --size 480 440"
 SPOT = "examples/spotlight.toml"
 FOCUS_SPOT = f"sarsim focus {SPOT} --out spotlight.img --quiet"
 FOCUS_STRIP = f"sarsim focus {SPOT} --simulation 2 --out strip.img --quiet"
@@ -87,7 +87,7 @@ def after_gusts(measure):
     return after(RUN_GUSTS, after(BELIEF, measure))
 
 
-GUSTS_VIEW = "--show db --span 40 --peak --azimuth -40 90 --range 2990 3060 --colours ember --size 480 440"
+GUSTS_VIEW = "--show db --span 40 --azimuth -40 90 --range 2990 3060 --colours ember --size 480 440"
 WAVES_IMAGE = "sarsim isar examples/ship_in_waves.toml --out waves.img --quiet"
 ROTOR = "examples/helicopter.toml"
 FLASHES = f"{ROTOR} --kind range --at-range 3000 --show magnitude"
@@ -180,7 +180,7 @@ FIGURES = [
         "The letter R, focused",
         [
             f"sarsim focus {SAR} --out sar_r.img --quiet",
-            "sarsim plot sar_r.img --show db --span 40 --peak --range 10090 10310 --azimuth -210 210 --colours ember"
+            "sarsim plot sar_r.img --show db --span 40 --range 10090 10310 --azimuth -210 210 --colours ember"
             " --size 560 860 -o figure_7_2.png",
         ],
         "Figure 7.2 is the arrangement of the 24 points; 7.4 the image that the thesis made of it by chirp scaling. This one"
@@ -504,7 +504,7 @@ FIGURES = [
         "Beyond the thesis: spotlight",
         [
             FOCUS_SPOT,
-            "sarsim plot spotlight.img --show db --span 40 --peak --azimuth -26 26 --range 7974 8026 --colours ember"
+            "sarsim plot spotlight.img --show db --span 40 --azimuth -26 26 --range 7974 8026 --colours ember"
             " --size 520 560 -o spotlight.png",
             f"sarsim plot spotlight.img {PAIR} --show db --span 40 --mark-peaks 2 --size 800 320 -o spotlight_pair.png",
             FOCUS_STRIP,
@@ -598,7 +598,7 @@ FIGURES = [
         "Beyond the thesis: three reflectors from an orbit",
         [
             FOCUS_ORBIT,
-            "sarsim plot satellite.img --show db --span 40 --peak --azimuth -140 90 --range 826580 827000 --colours ember"
+            "sarsim plot satellite.img --show db --span 40 --azimuth -140 90 --range 826580 827000 --colours ember"
             " --size 640 560 -o satellite.png",
         ],
         "Sentinel-1 looks at three corner reflectors, given by latitude, longitude and height, from 827 km. The orbit comes from"

@@ -378,6 +378,15 @@ TEST_F(PlotTable, OfAFocusedImageHasAzimuthAndRange) {
   EXPECT_NEAR(five.back()[0] - five.front()[0], 4.0 * (coarse[1][0] - coarse[0][0]), 1e-6);
 }
 
+TEST_F(Plot, OfAFocusedImageShowsTheLargestSampleOfEachPixel) {
+  ASSERT_EQ(sarsim({"focus", SARSIM_SOURCE_DIR "/examples/sar_r.scr", "--out", "r.img", "--quiet"}).status, 0);
+  for (const auto& [option, picture] : {std::pair{"--peak", "asked.png"}, std::pair{"--dark", "dark.png"}})
+    ASSERT_EQ(sarsim({"plot", "r.img", "--show", "db", option, "-o", picture}).status, 0);
+  ASSERT_EQ(sarsim({"plot", "r.img", "--show", "db", "-o", "usual.png"}).status, 0);
+  EXPECT_EQ(text_of(folder_ / "usual.png"), text_of(folder_ / "asked.png"));
+  EXPECT_NE(text_of(folder_ / "usual.png"), text_of(folder_ / "dark.png"));
+}
+
 TEST_F(PlotTable, OfAFunctionFindsItByTheBeginningOfItsName) {
   const std::string scene = SARSIM_SOURCE_DIR "/examples/thesis_figure_4_12.scr";
   ASSERT_EQ(

@@ -307,6 +307,35 @@ class FigurePlotTest : public QObject {
     }
   }
 
+  // Whatever the size of the plot, and however it came to it.
+  void no_point_of_one_cell_is_lost_where_there_are_more_cells_than_pixels() {
+    constexpr std::size_t side = 1200;
+    constexpr std::size_t points = 12;
+    picture::Figure figure = map_of_four_cells();
+    picture::FigurePanel& panel = figure.panels[0];
+    panel.image = picture::FigureImage{side, side, -900.0, 900.0, -700.0, 700.0, {}};
+    panel.colour_bar = picture::FigureColourBar{"Magnitude", "V", 0.0, 1e-9, {{0, 0, 255}, {255, 0, 0}}};
+    gui::FigurePlot plot;
+    plot.show();
+    for (int step = 0; step < 25; ++step) {
+      panel.image->cells.assign(side * side, {0, 0, 255});
+      for (std::size_t k = 0; k < points; ++k)
+        panel.image->cells[(100 * k + 3 * static_cast<std::size_t>(step)) * side + 50 * k + 7] = {255, 0, 0};
+      plot.set_figure(figure);
+      plot.resize(420 + 13 * step, 380 + 7 * step);
+      const QImage drawn = plot.grab().toImage();
+      std::size_t seen = 0;
+      bool above = false;
+      for (int y = 0; y < drawn.height(); ++y) {
+        bool here = false;
+        for (int x = 0; x < drawn.width() * 3 / 4; ++x) here = here || drawn.pixelColor(x, y) == QColor(255, 0, 0);
+        if (here && !above) ++seen;
+        above = here;
+      }
+      QCOMPARE(seen, points);
+    }
+  }
+
   void long_strips_fill_the_picture_all_the_same() {
     picture::Figure figure = four_cells();
     picture::FigurePanel& panel = figure.panels[0];

@@ -359,7 +359,7 @@ void add_look(CLI::App& app, PlotArguments& a) {
   add_choice<picture::ColourMap>(app, "--colours", a.map, maps,
                                  "map of colours (default: one that suits what is shown)");
   app.add_flag("--invert", a.inverted, "colours in the opposite order");
-  app.add_flag("--peak", a.peak, "the largest sample of each pixel instead of one of them");
+  app.add_flag("--peak", a.peak, "the largest sample of each pixel instead of one of them (of focused images always)");
   add_real(app, "--span", a.span_db, "DB", "decibels from the strongest to the weakest that is seen (default: 60)",
            is_positive, "a number above 0");
   add_real(
@@ -437,7 +437,7 @@ Action add_plot(CLI::App& app) {
             {"sarsim plot sar_r.toml --radar Radar1 --data compressed --show db -o a.svg", "any window, in decibels"},
             {"sarsim plot scene.toml --kind pulse --show magnitude -o pulse.pdf", "magnitude against slant range"},
             {"sarsim plot recording.h5 --kind doppler --at-range 3000 -o b.png", "the range-Doppler map of a file"},
-            {"sarsim plot sar_r.img --show db --peak -o image.png", "a focused image, every point of it seen"},
+            {"sarsim plot sar_r.img --show db -o image.png", "a focused image, every point of it seen"},
             {"sarsim plot sar_r.toml --kind pulse --data compressed --show db --vary Radar1.window=rectangular,hamming "
              "-o c.png",
              "two curves in one picture"},

@@ -110,6 +110,7 @@ Plotted picture_of(const PlotArguments& a, const workflow::PlacedImage& input, c
   wanted.draw_as = look.draw_as;
   wanted.pixel_rule = look.pixel_rule;
   if (input.focused) {
+    wanted.pixel_rule = picture::PixelRule::peak;  // Points may be one sample wide.
     wanted.unit = "V";
     wanted.row_places = input.focused->azimuth;
     wanted.column_places = input.focused->range;

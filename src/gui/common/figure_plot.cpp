@@ -62,18 +62,6 @@ QString axis_title(const std::string& label, const std::string& unit, double fir
   return shown.empty() ? name : name + QStringLiteral(" (%1)").arg(QString::fromStdString(shown));
 }
 
-QImage picture_of(const picture::FigureImage& image) {
-  QImage picture(static_cast<int>(image.width), static_cast<int>(image.height), QImage::Format_RGB32);
-  for (std::size_t row = 0; row < image.height; ++row) {
-    auto* const line = reinterpret_cast<QRgb*>(picture.scanLine(static_cast<int>(row)));
-    for (std::size_t column = 0; column < image.width; ++column) {
-      const raster::Rgb& cell = image.cells[row * image.width + column];
-      line[column] = qRgb(cell.red, cell.green, cell.blue);
-    }
-  }
-  return picture;
-}
-
 QVector<double> numbers(const std::vector<double>& list) { return {list.begin(), list.end()}; }
 
 }  // namespace
@@ -107,7 +95,7 @@ void FigurePlot::set_figure(const picture::Figure& figure) {
   if (has_frame_of(figure)) {
     figure_ = figure;
     for (std::size_t i = 0; i < images_.size(); ++i)
-      images_[i]->setPixmap(QPixmap::fromImage(picture_of(*figure_.panels[i].image)));
+      images_[i]->show(*figure_.panels[i].image, figure_.panels[i].colour_bar);
     replot(rpQueuedReplot);
     return;
   }
@@ -165,7 +153,8 @@ void FigurePlot::add_panel(int row, const picture::FigurePanel& panel) {
   if (panel.x.twin) add_twin(rect->axis(QCPAxis::atTop), panel.x, 8.0 * fontMetrics().averageCharWidth() + 24.0);
   if (panel.y.twin) add_twin(rect->axis(QCPAxis::atRight), panel.y, 2.5 * fontMetrics().height());
   if (panel.image && !panel.image->cells.empty()) {
-    add_image(rect, *panel.image);
+    images_.back() = new CellsItem(*rect);
+    images_.back()->show(*panel.image, panel.colour_bar);
     for (QCPAxis* axis : rect->axes()) axis->grid()->setVisible(false);
   }
   for (const picture::FigureCurve& curve : panel.curves) add_curve(rect, curve);
@@ -229,23 +218,6 @@ void FigurePlot::add_twin(QCPAxis* axis, const picture::FigureAxis& described, d
   axis->setTickLabels(true);
   axis->setTicker(QSharedPointer<RoundTicker>::create(axis, twin.unit, spacing_px, twin.factor));
   axis->setLabel(axis_title(twin.label, twin.unit, described.first * twin.factor, described.last * twin.factor));
-}
-
-void FigurePlot::add_image(QCPAxisRect* rect, const picture::FigureImage& image) {
-  auto* const item = new QCPItemPixmap(this);
-  images_.back() = item;
-  item->setPixmap(QPixmap::fromImage(picture_of(image)));
-  // Cells stay cells: no colour that no sample has.
-  item->setScaled(true, Qt::IgnoreAspectRatio, Qt::FastTransformation);
-  item->setClipAxisRect(rect);
-  item->setClipToAxisRect(true);
-  for (QCPItemPosition* corner : {item->topLeft, item->bottomRight}) {
-    corner->setType(QCPItemPosition::ptPlotCoords);
-    corner->setAxisRect(rect);
-    corner->setAxes(rect->axis(QCPAxis::atBottom), rect->axis(QCPAxis::atLeft));
-  }
-  item->topLeft->setCoords(image.x_first, image.y_first);
-  item->bottomRight->setCoords(image.x_last, image.y_last);
 }
 
 void FigurePlot::add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve) {

@@ -7,11 +7,13 @@
 
 #include <vector>
 
+#include "gui/common/cells_item.hpp"
 #include "picture/figure/figure.hpp"
 
 namespace sarsim::gui {
 
 /// Draws a figure: panels one below the other with axes, marks, legend and colour bar, in the colours of the palette.
+/// Of an image with more cells than pixels each pixel shows the strongest of its cells.
 /// Where an image has metres along both axes and one side is at most three times the other, a metre is as long on both.
 class FigurePlot : public QCustomPlot {
   Q_OBJECT
@@ -49,7 +51,6 @@ class FigurePlot : public QCustomPlot {
   void add_panel(int row, const picture::FigurePanel& panel);
   void add_axis(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px);
   void add_twin(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px);
-  void add_image(QCPAxisRect* rect, const picture::FigureImage& image);
   void add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve);
   void add_mark(QCPAxisRect* rect, const picture::FigureMark& mark);
   void add_ring(QCPAxisRect* rect, const picture::FigureMark& mark);
@@ -62,7 +63,7 @@ class FigurePlot : public QCustomPlot {
 
   picture::Figure figure_;
   std::vector<QPointer<QCPAxisRect>> panels_;
-  std::vector<QCPItemPixmap*> images_;  // one for each panel; null where it has none
+  std::vector<CellsItem*> images_;  // one for each panel; null where it has none
 };
 
 /// Asks for a name, `suggested` at first, and writes a figure as it would look in a window like `parent`. A failure is

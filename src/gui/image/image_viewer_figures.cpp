@@ -424,9 +424,12 @@ picture::Figure ImageViewer::figure() const {
   panel.image = std::move(image);
   const PartColours& colours = plot_->painted().colours;
   if (colours.table.size() > 1)
-    panel.colour_bar =
-        picture::FigureColourBar{std::string(picture::axis_title_of(colours.quantity)), unit().toStdString(),
-                                 colours.limits.low, colours.limits.high, colours.table};
+    panel.colour_bar = picture::FigureColourBar{std::string(picture::axis_title_of(colours.quantity)),
+                                                unit().toStdString(),
+                                                colours.limits.low,
+                                                colours.limits.high,
+                                                colours.table,
+                                                picture::kind_for(colours.quantity)};
   figure.panels.push_back(std::move(panel));
   return figure;
 }

@@ -78,27 +78,6 @@ picture::PlotSize pixels_of(const QWidget& plot) {
   return {pixels(plot.width()), pixels(plot.height())};
 }
 
-// Device pixels that the image of a plot takes; those that there are at most where it has none.
-picture::PlotSize drawn_size(const FigurePlot& plot) {
-  const auto& panels = plot.figure().panels;
-  if (panels.empty() || !panels.front().image) return {most_px, most_px};
-  const picture::FigureImage& image = *panels.front().image;
-  const auto length = [&](QCPAxis::AxisType side, double first, double last) {
-    const QCPAxis* const axis = plot.panel(0)->axis(side);
-    const double pixels = std::abs(axis->coordToPixel(last) - axis->coordToPixel(first)) * plot.devicePixelRatioF();
-    return static_cast<std::size_t>(std::clamp(pixels, 1.0, static_cast<double>(most_px)));
-  };
-  return {length(QCPAxis::atBottom, image.x_first, image.x_last), length(QCPAxis::atLeft, image.y_first, image.y_last)};
-}
-
-// Shows a figure with as many pixels as it takes: of more, drawing would leave some out.
-template <class FigureOf>
-void draw(FigurePlot& plot, const FigureOf& figure_of) {
-  const picture::PlotSize before = drawn_size(plot);
-  plot.set_figure(figure_of(before));
-  if (const picture::PlotSize now = drawn_size(plot); now != before) plot.set_figure(figure_of(now));
-}
-
 }  // namespace
 
 LivePanel::LivePanel(Session& session, ImageViewers& viewers, QWidget* parent)
@@ -419,20 +398,16 @@ void LivePanel::show_image() {
   }
   const float reference_v = how == Compare::off ? image_->largest_v : std::max(image_->largest_v, kept_->largest_v);
   const auto figure_of = [&](const picture::LiveImage& image) {
-    return [&](const picture::PlotSize& size) {
-      picture::LiveImage small = picture::reduced(image, size);
-      // Rings stay until the whole image has new ones.
-      if (small.targets.empty() && &image == image_.get()) small.targets = rings_;
-      return picture::live_figure(small, look(), reference_v);
-    };
+    picture::Figure figure = picture::live_figure(image, look(), reference_v);
+    // Rings stay until the whole image has new ones.
+    if (image.targets.empty() && &image == image_.get()) picture::add_rings(figure, rings_);
+    return figure;
   };
-  if (both) draw(*before_, figure_of(*kept_));
+  if (both) before_->set_figure(figure_of(*kept_));
   if (how == Compare::difference)
-    draw(*plot_, [&](const picture::PlotSize& size) {
-      return picture::difference_figure(picture::reduced(*kept_, size), picture::reduced(*image_, size), look());
-    });
+    plot_->set_figure(picture::difference_figure(*kept_, *image_, look()));
   else
-    draw(*plot_, figure_of(before_is_seen_ ? *kept_ : *image_));
+    plot_->set_figure(figure_of(before_is_seen_ ? *kept_ : *image_));
 }
 
 void LivePanel::show_state() {

@@ -32,6 +32,8 @@ class Canvas {
   [[nodiscard]] cairo_t* cairo() const { return cairo_.get(); }
   [[nodiscard]] double width() const { return style_.width_px; }
   [[nodiscard]] double height() const { return style_.height_px; }
+  /// Dots of a pixel; of pictures that are drawn at any size, the finest that anybody looks at.
+  [[nodiscard]] double dots_per_px() const { return kind_ == PictureKind::png ? style_.scale : finest_dots_per_px; }
   /// Whether whoever shows the picture makes images larger by smoothing them, whatever they are asked.
   [[nodiscard]] bool smooths_images() const { return kind_ == PictureKind::svg; }
 
@@ -49,6 +51,8 @@ class Canvas {
     void operator()(cairo_t* cairo) const { cairo_destroy(cairo); }
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
   };
+
+  static constexpr double finest_dots_per_px = 16.0;
 
   PictureKind kind_;
   PictureStyle style_;

@@ -118,6 +118,31 @@ TEST(DrawPicture, HasTheSizeScaleAndGroundThatAreAsked) {
   EXPECT_EQ(dark.at(0, 0), colour(Role::background, true));
 }
 
+// More cells than dots, of which every hundredth row has a point.
+TEST(DrawPicture, LosesNoPointOfAnImageOfMoreCellsThanDots) {
+  constexpr std::size_t side = 1000;
+  constexpr std::size_t points = 10;
+  Figure figure = four_cells();
+  FigurePanel& panel = figure.panels.front();
+  panel.image = FigureImage{side, side, 0.0, 100.0, 0.0, 50.0, std::vector<raster::Rgb>(side * side, blue)};
+  panel.colour_bar = FigureColourBar{"Level", "dB", -40.0, 0.0, {blue, red}};
+  for (const double scale : {1.0, 1.5, 2.0})
+    for (std::size_t shift = 20; shift < 60; ++shift) {
+      panel.image->cells.assign(side * side, blue);
+      for (std::size_t k = 0; k < points; ++k) panel.image->cells[(k * 100 + shift) * side + k * 50 + 2 * shift] = red;
+      const Dots dots = drawn(figure, {.width_px = 400, .height_px = 300, .scale = scale});
+      std::size_t seen = 0;
+      bool above = false;
+      for (int y = 0; y < dots.height(); ++y) {
+        bool here = false;
+        for (int x = 0; x < dots.width() * 3 / 4; ++x) here = here || dots.at(x, y) == red;
+        if (here && !above) ++seen;
+        above = here;
+      }
+      ASSERT_EQ(seen, points) << scale << " " << shift;
+    }
+}
+
 TEST(DrawPicture, PutsCellsWhereTheirAxesSayInTheirOwnColours) {
   const Dots dots = drawn(four_cells());
   const Dots::Box lower_left = dots.box_of(red), lower_right = dots.box_of(green), upper_left = dots.box_of(blue),

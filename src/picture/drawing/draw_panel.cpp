@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "picture/drawing/thin_curve.hpp"
+#include "picture/figure/fitted_image.hpp"
 
 namespace sarsim::picture {
 
@@ -61,9 +62,15 @@ Surface surface_of(const FigureImage& image, std::size_t across, std::size_t up)
   return surface;
 }
 
-void draw_image(const Canvas& canvas, const FigureImage& image, const PlacedPanel& p) {
-  const double left = p.x.place(image.x_first);
-  const double top = p.y.place(image.y_first);
+void draw_image(const Canvas& canvas, const FigureImage& whole, const std::optional<FigureColourBar>& bar,
+                const PlacedPanel& p) {
+  const double left = p.x.place(whole.x_first);
+  const double top = p.y.place(whole.y_first);
+  const auto at_most = [&](double length_px) {
+    return static_cast<std::size_t>(std::max(1.0, std::floor(std::abs(length_px) * canvas.dots_per_px())));
+  };
+  const FigureImage image =
+      fitted(whole, bar, at_most(p.x.place(whole.x_last) - left), at_most(p.y.place(whole.y_last) - top));
   const double per_column = (p.x.place(image.x_last) - left) / static_cast<double>(image.width);
   const double per_row = (p.y.place(image.y_last) - top) / static_cast<double>(image.height);
   if (per_column == 0.0 || per_row == 0.0) return;
@@ -330,7 +337,7 @@ void draw_legend(const Canvas& canvas, const FigurePanel& panel, const Area& are
 void draw_panel(const Canvas& canvas, const FigurePanel& panel, const PlacedPanel& p) {
   const bool has_image = panel.image && !panel.image->cells.empty();
   if (has_image)
-    draw_image(canvas, *panel.image, p);
+    draw_image(canvas, *panel.image, panel.colour_bar, p);
   else
     draw_grid(canvas, p);
   for (const FigureCurve& curve : panel.curves) draw_curve(canvas, curve, p);

@@ -60,6 +60,7 @@ void add_pixels(FigurePanel& panel, const EchoMatrix& matrix, const EchoColours&
   bar.unit = unit_of(colours.quantity);
   bar.first = colours.limits.low;
   bar.last = colours.limits.high;
+  bar.kind = kind_for(colours.quantity);
   for (const std::uint32_t level : colours.level) bar.colours.push_back(rgb(level));
 }
 

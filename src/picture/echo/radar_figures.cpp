@@ -89,7 +89,8 @@ void add_doppler_map(Figure& figure, const EchoBlock& block, const Cells& map, F
   panel.y = {"Doppler frequency", "Hz", panel.image->y_first, panel.image->y_last, {}};
   panel.y.twin =
       FigureAxis::Twin{"Range rate", "m/s", -radar::range_of_cycle(block.carrier_hz[0], block.light_speed_mps)};
-  panel.colour_bar = FigureColourBar{"Below the largest", "dB", limits.low, limits.high, colours};
+  panel.colour_bar =
+      FigureColourBar{"Below the largest", "dB", limits.low, limits.high, colours, ColourMapKind::sequential};
 }
 
 std::size_t row_sent_nearest(const simulate::Plan& plan, double time_s) {

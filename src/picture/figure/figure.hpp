@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "picture/colour/colour_map.hpp"
 #include "picture/colour/theme.hpp"
 
 namespace sarsim::picture {
@@ -64,6 +65,7 @@ struct FigureColourBar {
   double first = 0.0;
   double last = 1.0;
   std::vector<raster::Rgb> colours;  ///< Evenly spaced from first to last, at least two.
+  ColourMapKind kind = ColourMapKind::sequential;
 
   friend bool operator==(const FigureColourBar&, const FigureColourBar&) = default;
 };

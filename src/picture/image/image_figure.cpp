@@ -127,15 +127,20 @@ std::string largest_text(double largest, const std::string& unit, bool counts) {
 void add_pixels(FigurePanel& panel, const ShownSamples& seen, const Extent& across, const Extent& up,
                 const ImageLook& look, const std::string& volts) {
   const std::vector<raster::Rgb> colours = colour_table(look.map, look.sliders, look.inverted);
-  const bool cyclic = kind_for(look.quantity) == ColourMapKind::cyclic;
+  const ColourMapKind kind = kind_for(look.quantity);
+  const bool cyclic = kind == ColourMapKind::cyclic;
   FigureImage& image = panel.image.emplace();
   image = {across.shown, up.shown, panel.x.first, panel.x.last, panel.y.first, panel.y.last, {}};
   image.cells.reserve(seen.samples.size());
   for (std::size_t i = 0; i < seen.samples.size(); ++i)
     image.cells.push_back(colours[colour_index(seen.value(look, i), seen.limits, colours.size(), cyclic)]);
   const std::string_view unit = unit_of(look.quantity);
-  panel.colour_bar = FigureColourBar{std::string(axis_title_of(look.quantity)), unit == "V" ? volts : std::string(unit),
-                                     seen.limits.low, seen.limits.high, colours};
+  panel.colour_bar = FigureColourBar{std::string(axis_title_of(look.quantity)),
+                                     unit == "V" ? volts : std::string(unit),
+                                     seen.limits.low,
+                                     seen.limits.high,
+                                     colours,
+                                     kind};
 }
 
 // Decibels of the outermost curve may reach beyond half of the distance to the next one.

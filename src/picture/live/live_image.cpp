@@ -50,8 +50,8 @@ FigureAxis figure_axis(const LiveAxis& axis) {
 }
 
 // The axes, and colours of values.
-FigurePanel panel_of(const LiveImage& image, std::span<const float> values, const ColourLimits& limits,
-                     const std::vector<raster::Rgb>& table) {
+FigurePanel panel_of(const LiveImage& image, std::span<const float> values, const ColourLimits& limits, ColourMap map) {
+  const std::vector<raster::Rgb> table = colour_table(map);
   FigurePanel panel;
   panel.x = figure_axis(image.columns);
   panel.y = figure_axis(image.rows);
@@ -67,7 +67,7 @@ FigurePanel panel_of(const LiveImage& image, std::span<const float> values, cons
   for (const float value : values)
     cells.cells.push_back(table[colour_index(static_cast<double>(value), limits, table.size())]);
   panel.image = std::move(cells);
-  panel.colour_bar = FigureColourBar{"", "dB", limits.low, limits.high, table};
+  panel.colour_bar = FigureColourBar{"", "dB", limits.low, limits.high, table, info_of(map).kind};
   return panel;
 }
 
@@ -125,20 +125,6 @@ LiveImage live_image(const core::SampleRows<float>& samples, const raster::Focus
   return image;
 }
 
-LiveImage reduced(const LiveImage& image, const PlotSize& size) {
-  LiveImage small = image;
-  small.rows.count = std::clamp<std::size_t>(size.height_px, 1, std::max<std::size_t>(image.rows.count, 1));
-  small.columns.count = std::clamp<std::size_t>(size.width_px, 1, std::max<std::size_t>(image.columns.count, 1));
-  small.magnitude_v.assign(small.rows.count * small.columns.count, 0.0F);
-  for (std::size_t r = 0; r < image.rows.count; ++r)
-    for (std::size_t k = 0; k < image.columns.count; ++k) {
-      float& pixel = small.magnitude_v[r * small.rows.count / image.rows.count * small.columns.count +
-                                       k * small.columns.count / image.columns.count];
-      pixel = std::max(pixel, image.magnitude_v[r * image.columns.count + k]);
-    }
-  return small;
-}
-
 Figure live_figure(const LiveImage& image, const LiveLook& look) { return live_figure(image, look, image.largest_v); }
 
 Figure live_figure(const LiveImage& image, const LiveLook& look, float reference_v) {
@@ -148,10 +134,14 @@ Figure live_figure(const LiveImage& image, const LiveLook& look, float reference
   if (image.rows.count == 1)
     figure.panels.push_back(curve_of(image, values, look.span_db));
   else
-    figure.panels.push_back(panel_of(image, values, {-look.span_db, 0.0}, colour_table(look.map)));
-  for (const LiveImage::TargetPlace& place : image.targets)
-    figure.panels.front().marks.push_back({place.column, place.row, {}, true});
+    figure.panels.push_back(panel_of(image, values, {-look.span_db, 0.0}, look.map));
+  add_rings(figure, image.targets);
   return figure;
+}
+
+void add_rings(Figure& figure, const std::vector<LiveImage::TargetPlace>& places) {
+  for (const LiveImage::TargetPlace& place : places)
+    figure.panels.front().marks.push_back({place.column, place.row, {}, true});
 }
 
 std::vector<float> difference_db(const LiveImage& before, const LiveImage& after, double span_db) {
@@ -183,7 +173,7 @@ Figure difference_figure(const LiveImage& before, const LiveImage& after, const 
     figure.panels.back().y.label = "Difference";
     figure.panels.back().y.last = look.span_db;
   } else {
-    figure.panels.push_back(panel_of(after, values, {-most_db, most_db}, colour_table(ColourMap::balance)));
+    figure.panels.push_back(panel_of(after, values, {-most_db, most_db}, ColourMap::balance));
   }
   return figure;
 }

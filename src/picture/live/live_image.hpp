@@ -61,9 +61,6 @@ struct LiveImage {
 [[nodiscard]] LiveImage live_image(const core::SampleRows<float>& samples, const raster::FocusedPlaces& places,
                                    const PlotSize& size, const core::WorkControl& control);
 
-/// The same with fewer pixels, each the largest of those that it stands for; an image that is no larger stays as it is.
-[[nodiscard]] LiveImage reduced(const LiveImage& image, const PlotSize& size);
-
 /// How it is shown.
 struct LiveLook {
   ColourMap map = ColourMap::ocean;
@@ -76,6 +73,9 @@ struct LiveLook {
 [[nodiscard]] Figure live_figure(const LiveImage& image, const LiveLook& look);
 /// The same below a magnitude that is given, so that two images have the same colours.
 [[nodiscard]] Figure live_figure(const LiveImage& image, const LiveLook& look, float reference_v);
+
+/// Puts a ring around each of these places of a live figure.
+void add_rings(Figure& figure, const std::vector<LiveImage::TargetPlace>& places);
 
 /// |after| - |before| in decibels, pixel by pixel of `after`, each not below the span under the larger of both peaks;
 /// 0 where they are alike. Where `before` does not reach, it counts as silence.

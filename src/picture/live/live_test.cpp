@@ -86,20 +86,6 @@ TEST(LiveImageTest, KeepsTheLargestOfEachPixelWithItsPlace) {
   EXPECT_EQ(image.largest_v, 5.0F);
 }
 
-TEST(LiveImageTest, LosesNoPointWithFewerPixels) {
-  std::vector<std::complex<float>> values(70, 0.0F);
-  values[4 * 10 + 9] = 2.0F;
-  const LiveImage image = live_image(core::rows_in_memory(std::span<const std::complex<float>>(values), 7, 10),
-                                     {{"Azimuth", "m", 0.0, 1.0}, {"Slant range", "m", 0.0, 1.0}}, window, {});
-  const LiveImage small = reduced(image, {4, 3});
-  EXPECT_EQ(small.rows.count, 3U);
-  EXPECT_EQ(small.columns.count, 4U);
-  EXPECT_EQ(small.rows.last, image.rows.last);
-  EXPECT_EQ(small.magnitude_v[1 * 4 + 3], 2.0F);
-  EXPECT_EQ(std::ranges::count(small.magnitude_v, 0.0F), 11);
-  EXPECT_EQ(reduced(image, {100, 100}).magnitude_v, image.magnitude_v);
-}
-
 TEST(LiveImageTest, TellsInDecibelsWhatChanged) {
   std::vector<std::complex<float>> values{1.0F, 0.1F, 0.0F, 0.01F};
   const raster::FocusedPlaces places{{"Azimuth", "m", 0.0, 1.0}, {"Slant range", "m", 0.0, 1.0}};
