@@ -66,6 +66,47 @@ class LayoutsTest : public QObject {
     QVERIFY(left(echoes) + echoes->width() <= left(image));
   }
 
+  // Echoes of a scene that is opened beside them need no button, and once they are closed, nobody opens them again.
+  void echoes_of_a_scene_that_is_opened_are_there_once() {
+    gui::MainWindow window;
+    window.use_layout("views");
+    window.show();
+    auto& echoes = window.simulation_windows();
+    QTest::qWait(20);
+    QVERIFY(echoes.windows().empty());  // There is no radar yet.
+    QVERIFY(window.documents().open_file(example("satellite.toml")));
+    QTRY_COMPARE(echoes.windows().size(), 1U);
+    QCOMPARE(window.focusWidget(), &window.scene().scene());  // not what follows the page of welcome
+    QVERIFY(!echoes.windows().front()->isWindow() && echoes.windows().front()->isVisible());
+    const int first = window.session().number();
+    QVERIFY(window.documents().open_file(example("sar_r.scr")));
+    QTRY_COMPARE(echoes.windows().size(), 1U);
+    echoes.windows().front()->close();
+    QTRY_VERIFY(echoes.windows().empty());
+    window.session().turn_to(0);
+    QCOMPARE(window.session().number(), first);
+    QTest::qWait(20);
+    QCOMPARE(echoes.windows().size(), 1U);  // Those that it had.
+    window.session().turn_to(1);
+    QTest::qWait(20);
+    QVERIFY(echoes.windows().empty());
+    for (const char* layout : {"scene", "views"}) window.apply_layout(layout);
+    QTest::qWait(20);
+    QVERIFY(echoes.windows().empty());
+  }
+
+  void echoes_of_a_scene_that_stores_no_recording_are_those_of_its_radar() {
+    gui::MainWindow window;
+    window.use_layout("scene");
+    window.show();
+    QVERIFY(window.documents().open_file(example("sar_r.scr")));
+    QTest::qWait(20);
+    QVERIFY(window.simulation_windows().windows().empty());  // Where they are not seen, nothing is computed.
+    window.session().perform(scene::remove_objects(window.session().scene(), {{scene::ObjectKind::simulation, 0}}));
+    window.apply_layout("echoes");
+    QTRY_COMPARE(window.simulation_windows().windows().size(), 1U);
+  }
+
   // The window must not grow beyond the screen when the script is asked for.
   void the_script_and_its_search_fit_beside_them() {
     gui::MainWindow window;

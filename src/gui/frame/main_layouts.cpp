@@ -157,11 +157,31 @@ void MainWindow::make_echo_dock() {
   connect(echoes_, &EchoPanel::raw_wanted, this, [this] { simulation_windows_->open_new(scene::Processing::raw); });
   connect(echoes_, &EchoPanel::compressed_wanted, this,
           [this] { simulation_windows_->open_new(scene::Processing::matched_filter); });
+  // When the scene and its windows are as they will be.
+  first_echoes_.setSingleShot(true);
+  connect(&first_echoes_, &QTimer::timeout, this, &MainWindow::show_first_echoes);
+  const auto soon = [this] { first_echoes_.start(0); };
+  connect(&session_, &Session::document_replaced, this, soon);
+  connect(docks_["echoes"], &QDockWidget::visibilityChanged, this, soon);
   connect(echoes_, &EchoPanel::alone_wanted, this, [this](SimulationWindow* window) {
     window->setParent(this, Qt::Window);
     window->resize(size_on_screen(*this, {1100, 760}));
     window->show();
   });
+}
+
+// Those of a scene that is opened are there without being asked for, once: of its first recording, otherwise of its
+// first radar.
+void MainWindow::show_first_echoes() {
+  const scene::Scene& scene = session_.scene();
+  if (!isVisible() || !docks_["echoes"]->isVisible() || scene.radars.empty()) return;
+  if (!has_had_echoes_.insert(session_.number()).second || !simulation_windows_->windows().empty()) return;
+  QWidget* const focus = focusWidget();  // also while the window is not active
+  if (scene.simulations.empty())
+    simulation_windows_->open_new(scene::Processing::raw);
+  else
+    simulation_windows_->open_stored({scene::ObjectKind::simulation, 0});
+  if (focus != nullptr) focus->setFocus();  // Nobody asked for another place to type.
 }
 
 // Beside the scene where that is seen and there is room; otherwise the window stands by itself.

@@ -92,9 +92,9 @@ void MainWindow::make_start() {
     documents_->open();
   });
   connect(welcome_, &WelcomePage::tour_wanted, this, &MainWindow::show_tour);
-  connect(&session_, &Session::document_replaced, welcome_, &QWidget::hide);
+  connect(&session_, &Session::document_replaced, this, &MainWindow::leave_welcome);
   connect(&session_, &Session::scene_changed, welcome_, [this] {
-    if (!has_nothing(session_.scene())) welcome_->hide();
+    if (!has_nothing(session_.scene())) leave_welcome();
   });
   const auto show_recent = [this] { welcome_->set_recent(documents_->recent()); };
   connect(documents_, &DocumentKeeper::recent_changed, welcome_, show_recent);
@@ -105,6 +105,13 @@ void MainWindow::make_start() {
 void MainWindow::show_welcome() {
   welcome_->show();
   welcome_->setFocus();
+}
+
+// The keyboard goes on in the scene, not in whatever follows the page.
+void MainWindow::leave_welcome() {
+  const QWidget* const focus = focusWidget();
+  if (focus != nullptr && (focus == welcome_ || welcome_->isAncestorOf(focus))) scene_->scene().setFocus();
+  welcome_->hide();
 }
 
 void MainWindow::go_to_field(scene::ObjectKind kind, const QString& field) {
@@ -212,7 +219,7 @@ void MainWindow::show_tour() {
   if (!tour_panel()->isVisible()) {
     commit_typed();
     if (!has_nothing(session_.scene())) documents_->make_new();
-    welcome_->hide();
+    leave_welcome();
     tour_->begin();
     tour_->adjustSize();
     const QPoint corner = mapToGlobal(QPoint(width() - tour_->width(), height() - tour_->height()));

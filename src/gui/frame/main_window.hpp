@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 
 #include <functional>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "gui/common/appearance.hpp"
@@ -139,6 +141,7 @@ class MainWindow : public QMainWindow {
   [[nodiscard]] std::vector<SearchEntry> search_entries();
   void show_search();
   void show_welcome();
+  void leave_welcome();
   [[nodiscard]] std::vector<TourStep> tour_steps();
   TourPanel* tour_panel();
   void show_tour();
@@ -147,6 +150,7 @@ class MainWindow : public QMainWindow {
   void show_help_window(const HelpPlace& place);
   void show_about();
   void make_echo_dock();
+  void show_first_echoes();
   void place_echoes(SimulationWindow* window);
   void size_docks();
   void restore_layout();
@@ -167,6 +171,8 @@ class MainWindow : public QMainWindow {
   ImageViewers* image_viewers_ = nullptr;
   DataSaver* saver_ = nullptr;
   EchoPanel* echoes_ = nullptr;
+  QTimer first_echoes_;
+  std::set<int> has_had_echoes_;  // numbers of documents
   GeometryWindow* geometry_ = nullptr;
   QWidget* targets_ = nullptr;
   ProductWindow* products_ = nullptr;
