@@ -336,6 +336,33 @@ class FigurePlotTest : public QObject {
     }
   }
 
+  // Marks go to the ends of an axis that has become longer than what it shows.
+  void marks_are_those_of_the_axis_as_it_is_drawn() {
+    gui::FigurePlot plot;
+    plot.resize(900, 400);
+    plot.set_figure(map_of_four_cells());
+    plot.show();
+    QTest::qWait(50);
+    for (const QSize size : {QSize(300, 800), QSize(900, 400), QSize(320, 700)}) {
+      plot.resize(size);
+      QTest::qWait(50);
+      // Another figure has its own at once.
+      for (const picture::Figure& figure : {four_cells(), map_of_four_cells()}) plot.set_figure(figure);
+      for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
+        const QCPAxis* const axis = plot.panel(0)->axis(side);
+        const QList<double> marks = axis->tickVector();
+        QVERIFY(marks.size() > 1);
+        const double step = marks[1] - marks[0];
+        QVERIFY2(marks.first() - axis->range().lower < 2.0 * step && axis->range().upper - marks.last() < 2.0 * step,
+                 qPrintable(QString("%1 to %2 on %3 to %4")
+                                .arg(marks.first())
+                                .arg(marks.last())
+                                .arg(axis->range().lower)
+                                .arg(axis->range().upper)));
+      }
+    }
+  }
+
   void long_strips_fill_the_picture_all_the_same() {
     picture::Figure figure = four_cells();
     picture::FigurePanel& panel = figure.panels[0];

@@ -101,9 +101,8 @@ void FigurePlot::set_figure(const picture::Figure& figure) {
   }
   figure_ = figure;
   rebuild();
-  // Once for the lengths of the axes, once for marks that suit them.
+  updateLayout();  // for the lengths of the axes, which the marks have to suit
   replot();
-  replot(rpQueuedReplot);
 }
 
 QColor FigurePlot::ink(picture::Role role) const { return colour_of(role, palette()); }
@@ -350,6 +349,7 @@ void FigurePlot::tell_place(const QMouseEvent& event) {
 
 void FigurePlot::resizeEvent(QResizeEvent* event) {
   QCustomPlot::resizeEvent(event);
+  updateLayout();
   replot(rpQueuedReplot);
 }
 

@@ -50,7 +50,8 @@ FigureAxis figure_axis(const LiveAxis& axis) {
 }
 
 // The axes, and colours of values.
-FigurePanel panel_of(const LiveImage& image, std::span<const float> values, const ColourLimits& limits, ColourMap map) {
+FigurePanel panel_of(const LiveImage& image, std::span<const float> values, const char* meaning,
+                     const ColourLimits& limits, ColourMap map) {
   const std::vector<raster::Rgb> table = colour_table(map);
   FigurePanel panel;
   panel.x = figure_axis(image.columns);
@@ -67,7 +68,7 @@ FigurePanel panel_of(const LiveImage& image, std::span<const float> values, cons
   for (const float value : values)
     cells.cells.push_back(table[colour_index(static_cast<double>(value), limits, table.size())]);
   panel.image = std::move(cells);
-  panel.colour_bar = FigureColourBar{"", "dB", limits.low, limits.high, table, info_of(map).kind};
+  panel.colour_bar = FigureColourBar{meaning, "dB", limits.low, limits.high, table, info_of(map).kind};
   return panel;
 }
 
@@ -134,7 +135,7 @@ Figure live_figure(const LiveImage& image, const LiveLook& look, float reference
   if (image.rows.count == 1)
     figure.panels.push_back(curve_of(image, values, look.span_db));
   else
-    figure.panels.push_back(panel_of(image, values, {-look.span_db, 0.0}, look.map));
+    figure.panels.push_back(panel_of(image, values, "Below the largest", {-look.span_db, 0.0}, look.map));
   add_rings(figure, image.targets);
   return figure;
 }
@@ -173,7 +174,7 @@ Figure difference_figure(const LiveImage& before, const LiveImage& after, const 
     figure.panels.back().y.label = "Difference";
     figure.panels.back().y.last = look.span_db;
   } else {
-    figure.panels.push_back(panel_of(after, values, {-most_db, most_db}, ColourMap::balance));
+    figure.panels.push_back(panel_of(after, values, "Change", {-most_db, most_db}, ColourMap::balance));
   }
   return figure;
 }
