@@ -26,9 +26,11 @@ void print(std::size_t targets, bool with_table, const char* what, const sarsim:
 }
 
 // Moves a target and waits until the image beside the scene shows it; busy is the thread of the windows alone.
-void run_live(const std::string& file) {
+// @param layout  scene, to which the image is added; or views, with the echoes of the first recording as well
+void run_live(const std::string& file, const char* layout, const char* what) {
   constexpr int drags = 200;
   sarsim::gui::MainWindow window;
+  window.use_layout(layout);
   window.resize(1600, 1000);
   window.show();
   window.documents().open_file(QString::fromStdString(file));
@@ -50,7 +52,7 @@ void run_live(const std::string& file) {
     times.ms.push_back(1e-6 * static_cast<double>(clock.nsecsElapsed()));
     times.busy_ms.push_back(sarsim::bench::thread_ms() - busy);
   }
-  print(window.session().scene().targets.size(), false, "follow with image", times);
+  print(window.session().scene().targets.size(), false, what, times);
 }
 
 void run(std::size_t targets) {
@@ -77,7 +79,12 @@ int main(int argc, char** argv) {
   if (wanted.empty()) wanted = {"10000", "100000"};
   for (const std::string& word : wanted) {
     const std::size_t targets = std::strtoul(word.c_str(), nullptr, 10);
-    targets > 0 ? run(targets) : run_live(word);
+    if (targets > 0) {
+      run(targets);
+      continue;
+    }
+    run_live(word, "scene", "with image");
+    run_live(word, "views", "with echoes, image");
   }
   return EXIT_SUCCESS;
 }

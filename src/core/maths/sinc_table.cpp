@@ -31,10 +31,11 @@ std::complex<float> weighted_sum(const std::complex<float>* samples, const float
 
 }  // namespace
 
-SincTable::SincTable(double band) {
+SincTable::SincTable(double band) : weights_((steps + 1) * taps) {
   const double beta = kaiser_beta(band);
   constexpr double half = taps / 2.0;
-  for (std::size_t step = 0; step <= steps; ++step) {
+  // A position so far before a sample has the weights of the one so far behind it, backwards.
+  for (std::size_t step = 0; step <= steps / 2; ++step) {
     const double fraction = static_cast<double>(step) / steps;
     double row[taps];
     double sum = 0.0;
@@ -43,7 +44,11 @@ SincTable::SincTable(double band) {
       row[i] = sinc(x) * kaiser_window(x / half, beta);
       sum += row[i];
     }
-    for (const double weight : row) weights_.push_back(static_cast<float>(weight / sum));
+    for (std::size_t i = 0; i < taps; ++i) {
+      const auto weight = static_cast<float>(row[i] / sum);
+      weights_[step * taps + i] = weight;
+      weights_[(steps - step) * taps + taps - 1 - i] = weight;
+    }
   }
 }
 

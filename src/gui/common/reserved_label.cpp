@@ -17,6 +17,7 @@ void ReservedLabel::say(const QString& words) {
   if (words == text()) return;
   setText(words);
   setToolTip(words);
+  is_cut_.reset();
 }
 
 // Whole lines, as high as a label of so many is.
@@ -27,10 +28,11 @@ void ReservedLabel::reserve() {
   setFixedHeight(sample.sizeHint().height());
 }
 
-// Words that go on are marked as such.
+// Words that go on are marked as such. To know that takes longer than to draw them, so it is kept.
 void ReservedLabel::paintEvent(QPaintEvent* event) {
   QLabel::paintEvent(event);
-  if (text().isEmpty() || heightForWidth(width()) <= height()) return;
+  if (!is_cut_) is_cut_ = !text().isEmpty() && heightForWidth(width()) > height();
+  if (!*is_cut_) return;
   QPainter painter(this);
   const QString more = QStringLiteral(" …");
   const int line = fontMetrics().height();
@@ -42,7 +44,14 @@ void ReservedLabel::paintEvent(QPaintEvent* event) {
 
 void ReservedLabel::changeEvent(QEvent* event) {
   QLabel::changeEvent(event);
-  if (event->type() == QEvent::FontChange) reserve();
+  if (event->type() != QEvent::FontChange) return;
+  reserve();
+  is_cut_.reset();
+}
+
+void ReservedLabel::resizeEvent(QResizeEvent* event) {
+  QLabel::resizeEvent(event);
+  is_cut_.reset();
 }
 
 }  // namespace sarsim::gui

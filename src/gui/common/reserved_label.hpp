@@ -2,6 +2,8 @@
 
 #include <QLabel>
 
+#include <optional>
+
 namespace sarsim::gui {
 
 /// Words below or beside a picture whose room stays the same whatever they say, so that the picture does not move under
@@ -19,11 +21,13 @@ class ReservedLabel : public QLabel {
  protected:
   void changeEvent(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void reserve();
 
   int lines_;
+  std::optional<bool> is_cut_;  // Not all words have room; unknown after a change.
 };
 
 }  // namespace sarsim::gui

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "picture/colour/decibel_levels.hpp"
 #include "picture/colour/display_quantity.hpp"
 
 namespace sarsim::picture {
@@ -49,10 +50,11 @@ FigureAxis figure_axis(const LiveAxis& axis) {
   return shown;
 }
 
-// The axes, and colours of values.
-FigurePanel panel_of(const LiveImage& image, std::span<const float> values, const char* meaning,
-                     const ColourLimits& limits, ColourMap map) {
-  const std::vector<raster::Rgb> table = colour_table(map);
+// The axes, and colours of values, in decibels.
+// @param level  of a pixel in the table
+template <class LevelOf>
+FigurePanel panel_of(const LiveImage& image, const LevelOf& level, const char* meaning, const ColourLimits& limits,
+                     ColourMap map, const std::vector<raster::Rgb>& table) {
   FigurePanel panel;
   panel.x = figure_axis(image.columns);
   panel.y = figure_axis(image.rows);
@@ -64,9 +66,8 @@ FigurePanel panel_of(const LiveImage& image, std::span<const float> values, cons
                     image.rows.first,
                     image.rows.last,
                     {}};
-  cells.cells.reserve(values.size());
-  for (const float value : values)
-    cells.cells.push_back(table[colour_index(static_cast<double>(value), limits, table.size())]);
+  cells.cells.reserve(image.magnitude_v.size());
+  for (std::size_t i = 0; i < image.magnitude_v.size(); ++i) cells.cells.push_back(table[level(i)]);
   panel.image = std::move(cells);
   panel.colour_bar = FigureColourBar{meaning, "dB", limits.low, limits.high, table, info_of(map).kind};
   return panel;
@@ -129,13 +130,18 @@ LiveImage live_image(const core::SampleRows<float>& samples, const raster::Focus
 Figure live_figure(const LiveImage& image, const LiveLook& look) { return live_figure(image, look, image.largest_v); }
 
 Figure live_figure(const LiveImage& image, const LiveLook& look, float reference_v) {
-  std::vector<float> values(image.magnitude_v.size());
-  std::ranges::transform(image.magnitude_v, values.begin(), [&](float v) { return decibels(v, reference_v); });
   Figure figure;
-  if (image.rows.count == 1)
+  if (image.rows.count == 1) {
+    std::vector<float> values(image.magnitude_v.size());
+    std::ranges::transform(image.magnitude_v, values.begin(), [&](float v) { return decibels(v, reference_v); });
     figure.panels.push_back(curve_of(image, values, look.span_db));
-  else
-    figure.panels.push_back(panel_of(image, values, "Below the largest", {-look.span_db, 0.0}, look.map));
+  } else {
+    const ColourLimits limits{-look.span_db, 0.0};
+    const std::vector<raster::Rgb> table = colour_table(look.map);
+    const DecibelLevels levels(reference_v, limits, table.size());
+    const auto level = [&](std::size_t i) { return levels(image.magnitude_v[i]); };
+    figure.panels.push_back(panel_of(image, level, "Below the largest", limits, look.map, table));
+  }
   add_rings(figure, image.targets);
   return figure;
 }
@@ -148,6 +154,8 @@ void add_rings(Figure& figure, const std::vector<LiveImage::TargetPlace>& places
 std::vector<float> difference_db(const LiveImage& before, const LiveImage& after, double span_db) {
   const float reference_v = std::max(before.largest_v, after.largest_v);
   const auto floor_db = static_cast<float>(-span_db);
+  const auto floor_v = static_cast<float>(static_cast<double>(reference_v) * std::pow(10.0, -span_db / 20.0));
+  const auto level_db = [&](float v) { return v > floor_v ? std::max(decibels(v, reference_v), floor_db) : floor_db; };
   std::vector<std::optional<std::size_t>> columns;
   for (std::size_t k = 0; k < after.columns.count; ++k)
     columns.push_back(pixel_at(before.columns, place_of(after.columns, k)));
@@ -158,8 +166,7 @@ std::vector<float> difference_db(const LiveImage& before, const LiveImage& after
     for (std::size_t k = 0; k < after.columns.count; ++k) {
       const float old_v = row && columns[k] ? before.magnitude_v[*row * before.columns.count + *columns[k]] : 0.0F;
       const float new_v = after.magnitude_v[r * after.columns.count + k];
-      difference.push_back(std::max(decibels(new_v, reference_v), floor_db) -
-                           std::max(decibels(old_v, reference_v), floor_db));
+      difference.push_back(level_db(new_v) - level_db(old_v));
     }
   }
   return difference;
@@ -174,7 +181,12 @@ Figure difference_figure(const LiveImage& before, const LiveImage& after, const 
     figure.panels.back().y.label = "Difference";
     figure.panels.back().y.last = look.span_db;
   } else {
-    figure.panels.push_back(panel_of(after, values, "Change", {-most_db, most_db}, ColourMap::balance));
+    const ColourLimits limits{-most_db, most_db};
+    const std::vector<raster::Rgb> table = colour_table(ColourMap::balance);
+    const auto level = [&](std::size_t i) {
+      return colour_index(static_cast<double>(values[i]), limits, table.size());
+    };
+    figure.panels.push_back(panel_of(after, level, "Change", limits, ColourMap::balance, table));
   }
   return figure;
 }
