@@ -155,10 +155,18 @@ def expect(condition, what):
 
 
 def place_main_window(screen, number):
-    screen.tool("xdotool", "windowmove", number, "0", "0")
-    screen.tool("xdotool", "windowsize", number, str(SIZE[0]), str(SIZE[1]))
+    """Gives the window its place and its size: once it is at rest, and again where it took another, as no one else watches."""
     size = f"{SIZE[0]}x{SIZE[1]}"
-    wait_for("the window has its size", lambda: size in screen.tool("xdotool", "getwindowgeometry", number))
+
+    def has_size():
+        if size in screen.tool("xdotool", "getwindowgeometry", number):
+            return True
+        screen.tool("xdotool", "windowmove", number, "0", "0")
+        screen.tool("xdotool", "windowsize", number, str(SIZE[0]), str(SIZE[1]))
+        time.sleep(0.1)
+        return False
+    wait_for("the window is at rest", screen.stands_still)
+    wait_for("the window has its size", has_size)
 
 
 def wait_until_drawn(screen, name, other=None, area=(0, 0, *SIZE), pixels=50):
