@@ -17,7 +17,9 @@
 #include "gui/gui_test.hpp"
 #include "gui/scene/scene_panel.hpp"
 #include "gui/scene/scene_widget.hpp"
+#include "gui/small_scene.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/script/writer.hpp"
 
 namespace sarsim::layouts_test {
 
@@ -93,6 +95,24 @@ class LayoutsTest : public QObject {
     for (const char* layout : {"scene", "views"}) window.apply_layout(layout);
     QTest::qWait(20);
     QVERIFY(echoes.windows().empty());
+  }
+
+  // They would slow the image down.
+  void echoes_of_very_many_targets_wait_until_they_are_wanted() {
+    gui::MainWindow window;
+    window.use_layout("views");
+    window.show();
+    const auto take = [&](std::size_t targets) {
+      window.session().take(scene::Document::from_text(scene::write_script(test::many_targets(targets))));
+      QTest::qWait(50);
+    };
+    take(4097);
+    QVERIFY(window.simulation_windows().windows().empty());
+    QTest::mouseClick(window.findChild<QWidget*>("echo_panel_raw"), Qt::LeftButton);
+    QCOMPARE(window.simulation_windows().windows().size(), 1U);
+    window.simulation_windows().windows().front()->close();
+    take(4096);
+    QCOMPARE(window.simulation_windows().windows().size(), 1U);
   }
 
   void echoes_of_a_scene_that_stores_no_recording_are_those_of_its_radar() {
