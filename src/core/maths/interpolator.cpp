@@ -188,6 +188,7 @@ void Interpolator::prepare_low_pass() {
 }
 
 Jet Interpolator::tapered_jet(double x) const {
+  if (std::isnan(x)) return {x, x, x};
   if (x < knots_.front().x) return {grid_.front(), 0.0, 0.0};
   if (x > knots_.back().x) return {grid_.back(), 0.0, 0.0};
   const double u = (x - knots_.front().x) / step_;
@@ -210,7 +211,7 @@ Jet Interpolator::tapered_jet(double x) const {
 Jet Interpolator::bare_sinc_jet(double x) const {
   const double u = x / step_;
   const double centre = std::floor(u + 0.5);
-  if (std::abs(centre) > 1e15) return {};
+  if (!(std::abs(centre) <= 1e15)) return {};  // Not a number either.
   Jet sum;
   const long first = std::max(static_cast<long>(centre) - half_terms, grid_first_);
   const long last = std::min(static_cast<long>(centre) + half_terms, grid_first_ + static_cast<long>(grid_.size()) - 1);

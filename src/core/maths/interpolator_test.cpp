@@ -341,6 +341,13 @@ TEST(LowPassInterpolator, TakesMeansOfCrowdedKnotsAndStraightLinesOverGaps) {
   EXPECT_NEAR(f.value(2.0), 7.0, 1e3 * epsilon);
 }
 
+// Undefined sums of indices are found by the sanitizer.
+TEST(LowPassInterpolator, IsNoNumberWhereThePlaceIsNone) {
+  const double nowhere = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(through(Interpolation::low_pass, uneven_knots(4, 20)).value(nowhere)));
+  EXPECT_EQ(through(Interpolation::low_pass, uneven_knots(4, 20), LowPassRule::origin).value(nowhere), 0.0);
+}
+
 TEST(ClassicLowPassInterpolator, IsTheBareSincOfTheTestVector) {
   const Interpolator f = through(Interpolation::low_pass, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}, LowPassRule::origin);
   EXPECT_NEAR(f.value(1.0), 1.0, epsilon);
