@@ -211,7 +211,7 @@ Jet Interpolator::tapered_jet(double x) const {
 Jet Interpolator::bare_sinc_jet(double x) const {
   const double u = x / step_;
   const double centre = std::floor(u + 0.5);
-  if (!(std::abs(centre) <= 1e15)) return {};  // Not a number either.
+  if (!(std::abs(centre) <= 1e15)) return {};  // NaN neither.
   Jet sum;
   const long first = std::max(static_cast<long>(centre) - half_terms, grid_first_);
   const long last = std::min(static_cast<long>(centre) + half_terms, grid_first_ + static_cast<long>(grid_.size()) - 1);

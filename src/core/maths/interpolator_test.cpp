@@ -341,8 +341,8 @@ TEST(LowPassInterpolator, TakesMeansOfCrowdedKnotsAndStraightLinesOverGaps) {
   EXPECT_NEAR(f.value(2.0), 7.0, 1e3 * epsilon);
 }
 
-// Undefined sums of indices are found by the sanitizer.
-TEST(LowPassInterpolator, IsNoNumberWhereThePlaceIsNone) {
+// The sanitizer would report the overflow of an index.
+TEST(LowPassInterpolator, IsNaNAtNaNAndByTheRuleOf1998Zero) {
   const double nowhere = std::numeric_limits<double>::quiet_NaN();
   EXPECT_TRUE(std::isnan(through(Interpolation::low_pass, uneven_knots(4, 20)).value(nowhere)));
   EXPECT_EQ(through(Interpolation::low_pass, uneven_knots(4, 20), LowPassRule::origin).value(nowhere), 0.0);

@@ -14,6 +14,7 @@
 #include "gui/echo/simulation_window.hpp"
 #include "gui/echo/simulation_windows.hpp"
 #include "gui/frame/main_window.hpp"
+#include "picture/live/live_engine.hpp"
 #include "workflow/input/cloud_input.hpp"
 
 namespace sarsim::gui {
@@ -21,7 +22,6 @@ namespace sarsim::gui {
 namespace {
 
 constexpr int layout_version = 2;
-constexpr std::size_t most_targets_at_once = 4096;
 
 // A layout that the program brings: its panels, in any order.
 struct BuiltInLayout {
@@ -177,7 +177,7 @@ void MainWindow::make_echo_dock() {
 void MainWindow::show_first_echoes() {
   const scene::Scene& scene = session_.scene();
   if (!isVisible() || !docks_["echoes"]->isVisible() || scene.radars.empty()) return;
-  if (scene.targets.size() + workflow::cloud_points(scene) > most_targets_at_once) return;
+  if (scene.targets.size() + workflow::cloud_points(scene) > picture::many_targets) return;
   if (!has_had_echoes_.insert(session_.number()).second || !simulation_windows_->windows().empty()) return;
   QWidget* const focus = focusWidget();  // also while the window is not active
   if (scene.simulations.empty())

@@ -18,7 +18,7 @@ class DecibelLevels {
   /// @param levels     of the table, 1 to 65536
   DecibelLevels(float reference, const ColourLimits& limits, std::size_t levels);
 
-  /// The level of a magnitude; of what is no number 0.
+  /// The level of a magnitude; 0 for NaN.
   [[nodiscard]] std::size_t operator()(float magnitude) const {
     if (!(magnitude > 0.0F)) return 0;
     std::size_t level = level_[std::bit_cast<std::uint32_t>(magnitude) >> dropped_bits];

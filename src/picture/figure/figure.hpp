@@ -64,8 +64,8 @@ struct FigureColourBar {
   std::string unit;
   double first = 0.0;
   double last = 1.0;
-  std::vector<raster::Rgb> colours;  ///< Evenly spaced from first to last, at least two.
-  ColourMapKind kind = ColourMapKind::sequential;
+  std::vector<raster::Rgb> colours;                ///< Evenly spaced from first to last, at least two.
+  ColourMapKind kind = ColourMapKind::sequential;  ///< Of the values: which of them stand out.
 
   friend bool operator==(const FigureColourBar&, const FigureColourBar&) = default;
 };

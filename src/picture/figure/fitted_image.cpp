@@ -52,10 +52,13 @@ FigureImage fitted(const FigureImage& image, const std::optional<FigureColourBar
                    std::size_t rows) {
   if (columns == 0 || rows == 0) throw std::invalid_argument("an image needs a dot at least");
   if (image.width <= columns && image.height <= rows) return image;
-  FigureImage out = image;
-  out.width = std::min(image.width, columns);
-  out.height = std::min(image.height, rows);
-  out.cells.clear();
+  FigureImage out{std::min(image.width, columns),
+                  std::min(image.height, rows),
+                  image.x_first,
+                  image.x_last,
+                  image.y_first,
+                  image.y_last,
+                  {}};
   out.cells.reserve(out.width * out.height);
   Strengths strengths(bar);
   std::vector<double> strongest(out.width);

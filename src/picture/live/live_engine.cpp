@@ -20,8 +20,6 @@ namespace sarsim::picture {
 
 namespace {
 
-// A scene of more has a coarse picture of some of them.
-constexpr std::size_t many_targets = 4096;
 constexpr std::size_t coarse_targets = 128;
 // Back projection of more samples times pulses has one by omega-k before it.
 constexpr double quick_projections = 2e8;

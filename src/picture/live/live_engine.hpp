@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -8,6 +9,9 @@
 #include "picture/live/live_request.hpp"
 
 namespace sarsim::picture {
+
+/// A scene with more targets has a coarse picture of some of them first.
+inline constexpr std::size_t many_targets = 4096;
 
 /// Makes one live image after another. Echoes add up: where only a few targets differ from the scene before, theirs
 /// alone are computed and put in place of the old ones; noise and all other echoes stay. Used by one thread at a time.
