@@ -114,6 +114,14 @@ class Screen:
         self.tool("xdotool", "windowfocus", "--sync", number)
         return number
 
+    def back_from(self, title):
+        """Waits until a dialog is closed, and gives the keyboard to the main window, whose number it returns.
+
+        Not before: a dialog that waits for its answer takes the keyboard back, and would take it along when it closes.
+        """
+        wait_for(f"the window '{title}' is closed", lambda: not self.has_window(title))
+        return self.window("Sarsim")
+
     def has_window(self, title):
         return bool(self.tool("xdotool", "search", "--onlyvisible", "--name", title))
 
