@@ -14,11 +14,19 @@ constexpr std::uint32_t label_limit = 1U << 12U;
 constexpr std::size_t column_limit = std::size_t{1} << 20U;
 constexpr std::size_t block_entries = 64;
 
-// An entry is a byte with the difference of lines above a bit for the next object, then label and column; where the
-// differences are larger, this byte and both as numbers. Numbers have seven bits in a byte, least significant first.
+// An entry is a byte with a bit for the next object, one for a label that is not the expected one and the difference of
+// lines; then such a label, and the column. Where the differences are larger, the byte is another, and both differences
+// and the label follow it as numbers. Numbers have seven bits in a byte, least significant first.
 constexpr std::uint8_t large_step = 0xFF;
-constexpr std::uint32_t largest_line_step = 127;
+constexpr std::uint32_t next_object = 1;
+constexpr std::uint32_t other_label = 2;
+constexpr unsigned line_shift = 2;
+constexpr std::uint32_t largest_line_step = large_step >> line_shift;
 constexpr std::size_t longest_entry = 21;
+
+// Labels are numbered in the order in which the fields of the first object came, in which those of the others come too.
+constexpr std::uint32_t no_label = UINT32_MAX;
+constexpr std::uint32_t label_after(std::uint32_t last, bool is_next_object) { return is_next_object ? 0 : last + 1; }
 
 // Differences of either sign as numbers: 0, -1, 1, -2 ... are 0, 1, 2, 3 ...
 constexpr std::uint32_t folded(std::uint32_t difference) { return (difference << 1U) ^ (0U - (difference >> 31U)); }
@@ -47,19 +55,22 @@ void FieldPlaces::Kind::add(const Entry& entry) {
   if (blocks.empty() || in_block == block_entries) {
     blocks.push_back({entry.object, entry.line, bytes.size()});
     last = entry;
+    last.label = no_label;
     in_block = 0;
   }
   const std::uint32_t objects = entry.object - last.object;
   const std::uint32_t lines = folded(entry.line - last.line);
   std::array<std::uint8_t, longest_entry> text;
   std::uint8_t* at = text.data();
+  const bool is_expected = entry.label == label_after(last.label, objects > 0);
   if (objects <= 1 && lines < largest_line_step) {
-    *at++ = static_cast<std::uint8_t>(lines << 1U | objects);
+    *at++ = static_cast<std::uint8_t>(lines << line_shift | (is_expected ? 0 : other_label) | objects);
+    if (!is_expected) at = put(at, entry.label);
   } else {
     *at++ = large_step;
-    at = put(put(at, objects), lines);
+    at = put(put(put(at, objects), lines), entry.label);
   }
-  at = put(put(at, entry.label), entry.column);
+  at = put(at, entry.column);
   bytes.insert(bytes.end(), text.data(), at);
   last = entry;
   ++in_block;
@@ -68,15 +79,18 @@ void FieldPlaces::Kind::add(const Entry& entry) {
 template <class Visit>
 void FieldPlaces::Kind::visit(std::size_t block, const Visit& visit) const {
   for (; block < blocks.size(); ++block) {
-    Entry entry{blocks[block].object, blocks[block].line, 0, 0};
+    Entry entry{blocks[block].object, blocks[block].line, 0, no_label};
     const std::uint8_t* at = bytes.data() + blocks[block].offset;
     const std::uint8_t* const end =
         bytes.data() + (block + 1 < blocks.size() ? blocks[block + 1].offset : bytes.size());
     while (at < end) {
       const std::uint8_t step = *at++;
-      entry.object += step == large_step ? taken(at) : step & 1U;
-      entry.line += unfolded(step == large_step ? taken(at) : std::uint32_t{step} >> 1U);
-      entry.label = taken(at);
+      const bool is_large = step == large_step;
+      const std::uint32_t objects = is_large ? taken(at) : step & next_object;
+      entry.object += objects;
+      entry.line += unfolded(is_large ? taken(at) : std::uint32_t{step} >> line_shift);
+      const bool is_given = is_large || (step & other_label) != 0;
+      entry.label = is_given ? taken(at) : label_after(entry.label, objects > 0);
       entry.column = taken(at);
       if (!visit(entry)) return;
     }
@@ -200,6 +214,13 @@ core::Place FieldPlaces::find(const core::Subject& subject) const {
     if (place.line > 0) return place;
   }
   return {};
+}
+
+std::size_t FieldPlaces::bytes() const {
+  std::size_t sum = 0;
+  for (const Kind& kind : kinds_)
+    sum += kind.bytes.size() + kind.blocks.size() * sizeof(Block) + kind.strays.size() * sizeof(Entry);
+  return sum;
 }
 
 bool FieldPlaces::knows_all_of(const FieldPlaces& other) const {

@@ -10,7 +10,7 @@
 
 namespace sarsim::scene {
 
-/// Where each field of a scene stands in its script. About three bytes for a field, so that scripts of millions of
+/// Where each field of a scene stands in its script. About two bytes for a field, so that scripts of millions of
 /// targets can be kept; columns beyond a million are remembered as unknown (0).
 class FieldPlaces {
  public:
@@ -32,6 +32,9 @@ class FieldPlaces {
   /// Place of the field; where that is not known, of the part of its name before the first '.' or '[' (a member of a
   /// member), then of its object; else an empty place.
   [[nodiscard]] core::Place find(const core::Subject& subject) const;
+
+  /// Memory that the places take.
+  [[nodiscard]] std::size_t bytes() const;
 
   /// Whether both know the same places.
   friend bool operator==(const FieldPlaces& a, const FieldPlaces& b);

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace sarsim::scene {
 namespace field_places_test {
 
@@ -55,6 +61,36 @@ TEST(FieldPlaces, FindWhatIsFarApart) {
     EXPECT_EQ(places.find({"target", 7 * i + 1, "rcs_m2"}), core::Place{});
     line += i % 10 == 0 ? 100'000 : 2;
   }
+}
+
+TEST(FieldPlaces, FindFieldsThatComeInAnyOrderOrAreLeftOut) {
+  const std::vector<std::string> fields{"", "platform", "position_m", "rcs_m2", "gain_db"};
+  std::minstd_rand random(7);
+  FieldPlaces places;
+  std::map<std::pair<std::size_t, std::string>, core::Place> noted;
+  std::size_t line = 1;
+  for (std::size_t object = 0; object < 2000; object += 1 + random() % 40 / 39)
+    for (std::size_t n = random() % 9; n > 0; --n) {
+      const std::string& field = fields[random() % fields.size()];
+      line += random() % 70;
+      const core::Place place{random() % 300 == 0 ? "b.scr" : "a.scr", line, 1 + random() % 200};
+      places.add({"target", object, field}, place);
+      noted.try_emplace({object, field}, place);
+    }
+  ASSERT_GT(noted.size(), 4000U);
+  for (const auto& [subject, place] : noted)
+    EXPECT_EQ(places.find({"target", subject.first, subject.second}), place) << subject.first << subject.second;
+}
+
+TEST(FieldPlaces, TakeTwoBytesWhereFieldsComeInTheSameOrder) {
+  FieldPlaces places;
+  constexpr std::size_t objects = 10'000;
+  for (std::size_t i = 0; i < objects; ++i) {
+    std::size_t column = 1;
+    for (const char* field : {"", "platform", "position_m", "position_stddev_m", "rcs_m2", "reflectivity"})
+      places.add({"target", i, field}, {"a.scr", 1 + i, column++});
+  }
+  EXPECT_LE(places.bytes(), 15 * objects);
 }
 
 TEST(FieldPlaces, OfManyPiecesAreThoseOfTheWhole) {
