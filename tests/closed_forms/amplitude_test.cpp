@@ -77,8 +77,8 @@ TEST(Reflectivity, OfACosineTargetIsHalfThePowerAtSixtyDegreesAndNothingFromBehi
   const auto power = [](double turned_deg) {
     scene::Scene scene = test::radar_at_origin();
     scene::Target& target = test::add_target(scene, {1000.0, 0.0, 0.0});
-    target.reflectivity = scene::Target::Reflectivity::directional;
-    target.azimuth = core::Angle::from_deg(270.0 + turned_deg);
+    target.traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+    target.traits.edit().azimuth = core::Angle::from_deg(270.0 + turned_deg);
     test::set_window(scene, 900.0, 1900.0, 2e6);
     return std::pow(test::recorded(scene).report.maximum_v, 2);
   };

@@ -45,7 +45,7 @@ std::string text_in(const fs::path& path) {
 }
 
 double gain_in(const fs::path& path) {
-  return scene::read_script_file(path).scene.targets.at(0).gain_db.part[0].knots.at(1).y;
+  return scene::read_script_file(path).scene.targets.at(0).traits->gain_db.part[0].knots.at(1).y;
 }
 
 // A window on a script with a data file, in a folder of its own.
@@ -65,7 +65,7 @@ struct Bench {
   void trigger(const char* name) { window.findChild<QAction*>(name)->trigger(); }
   void set_gain(double y) {
     scene::Target target = window.session().scene().targets.at(0);
-    target.gain_db.part[0].knots.at(1).y = y;
+    target.traits.edit().gain_db.part[0].knots.at(1).y = y;
     window.session().perform(scene::replace_object(window.session().scene(), first, target, "Change function"));
     window.session().end_run();
   }

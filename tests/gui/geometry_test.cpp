@@ -43,7 +43,7 @@ scene::Scene moving_scene() {
   ship.trajectory_m.part[2] = {core::Interpolation::linear, {{0.0, 30.0}}};
   ship.rotation_rate[2] = core::Angle::from_deg(12.0);
   scene.radars[0].carrier = scene::Radar::Carrier::stepped;
-  scene.targets[0].position_stddev_m = {0.1, 0.1, 0.1};
+  scene.targets[0].traits.edit().position_stddev_m = {0.1, 0.1, 0.1};
   return scene;
 }
 

@@ -503,7 +503,7 @@ class PanelTest : public QObject {
     Bench bench;
     bench.session.select_only(test::target(0));
     scene::Target target = bench.session.scene().targets[0];
-    target.rcs_stddev_m2 = -1.0;
+    target.traits.edit().rcs_stddev_m2 = -1.0;
     bench.session.perform(scene::replace_object(bench.session.scene(), test::target(0), target, "Spoil"));
     QVERIFY2(bench.problem("rcs_stddev_m2").startsWith("Error:"), qPrintable(bench.problem("rcs_stddev_m2")));
     QVERIFY(bench.field("rcs_stddev_m2")->isVisible());

@@ -178,7 +178,7 @@ class TargetTableTest : public QObject {
     QVERIFY(!bench.model->flags(bench.cell(0, "azimuth")).testFlag(Qt::ItemIsEditable));
     QVERIFY(bench.model->setData(bench.cell(0, "reflectivity"), "Directional", Qt::EditRole));
     QVERIFY(bench.model->flags(bench.cell(0, "azimuth")).testFlag(Qt::ItemIsEditable));
-    QVERIFY(bench.targets()[0].reflectivity == scene::Target::Reflectivity::directional);
+    QVERIFY(bench.targets()[0].traits->reflectivity == scene::Target::Reflectivity::directional);
   }
 
   void one_value_fills_all_selected_cells_in_one_step() {

@@ -171,25 +171,29 @@ class SceneMaker {
 
   scene::Target target() {
     using T = scene::Target;
+    using Traits = scene::TargetTraits;
     return drawn<T>(
         chance_, {},
         {{field<&T::platform>(), [this](T& t) { t.platform = target_platform(); }},
          {field<&T::position_m>(),
           [this](T& t) { t.position_m = chance_.vector(chance_.one_in(8) ? 0.0 : layout_.spread_m); }},
-         {field<&T::position_stddev_m>(),
-          [this](T& t) { t.position_stddev_m = chance_.one_in(4) ? chance_.magnitudes(1e-4, 1.0) : core::Vec3{}; }},
+         {field<&T::traits, &Traits::position_stddev_m>(),
+          [this](T& t) {
+            t.traits.edit().position_stddev_m = chance_.one_in(4) ? chance_.magnitudes(1e-4, 1.0) : core::Vec3{};
+          }},
          {field<&T::rcs_m2>(),
           [this](T& t) { t.rcs_m2 = chance_.one_in(20) ? chance_.between(-1.0, 0.0) : chance_.size(1e-3, 1e4); }},
-         {field<&T::rcs_stddev_m2>(),
-          [this](T& t) { t.rcs_stddev_m2 = chance_.one_in(3) ? chance_.size(1e-3, 1e2) : 0.0; }},
-         {field<&T::azimuth>(), [this](T& t) { t.azimuth = chance_.angle(360.0); }},
-         {field<&T::elevation>(), [this](T& t) { t.elevation = chance_.angle(180.0); }},
-         {field<&T::azimuth_stddev>(), [this](T& t) { t.azimuth_stddev = jitter(); }},
-         {field<&T::elevation_stddev>(), [this](T& t) { t.elevation_stddev = jitter(); }},
-         {field<&T::gain_db>(), [this](T& t) {
-            t.gain_db.part[0] =
+         {field<&T::traits, &Traits::rcs_stddev_m2>(),
+          [this](T& t) { t.traits.edit().rcs_stddev_m2 = chance_.one_in(3) ? chance_.size(1e-3, 1e2) : 0.0; }},
+         {field<&T::traits, &Traits::azimuth>(), [this](T& t) { t.traits.edit().azimuth = chance_.angle(360.0); }},
+         {field<&T::traits, &Traits::elevation>(), [this](T& t) { t.traits.edit().elevation = chance_.angle(180.0); }},
+         {field<&T::traits, &Traits::azimuth_stddev>(), [this](T& t) { t.traits.edit().azimuth_stddev = jitter(); }},
+         {field<&T::traits, &Traits::elevation_stddev>(),
+          [this](T& t) { t.traits.edit().elevation_stddev = jitter(); }},
+         {field<&T::traits, &Traits::gain_db>(), [this](T& t) {
+            t.traits.edit().gain_db.part[0] =
                 functions_.curve(6, chance_.between(0.0, 30.0), chance_.between(40.0, 180.0), -60.0, 10.0);
-            functions_.name_file(t.gain_db);
+            functions_.name_file(t.traits.edit().gain_db);
           }}});
   }
 

@@ -21,8 +21,8 @@ scene::Scene random_scene(std::uint64_t seed = 1) {
   shaking.position_stddev_m = {0.01, 0.01, 0.01};
   for (int i = 0; i < 2; ++i) {
     scene::Target& target = add_target(scene, {20.0 * i, 5.0, 0.0}, 1.0, "Shaking");
-    target.position_stddev_m = {0.01, 0.02, 0.03};
-    target.rcs_stddev_m2 = 0.2;
+    target.traits.edit().position_stddev_m = {0.01, 0.02, 0.03};
+    target.traits.edit().rcs_stddev_m2 = 0.2;
   }
   set_pulses(scene, 0, 19);
   return scene;

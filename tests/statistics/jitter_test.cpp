@@ -50,7 +50,7 @@ TEST(PositionJitter, OfATargetHasItsStandardDeviationAlongEachAxis) {
     scene::Scene scene = radar_at_origin();
     const core::Vec3 unit{axis == 0 ? 1.0 : 0.0, axis == 1 ? 1.0 : 0.0, axis == 2 ? 1.0 : 0.0};
     scene::Target& target = add_target(scene, 1000.0 * unit);
-    target.position_stddev_m = {0.010, 0.008, 0.006};
+    target.traits.edit().position_stddev_m = {0.010, 0.008, 0.006};
     axes.push_back(range_deviations_m(echo_history(scene), 1000.0));
     expect_white_normal(axes.back(), axis == 0 ? 0.010 : axis == 1 ? 0.008 : 0.006);
   }
@@ -88,7 +88,7 @@ TEST(PositionJitter, OfAPlatformIsCommonToAllThatItCarries) {
 TEST(PositionJitter, DoesNotTouchTheSpeed) {
   scene::Scene scene = radar_at_origin();
   scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
-  target.position_stddev_m = {1.0, 1.0, 1.0};
+  target.traits.edit().position_stddev_m = {1.0, 1.0, 1.0};
   const simulate::Plan plan = simulate::make_plan(scene, 0);
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   for (int pulse = 0; pulse < 20; ++pulse) {
@@ -121,7 +121,7 @@ TEST(CrossSection, HasItsMeanAndStandardDeviation) {
   scene::Scene scene = radar_at_origin();
   add_target(scene, {1000.0, 0.0, 0.0}, 2.0);
   const double unit_w = std::norm(echo_history(scene)[0]) / 2.0;
-  scene.targets[0].rcs_stddev_m2 = 0.3;  // never below 0: 6.7 sigma
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.3;  // never below 0: 6.7 sigma
   std::vector<double> deviation;
   for (const auto& echo : echo_history(scene)) deviation.push_back(std::norm(echo) / unit_w - 2.0);
   expect_white_normal(deviation, 0.3);
@@ -130,7 +130,7 @@ TEST(CrossSection, HasItsMeanAndStandardDeviation) {
 TEST(CrossSection, BelowZeroIsZero) {
   scene::Scene scene = radar_at_origin();
   add_target(scene, {1000.0, 0.0, 0.0}, 1.0);
-  scene.targets[0].rcs_stddev_m2 = 1.0;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 1.0;
   std::size_t silent = 0;
   for (const auto& echo : echo_history(scene)) silent += echo == std::complex<double>() ? 1U : 0U;
   const double share = 0.5 * std::erfc(1.0 / std::sqrt(2.0));  // below -1 sigma
@@ -143,10 +143,11 @@ TEST(PointingJitter, OfADirectionalTargetTurnsItsNormal) {
     scene::Scene scene = radar_at_origin();
     scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
     const double facing_w = std::norm(echo_history(scene)[0]);
-    scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
-    scene.targets[0].azimuth = core::Angle::from_deg(vertical ? 270.0 : 225.0);
-    scene.targets[0].elevation = core::Angle::from_deg(vertical ? 45.0 : 0.0);
-    (vertical ? target.elevation_stddev : target.azimuth_stddev) = core::Angle::from_deg(1.0);
+    scene.targets[0].traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+    scene.targets[0].traits.edit().azimuth = core::Angle::from_deg(vertical ? 270.0 : 225.0);
+    scene.targets[0].traits.edit().elevation = core::Angle::from_deg(vertical ? 45.0 : 0.0);
+    scene::TargetTraits& traits = target.traits.edit();
+    (vertical ? traits.elevation_stddev : traits.azimuth_stddev) = core::Angle::from_deg(1.0);
     std::vector<double> turns_deg;
     for (const auto& echo : echo_history(scene))
       turns_deg.push_back(std::acos(std::norm(echo) / facing_w) * 180.0 / core::pi - 45.0);

@@ -216,7 +216,7 @@ void MainWindow::add_new(scene::AnyObject object) {
                                     ? session_.scene().platforms[current->index].name
                                     : scene::carrier_of(session_.scene(), *current);
     const bool carried = !scene::belongs_to_radar(current->kind) && !carrier.empty();
-    if (carried && scene::stands_on_platform(kind)) *scene::carrier_in(object) = carrier;
+    if (carried && scene::stands_on_platform(kind)) scene::set_carrier(object, carrier);
   }
   session_.perform(scene::add_object(session_.scene(), std::move(object)));
   edit_object({kind, scene::count_of(session_.scene(), kind) - 1});

@@ -14,6 +14,7 @@
 #include "gui/common/problem_line.hpp"
 #include "gui/objects/object_tree_icons.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/model/object_lists.hpp"
 #include "scene/model/scene_index.hpp"
 
 namespace sarsim::gui {
@@ -80,7 +81,7 @@ std::vector<ObjectTreeModel::Group> ObjectTreeModel::groups_of_scene() const {
   scene::SceneIndex names(scene);
   const auto place = [&](scene::ObjectKind kind, const auto& objects) {
     for (std::size_t i = 0; i < objects.size(); ++i) {
-      const std::size_t platform = names.platform(objects[i].platform);
+      const std::size_t platform = names.platform(*scene::carrier_in(objects[i]));
       (platform == scene::not_found ? world : groups[platform]).children.push_back({kind, i});
     }
   };

@@ -244,7 +244,7 @@ void TargetTable::copy() {
 std::string TargetTable::platform_for_new() const {
   if (model_->platform()) return *model_->platform();
   const QModelIndex current = view_->currentIndex();
-  if (current.isValid()) return session_.scene().targets.at(model_->target_at(current.row()).index).platform;
+  if (current.isValid()) return *session_.scene().targets.at(model_->target_at(current.row()).index).platform;
   return session_.scene().platforms.empty() ? "Earth" : session_.scene().platforms.front().name;
 }
 

@@ -132,7 +132,7 @@ std::vector<std::size_t> TargetTableModel::wanted_rows() const {
   scene::SceneIndex names(session_.scene());
   const std::size_t wanted = names.platform(*platform_);
   for (std::size_t i = 0; i < targets.size(); ++i)
-    if (names.platform(targets[i].platform) == wanted) rows.push_back(i);
+    if (names.platform(*targets[i].platform) == wanted) rows.push_back(i);
   order(rows);
   return rows;
 }

@@ -78,11 +78,14 @@ std::optional<Sighting> sighting_of(const scene::Scene& scene, const scene::Targ
   s.scene.options.profile = scene.options.profile;
   s.scene.world = scene.world;
   scene::Target seen = target;
-  seen.position_stddev_m = {};
-  seen.rcs_stddev_m2 = 0.0;
-  seen.azimuth_stddev = seen.elevation_stddev = {};
+  scene::TargetTraits& traits = seen.traits.edit();
+  traits.position_stddev_m = {};
+  traits.rcs_stddev_m2 = 0.0;
+  traits.azimuth_stddev = traits.elevation_stddev = {};
   s.radar.radar.platform = scene.radars[radar].platform;
-  if (!carry(scene, s.scene, s.radar.radar.platform) || !carry(scene, s.scene, seen.platform)) return std::nullopt;
+  std::string carrier = *seen.platform;
+  if (!carry(scene, s.scene, s.radar.radar.platform) || !carry(scene, s.scene, carrier)) return std::nullopt;
+  seen.platform = carrier;
   s.scene.targets.push_back(seen);
   const std::set<std::string> faulty = faulty_fields(s.scene, "target");
   if (faulty.contains("position_m")) return std::nullopt;

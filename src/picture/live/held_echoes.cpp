@@ -20,8 +20,9 @@ constexpr std::size_t most_changed = 256;
 
 // Random deviations belong to the number of a target in its scene.
 bool is_steady(const scene::Target& target) {
-  return target.position_stddev_m == core::Vec3{} && target.rcs_stddev_m2 == 0.0 &&
-         target.azimuth_stddev.rad() == 0.0 && target.elevation_stddev.rad() == 0.0;
+  const scene::TargetTraits& traits = *target.traits;
+  return traits.position_stddev_m == core::Vec3{} && traits.rcs_stddev_m2 == 0.0 &&
+         traits.azimuth_stddev.rad() == 0.0 && traits.elevation_stddev.rad() == 0.0;
 }
 
 // What a plan needs of a scene besides its resolved targets.

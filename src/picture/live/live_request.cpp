@@ -6,6 +6,7 @@
 
 #include "core/maths/angle.hpp"
 #include "picture/live/live_workflows.hpp"
+#include "scene/model/object_lists.hpp"
 
 namespace sarsim::picture {
 
@@ -19,7 +20,7 @@ bool turns_by_itself(const scene::Platform& platform) {
 
 bool carries_targets(const scene::Scene& scene, const scene::Platform& platform) {
   const auto stands_here = [&](const auto& object) {
-    const std::size_t found = scene::find_platform(scene, object.platform);
+    const std::size_t found = scene::find_platform(scene, *scene::carrier_in(object));
     return found != scene::not_found && &scene.platforms[found] == &platform;
   };
   return std::ranges::any_of(scene.targets, stands_here) || std::ranges::any_of(scene.clouds, stands_here) ||

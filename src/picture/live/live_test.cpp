@@ -296,7 +296,8 @@ TEST(LiveEngineTest, WhatDoesNotAddUpIsComputedWhole) {
   scene::Scene scene = example("sar_r.toml");
   LiveEngine engine(2);
   static_cast<void>(made(engine, scene));
-  scene.targets[3].position_stddev_m = Vec3{0.01, 0.0, 0.0};  // A draw for each pulse, by the number of the target.
+  scene.targets[3].traits.edit().position_stddev_m =
+      Vec3{0.01, 0.0, 0.0};  // A draw for each pulse, by the number of the target.
   EXPECT_EQ(made(engine, scene).cost.echoes, 24U * 1240U);
   scene.radars[0].prf_hz = 610.0;
   EXPECT_GT(made(engine, scene).cost.echoes, 24U * 1200U);

@@ -51,8 +51,10 @@ std::vector<Turning> turning_of(core::Angle& azimuth, core::Angle& elevation) {
 std::vector<Turning> turning_of(scene::AnyObject& object, double time_s) {
   if (auto* platform = std::get_if<scene::Platform>(&object)) return turning_of(*platform, time_s);
   if (auto* target = std::get_if<scene::Target>(&object);
-      target != nullptr && target->reflectivity == scene::Target::Reflectivity::directional)
-    return turning_of(target->azimuth, target->elevation);
+      target != nullptr && target->traits->reflectivity == scene::Target::Reflectivity::directional) {
+    scene::TargetTraits& traits = target->traits.edit();
+    return turning_of(traits.azimuth, traits.elevation);
+  }
   if (auto* radar = std::get_if<scene::Radar>(&object);
       radar != nullptr && radar->beam == scene::Radar::Beam::fixed &&
       radar->transmit_antenna.pattern != scene::Antenna::Pattern::isotropic)

@@ -23,9 +23,9 @@ scene::Scene turned_ship() {
   scene::Target& target = scene.targets.emplace_back();
   target.platform = "Ship";
   target.position_m = {5.0, 0.0, 1.0};
-  target.reflectivity = scene::Target::Reflectivity::directional;
-  target.azimuth = core::Angle::from_deg(30.0);
-  target.elevation = core::Angle::from_deg(15.0);
+  target.traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  target.traits.edit().azimuth = core::Angle::from_deg(30.0);
+  target.traits.edit().elevation = core::Angle::from_deg(15.0);
   scene::Radar& radar = scene.radars.emplace_back();
   radar.platform = "Ship";
   radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
@@ -84,7 +84,7 @@ TEST(Handles, AreThereForWhatAHandCanChangeAlone) {
   EXPECT_FALSE(handles({scene::ObjectKind::target, 7}));
   EXPECT_TRUE(handles(ship_id)->gizmo.moves);
   EXPECT_FALSE(handles(radar_id)->gizmo.moves);
-  scene.targets[0].reflectivity = scene::Target::Reflectivity::isotropic;
+  scene.targets[0].traits.edit().reflectivity = scene::Target::Reflectivity::isotropic;
   EXPECT_TRUE(handles(target_id)->gizmo.rings.empty());
   scene.radars[0].beam = scene::Radar::Beam::rotating;
   EXPECT_FALSE(handles(radar_id));

@@ -322,10 +322,10 @@ std::optional<SnapshotMaker::Prepared::Target> SnapshotMaker::Prepared::target_o
   const auto& target = scene.targets[index];
   if (!is_finite(target.position_m)) return std::nullopt;
   core::Vec3 normal;
-  if (target.reflectivity == sarsim::scene::Target::Reflectivity::directional)
-    normal = core::direction(target.azimuth.rad(), target.elevation.rad());
+  if (target.traits->reflectivity == sarsim::scene::Target::Reflectivity::directional)
+    normal = core::direction(target.traits->azimuth.rad(), target.traits->elevation.rad());
   const bool directional = normal != core::Vec3{} && is_finite(normal);
-  return Target{index, platform_of(target.platform), target.position_m, directional ? normal : core::Vec3{},
+  return Target{index, platform_of(*target.platform), target.position_m, directional ? normal : core::Vec3{},
                 directional};
 }
 

@@ -97,7 +97,7 @@ TEST(Snapshot, TargetStandsInItsPlatformsFrame) {
   scene::Scene scene;
   scene.platforms = {platform};
   scene.targets = {target_on("Ship", {0, 100, 7})};
-  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[0].traits.edit().reflectivity = scene::Target::Reflectivity::directional;
   const Snapshot snapshot = SnapshotMaker(scene).at(0.0);
   ASSERT_EQ(snapshot.targets.size(), 1U);
   expect_near(snapshot.targets[0].position_world_m, {110, 20, 37});
@@ -284,8 +284,8 @@ TEST(Snapshot, WhatIsNoNumberIsLeftOut) {
   scene.platforms = {resting("Earth", {nan, 4, 0})};
   scene.targets = {target_on("Earth", {nan, 0, 0}), target_on("Earth", {1, 0, 0}), target_on("Earth", {0, infinity, 0}),
                    target_on("Earth", {2, 0, 0})};
-  scene.targets[3].reflectivity = scene::Target::Reflectivity::directional;
-  scene.targets[3].azimuth = core::Angle::from_deg(nan);
+  scene.targets[3].traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[3].traits.edit().azimuth = core::Angle::from_deg(nan);
   scene.surfaces.resize(2);
   scene.surfaces[0].corner_m[2].z = nan;
   const Snapshot snapshot = SnapshotMaker(scene).at(0.0);

@@ -230,7 +230,7 @@ double farthest_tip_mps(const Scene& scene, const Platform& platform, const core
       mounts.emplace(other.name, other.position_m);
   double fastest_mps = 0.0;
   for (const Target& target : scene.targets)
-    if (const auto mount = mounts.find(target.platform); mount != mounts.end())
+    if (const auto mount = mounts.find(*target.platform); mount != mounts.end())
       fastest_mps = std::max(fastest_mps, core::norm(core::cross(rate_rad_per_s, mount->second + target.position_m)));
   return fastest_mps;
 }

@@ -80,16 +80,16 @@ TEST(CheckPlatform, RefusesErrorFunctionsWhoseLagsDoNotAscend) {
 
 TEST(CheckTarget, RefusesNegativeStandardDeviations) {
   Scene scene = sound_scene();
-  scene.targets[0].rcs_stddev_m2 = -0.5;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = -0.5;
   EXPECT_EQ(expect_error(scene, {"target", 0, "rcs_stddev_m2"}).found, "-0.5 m2");
   scene = sound_scene();
-  scene.targets[0].position_stddev_m.x = -1.0;
+  scene.targets[0].traits.edit().position_stddev_m.x = -1.0;
   expect_error(scene, {"target", 0, "position_stddev_m"});
   scene = sound_scene();
-  scene.targets[0].azimuth_stddev = core::Angle::from_deg(-1.0);
+  scene.targets[0].traits.edit().azimuth_stddev = core::Angle::from_deg(-1.0);
   expect_error(scene, {"target", 0, "azimuth_stddev"});
   scene = sound_scene();
-  scene.targets[0].elevation_stddev = core::Angle::from_deg(-1.0);
+  scene.targets[0].traits.edit().elevation_stddev = core::Angle::from_deg(-1.0);
   expect_error(scene, {"target", 0, "elevation_stddev"});
 }
 
@@ -101,13 +101,13 @@ TEST(CheckTarget, WarnsThatANegativeCrossSectionIsNotSeen) {
 
 TEST(CheckTarget, NeedsPointsForItsOwnReflectivityFunctionOnlyWhereThatIsUsed) {
   Scene scene = sound_scene();
-  scene.targets[0].gain = Target::Gain::user;
+  scene.targets[0].traits.edit().gain = Target::Gain::user;
   EXPECT_TRUE(check(scene).empty());
-  scene.targets[0].reflectivity = Target::Reflectivity::directional;
+  scene.targets[0].traits.edit().reflectivity = Target::Reflectivity::directional;
   expect_error(scene, {"target", 0, "gain_db"});
-  scene.targets[0].gain_db.part[0] = points({{0.0, 0.0}, {90.0, -30.0}});
+  scene.targets[0].traits.edit().gain_db.part[0] = points({{0.0, 0.0}, {90.0, -30.0}});
   EXPECT_TRUE(check(scene).empty());
-  scene.targets[0].gain_db.part[0] = points({{90.0, 0.0}, {0.0, -30.0}});
+  scene.targets[0].traits.edit().gain_db.part[0] = points({{90.0, 0.0}, {0.0, -30.0}});
   expect_error(scene, {"target", 0, "gain_db"});
 }
 
@@ -119,7 +119,7 @@ TEST(CheckCloud, RefusesOneWithoutAFile) {
   expect_error(scene, {"cloud", 0, "file"});
   scene.clouds[0].file = "points.npy";
   EXPECT_TRUE(check(scene).empty());
-  scene.clouds[0].rcs_stddev_m2 = -1.0;
+  scene.clouds[0].traits.rcs_stddev_m2 = -1.0;
   expect_error(scene, {"cloud", 0, "rcs_stddev_m2"});
 }
 

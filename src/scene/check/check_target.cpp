@@ -11,34 +11,33 @@ namespace sarsim::scene {
 
 namespace {
 
-template <class Object>
-void check_reflectivity(Findings& findings, const Object& target) {
-  if (target.rcs_m2 < 0.0)
-    findings.warning(
-        Consequence::lost_signal, "rcs_m2",
-        {.message = "the radar cross-section is negative, which counts as zero: the target is not seen",
-         .found = value_text(target.rcs_m2, "m2"),
-         .expected = "a number above 0",
-         .hint = target.rcs_m2 > -100.0 ? fmt::format("It is in m2, not in dBsm: {0:g} dBsm are {1:.4g} m2.",
-                                                      target.rcs_m2, std::pow(10.0, 0.1 * target.rcs_m2))
-                                        : std::string()});
-  const bool used = target.reflectivity == Target::Reflectivity::directional && target.gain == Target::Gain::user;
+void check_reflectivity(Findings& findings, double rcs_m2, const TargetTraits& traits) {
+  if (rcs_m2 < 0.0)
+    findings.warning(Consequence::lost_signal, "rcs_m2",
+                     {.message = "the radar cross-section is negative, which counts as zero: the target is not seen",
+                      .found = value_text(rcs_m2, "m2"),
+                      .expected = "a number above 0",
+                      .hint = rcs_m2 > -100.0 ? fmt::format("It is in m2, not in dBsm: {0:g} dBsm are {1:.4g} m2.",
+                                                            rcs_m2, std::pow(10.0, 0.1 * rcs_m2))
+                                              : std::string()});
+  const bool used =
+      traits.reflectivity == TargetTraits::Reflectivity::directional && traits.gain == TargetTraits::Gain::user;
   check_function(findings, {.field = "gain_db", .what = "reflectivity function", .parts = single_part, .used = used},
-                 target.gain_db.part);
+                 traits.gain_db.part);
 }
 
 }  // namespace
 
 void check_target(Findings& findings, NameCheck& platforms, const Target& target) {
-  platforms.resolve(findings, "platform", target.platform);
+  platforms.resolve(findings, "platform", *target.platform);
   check_values(findings, target);
-  check_reflectivity(findings, target);
+  check_reflectivity(findings, target.rcs_m2, *target.traits);
 }
 
 void check_cloud(Findings& findings, NameCheck& platforms, const Cloud& cloud) {
   platforms.resolve(findings, "platform", cloud.platform);
   check_values(findings, cloud);
-  check_reflectivity(findings, cloud);
+  check_reflectivity(findings, cloud.rcs_m2, cloud.traits);
   if (cloud.file.empty())
     findings.error("file", {.message = "the cloud has no file: its points stand in a table",
                             .found = {},

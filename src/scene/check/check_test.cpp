@@ -57,18 +57,21 @@ std::vector<Field> motion_fields() {
          s.platforms[0].rotation_envelope.part[2] = points({{0.0, v}});
        }},
       {{"target", 0, "position_m"}, [](Scene& s, double v) { s.targets[0].position_m.x = v; }},
-      {{"target", 0, "position_stddev_m"}, [](Scene& s, double v) { s.targets[0].position_stddev_m.z = v; }},
+      {{"target", 0, "position_stddev_m"},
+       [](Scene& s, double v) { s.targets[0].traits.edit().position_stddev_m.z = v; }},
       {{"target", 0, "rcs_m2"}, [](Scene& s, double v) { s.targets[0].rcs_m2 = v; }},
-      {{"target", 0, "rcs_stddev_m2"}, [](Scene& s, double v) { s.targets[0].rcs_stddev_m2 = v; }},
-      {{"target", 0, "azimuth"}, [](Scene& s, double v) { s.targets[0].azimuth = core::Angle::from_deg(v); }},
-      {{"target", 0, "elevation"}, [](Scene& s, double v) { s.targets[0].elevation = core::Angle::from_deg(v); }},
+      {{"target", 0, "rcs_stddev_m2"}, [](Scene& s, double v) { s.targets[0].traits.edit().rcs_stddev_m2 = v; }},
+      {{"target", 0, "azimuth"},
+       [](Scene& s, double v) { s.targets[0].traits.edit().azimuth = core::Angle::from_deg(v); }},
+      {{"target", 0, "elevation"},
+       [](Scene& s, double v) { s.targets[0].traits.edit().elevation = core::Angle::from_deg(v); }},
       {{"target", 0, "azimuth_stddev"},
-       [](Scene& s, double v) { s.targets[0].azimuth_stddev = core::Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.targets[0].traits.edit().azimuth_stddev = core::Angle::from_deg(v); }},
       {{"target", 0, "elevation_stddev"},
-       [](Scene& s, double v) { s.targets[0].elevation_stddev = core::Angle::from_deg(v); }},
+       [](Scene& s, double v) { s.targets[0].traits.edit().elevation_stddev = core::Angle::from_deg(v); }},
       {{"target", 0, "gain_db"},
        [](Scene& s, double v) {
-         s.targets[0].gain_db.part[0] = points({{v, 0.0}});
+         s.targets[0].traits.edit().gain_db.part[0] = points({{v, 0.0}});
        }},
       {{"surface", 0, "corner_m"}, [](Scene& s, double v) { s.surfaces[0].corner_m[1].y = v; }},
   };
@@ -233,14 +236,14 @@ TEST(Check, SaysOfAnObjectWithAnErrorOnlyTheError) {
   Scene scene = sound_scene();
   scene.targets[0].rcs_m2 = -1.0;  // A warning.
   EXPECT_EQ(check(scene).size(), 1U);
-  scene.targets[0].rcs_stddev_m2 = -1.0;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = -1.0;
   expect_error(scene, {"target", 0, "rcs_stddev_m2"});
 }
 
 TEST(Check, NamesTheObjectByItsPositionInItsList) {
   Scene scene = sound_scene();
   scene.targets.resize(5);
-  scene.targets[3].rcs_stddev_m2 = -1.0;
+  scene.targets[3].traits.edit().rcs_stddev_m2 = -1.0;
   expect_error(scene, {"target", 3, "rcs_stddev_m2"});
 }
 
@@ -268,7 +271,7 @@ TEST(Check, FindsTheSameOnAnyNumberOfThreads) {
   scene.targets.assign(60'000, Target{});
   for (std::size_t i = 0; i < scene.targets.size(); ++i) {
     scene.targets[i].platform = names[i < 20'000 ? 0 : i % 6];
-    if (i % 1000 == 7) scene.targets[i].rcs_stddev_m2 = -1.0;
+    if (i % 1000 == 7) scene.targets[i].traits.edit().rcs_stddev_m2 = -1.0;
     if (i % 1000 == 8) scene.targets[i].rcs_m2 = -1.0;
   }
   const auto printed = [&](unsigned threads) {

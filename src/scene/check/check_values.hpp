@@ -26,9 +26,9 @@ template <class Object>
 [[nodiscard]] bool is_plainly_sound(const FieldOf<Object>& field, const Object& object) {
   if (field.spec.usable) return false;
   const auto sound = [&](double value) { return computable(value) && field.spec.range.holds(value); };
-  if (field.number != nullptr) return sound(*static_cast<const double*>(field.address(object)));
+  if (field.number != nullptr) return sound(field.number(object));
   if (field.vector == nullptr) return false;
-  const auto& value = *static_cast<const core::Vec3*>(field.address(object));
+  const core::Vec3& value = field.vector(object);
   return sound(value.x) && sound(value.y) && sound(value.z);
 }
 

@@ -22,9 +22,9 @@ std::vector<FunctionUse> uses(const Platform& platform) {
           use(blocks::rotation_envelope, platform.rotation_envelope)};
 }
 
-std::vector<FunctionUse> uses(const Target& target) { return {use(blocks::target_gain, target.gain_db)}; }
+std::vector<FunctionUse> uses(const Target& target) { return {use(blocks::target_gain, target.traits->gain_db)}; }
 
-std::vector<FunctionUse> uses(const Cloud& cloud) { return {use(blocks::target_gain, cloud.gain_db)}; }
+std::vector<FunctionUse> uses(const Cloud& cloud) { return {use(blocks::target_gain, cloud.traits.gain_db)}; }
 
 std::vector<FunctionUse> uses(const Radar& radar) {
   return {use(blocks::pulse_iq, radar.pulse_iq),

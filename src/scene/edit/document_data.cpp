@@ -22,7 +22,7 @@ template <class Object>
 void add_names(const std::vector<Object>& objects, std::set<std::string>& names) {
   for (const Object& object : objects) {
     if constexpr (std::is_same_v<Object, Target>)
-      if (object.gain_db.file.empty()) continue;  // there may be millions of targets
+      if (object.traits->gain_db.file.empty()) continue;  // there may be millions of targets
     const KeptObject kept(object);
     for (const FunctionUse& function : functions_of(kept))
       if (!function.file->empty()) names.insert(*function.file);
@@ -46,9 +46,10 @@ void forget_files(Scene& scene, const fs::path& folder) {
   for (Platform& p : scene.platforms)
     for (auto* function : {&p.trajectory_m, &p.rotation_deg, &p.position_envelope, &p.rotation_envelope})
       function->file.clear();
-  for (Target& target : scene.targets) target.gain_db.file.clear();
+  for (Target& target : scene.targets)
+    if (!target.traits->gain_db.file.empty()) target.traits.edit().gain_db.file.clear();
   for (Cloud& cloud : scene.clouds) {
-    cloud.gain_db.file.clear();
+    cloud.traits.gain_db.file.clear();
     std::error_code failure;
     const fs::path found = fs::absolute(data_file_on_disk(folder, cloud.file), failure);
     if (!failure && !cloud.file.empty()) cloud.file = found.string();

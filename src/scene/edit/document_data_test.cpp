@@ -43,11 +43,11 @@ class DataFiles : public testing::Test {
 
   static void set_gain(Document& document, double y) {
     Target target = document.scene().targets.at(0);
-    target.gain_db.part[0].knots.at(1).y = y;
+    target.traits.edit().gain_db.part[0].knots.at(1).y = y;
     document.perform(replace_object(document.scene(), {ObjectKind::target, 0}, target, "Change function"));
   }
   [[nodiscard]] static double gain_in(const fs::path& script) {
-    return read_script_file(script).scene.targets.at(0).gain_db.part[0].knots.at(1).y;
+    return read_script_file(script).scene.targets.at(0).traits->gain_db.part[0].knots.at(1).y;
   }
 
   fs::path folder_;

@@ -290,16 +290,16 @@ TEST(Document, LeavesOutOfTheSceneWhatAScriptCannotSay) {
 TEST(Document, HoldsFaultyValuesAndSaysWhereTheyAre) {
   Document document = Document::from_text(small_script);
   Target faulty = document.scene().targets[0];
-  faulty.rcs_stddev_m2 = -4.0;
+  faulty.traits.edit().rcs_stddev_m2 = -4.0;
   document.perform(replace_object(document.scene(), target(0), faulty, ""));
   EXPECT_TRUE(document.scene().targets[0] == faulty);
   EXPECT_FALSE(document.text_broken());
   ASSERT_TRUE(core::has_errors(document.problems()));
   EXPECT_EQ(document.problems()[0].place.line, 4U);
-  faulty.rcs_stddev_m2 = std::numeric_limits<double>::quiet_NaN();
+  faulty.traits.edit().rcs_stddev_m2 = std::numeric_limits<double>::quiet_NaN();
   document.perform(replace_object(document.scene(), target(0), faulty, ""));
   EXPECT_TRUE(core::has_errors(document.problems()));
-  faulty.rcs_stddev_m2 = 0.5;
+  faulty.traits.edit().rcs_stddev_m2 = 0.5;
   document.perform(replace_object(document.scene(), target(0), faulty, ""));
   EXPECT_FALSE(core::has_errors(document.problems()));
   EXPECT_TRUE(scene_of(document.text()) == document.scene());
@@ -439,20 +439,20 @@ TEST_F(DocumentFiles, OfFunctionsKeepTheirNamesWhenTheFunctionIsEdited) {
   ASSERT_FALSE(core::has_errors(document.problems()));
   const Scene before = document.scene();
   Target edited = before.targets.at(0);
-  edited.gain_db.part[0].knots[1].y = -20.0;
+  edited.traits.edit().gain_db.part[0].knots[1].y = -20.0;
   document.perform(replace_object(before, target(0), edited, "Change function"));
   EXPECT_EQ(document.text(), directional_script("gain.dat"));
-  EXPECT_EQ(document.scene().targets[0].gain_db.part[0].knots[1].y, -20.0);
+  EXPECT_EQ(document.scene().targets[0].traits->gain_db.part[0].knots[1].y, -20.0);
   ASSERT_EQ(document.pending_data().count("gain.dat"), 1U);
   // Typing reads the text again but must not read the old points.
   document.type_text(document.text() + "! typed\n");
-  EXPECT_EQ(document.scene().targets[0].gain_db.part[0].knots[1].y, -20.0);
+  EXPECT_EQ(document.scene().targets[0].traits->gain_db.part[0].knots[1].y, -20.0);
   document.end_run();
   // Once the data are written, what stands on disk counts.
   write(file("gain.dat"), document.pending_data().at("gain.dat"));
   document.type_text(document.text() + "! again\n");
   EXPECT_TRUE(document.pending_data().empty());
-  EXPECT_EQ(document.scene().targets[0].gain_db.part[0].knots[1].y, -20.0);
+  EXPECT_EQ(document.scene().targets[0].traits->gain_db.part[0].knots[1].y, -20.0);
   while (document.history().can_undo()) document.undo();
   EXPECT_TRUE(document.scene() == before);
   EXPECT_EQ(document.text(), directional_script("gain.dat"));

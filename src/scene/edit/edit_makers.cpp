@@ -144,9 +144,9 @@ Edit duplicate_objects(const Scene& scene, const std::vector<ObjectId>& ids) {
   // Platforms come first, radars before what records them: by the order of the kinds.
   for (const ObjectId id : with_dependents(scene, ids, false)) {
     AnyObject copy = object_of(scene, id);
-    if (std::string* const carrier = carrier_in(copy))
+    if (const std::string* const carrier = carrier_in(copy))
       if (const auto renamed = new_names.find(meant_carrier(meanings, copy, *carrier)); renamed != new_names.end())
-        *carrier = renamed->second;
+        set_carrier(copy, renamed->second);
     const ObjectId place{id.kind, count_of(scene, id.kind) + counts[id.kind]++};
     append_object(edit, place, std::move(copy), taken);
     AnyObject made = *edit.changes.back().after;
@@ -171,7 +171,7 @@ Edit carry_objects(const Scene& scene, const std::vector<ObjectId>& ids, const s
     AnyObject before = object_of(scene, id);
     if (id.kind == ObjectKind::platform || carrier_kind(id.kind) != ObjectKind::platform) continue;
     AnyObject after = before;
-    *carrier_in(after) = platform;
+    set_carrier(after, platform);
     if (after != before) edit.changes.push_back({id, std::move(before), std::move(after)});
   }
   return edit;

@@ -90,12 +90,12 @@ void keep_in_list(const std::vector<Object>& list, ObjectKind kind, const Names&
   std::unordered_map<std::string, std::string> known;  // scenes name one platform a million times
   for (std::size_t i = 0; i < list.size(); ++i) {
     if (touched.contains({kind, i})) continue;
-    const std::string& name = *carrier_member(list[i]);
+    const std::string& name = *carrier_in(list[i]);
     const auto [entry, is_new] = known.try_emplace(name);
     if (is_new) entry->second = name_after(names, carrier_kind(kind), name);
     if (entry->second == name) continue;
     Object after = list[i];
-    *carrier_member(after) = entry->second;
+    set_carrier(after, entry->second);
     edit.changes.push_back({{kind, i}, list[i], std::move(after)});
   }
 }

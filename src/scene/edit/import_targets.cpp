@@ -121,7 +121,7 @@ class Importer {
   void begin(const TableLine& line) {
     columns_ = target_columns(line, import_.problems);
     if (columns_.geodetic) {
-      if (auto problem = problem_of_places(columns_, line, world_, platform_))
+      if (auto problem = problem_of_places(columns_, line, world_, *platform_))
         import_.problems.push_back(std::move(*problem));
       earth_ = earth_of(world_);
     }
@@ -164,7 +164,7 @@ class Importer {
   }
 
   TargetImport& import_;
-  const std::string& platform_;
+  SharedName platform_;
   const World& world_;
   std::optional<radar::EarthFrame> earth_;  // of geodetic places
   TargetColumns columns_;

@@ -103,7 +103,7 @@ class ListStory {
       if (after == nullptr) return;
       if constexpr (Kind<Object>::is_named) object.name = before.name != after->name;
       if constexpr (Kind<Object>::stands_on_platform || Kind<Object>::belongs_to_radar)
-        object.carrier = *carrier_member(before) != *carrier_member(*after);
+        object.carrier = *carrier_in(before) != *carrier_in(*after);
     });
     return object;
   }

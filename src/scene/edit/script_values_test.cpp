@@ -37,8 +37,8 @@ TEST(AsScriptSays, KeepsFaultyValues) {
 
 TEST(AsScriptSays, KeepsAnObjectWhoseChoiceIsNone) {
   Target target;
-  target.reflectivity = static_cast<Target::Reflectivity>(7);
-  target.azimuth = core::Angle::from_deg(3.0);
+  target.traits.edit().reflectivity = static_cast<Target::Reflectivity>(7);
+  target.traits.edit().azimuth = core::Angle::from_deg(3.0);
   EXPECT_TRUE(as_script_says(target, {}) == AnyObject(target));
 }
 

@@ -138,7 +138,7 @@ TEST(SpliceFormat2, ReplacesInnerValuesOfInlineTablesAndSubTables) {
 }
 
 TEST(SpliceFormat2, AddsKeysBehindTheLastOfTheirTable) {
-  EXPECT_EQ(after_target(commented, 0, [](Target& t) { t.rcs_stddev_m2 = 0.5; }),
+  EXPECT_EQ(after_target(commented, 0, [](Target& t) { t.traits.edit().rcs_stddev_m2 = 0.5; }),
             with(commented, "# a small one\n", "# a small one\nrcs_deviation = \"0.5 m2\"\n"));
   EXPECT_EQ(after_radar(commented, [](Radar& r) { r.power_w = 5.0; }),
             with(commented, "carrier = \"5.3 GHz\"\n", "carrier = \"5.3 GHz\"\npower = \"5 W\"\n"));

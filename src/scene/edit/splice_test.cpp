@@ -87,8 +87,8 @@ TEST(Splice, ReplacesTheLinesOfAChoiceAndLeavesTheOthers) {
   const std::string text = commented;
   const Scene scene = scene_of(text);
   Target target = scene.targets[1];
-  target.reflectivity = Target::Reflectivity::directional;
-  target.azimuth = core::Angle::from_deg(30.0);
+  target.traits.edit().reflectivity = Target::Reflectivity::directional;
+  target.traits.edit().azimuth = core::Angle::from_deg(30.0);
   const std::string after = after_edit(text, replace_object(scene, {ObjectKind::target, 1}, target, "Change target"));
   EXPECT_NE(after.find("-10, 20, 0                ! (m) guessed\n0, 0, 0\n! between the lines\n2, 0\nDIRECTIONAL"),
             std::string::npos)

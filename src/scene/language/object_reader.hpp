@@ -59,7 +59,11 @@ class ObjectReader {
         if (Leaf* const leaf = find(key))
           visit_elements(field.spec.list, field.list(object), [&](auto& list) { read_list(field.spec, *leaf, list); });
       } else if (field.number != nullptr && field.spec.quantity != Quantity::count && !key.ends_with(']')) {
-        if (Leaf* const leaf = find(key)) read_number(field.spec, *leaf, field.number(object));
+        if (Leaf* const leaf = find(key)) {
+          double value = field.number(object);
+          read_number(field.spec, *leaf, value);
+          field.set_number(object, value);
+        }
       } else if (says_anything_of(key)) {
         FieldValue value = field.get(object);
         const bool is_choice = field.spec.type == FieldType::choice;

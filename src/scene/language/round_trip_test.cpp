@@ -41,7 +41,7 @@ void define_names(Scene& scene) {
     if (!platform.parent.empty()) platform.parent = meant(platforms, platform.parent);
     if (!platform.leader.empty()) platform.leader = meant(platforms, platform.leader);
   }
-  for (Target& target : scene.targets) target.platform = meant(platforms, target.platform);
+  for (Target& target : scene.targets) target.platform = meant(platforms, *target.platform);
   for (Cloud& cloud : scene.clouds) cloud.platform = meant(platforms, cloud.platform);
   for (Surface& surface : scene.surfaces) surface.platform = meant(platforms, surface.platform);
   for (Radar& radar : scene.radars) radar.platform = meant(platforms, radar.platform);

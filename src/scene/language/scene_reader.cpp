@@ -199,7 +199,7 @@ class SceneReader {
     if constexpr (requires { object.parent; }) carrier = object.parent.empty() ? nullptr : &object.parent;
     if constexpr (
         requires { object.platform; } && !requires { object.beam; })
-      carrier = object.platform == "Earth" ? nullptr : &object.platform;
+      carrier = *carrier_in(object) == world_name() ? nullptr : carrier_in(object);
     if (carrier != nullptr)
       reader.error(reader.geodetic_at(), "",
                    {"a place on the Earth is a world position, but this one is in the frame of a platform",
@@ -220,6 +220,7 @@ class SceneReader {
     expect_world(reader, object);
     if constexpr (std::is_same_v<Object, Target>)
       if (positions != nullptr) return read_alike(object, *positions, source, lines, text);
+    if (!list.empty()) share_equal(object, list.back());
     list.push_back(std::move(object));
   }
 
@@ -253,7 +254,7 @@ class SceneReader {
     toml::Elements rows(source.text, positions.value);
     const std::size_t before = scene_.targets.size();
     constexpr std::size_t most_points = 10'000'000;
-    const std::size_t points_each = alike.gain_db.part[0].knots.size();
+    const std::size_t points_each = alike.traits->gain_db.part[0].knots.size();
     while (const auto row = rows.next()) {
       if (reading_.log.full()) return;
       if (scene_.targets.size() == scene_.targets.capacity())
@@ -329,7 +330,7 @@ class References {
     const std::string* last = nullptr;
     if (reading_.names_lost) return;
     for (std::size_t i = 0; i < list.size() && !full(); ++i) {
-      const std::string* const name = carrier_member(list[i]);
+      const std::string* const name = carrier_in(list[i]);
       if (name == nullptr || (last != nullptr && *last == *name)) continue;
       last = name;
       const bool of_radar = Kind<Object>::belongs_to_radar;

@@ -61,7 +61,7 @@ std::string label_of(const Scene& scene, ObjectId id) {
 
 std::string carrier_of(const Scene& scene, ObjectId id) {
   return visit_list(scene, id.kind, [&](const auto& list) {
-    const std::string* const name = carrier_member(list.at(id.index));
+    const std::string* const name = carrier_in(list.at(id.index));
     return name != nullptr ? *name : std::string();
   });
 }
@@ -73,7 +73,7 @@ std::vector<ObjectId> objects_on(const Scene& scene, std::size_t platform) {
     if constexpr (Kind<Object>::stands_on_platform) {
       const std::vector<Object>& objects = scene.*kind.list;
       for (std::size_t i = 0; i < objects.size(); ++i)
-        if (index.platform(objects[i].platform) == platform) found.push_back({kind.kind, i});
+        if (index.platform(*carrier_in(objects[i])) == platform) found.push_back({kind.kind, i});
     }
   });
   return found;

@@ -1,5 +1,7 @@
 #include "scene/model/scene.hpp"
 
+#include <algorithm>
+
 #include "core/text/number_text.hpp"
 #include "scene/model/scene_index.hpp"
 
@@ -21,6 +23,14 @@ std::size_t find_by_name(const Objects& objects, std::string_view name) {
 }
 
 }  // namespace
+
+bool identical(const TargetTraits& a, const TargetTraits& b) {
+  const auto members = {&TargetTraits::azimuth, &TargetTraits::elevation, &TargetTraits::azimuth_stddev,
+                        &TargetTraits::elevation_stddev};
+  return a == b && identical(a.position_stddev_m, b.position_stddev_m) && identical(a.rcs_stddev_m2, b.rcs_stddev_m2) &&
+         std::ranges::all_of(members, [&](const auto member) { return identical(a.*member, b.*member); }) &&
+         std::ranges::equal(a.gain_db.part[0].knots, b.gain_db.part[0].knots, identical<core::Knot>);
+}
 
 std::size_t find_platform(const Scene& scene, std::string_view name) {
   const std::size_t found = find_by_name(scene.platforms, name);

@@ -11,6 +11,7 @@
 #include "core/maths/angle.hpp"
 #include "core/maths/sampled_function.hpp"
 #include "core/maths/vector.hpp"
+#include "scene/model/shared.hpp"
 
 /// What a script describes, as plain data. Any values can be stored, so that an editor can hold a
 /// half-typed object; `check` (scene/check/check.hpp) says whether they can be simulated. SI units, except
@@ -193,17 +194,14 @@ struct Platform {
   friend bool operator==(const Platform&, const Platform&) = default;
 };
 
-/// A point that reflects (script `$TARGET`, thesis 4.2).
-struct Target {
+/// How a point reflects and jitters: what many points have in common.
+struct TargetTraits {
   /// The same cross-section from all sides, or one that depends on the angle from a normal.
   enum class Reflectivity { isotropic, directional };
   /// That dependence: the cosine, or points.
   enum class Gain { cosine, user };
 
-  std::string platform = "Earth";
-  core::Vec3 position_m;  ///< In the platform's frame.
   core::Vec3 position_stddev_m;
-  double rcs_m2 = 1.0;
   double rcs_stddev_m2 = 0.0;
   Reflectivity reflectivity = Reflectivity::isotropic;
   core::Angle azimuth;  ///< Of the reflecting normal in the platform's frame; Reflectivity::directional.
@@ -213,6 +211,27 @@ struct Target {
   Gain gain = Gain::cosine;
   UserFunction<1> gain_db;  ///< Reflectivity [dB] against incidence angle [deg]; Gain::user.
 
+  friend bool operator==(const TargetTraits&, const TargetTraits&) = default;
+};
+
+/// Whether they are equal to the last bit, for scripts keep a zero with the sign it was typed with.
+[[nodiscard]] bool identical(const TargetTraits& a, const TargetTraits& b);
+
+/// What the world itself is called where a platform is named.
+inline std::string world_name() { return "Earth"; }
+/// The name of the platform that carries a point.
+using SharedName = Shared<std::string, world_name>;
+
+/// A point that reflects (script `$TARGET`, thesis 4.2). There may be millions, so that it is as small as can be.
+struct Target {
+  using Reflectivity = TargetTraits::Reflectivity;
+  using Gain = TargetTraits::Gain;
+
+  SharedName platform;
+  core::Vec3 position_m;  ///< In the platform's frame.
+  double rcs_m2 = 1.0;
+  Shared<TargetTraits> traits;
+
   friend bool operator==(const Target&, const Target&) = default;
 };
 
@@ -221,15 +240,7 @@ struct Cloud {
   std::string platform = "Earth";
   std::string file = "points.npy";  ///< NPY, CSV or HDF5: x, y, z and perhaps cross-sections.
   double rcs_m2 = 1.0;              ///< Of each point, where the table has no cross-sections.
-  core::Vec3 position_stddev_m;     ///< This and what follows as of a target, the same for all points.
-  double rcs_stddev_m2 = 0.0;
-  Target::Reflectivity reflectivity = Target::Reflectivity::isotropic;
-  core::Angle azimuth;
-  core::Angle elevation;
-  core::Angle azimuth_stddev;
-  core::Angle elevation_stddev;
-  Target::Gain gain = Target::Gain::cosine;
-  UserFunction<1> gain_db;
+  TargetTraits traits;              ///< Of each point.
 
   FileContents<CloudPoints> points;  ///< What the file holds; null until it is read (workflow/input/cloud_input.hpp).
 

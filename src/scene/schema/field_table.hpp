@@ -29,8 +29,10 @@ struct FieldOf {
   FunctionRef (*function)(Object&) = nullptr;       ///< FieldType::function only.
   const void* (*address)(const Object&) = nullptr;  ///< Of the member: which one it is.
   // Ways past FieldValue, for scripts with a million targets; null where the member is something else.
-  double& (*number)(Object&) = nullptr;  ///< FieldType::number only.
-  core::Vec3& (*vector)(Object&) = nullptr;
+  const double& (*number)(const Object&) = nullptr;  ///< FieldType::number only.
+  void (*set_number)(Object&, double) = nullptr;
+  const core::Vec3& (*vector)(const Object&) = nullptr;
+  void (*set_vector)(Object&, const core::Vec3&) = nullptr;
   int (*alternative)(const Object&) = nullptr;  ///< Of an enumeration or a bool.
   void* (*list)(Object&) = nullptr;             ///< FieldType::list only: its vector.
 };
@@ -65,14 +67,13 @@ class FieldTable {
     spec.likely = both(both(spec.likely, likely_range(spec.quantity)), spec.range);
     spec.group = group_;
     spec.when = when_;
-    FieldOf<Object> field{
-        spec,
-        script::parameter_of(spec),
-        [](const Object& o) { return field_values::held(field_values::member<Path...>(o)); },
-        [](Object& o, const FieldValue& v) { field_values::hold(field_values::member<Path...>(o), v); },
-        [](Object& o) { field_values::member<Path...>(o) = field_values::member<Path...>(Object{}); },
-        nullptr,
-        [](const Object& o) -> const void* { return &field_values::member<Path...>(o); }};
+    FieldOf<Object> field{spec,
+                          script::parameter_of(spec),
+                          [](const Object& o) { return field_values::held(field_values::member<Path...>(o)); },
+                          put<Path...>,
+                          [](Object& o) { replace<Path...>(o, field_values::member<Path...>(initial_object())); },
+                          nullptr,
+                          [](const Object& o) -> const void* { return &field_values::member<Path...>(o); }};
     if constexpr (field_values::is_function<Member>)
       field.function = [](Object& o) {
         auto& f = field_values::member<Path...>(o);
@@ -83,10 +84,14 @@ class FieldTable {
       field.list = [](Object& o) -> void* { return &field_values::member<Path...>(o); };
     }
     if constexpr (std::is_same_v<Member, double>)
-      if (spec.type == FieldType::number)
-        field.number = [](Object& o) -> double& { return field_values::member<Path...>(o); };
-    if constexpr (std::is_same_v<Member, core::Vec3>)
-      field.vector = [](Object& o) -> core::Vec3& { return field_values::member<Path...>(o); };
+      if (spec.type == FieldType::number) {
+        field.number = [](const Object& o) -> const double& { return field_values::member<Path...>(o); };
+        field.set_number = [](Object& o, double value) { replace<Path...>(o, value); };
+      }
+    if constexpr (std::is_same_v<Member, core::Vec3>) {
+      field.vector = [](const Object& o) -> const core::Vec3& { return field_values::member<Path...>(o); };
+      field.set_vector = [](Object& o, const core::Vec3& value) { replace<Path...>(o, value); };
+    }
     if constexpr (std::is_enum_v<Member> || std::is_same_v<Member, bool>)
       field.alternative = [](const Object& o) { return static_cast<int>(field_values::member<Path...>(o)); };
     fields_.push_back(std::move(field));
@@ -130,12 +135,35 @@ class FieldTable {
   }
 
  private:
+  static const Object& initial_object() {
+    static const Object made{};
+    return made;
+  }
+
+  template <auto... Path>
+  static void put(Object& object, const FieldValue& value) {
+    if constexpr (field_values::stands_in_shared<Object, Path...>()) {
+      auto changed = field_values::member<Path...>(std::as_const(object));
+      field_values::hold(changed, value);
+      replace<Path...>(object, changed);
+    } else {
+      field_values::hold(field_values::member<Path...>(object), value);
+    }
+  }
+
+  // What is shared with other objects stays so where nothing changes.
+  template <auto... Path, class Member>
+  static void replace(Object& object, const Member& value) {
+    if constexpr (field_values::stands_in_shared<Object, Path...>())
+      if (identical(field_values::member<Path...>(std::as_const(object)), value)) return;
+    field_values::member<Path...>(object) = value;
+  }
+
   template <auto... Path>
   [[nodiscard]] std::size_t position() const {
-    const Object object{};
-    const void* const wanted = &field_values::member<Path...>(object);
+    const void* const wanted = &field_values::member<Path...>(initial_object());
     for (std::size_t i = 0; i < fields_.size(); ++i)
-      if (fields_[i].address(object) == wanted) return i;
+      if (fields_[i].address(initial_object()) == wanted) return i;
     throw std::logic_error("a member of a scene's object has no field");
   }
 

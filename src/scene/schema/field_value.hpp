@@ -26,20 +26,28 @@ struct Owner<Member Object::*> {
 template <class Pointer>
 using OwnerOf = typename Owner<Pointer>::Type;
 
-/// The member at the end of a path of pointers to members and positions in arrays.
+/// The member at the end of a path of pointers to members and positions in arrays; through values that objects share,
+/// of which one that is to be changed becomes the object's own.
 template <auto First, auto... Rest>
 auto& member(auto&& object) {
-  auto& found = [&]() -> auto& {
-    if constexpr (std::integral<decltype(First)>)
-      return object[First];
+  if constexpr (is_shared<std::remove_cvref_t<decltype(object)>>) {
+    if constexpr (std::is_const_v<std::remove_reference_t<decltype(object)>>)
+      return member<First, Rest...>(*object);
     else
-      return object.*First;
+      return member<First, Rest...>(object.edit());
+  } else {
+    auto& found = [&]() -> auto& {
+      if constexpr (std::integral<decltype(First)>)
+        return object[First];
+      else
+        return object.*First;
+    }
+    ();
+    if constexpr (sizeof...(Rest) == 0)
+      return found;
+    else
+      return member<Rest...>(found);
   }
-  ();
-  if constexpr (sizeof...(Rest) == 0)
-    return found;
-  else
-    return member<Rest...>(found);
 }
 
 template <class Member>
@@ -56,12 +64,24 @@ inline constexpr ListKind list_kind<std::vector<Waypoint>> = ListKind::waypoints
 template <>
 inline constexpr ListKind list_kind<std::vector<Oscillation>> = ListKind::sines;
 
+/// Whether the member at the end of a path stands in a value that objects share.
+template <class Object, auto First, auto... Rest>
+constexpr bool stands_in_shared() {
+  if constexpr (is_shared<Object>)
+    return true;
+  else if constexpr (sizeof...(Rest) == 0)
+    return false;
+  else
+    return stands_in_shared<std::remove_cvref_t<decltype(member<First>(std::declval<Object&>()))>, Rest...>();
+}
+
 /// The type of a field whose member is a `Member`.
 template <class Member>
 FieldType type_of(const FieldSpec& spec) {
   if constexpr (is_function<Member>) return FieldType::function;
   if constexpr (list_kind<Member> != ListKind::none) return FieldType::list;
-  if constexpr (std::same_as<Member, std::string>) return spec.refers.empty() ? FieldType::text : FieldType::name;
+  if constexpr (std::same_as<Member, std::string> || std::same_as<Member, SharedName>)
+    return spec.refers.empty() ? FieldType::text : FieldType::name;
   if constexpr (std::same_as<Member, bool>) return FieldType::check;
   if constexpr (std::is_enum_v<Member>) return FieldType::choice;
   if constexpr (std::same_as<Member, std::uint64_t>) return FieldType::seed;
@@ -84,6 +104,7 @@ inline FieldValue held(const std::array<core::Angle, 3>& value) {
   return core::Vec3{value[0].deg(), value[1].deg(), value[2].deg()};
 }
 inline FieldValue held(const std::string& value) { return value; }
+inline FieldValue held(const SharedName& value) { return *value; }
 /// See above.
 template <std::size_t N>
 FieldValue held(const UserFunction<N>& value) {
@@ -120,6 +141,7 @@ inline void hold(std::array<core::Angle, 3>& member, const FieldValue& value) {
   member = {core::Angle::from_deg(degrees.x), core::Angle::from_deg(degrees.y), core::Angle::from_deg(degrees.z)};
 }
 inline void hold(std::string& member, const FieldValue& value) { member = std::get<std::string>(value); }
+inline void hold(SharedName& member, const FieldValue& value) { member = std::get<std::string>(value); }
 /// See above.
 template <std::size_t N>
 void hold(UserFunction<N>&, const FieldValue&) {}

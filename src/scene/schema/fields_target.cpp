@@ -6,7 +6,7 @@ namespace {
 
 template <class Object>
 void add_deviation(FieldTable<Object>& table) {
-  table.template add<&Object::position_stddev_m>(
+  table.template add<&Object::traits, &TargetTraits::position_stddev_m>(
       {.id = "position_stddev_m",
        .key = "position_deviation",
        .label = "std. deviation",
@@ -63,7 +63,7 @@ void add_reflectivity(FieldTable<Object>& table) {
                                        .words = "radar cross-section",
                                        .quantity = Quantity::area,
                                        .tip = "Received power is Pt Gt Gr lambda^2 RCS/((4 pi)^3 R^4 L)."});
-  table.template add<&Object::rcs_stddev_m2>(
+  table.template add<&Object::traits, &TargetTraits::rcs_stddev_m2>(
       {.id = "rcs_stddev_m2",
        .key = "rcs_deviation",
        .label = "RCS std. deviation",
@@ -72,7 +72,7 @@ void add_reflectivity(FieldTable<Object>& table) {
        .range = zero_or_more,
        .tip = "Gaussian scintillation of the cross section from pulse to pulse; 0 for none.",
        .rare = true});
-  table.template add<&Object::reflectivity>(
+  table.template add<&Object::traits, &TargetTraits::reflectivity>(
       {.id = "reflectivity",
        .key = "reflectivity",
        .label = "Reflectivity",
@@ -84,8 +84,8 @@ void add_reflectivity(FieldTable<Object>& table) {
 
 template <class Object>
 void add_direction(FieldTable<Object>& table) {
-  table.template when<&Object::reflectivity>(Target::Reflectivity::directional);
-  table.template add<&Object::azimuth>(
+  table.template when<&Object::traits, &TargetTraits::reflectivity>(Target::Reflectivity::directional);
+  table.template add<&Object::traits, &TargetTraits::azimuth>(
       {.id = "azimuth",
        .key = "reflectivity.azimuth",
        .label = "Azimuth",
@@ -93,7 +93,7 @@ void add_direction(FieldTable<Object>& table) {
        .noun = "pointing azimuth",
        .quantity = Quantity::angle,
        .tip = "Direction in which the surface faces, in the platform's frame: from +y clockwise towards +x."});
-  table.template add<&Object::elevation>(
+  table.template add<&Object::traits, &TargetTraits::elevation>(
       {.id = "elevation",
        .key = "reflectivity.elevation",
        .label = "Elevation",
@@ -101,15 +101,16 @@ void add_direction(FieldTable<Object>& table) {
        .noun = "pointing elevation",
        .quantity = Quantity::angle,
        .tip = "Direction in which the surface faces, in the platform's frame: above the x-y plane."});
-  table.template add<&Object::azimuth_stddev>({.id = "azimuth_stddev",
-                                               .key = "reflectivity.azimuth_deviation",
-                                               .label = "Azimuth std. deviation",
-                                               .words = "standard deviation of the azimuth",
-                                               .quantity = Quantity::angle,
-                                               .range = zero_or_more,
-                                               .tip = "Gaussian jitter of the azimuth from pulse to pulse; 0 for none.",
-                                               .rare = true});
-  table.template add<&Object::elevation_stddev>(
+  table.template add<&Object::traits, &TargetTraits::azimuth_stddev>(
+      {.id = "azimuth_stddev",
+       .key = "reflectivity.azimuth_deviation",
+       .label = "Azimuth std. deviation",
+       .words = "standard deviation of the azimuth",
+       .quantity = Quantity::angle,
+       .range = zero_or_more,
+       .tip = "Gaussian jitter of the azimuth from pulse to pulse; 0 for none.",
+       .rare = true});
+  table.template add<&Object::traits, &TargetTraits::elevation_stddev>(
       {.id = "elevation_stddev",
        .key = "reflectivity.elevation_deviation",
        .label = "Elevation std. deviation",
@@ -118,7 +119,7 @@ void add_direction(FieldTable<Object>& table) {
        .range = zero_or_more,
        .tip = "Gaussian jitter of the elevation from pulse to pulse; 0 for none.",
        .rare = true});
-  table.template add<&Object::gain>(
+  table.template add<&Object::traits, &TargetTraits::gain>(
       {.id = "gain",
        .key = "reflectivity.gain",
        .label = "Gain",
@@ -127,19 +128,27 @@ void add_direction(FieldTable<Object>& table) {
                    {"OTHER_GAIN", Target::Gain::user, "User-defined", "function of the incidence angle", "points"}},
        .tip = "RCS times the cosine of the incidence angle, nothing from behind; or times a given function of that "
               "angle."});
-  table.template when<&Object::gain>(Target::Gain::user);
-  table.template add<&Object::gain_db>({.id = "gain_db",
-                                        .key = "reflectivity.gain",
-                                        .label = "Gain definition",
-                                        .words = "reflectivity",
-                                        .block = &function_blocks::target_gain,
-                                        .tip = "Reflectivity in dB against the incidence angle, 0 to 180 degrees."});
+  table.template when<&Object::traits, &TargetTraits::gain>(Target::Gain::user);
+  table.template add<&Object::traits, &TargetTraits::gain_db>(
+      {.id = "gain_db",
+       .key = "reflectivity.gain",
+       .label = "Gain definition",
+       .words = "reflectivity",
+       .block = &function_blocks::target_gain,
+       .tip = "Reflectivity in dB against the incidence angle, 0 to 180 degrees."});
 }
 
-template <class Object>
-void begin_gain(const Object&, Object& after) {
-  if (after.reflectivity == Target::Reflectivity::directional && after.gain == Target::Gain::user)
-    begin_constant(after.gain_db.part[0], 0.0);
+bool needs_gain(const TargetTraits& traits) {
+  return traits.reflectivity == TargetTraits::Reflectivity::directional && traits.gain == TargetTraits::Gain::user &&
+         traits.gain_db.part[0].knots.empty();
+}
+
+void begin_gain(const Target&, Target& after) {
+  if (needs_gain(*after.traits)) begin_constant(after.traits.edit().gain_db.part[0], 0.0);
+}
+
+void begin_gain(const Cloud&, Cloud& after) {
+  if (needs_gain(after.traits)) begin_constant(after.traits.gain_db.part[0], 0.0);
 }
 
 }  // namespace
@@ -151,7 +160,7 @@ const FieldTable<Target>& table_of<Target>() {
     add_place(table);
     add_reflectivity(table);
     add_direction(table);
-    return table.on_switch(begin_gain<Target>);
+    return table.on_switch(begin_gain);
   }();
   return made;
 }
@@ -163,7 +172,7 @@ const FieldTable<Cloud>& table_of<Cloud>() {
     add_place(table);
     add_reflectivity(table);
     add_direction(table);
-    return table.on_switch(begin_gain<Cloud>);
+    return table.on_switch(begin_gain);
   }();
   return made;
 }

@@ -56,9 +56,16 @@ class FieldReader {
       const FunctionRef function = field.function(object);
       return read_block(field.in_script, *field.spec.block, function.parts, *function.file);
     }
-    if (field.number != nullptr && field.spec.quantity != Quantity::count)
-      return number(parameter(field, object), field.number(object));
-    if (field.vector != nullptr) return vector(parameter(field, object), field.vector(object));
+    if (field.number != nullptr && field.spec.quantity != Quantity::count) {
+      double value = field.number(object);
+      number(parameter(field, object), value);
+      return field.set_number(object, value);
+    }
+    if (field.vector != nullptr) {
+      core::Vec3 value = field.vector(object);
+      vector(parameter(field, object), value);
+      return field.set_vector(object, value);
+    }
     FieldValue value = field.get(object);
     read_value(field.spec, parameter(field, object), value);
     field.put(object, value);

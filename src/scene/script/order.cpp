@@ -24,6 +24,21 @@ Order<Object> with_rows(Order<Object> first, const std::vector<Row<Object>>& row
   return first;
 }
 
+// What a target and a cloud have alike.
+template <class Object>
+std::vector<Row<Object>> traits_rows(const char* deviation_comment) {
+  constexpr auto in = &Object::traits;
+  using Traits = TargetTraits;
+  return {{{&field_of<in, &Traits::position_stddev_m>()}, deviation_comment},
+          {{&field_of<&Object::rcs_m2>(), &field_of<in, &Traits::rcs_stddev_m2>()},
+           "Radar cross-section and its standard deviation"},
+          {{&field_of<in, &Traits::reflectivity>()}},
+          {{&field_of<in, &Traits::azimuth>(), &field_of<in, &Traits::elevation>(),
+            &field_of<in, &Traits::azimuth_stddev>(), &field_of<in, &Traits::elevation_stddev>()},
+           "Azimuth and elevation of the face, their standard deviations"},
+          {{&field_of<in, &Traits::gain>(), &field_of<in, &Traits::gain_db>()}}};
+}
+
 }  // namespace
 
 const PlatformOrder& platform_order() {
@@ -37,25 +52,16 @@ const PlatformOrder& platform_order() {
 }
 
 const std::vector<Row<Target>>& target_rows() {
-  static const std::vector<Row<Target>> made{
-      {order<&Target::position_m>(), "Position: x, y, z"},
-      {order<&Target::position_stddev_m>(), "Standard deviation of the position: x, y, z"},
-      {order<&Target::rcs_m2, &Target::rcs_stddev_m2>(), "Radar cross-section and its standard deviation"},
-      {order<&Target::reflectivity>()},
-      {order<&Target::azimuth, &Target::elevation, &Target::azimuth_stddev, &Target::elevation_stddev>(),
-       "Azimuth and elevation of the face, their standard deviations"},
-      {order<&Target::gain, &Target::gain_db>()}};
+  static const std::vector<Row<Target>> made = [] {
+    std::vector<Row<Target>> rows = traits_rows<Target>("Standard deviation of the position: x, y, z");
+    rows.insert(rows.begin(), {order<&Target::position_m>(), "Position: x, y, z"});
+    return rows;
+  }();
   return made;
 }
 
 const std::vector<Row<Cloud>>& cloud_rows() {
-  static const std::vector<Row<Cloud>> made{
-      {order<&Cloud::position_stddev_m>(), "Standard deviation of the positions: x, y, z"},
-      {order<&Cloud::rcs_m2, &Cloud::rcs_stddev_m2>(), "Radar cross-section and its standard deviation"},
-      {order<&Cloud::reflectivity>()},
-      {order<&Cloud::azimuth, &Cloud::elevation, &Cloud::azimuth_stddev, &Cloud::elevation_stddev>(),
-       "Azimuth and elevation of the face, their standard deviations"},
-      {order<&Cloud::gain, &Cloud::gain_db>()}};
+  static const std::vector<Row<Cloud>> made = traits_rows<Cloud>("Standard deviation of the positions: x, y, z");
   return made;
 }
 

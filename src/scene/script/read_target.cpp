@@ -1,14 +1,18 @@
 #include <array>
 
+#include "scene/model/object_lists.hpp"
 #include "scene/script/read_commands.hpp"
 
 namespace sarsim::scene::script {
 
 void read_target(Reading& reading, const Token& command, Scene& scene) {
   FieldReader reader(reading, command, "target", scene.targets.size());
-  Target target;
-  if (reader.leading_name(field_of<&Target::platform>().in_script, target.platform)) {
+  std::string carrier = world_name();
+  if (reader.leading_name(field_of<&Target::platform>().in_script, carrier)) {
+    Target target;
+    target.platform = std::move(carrier);
     for (const Row<Target>& row : target_rows()) reader.read(row.fields, target);
+    if (!scene.targets.empty()) share_equal(target, scene.targets.back());
     scene.targets.push_back(std::move(target));
   }
   reader.finish();

@@ -50,8 +50,8 @@ TEST_F(ScriptOnDisk, TakesDataFromItsOwnFolderFirst) {
   write("gain.dat", "1 0 -2");
   const ScriptReading reading = read_script_file(folder_ / "a.scr");
   EXPECT_TRUE(reading.problems.empty());
-  EXPECT_EQ(reading.scene.targets.at(0).gain_db.part[0].knots.at(0).y, -1.0);
-  EXPECT_EQ(reading.scene.targets.at(0).gain_db.file, "gain.dat");
+  EXPECT_EQ(reading.scene.targets.at(0).traits->gain_db.part[0].knots.at(0).y, -1.0);
+  EXPECT_EQ(reading.scene.targets.at(0).traits->gain_db.file, "gain.dat");
 }
 
 TEST_F(ScriptOnDisk, TakesDataFromTheCurrentFolderOtherwise) {
@@ -59,7 +59,7 @@ TEST_F(ScriptOnDisk, TakesDataFromTheCurrentFolderOtherwise) {
   write("gain.dat", "1 0 -2");
   const ScriptReading reading = read_script_file(folder_ / "a.scr");
   EXPECT_TRUE(reading.problems.empty());
-  EXPECT_EQ(reading.scene.targets.at(0).gain_db.part[0].knots.at(0).y, -2.0);
+  EXPECT_EQ(reading.scene.targets.at(0).traits->gain_db.part[0].knots.at(0).y, -2.0);
 }
 
 TEST_F(ScriptOnDisk, TakesBackslashesBetweenFolders) {

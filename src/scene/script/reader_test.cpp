@@ -198,12 +198,12 @@ TEST(ReadScript, ReadsCloudsWithTheNameOfTheirFile) {
       "$C Earth fil b.csv 0 0 0 1 0 DIR 10 20 1 2 COS_GAIN");
   ASSERT_EQ(scene.clouds.size(), 2U);
   EXPECT_EQ(scene.clouds[0].file, "my points.npy");
-  EXPECT_EQ(scene.clouds[0].position_stddev_m, (core::Vec3{1, 2, 3}));
+  EXPECT_EQ(scene.clouds[0].traits.position_stddev_m, (core::Vec3{1, 2, 3}));
   EXPECT_EQ(scene.clouds[0].rcs_m2, 4.0);
-  EXPECT_EQ(scene.clouds[0].rcs_stddev_m2, 5.0);
+  EXPECT_EQ(scene.clouds[0].traits.rcs_stddev_m2, 5.0);
   EXPECT_EQ(scene.clouds[1].file, "b.csv");
-  EXPECT_EQ(scene.clouds[1].reflectivity, Target::Reflectivity::directional);
-  EXPECT_EQ(scene.clouds[1].elevation, core::Angle::from_deg(20.0));
+  EXPECT_EQ(scene.clouds[1].traits.reflectivity, Target::Reflectivity::directional);
+  EXPECT_EQ(scene.clouds[1].traits.elevation, core::Angle::from_deg(20.0));
   EXPECT_FALSE(scene.clouds[1].points) << "the reader of scripts reads no tables";
 }
 

@@ -93,9 +93,9 @@ TEST(RoundTrip, KeepsAUserFunctionInEveryPlaceOfTheLanguage) {
   platform.rotation_error = Platform::MotionError::envelope;
   platform.rotation_envelope = some_function<3>();
   Target& target = scene.targets[0];
-  target.reflectivity = Target::Reflectivity::directional;
-  target.gain = Target::Gain::user;
-  target.gain_db = some_function<1>();
+  target.traits.edit().reflectivity = Target::Reflectivity::directional;
+  target.traits.edit().gain = Target::Gain::user;
+  target.traits.edit().gain_db = some_function<1>();
   Radar& radar = scene.radars[0];
   radar.pulse = Radar::Pulse::user;
   radar.pulse_iq = some_function<2>();
@@ -153,9 +153,9 @@ TEST(RoundTrip, KeepsEveryKeywordOfRecordingsAndTables) {
     Cloud& cloud = scene.clouds.emplace_back();
     cloud.file = "a \"cloud\".npy";
     cloud.rcs_m2 = 0.1;
-    cloud.position_stddev_m = {0.1, 0.2, 0.3};
-    cloud.reflectivity = static_cast<Target::Reflectivity>(i % 2);
-    if (i % 2 == 1) cloud.azimuth = core::Angle::from_deg(12.3);
+    cloud.traits.position_stddev_m = {0.1, 0.2, 0.3};
+    cloud.traits.reflectivity = static_cast<Target::Reflectivity>(i % 2);
+    if (i % 2 == 1) cloud.traits.azimuth = core::Angle::from_deg(12.3);
     expect_same_when_read_back(scene);
   }
 }

@@ -18,7 +18,7 @@ void write_command(ScriptLines& lines, const Cloud& cloud) {
 }
 
 void write_command(ScriptLines& lines, const Target& target) {
-  lines.plain("$TARGET " + quoted_where_needed(target.platform) + "  ! Platform that carries the target");
+  lines.plain("$TARGET " + quoted_where_needed(*target.platform) + "  ! Platform that carries the target");
   lines.rows(target_rows(), target);
   lines.blank();
 }

@@ -85,10 +85,10 @@ TEST(WriteScript, OrdersCommandsAsTheOriginals) {
 TEST(WriteScript, WritesTheNameOfADataFileInPlaceOfItsData) {
   Scene scene;
   Target target;
-  target.reflectivity = Target::Reflectivity::directional;
-  target.gain = Target::Gain::user;
-  target.gain_db.file = "my gain.dat";
-  target.gain_db.part[0].knots = {{0.0, -1.0}};
+  target.traits.edit().reflectivity = Target::Reflectivity::directional;
+  target.traits.edit().gain = Target::Gain::user;
+  target.traits.edit().gain_db.file = "my gain.dat";
+  target.traits.edit().gain_db.part[0].knots = {{0.0, -1.0}};
   scene.targets.push_back(target);
   const std::string text = write_script(scene);
   EXPECT_TRUE(holds(text, "FILE \"my gain.dat\"")) << text;
@@ -113,7 +113,7 @@ TEST(WriteScript, WritesTheSameOnAnyNumberOfThreads) {
   scene.targets.resize(20'000);
   for (std::size_t i = 0; i < scene.targets.size(); ++i) {
     scene.targets[i].position_m = {0.1 * static_cast<double>(i), -1e-7 * static_cast<double>(i), 1e20};
-    if (i % 3 == 0) scene.targets[i].reflectivity = Target::Reflectivity::directional;
+    if (i % 3 == 0) scene.targets[i].traits.edit().reflectivity = Target::Reflectivity::directional;
   }
   scene.radars.resize(1);
   const std::string one = write_script(scene);

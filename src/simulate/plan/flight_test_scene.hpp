@@ -29,14 +29,14 @@ inline scene::Scene flight_scene() {
     scene::Target target;
     target.position_m = {15.0 * i - 40.0, 12.0 * i, 1.0};
     target.rcs_m2 = 1.0 + i;
-    if (i == 1) target.position_stddev_m = {0.02, 0.03, 0.01};
-    if (i == 2) target.rcs_stddev_m2 = 0.5;
+    if (i == 1) target.traits.edit().position_stddev_m = {0.02, 0.03, 0.01};
+    if (i == 2) target.traits.edit().rcs_stddev_m2 = 0.5;
     if (i == 3) target.platform = "Car";
     if (i == 4) {
-      target.reflectivity = scene::Target::Reflectivity::directional;
-      target.azimuth = core::Angle::from_deg(-90.0);
-      target.elevation = core::Angle::from_deg(20.0);
-      target.azimuth_stddev = core::Angle::from_deg(2.0);
+      target.traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+      target.traits.edit().azimuth = core::Angle::from_deg(-90.0);
+      target.traits.edit().elevation = core::Angle::from_deg(20.0);
+      target.traits.edit().azimuth_stddev = core::Angle::from_deg(2.0);
     }
     scene.targets.push_back(target);
   }

@@ -48,7 +48,7 @@ Moments moments(const std::vector<ScattererView>& views, const Value& value) {
 TEST(Jitter, RcsIsDrawnAnewForEveryPulseWithTheGivenDeviation) {
   scene::Scene scene = one_target_scene();
   scene.targets[0].rcs_m2 = 10.0;
-  scene.targets[0].rcs_stddev_m2 = 1.5;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 1.5;
   const double unit = equation_amplitude(1000.0, 1.0, core::exact_light_speed_mps / 1e9);
   const Moments rcs =
       moments(views_of(scene), [&](const ScattererView& v) { return std::pow(v.amplitude_sqrt_w / unit, 2.0); });
@@ -61,7 +61,7 @@ TEST(Jitter, RcsIsDrawnAnewForEveryPulseWithTheGivenDeviation) {
 TEST(Jitter, NegativeRcsIsClippedToNothing) {
   scene::Scene scene = one_target_scene();
   scene.targets[0].rcs_m2 = 0.0;
-  scene.targets[0].rcs_stddev_m2 = 2.0;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 2.0;
   const double unit = equation_amplitude(1000.0, 1.0, core::exact_light_speed_mps / 1e9);
   int silent = 0;
   double mean = 0.0;
@@ -77,7 +77,7 @@ TEST(Jitter, MovesPositionsAlongEachAxisByItsOwnDeviation) {
   for (const core::Vec3& axis : {core::Vec3{1, 0, 0}, core::Vec3{0, 1, 0}, core::Vec3{0, 0, 1}}) {
     scene::Scene scene = one_target_scene();
     scene.targets[0].position_m = 1000.0 * axis;
-    scene.targets[0].position_stddev_m = 0.3 * axis;
+    scene.targets[0].traits.edit().position_stddev_m = 0.3 * axis;
     const Moments distance = moments(views_of(scene), [](const ScattererView& v) { return v.distance_m; });
     EXPECT_NEAR(distance.mean, 1000.0, 5.0 * 0.3 / std::sqrt(pulses));
     EXPECT_NEAR(distance.variance, 0.09, 5.0 * 0.09 * std::sqrt(2.0 / pulses));
@@ -91,7 +91,7 @@ TEST(Jitter, LeavesSpeedsAlone) {
   scene.platforms.push_back(moving("Car", {1000, 0, 0}, {70, 0, 0}));
   scene.platforms.back().position_stddev_m = {0.3, 0.0, 0.0};
   scene.targets[0] = target_on("Car", {});
-  scene.targets[0].position_stddev_m = {0.2, 0.0, 0.0};
+  scene.targets[0].traits.edit().position_stddev_m = {0.2, 0.0, 0.0};
   for (const ScattererView& v : views_of(scene, 0, 500)) EXPECT_NEAR(v.speed_mps, 70.0, 1e4 * epsilon);
 }
 
@@ -99,25 +99,25 @@ TEST(Jitter, LeavesSpeedsAlone) {
 TEST(Jitter, TurnsTheNormalsOfDirectionalTargets) {
   scene::Scene scene = one_target_scene();
   scene::Target& plate = scene.targets[0];
-  plate.reflectivity = scene::Target::Reflectivity::directional;
-  plate.azimuth = core::Angle::from_deg(-90.0);
+  plate.traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  plate.traits.edit().azimuth = core::Angle::from_deg(-90.0);
   const double unit = equation_amplitude(1000.0, 1.0, core::exact_light_speed_mps / 1e9);
   constexpr double s = 0.2;
   const double sigma = s * s / std::sqrt(2.0);
   const auto cosine = [&](const ScattererView& v) { return std::pow(v.amplitude_sqrt_w / unit, 2.0); };
-  plate.azimuth_stddev = core::Angle::from_rad(s);
+  plate.traits.edit().azimuth_stddev = core::Angle::from_rad(s);
   EXPECT_NEAR(moments(views_of(scene), cosine).mean, std::exp(-0.5 * s * s), 5.0 * sigma / std::sqrt(pulses));
-  plate.elevation_stddev = core::Angle::from_rad(s);
+  plate.traits.edit().elevation_stddev = core::Angle::from_rad(s);
   EXPECT_NEAR(moments(views_of(scene), cosine).mean, std::exp(-s * s), 5.0 * 1.5 * sigma / std::sqrt(pulses));
 }
 
 TEST(Jitter, OfOneTargetDoesNotChangeWhenOthersAreAdded) {
   scene::Scene scene = one_target_scene();
-  scene.targets[0].position_stddev_m = {1, 1, 1};
-  scene.targets[0].rcs_stddev_m2 = 0.1;
+  scene.targets[0].traits.edit().position_stddev_m = {1, 1, 1};
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.1;
   const auto before = views_of(scene, 0, 50);
   scene::Target other = target_on("Earth", {300, 400, 0}, 5.0);
-  other.position_stddev_m = {2, 2, 2};
+  other.traits.edit().position_stddev_m = {2, 2, 2};
   scene.targets.push_back(other);
   scene.surfaces.push_back({});
   scene::Platform extra = resting("Extra", {1, 2, 3});
@@ -132,7 +132,7 @@ TEST(Jitter, OfOneTargetDoesNotChangeWhenOthersAreAdded) {
 
 TEST(Jitter, OfTwoTargetsIsIndependentAndFollowsTheSeed) {
   scene::Scene scene = one_target_scene();
-  scene.targets[0].position_stddev_m = {1, 0, 0};
+  scene.targets[0].traits.edit().position_stddev_m = {1, 0, 0};
   scene.targets.push_back(scene.targets[0]);
   const auto first = views_of(scene, 0), second = views_of(scene, 1);
   double product = 0.0;

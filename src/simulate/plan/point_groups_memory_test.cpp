@@ -49,12 +49,12 @@ namespace {
 
 TEST(FastEchoes, AllocateNothingFromTheSecondPulseOn) {
   scene::Scene scene = one_target_scene();
-  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
-  scene.targets[0].position_stddev_m = {1, 2, 3};
-  scene.targets[0].rcs_stddev_m2 = 0.1;
-  scene.targets[0].azimuth_stddev = core::Angle::from_deg(3);
-  scene.targets[0].gain = scene::Target::Gain::user;
-  scene.targets[0].gain_db.part[0] = lines({{0.0, 0.0}, {180.0, -20.0}});
+  scene.targets[0].traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[0].traits.edit().position_stddev_m = {1, 2, 3};
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.1;
+  scene.targets[0].traits.edit().azimuth_stddev = core::Angle::from_deg(3);
+  scene.targets[0].traits.edit().gain = scene::Target::Gain::user;
+  scene.targets[0].traits.edit().gain_db.part[0] = lines({{0.0, 0.0}, {180.0, -20.0}});
   scene.targets.resize(1003, scene.targets[0]);
   scene.surfaces.push_back({});
   scene::Antenna& antenna = scene.radars[0].transmit_antenna;

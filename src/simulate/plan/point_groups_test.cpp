@@ -16,9 +16,9 @@ constexpr std::array methods{core::Interpolation::linear, core::Interpolation::c
 
 scene::Target directional(scene::Target target, double azimuth_deg,
                           scene::Target::Gain gain = scene::Target::Gain::cosine) {
-  target.reflectivity = scene::Target::Reflectivity::directional;
-  target.azimuth = core::Angle::from_deg(azimuth_deg);
-  target.gain = gain;
+  target.traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  target.traits.edit().azimuth = core::Angle::from_deg(azimuth_deg);
+  target.traits.edit().gain = gain;
   return target;
 }
 
@@ -33,11 +33,11 @@ core::SampledFunction reflectivity_curve(std::size_t sort) {
 
 // Deviations in one of twelve combinations, none among them.
 scene::Target jittering(scene::Target target, int sort) {
-  if (sort % 2 == 1) target.position_stddev_m = {0.1, sort % 4 == 1 ? 0.2 : 0.0, 0.0};
-  if (sort % 3 == 1) target.position_stddev_m.z = 0.3;
-  if (sort % 4 >= 2) target.rcs_stddev_m2 = 0.7;
-  if (sort % 5 >= 3) target.azimuth_stddev = core::Angle::from_deg(20.0);
-  if (sort % 5 == 4) target.elevation_stddev = core::Angle::from_deg(5.0);
+  if (sort % 2 == 1) target.traits.edit().position_stddev_m = {0.1, sort % 4 == 1 ? 0.2 : 0.0, 0.0};
+  if (sort % 3 == 1) target.traits.edit().position_stddev_m.z = 0.3;
+  if (sort % 4 >= 2) target.traits.edit().rcs_stddev_m2 = 0.7;
+  if (sort % 5 >= 3) target.traits.edit().azimuth_stddev = core::Angle::from_deg(20.0);
+  if (sort % 5 == 4) target.traits.edit().elevation_stddev = core::Angle::from_deg(5.0);
   return target;
 }
 
@@ -58,7 +58,7 @@ scene::Scene mixed_scene() {
     if (i % 6 == 1) target = directional(target, -90.0 + i % 40);
     if (i % 5 >= 3) {
       target = directional(target, 250.0 + i % 60, scene::Target::Gain::user);
-      target.gain_db.part[0] = reflectivity_curve(static_cast<std::size_t>(i / 5));
+      target.traits.edit().gain_db.part[0] = reflectivity_curve(static_cast<std::size_t>(i / 5));
     }
     if (i % 7 >= 4) target = jittering(target, i / 7);
     scene.targets.push_back(target);
@@ -250,7 +250,7 @@ TEST(FastEchoes, AreTheSameInSpecialDirections) {
             scene::Target target = target_on("Earth", distance_m * way);
             scene.targets.push_back(target);
             target = directional(target, 180.0 + azimuth_deg, scene::Target::Gain::user);
-            target.gain_db.part[0] = reflectivity_curve(scene.targets.size() % 9);
+            target.traits.edit().gain_db.part[0] = reflectivity_curve(scene.targets.size() % 9);
             target.position_m = (distance_m + 50.0) * way;
             scene.targets.push_back(target);
             distance_m += 100.0;
@@ -279,7 +279,7 @@ TEST(GroupPoints, CollectsWhatSharesPlatformLawAndDeviationsInTheOrderOfTheScene
   scene.platforms.push_back(resting("Ship", {}));
   const scene::Target plain = target_on("Earth", {1000, 0, 0}, 4.0);
   scene::Target other = directional(plain, 0.0, scene::Target::Gain::user);
-  other.gain_db.part[0] = reflectivity_curve(0);
+  other.traits.edit().gain_db.part[0] = reflectivity_curve(0);
   scene::Target moved = plain;
   moved.position_m.x = 7.0;
   scene.targets = {plain,
@@ -366,7 +366,7 @@ TEST(FastEchoes, RefuseWhatPulseGeometryRefusesInTheSameWords) {
   scenes[0].targets[20] = scenes[0].targets[11] = target_on("Earth", {});
   scenes[1].targets[33] = directional(target_on("Earth", {}), 10.0);
   scenes[2].targets[4].rcs_m2 = 1e300;
-  scenes[3].targets[280].rcs_stddev_m2 = 1e300;
+  scenes[3].targets[280].traits.edit().rcs_stddev_m2 = 1e300;
   scenes[3].targets[280].rcs_m2 = 1e300;
   scenes[4].platforms[1] = moving("Ship", {900.0, 400.0, 10.0}, {4e8, 0.0, 0.0});
   for (const scene::Scene& scene : scenes) {

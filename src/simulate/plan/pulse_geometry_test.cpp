@@ -217,16 +217,16 @@ TEST(PulseGeometry, CosineAndUserLawsFollowTheNormalAsThePlatformTurns) {
   table.rotation[2] = core::Angle::from_deg(-30.0);
   scene.platforms.push_back(table);
   scene::Target plate = target_on("Table", {});
-  plate.reflectivity = scene::Target::Reflectivity::directional;
-  plate.azimuth =
+  plate.traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  plate.traits.edit().azimuth =
       core::Angle::from_deg(-90.0);  // faces -x, the radar; the table turns it by 30 degrees counterclockwise
   scene.targets = {plate};
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * std::sqrt(std::cos(core::pi / 6.0)), plain * 1e-14);
-  scene.targets[0].gain = scene::Target::Gain::user;
-  scene.targets[0].gain_db.part[0] = lines({{0, 0}, {60, -20}});
+  scene.targets[0].traits.edit().gain = scene::Target::Gain::user;
+  scene.targets[0].traits.edit().gain_db.part[0] = lines({{0, 0}, {60, -20}});
   EXPECT_NEAR(Sky(scene).view(0).amplitude_sqrt_w, plain * std::sqrt(0.1), plain * 1e-13);
-  scene.targets[0].gain = scene::Target::Gain::cosine;
-  scene.targets[0].azimuth = core::Angle::from_deg(90.0);  // from behind
+  scene.targets[0].traits.edit().gain = scene::Target::Gain::cosine;
+  scene.targets[0].traits.edit().azimuth = core::Angle::from_deg(90.0);  // from behind
   EXPECT_EQ(Sky(scene).view(0).amplitude_sqrt_w, 0.0);
 }
 
@@ -239,8 +239,8 @@ TEST(PulseGeometry, WhatTheRadarSeesDoesNotDependOnHowTheWorldIsTurned) {
   scene.radars[0].beam_azimuth = core::Angle::from_deg(80.0);
   scene.radars[0].beam_elevation = core::Angle::from_deg(-10.0);
   scene.targets[0] = target_on("Earth", {1000.0, 150.0, -100.0});
-  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
-  scene.targets[0].azimuth = core::Angle::from_deg(-100.0);
+  scene.targets[0].traits.edit().reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[0].traits.edit().azimuth = core::Angle::from_deg(-100.0);
   const ScattererView level = Sky(scene).view(0);
   scene.platforms[0].position_m = {500, 7000, -300};
   scene.platforms[0].rotation = {core::Angle::from_deg(40), core::Angle::from_deg(-25), core::Angle::from_deg(130)};

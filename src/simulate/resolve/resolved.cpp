@@ -28,23 +28,21 @@ std::array<core::Interpolator, 3> three(const scene::UserFunction<3>& function, 
           core::Interpolator(function.part[2], rule, scale)};
 }
 
-// What a target and a cloud have alike: all but position and cross-section.
-template <class Object>
-Scatterer scatterer_of(const Object& object, std::uint32_t platform, ResolvedScene& resolved) {
-  using scene::Target;
+// What a target and a cloud have alike: all but platform, position and cross-section.
+Scatterer scatterer_of(const scene::TargetTraits& traits, ResolvedScene& resolved) {
+  using Traits = scene::TargetTraits;
   Scatterer s;
-  s.platform = platform;
-  s.position_stddev_m = object.position_stddev_m;
-  s.rcs_stddev_m2 = object.rcs_stddev_m2;
-  if (object.reflectivity == Target::Reflectivity::directional) {
-    s.law = object.gain == Target::Gain::cosine ? radar::ReflectivityLaw::cosine : radar::ReflectivityLaw::user;
-    s.azimuth_rad = object.azimuth.rad();
-    s.elevation_rad = object.elevation.rad();
-    s.azimuth_stddev_rad = object.azimuth_stddev.rad();
-    s.elevation_stddev_rad = object.elevation_stddev.rad();
+  s.position_stddev_m = traits.position_stddev_m;
+  s.rcs_stddev_m2 = traits.rcs_stddev_m2;
+  if (traits.reflectivity == Traits::Reflectivity::directional) {
+    s.law = traits.gain == Traits::Gain::cosine ? radar::ReflectivityLaw::cosine : radar::ReflectivityLaw::user;
+    s.azimuth_rad = traits.azimuth.rad();
+    s.elevation_rad = traits.elevation.rad();
+    s.azimuth_stddev_rad = traits.azimuth_stddev.rad();
+    s.elevation_stddev_rad = traits.elevation_stddev.rad();
     if (s.law == radar::ReflectivityLaw::user) {
       s.gain_curve = static_cast<std::uint32_t>(resolved.gain_curves.size());
-      resolved.gain_curves.emplace_back(object.gain_db.part[0], interpolation_rules(resolved.options));
+      resolved.gain_curves.emplace_back(traits.gain_db.part[0], interpolation_rules(resolved.options));
     }
   }
   s.jittered = s.position_stddev_m != core::Vec3{} || s.rcs_stddev_m2 != 0.0 || s.azimuth_stddev_rad != 0.0 ||
@@ -178,11 +176,15 @@ void find_balls(ResolvedScene& resolved) {
 void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedScene& resolved,
                  const core::WorkControl& control) {
   resolved.scatterers.reserve(scene.targets.size(), control);
+  const scene::TargetTraits* traits = nullptr;  // of the target before
+  Scatterer s;
   for (const scene::Target& target : scene.targets) {
     constexpr std::size_t between_looks = 4096;
     if (resolved.scatterers.size() % between_looks == 0 && control.stop != nullptr && control.stop->requested())
       throw core::Interrupted();
-    Scatterer s = scatterer_of(target, platform_number(names, scene, target.platform), resolved);
+    if (&*target.traits != traits) s = scatterer_of(*target.traits, resolved);
+    traits = &*target.traits;
+    s.platform = platform_number(names, scene, *target.platform);
     s.position_m = target.position_m;
     s.rcs_m2 = target.rcs_m2;
     resolved.scatterers.push_back(s);
@@ -190,8 +192,9 @@ void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedSc
   for (const scene::Cloud& cloud : scene.clouds) {
     if (!cloud.points || cloud.points->file != cloud.file)
       throw std::invalid_argument("the points of cloud '" + cloud.file + "' are not read");
-    resolved.scatterers.add_cloud({scatterer_of(cloud, platform_number(names, scene, cloud.platform), resolved),
-                                   arrays_of(cloud), cloud.points->least_m, cloud.points->most_m});
+    Scatterer common = scatterer_of(cloud.traits, resolved);
+    common.platform = platform_number(names, scene, cloud.platform);
+    resolved.scatterers.add_cloud({common, arrays_of(cloud), cloud.points->least_m, cloud.points->most_m});
   }
 }
 

@@ -120,13 +120,32 @@ TEST(Resolve, IgnoresTheAlignmentOfAPlatformThatRests) {
 TEST(Resolve, MarksJitteredTargetsByAnyOfTheirDeviations) {
   scene::Scene scene = one_target_scene();
   EXPECT_FALSE(resolve(scene).scatterers[0].jittered);
-  scene.targets[0].rcs_stddev_m2 = 0.1;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.1;
   EXPECT_TRUE(resolve(scene).scatterers[0].jittered);
-  scene.targets[0].rcs_stddev_m2 = 0.0;
-  scene.targets[0].azimuth_stddev = core::Angle::from_deg(1.0);
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.0;
+  scene.targets[0].traits.edit().azimuth_stddev = core::Angle::from_deg(1.0);
   EXPECT_FALSE(resolve(scene).scatterers[0].jittered);  // isotropic: no normal to move
-  scene.targets[0].reflectivity = scene::Target::Reflectivity::directional;
+  scene.targets[0].traits.edit().reflectivity = scene::Target::Reflectivity::directional;
   EXPECT_TRUE(resolve(scene).scatterers[0].jittered);
+}
+
+TEST(Resolve, MakesOneCurveForTargetsThatShareTheirTraits) {
+  scene::Scene scene = one_target_scene();
+  scene::TargetTraits& traits = scene.targets[0].traits.edit();
+  traits.reflectivity = scene::Target::Reflectivity::directional;
+  traits.gain = scene::Target::Gain::user;
+  traits.gain_db.part[0] = lines({{0.0, 0.0}, {90.0, -20.0}});
+  scene.targets.resize(3, scene.targets[0]);
+  EXPECT_EQ(resolve(scene).gain_curves.size(), 1U);
+  scene.targets[1].traits.edit().gain_db.part[0] = lines({{0.0, 0.0}, {90.0, -30.0}});
+  const ResolvedScene resolved = resolve(scene);
+  EXPECT_EQ(resolved.gain_curves.size(), 3U);
+  const auto at_90_db = [&](std::size_t i) {
+    return resolved.gain_curves[resolved.scatterers[i].gain_curve].value(90.0);
+  };
+  EXPECT_EQ(at_90_db(0), -20.0);
+  EXPECT_EQ(at_90_db(1), -30.0);
+  EXPECT_EQ(at_90_db(2), -20.0);
 }
 
 TEST(ResolveRadar, RadiatesPowerTimesGainsOverLosses) {

@@ -30,7 +30,7 @@ std::shared_ptr<const scene::CloudPoints> some_points(std::size_t count) {
 scene::Scene scene_with_cloud(std::size_t points) {
   scene::Scene scene = one_target_scene();
   scene::Cloud cloud;
-  cloud.platform = scene.targets[0].platform;
+  cloud.platform = *scene.targets[0].platform;
   cloud.file = "points.npy";
   cloud.points = some_points(points);
   scene.clouds = {cloud};
@@ -64,7 +64,7 @@ TEST(ScattererList, GivesBackWhatItWasGiven) {
 TEST(ScattererList, HasThePointsOfCloudsBehindItsTargets) {
   scene::Scene scene = scene_with_cloud(5);
   scene.clouds.push_back(scene.clouds[0]);
-  scene.clouds[1].position_stddev_m.x = 0.5;
+  scene.clouds[1].traits.position_stddev_m.x = 0.5;
   const ResolvedScene resolved = resolve(scene);
   const ScattererList& list = resolved.scatterers;
   ASSERT_EQ(list.size(), 11U);

@@ -19,7 +19,7 @@ scene::Scene noisy_chirp_scene() {
   scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = 3e6;
   scene.radars[0].noise_temperature_k = 1e5;
-  scene.targets[0].rcs_stddev_m2 = 0.1;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.1;
   scene.platforms.push_back(moving("Car", {1300, 20, 0}, {-25, 3, 0}));
   scene.targets.push_back(target_on("Car", {}, 2.0));
   scene.simulations[0].time_end_s = 0.002;
@@ -87,7 +87,7 @@ TEST(Recording, PulsesDoNotDependOnWhenTheWindowBegins) {
 TEST(Recording, OfTwoTargetsIsTheSumOfTheRecordingsOfEach) {
   scene::Scene scene = noisy_chirp_scene();
   scene.radars[0].noise_temperature_k = 0.0;
-  scene.targets[0].rcs_stddev_m2 = 0.0;
+  scene.targets[0].traits.edit().rcs_stddev_m2 = 0.0;
   const Samples both = samples_of(scene);
   scene::Scene first = scene, second = scene;
   first.targets.pop_back();
@@ -101,7 +101,7 @@ TEST(Recording, AddingATargetAddsItsEchoesAndNothingElse) {
   scene::Scene scene = noisy_chirp_scene();
   const Samples before = samples_of(scene);
   scene.targets.push_back(target_on("Earth", {900.0, 0, 0}, 0.0));  // reflects nothing, draws nothing from the others
-  scene.targets.back().position_stddev_m = {5, 5, 5};
+  scene.targets.back().traits.edit().position_stddev_m = {5, 5, 5};
   EXPECT_EQ(samples_of(scene), before);
 }
 

@@ -319,7 +319,7 @@ scene::Scene wide_scene(bool with_impossible_targets) {
   for (int i = 0; i < 30'000; ++i) {
     scene.targets.push_back(target_on(i % 3 == 0 ? "Away" : "Earth", {900.0 + 0.05 * i, 0.1 * i, 0.0}, 0.1 + i % 7));
     if (with_impossible_targets && i % 1000 == 5) scene.targets.back() = target_on("Earth", {});
-    if (i % 11 == 0) scene.targets.back().rcs_stddev_m2 = 0.5;
+    if (i % 11 == 0) scene.targets.back().traits.edit().rcs_stddev_m2 = 0.5;
   }
   return scene;
 }

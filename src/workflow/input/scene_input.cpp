@@ -333,10 +333,10 @@ std::vector<std::filesystem::path> data_files_of(const scene::Scene& scene,
   names.erase("");
   for (const scene::Radar& radar : scene.radars) take(radar);
   for (const scene::Target& target : scene.targets)
-    if (!target.gain_db.file.empty()) names.insert(target.gain_db.file);
+    if (const std::string& file = target.traits->gain_db.file; !file.empty()) names.insert(file);
   for (const scene::Cloud& cloud : scene.clouds) {
     if (!cloud.file.empty()) names.insert(cloud.file);
-    if (!cloud.gain_db.file.empty()) names.insert(cloud.gain_db.file);
+    if (!cloud.traits.gain_db.file.empty()) names.insert(cloud.traits.gain_db.file);
   }
   std::vector<std::filesystem::path> files;
   for (const std::string& name : names)

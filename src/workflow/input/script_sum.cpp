@@ -32,9 +32,9 @@ class DataFiles {
       add(p.position_envelope);
       add(p.rotation_envelope);
     }
-    for (const scene::Target& target : scene.targets) add(target.gain_db);
+    for (const scene::Target& target : scene.targets) add(target.traits->gain_db);
     for (const scene::Cloud& cloud : scene.clouds) {
-      add(cloud.gain_db);
+      add(cloud.traits.gain_db);
       if (cloud.points) sum_.add(std::as_bytes(std::span(&cloud.points->sum, 1)));
     }
     for (const scene::Radar& r : scene.radars) {

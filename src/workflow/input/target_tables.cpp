@@ -25,7 +25,7 @@ constexpr TableFileRules rules_of_targets{"the table of targets", std::uint64_t{
 
 std::string platform_for(const TargetTable& table, const scene::Scene& scene) {
   if (!table.platform.empty()) return table.platform;
-  return scene.targets.empty() ? scene::Target().platform : scene.targets.front().platform;
+  return scene.targets.empty() ? scene::world_name() : *scene.targets.front().platform;
 }
 
 std::string listed_platforms(const scene::Scene& scene) {

@@ -37,7 +37,7 @@ class CloudRecording : public testing::Test {
           fmt::format("{},{},{},{}\n", target.position_m.x, target.position_m.y, target.position_m.z, target.rcs_m2);
     }
     write_table(table);
-    cloud_.platform = like.platform;
+    cloud_.platform = *like.platform;
     cloud_.file = "points.csv";
   }
   ~CloudRecording() override { fs::remove_all(folder_); }
@@ -46,8 +46,8 @@ class CloudRecording : public testing::Test {
 
   // What each point has besides, as a target and as the cloud.
   void each(const auto& change) {
-    change(cloud_);
-    for (scene::Target& target : points_) change(target);
+    change(cloud_.traits);
+    for (scene::Target& target : points_) change(target.traits.edit());
   }
 
   [[nodiscard]] scene::Scene with_cloud() const {
@@ -95,9 +95,9 @@ class CloudRecording : public testing::Test {
 TEST_F(CloudRecording, HasTheBytesOfThatOfEqualTargets) { expect_same(); }
 
 TEST_F(CloudRecording, HasThemWithRandomDeviations) {
-  each([](auto& object) {
-    object.position_stddev_m = {0.01, 0.02, 0.03};
-    object.rcs_stddev_m2 = 0.0625;
+  each([](scene::TargetTraits& traits) {
+    traits.position_stddev_m = {0.01, 0.02, 0.03};
+    traits.rcs_stddev_m2 = 0.0625;
   });
   // Squares of roots are the cross-sections again where those are squares.
   write_table([&] {
@@ -112,13 +112,13 @@ TEST_F(CloudRecording, HasThemWithRandomDeviations) {
 }
 
 TEST_F(CloudRecording, HasThemWithAFaceAndAFunction) {
-  each([](auto& object) {
-    object.reflectivity = scene::Target::Reflectivity::directional;
-    object.azimuth = core::Angle::from_deg(170.0);
-    object.elevation = core::Angle::from_deg(40.0);
-    object.azimuth_stddev = core::Angle::from_deg(2.0);
-    object.gain = scene::Target::Gain::user;
-    object.gain_db.part[0] = {core::Interpolation::linear, {{0.0, 0.0}, {90.0, -10.0}, {180.0, -60.0}}};
+  each([](scene::TargetTraits& traits) {
+    traits.reflectivity = scene::Target::Reflectivity::directional;
+    traits.azimuth = core::Angle::from_deg(170.0);
+    traits.elevation = core::Angle::from_deg(40.0);
+    traits.azimuth_stddev = core::Angle::from_deg(2.0);
+    traits.gain = scene::Target::Gain::user;
+    traits.gain_db.part[0] = {core::Interpolation::linear, {{0.0, 0.0}, {90.0, -10.0}, {180.0, -60.0}}};
   });
   scene_.targets.clear();
   expect_same();

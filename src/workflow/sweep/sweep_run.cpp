@@ -147,7 +147,7 @@ std::uint64_t hash_of_scene(const scene::Scene& scene) {
   for (const scene::Platform& platform : scene.platforms) hash = hash_of_functions(platform, hash);
   for (const scene::Radar& radar : scene.radars) hash = hash_of_functions(radar, hash);
   for (const scene::Target& target : scene.targets)
-    if (!target.gain_db.file.empty()) hash = hash_of_functions(target, hash);
+    if (!target.traits->gain_db.file.empty()) hash = hash_of_functions(target, hash);
   for (const scene::Cloud& cloud : scene.clouds) {
     hash = hash_of_functions(cloud, hash);
     if (cloud.points)

@@ -113,15 +113,16 @@ void measure_reflectivity(Record& record) {
   scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::isotropic;
   const double plain_v = std::abs(recorded(scene).samples.front());
   scene::Target& target = scene.targets[0];
-  target.reflectivity = scene::Target::Reflectivity::directional;
-  target.azimuth = core::Angle::from_deg(170.0);
-  target.elevation = core::Angle::from_deg(20.0);
+  scene::TargetTraits& traits = target.traits.edit();
+  traits.reflectivity = scene::Target::Reflectivity::directional;
+  traits.azimuth = core::Angle::from_deg(170.0);
+  traits.elevation = core::Angle::from_deg(20.0);
   const Place normal = towards(170.0, 20.0);
   const double cosine = static_cast<double>(-dot_of(normal, place(seen_m)) / length_of(place(seen_m)));
   record.near("Cross-section of a plane target over its greatest", "", cosine,
               std::norm(recorded(scene).samples.front() / plain_v), 1e-12, "cosine of the incidence angle");
-  target.gain = scene::Target::Gain::user;
-  target.gain_db.part[0] = {core::Interpolation::linear, {{0.0, 3.0}, {90.0, -27.0}}};
+  traits.gain = scene::Target::Gain::user;
+  traits.gain_db.part[0] = {core::Interpolation::linear, {{0.0, 3.0}, {90.0, -27.0}}};
   record.near("Cross-section of a target given by points", "dB", 3.0 - deg(std::acos(cosine)) / 3.0,
               20.0 * std::log10(std::abs(recorded(scene).samples.front()) / plain_v), 1e-9,
               "the points' straight line at the incidence angle");

@@ -158,7 +158,7 @@ void measure_textbook(Record& record) {
 scene::Scene noisy_scene() {
   scene::Scene scene = busy_scene(50, scene::PulseDefinition::ideal, 1e-6);
   scene.radars[0].noise_temperature_k = 300.0;
-  for (scene::Target& target : scene.targets) target.rcs_stddev_m2 = 0.1;
+  for (scene::Target& target : scene.targets) target.traits.edit().rcs_stddev_m2 = 0.1;
   scene.platforms.back().position_stddev_m = {0.01, 0.01, 0.01};
   set_pulses(scene, 0, 63);
   return scene;

@@ -137,7 +137,7 @@ void measure_jitter(Record& record, int pulses) {
   scene::Scene scene = radar_at_origin();
   scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
   constexpr double stddev_m = 1e-3;
-  target.position_stddev_m = {stddev_m, 0.0, 0.0};
+  target.traits.edit().position_stddev_m = {stddev_m, 0.0, 0.0};
   set_window(scene, 1100.0, 1200.0, 4e6);
   set_pulses(scene, 0, pulses - 1);
   const auto samples = column(recorded(scene), 0);
