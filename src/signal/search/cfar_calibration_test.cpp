@@ -76,14 +76,23 @@ class Drawn {
     variance_ = std::norm(factor.back().back());
     std::mt19937_64 random(77);
     std::normal_distribution<double> normal(0.0, std::sqrt(0.5));
-    std::vector<Complex> white(size - 1);
+    // In plain numbers, since tests are compiled without optimisation: real and imaginary parts in turn.
+    std::vector<double> rows;
+    for (const auto& row : factor)
+      for (const Complex& value : row) rows.insert(rows.end(), {value.real(), value.imag()});
+    std::vector<double> white(2 * (size - 1));
     for (int d = 0; d < draws; ++d) {
-      for (Complex& w : white) w = {normal(random), normal(random)};
+      for (double& w : white) w = normal(random);
       std::vector<double> power(size);
       for (std::size_t i = 0; i < size; ++i) {
-        Complex sum;
-        for (std::size_t k = 0; k < std::min(i + 1, size - 1); ++k) sum += factor[i][k] * white[k];
-        power[i] = std::norm(sum);
+        double real = 0.0, imaginary = 0.0;
+        const double* row = &rows[2 * size * i];
+        const double* w = white.data();
+        for (std::size_t k = std::min(i + 1, size - 1); k > 0; --k, row += 2, w += 2) {
+          real += row[0] * w[0] - row[1] * w[1];
+          imaginary += row[0] * w[1] + row[1] * w[0];
+        }
+        power[i] = real * real + imaginary * imaginary;
       }
       mean_power_.push_back(power.back());
       power.pop_back();
