@@ -81,8 +81,11 @@ class LayoutsTest : public QObject {
     QCOMPARE(window.focusWidget(), &window.scene().scene());  // not what follows the page of welcome
     QVERIFY(!echoes.windows().front()->isWindow() && echoes.windows().front()->isVisible());
     const int first = window.session().number();
+    auto* const text = window.findChild<QWidget*>("script_text");
+    text->setFocus();
     QVERIFY(window.documents().open_file(example("sar_r.scr")));
     QTRY_COMPARE(echoes.windows().size(), 1U);
+    QCOMPARE(window.focusWidget(), text);  // The keyboard stays where it was.
     echoes.windows().front()->close();
     QTRY_VERIFY(echoes.windows().empty());
     window.session().turn_to(0);

@@ -179,12 +179,10 @@ void MainWindow::show_first_echoes() {
   if (!isVisible() || !docks_["echoes"]->isVisible() || scene.radars.empty()) return;
   if (scene.targets.size() + workflow::cloud_points(scene) > picture::many_targets) return;
   if (!has_had_echoes_.insert(session_.number()).second || !simulation_windows_->windows().empty()) return;
-  QWidget* const focus = focusWidget();  // also while the window is not active
   if (scene.simulations.empty())
     simulation_windows_->open_new(scene::Processing::raw);
   else
     simulation_windows_->open_stored({scene::ObjectKind::simulation, 0});
-  if (focus != nullptr) focus->setFocus();  // Nobody asked for another place to type.
 }
 
 // Beside the scene where that is seen and there is room; otherwise the window stands by itself.
