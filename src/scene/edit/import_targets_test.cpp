@@ -23,6 +23,7 @@ void expect_targets(std::string_view text, const std::vector<Target>& expected) 
   const TargetImport import = import_targets(text, "Ship");
   EXPECT_EQ(printed(import), "") << text;
   EXPECT_EQ(import.targets, expected) << text;
+  for (const Target& target : import.targets) EXPECT_EQ(&*target.platform, &*import.targets.front().platform);
 }
 
 Target target(double x, double y, double z, double rcs_m2 = 1.0) {

@@ -28,6 +28,9 @@ TEST(ExactNames, AreThoseOfWhatIsMeant) {
   EXPECT_EQ(exact.targets[1].platform, "Earth");
   EXPECT_EQ(exact.targets[2].platform, "Plan");
   EXPECT_EQ(exact.targets[3].platform, "Ship");
+  scene.targets[1].platform = "PLANE";
+  const Scene alike = with_exact_names(scene);
+  EXPECT_EQ(&*alike.targets[0].platform, &*alike.targets[1].platform);  // one name in memory
   EXPECT_EQ(exact.simulations[0].radar, "Search");
 }
 

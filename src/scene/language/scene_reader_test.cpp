@@ -65,6 +65,18 @@ TEST(Format2, WhatIsNotSaidHasItsDefault) {
   EXPECT_EQ(scene.targets.at(0), Target{});
 }
 
+TEST(Format2, TargetsShareWhatTheyHaveInCommon) {
+  const std::string ship = "[[platform]]\nname = \"Ship\"\n";
+  const std::string target =
+      "[[target]]\nplatform = \"Ship\"\nreflectivity = { type = \"directional\", azimuth = \"9 deg\" }\n";
+  for (const Scene& scene : {sound(ship + target + "position = [1, 0, 0]\n" + target + "position = [2, 0, 0]\n"),
+                             sound(ship + target + "positions = [[1, 0, 0], [2, 0, 0]]\n")}) {
+    EXPECT_EQ(scene.targets.at(1).position_m.x, 2.0);
+    EXPECT_EQ(&*scene.targets.at(0).platform, &*scene.targets.at(1).platform);
+    EXPECT_EQ(&*scene.targets.at(0).traits, &*scene.targets.at(1).traits);
+  }
+}
+
 TEST(Format2, OneValueMayBeWrittenInManyWays) {
   const Scene one = sound("[[radar]]\npulse = { type = \"chirp\", width = 2e-6 }\n");
   const Scene two = sound("[[radar]]\n[radar.pulse]\ntype = \"chirp\"\nwidth = 2e-6\n");

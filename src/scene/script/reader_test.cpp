@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "scene/script/writer.hpp"
 
 namespace sarsim::scene {
@@ -243,6 +245,18 @@ TEST(ReadScript, KeepsNamesAsTyped) {
       "0 0 0 0 0 1 0 ISO ! M\xF6we\n");
   EXPECT_EQ(scene.targets.at(0).platform, "Old ship");
   EXPECT_EQ(scene.targets.at(1).platform, "a_name_of_more_than_15_characters");
+}
+
+// Otherwise a script of a million targets takes three times the memory.
+TEST(ReadScript, LetsTargetsShareWhatTheyHaveInCommon) {
+  const Scene scene = read_clean(
+      "$TARGET Ship 1 0 0 0 0 0 1 0 DIRECTIONAL 10 20 0 0 COS_GAIN $TARGET Ship 2 0 0 0 0 0 2 0 DIRECTIONAL 10 20 0 0 "
+      "COS_GAIN $TARGET Earth 2 0 0 0 0 0 2 0 ISO $TARGET Earth 2 0 0 -0 0 0 2 0 ISO\n");
+  EXPECT_EQ(&*scene.targets.at(0).platform, &*scene.targets.at(1).platform);
+  EXPECT_EQ(&*scene.targets.at(0).traits, &*scene.targets.at(1).traits);
+  EXPECT_EQ(&*scene.targets.at(2).traits, &*Target().traits);
+  EXPECT_EQ(&*scene.targets.at(2).platform, &*Target().platform);
+  EXPECT_TRUE(std::signbit(scene.targets.at(3).traits->position_stddev_m.x));
 }
 
 TEST(ReadScript, ReadsCarriageReturnsAsSeparators) {
