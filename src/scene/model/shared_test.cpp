@@ -5,10 +5,12 @@
 #include <cmath>
 #include <string>
 #include <thread>
+#include <variant>
 #include <vector>
 
 #include "scene/model/object_lists.hpp"
 #include "scene/model/scene.hpp"
+#include "scene/schema/field_table.hpp"
 
 namespace sarsim::scene {
 namespace shared_test {
@@ -120,6 +122,30 @@ TEST(Targets, DoNotShareWhereAZeroHasAnotherSign) {
   fourth.traits.edit().gain_db.part[0].knots = {{-0.0, 1.0}};
   share_equal(fourth, third);
   EXPECT_TRUE(std::signbit(fourth.traits->gain_db.part[0].knots[0].x));
+}
+
+// Whoever gives targets a further number has to name it in `identical`.
+TEST(Targets, KeepTheSignOfEveryNumber) {
+  std::size_t numbers = 0;
+  for (const FieldOf<Target>& field : table_of<Target>().fields()) {
+    Target first, second;
+    first.traits.edit().gain_db.file = second.traits.edit().gain_db.file = "not as at first";
+    if (std::holds_alternative<core::Vec3>(field.get(first))) {
+      field.put(first, core::Vec3{});
+      field.put(second, core::Vec3{0.0, 0.0, -0.0});
+      share_equal(second, first);
+      EXPECT_TRUE(std::signbit(std::get<core::Vec3>(field.get(second)).z)) << field.spec.id;
+    } else if (std::holds_alternative<double>(field.get(first))) {
+      field.put(first, 0.0);
+      field.put(second, -0.0);
+      share_equal(second, first);
+      EXPECT_TRUE(std::signbit(std::get<double>(field.get(second)))) << field.spec.id;
+    } else {
+      continue;
+    }
+    ++numbers;
+  }
+  EXPECT_EQ(numbers, 8U);
 }
 
 }  // namespace shared_test
