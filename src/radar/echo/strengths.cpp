@@ -42,17 +42,22 @@ HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowFrame& frame) 
   out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, frame.origin_s)), hn::Set(dd, 1.0 / frame.interval_s));
   out.doppler = hn::LoadU(dd, at.doppler);
   out.bend = at.bend == nullptr ? hn::Zero(dd) : hn::LoadU(dd, at.bend);
-  const auto turns = fraction_of_turn(hn::Mul(delay, hn::Set(dd, -frame.carrier_hz)));
-  auto c = hn::Zero(dd);
-  auto s = hn::Zero(dd);
-  cos_sin_turns(dd, turns, c, s);
-  if constexpr (sizeof(Real) == 4) {
-    out.re = hn::DemoteTo(narrow, hn::Mul(c, amplitude));
-    out.im = hn::DemoteTo(narrow, hn::Mul(s, amplitude));
-  } else {
-    out.re = hn::Mul(c, amplitude);
-    out.im = hn::Mul(s, amplitude);
-  }
+  const auto quarters = hn::Mul(delay, hn::Set(dd, -4.0 * frame.carrier_hz));
+  const auto whole = hn::Round(quarters);
+  const auto angle = hn::Mul(hn::Sub(quarters, whole), hn::Set(dd, 0.5 * core::pi));
+  const auto turns = hn::Round(hn::Mul(whole, hn::Set(dd, 0.25)));
+  const auto quarter = hn::NegMulAdd(turns, hn::Set(dd, 4.0), whole);
+  // Less than an eighth of a turn is left, which a float holds to 4e-9 of a turn.
+  const auto narrowed = [&](auto x) {
+    if constexpr (sizeof(Real) == 4) return hn::DemoteTo(narrow, x);
+    if constexpr (sizeof(Real) == 8) return x;
+  };
+  auto c = hn::Zero(narrow);
+  auto s = hn::Zero(narrow);
+  cos_sin_of(narrow, narrowed(quarter), narrowed(angle), c, s);
+  const auto strength = narrowed(amplitude);
+  out.re = hn::Mul(c, strength);
+  out.im = hn::Mul(s, strength);
   return out;
 }
 

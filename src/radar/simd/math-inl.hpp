@@ -14,13 +14,11 @@ namespace sarsim::radar::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// cos and sin of 2 pi x for |x| <= 1/2, by quarter turns and Taylor series on [-pi/4, pi/4]: within 4e-8 (float) or
+/// cos and sin of theta in [-pi/4, pi/4] and so many quarter turns, -2 to 2, by Taylor series: within 4e-8 (float) or
 /// 3e-16 (double) of the exact values.
 template <class D, class V = hn::Vec<D>>
-HWY_INLINE void cos_sin_turns(D d, V x, V& cosine, V& sine) {
+HWY_INLINE void cos_sin_of(D d, V quarter, V theta, V& cosine, V& sine) {
   using T = hn::TFromD<D>;
-  const V quarter = hn::Round(hn::Mul(x, hn::Set(d, T(4))));
-  const V theta = hn::Mul(hn::NegMulAdd(quarter, hn::Set(d, T(0.25)), x), hn::Set(d, T(6.283185307179586476925)));
   const V t2 = hn::Mul(theta, theta);
   V c = hn::Set(d, T(1.0 / 40320.0));
   V s = hn::Set(d, T(1.0 / 362880.0));
@@ -53,6 +51,15 @@ HWY_INLINE void cos_sin_turns(D d, V x, V& cosine, V& sine) {
   const V sign = hn::IfThenElse(half, hn::Set(d, T(-1)), hn::Set(d, T(1)));
   cosine = hn::IfThenElse(odd, hn::Neg(hn::Mul(quarter, s)), hn::Mul(sign, c));
   sine = hn::IfThenElse(odd, hn::Mul(quarter, c), hn::Mul(sign, s));
+}
+
+/// cos and sin of 2 pi x for |x| <= 1/2, to the same.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE void cos_sin_turns(D d, V x, V& cosine, V& sine) {
+  using T = hn::TFromD<D>;
+  const V quarter = hn::Round(hn::Mul(x, hn::Set(d, T(4))));
+  const V theta = hn::Mul(hn::NegMulAdd(quarter, hn::Set(d, T(0.25)), x), hn::Set(d, T(6.283185307179586476925)));
+  cos_sin_of(d, quarter, theta, cosine, sine);
 }
 
 /// The part of x in [-1/2, 1/2] that is left when whole turns are dropped.
