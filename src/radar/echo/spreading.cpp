@@ -29,15 +29,16 @@ Real lane_value(const LanePolynomials<Real>& lanes, std::size_t table, std::size
   return sum;
 }
 
-template <class Real, std::size_t Degree, std::size_t Chunks>
-void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first, std::size_t count,
-                  std::size_t total, std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+template <class Real, std::size_t Degree, std::size_t Lanes>
+void spread_block(const LanePolynomials<Real>& taps, std::size_t width, const Places<Real>& places, std::size_t first,
+                  std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
+                  SpreadGrid<Real>& grid) {
   const bool tilted = strength.size() < grid.term.size() * total;
   for (std::size_t k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(places.cell[k]);
     const auto table = static_cast<std::size_t>(places.table[k]);
-    for (std::size_t tap = 0; 2 * tap < taps.lanes; ++tap) {
-      const Real weight = lane_value(taps, table, 2 * tap, places.y[k]);
+    for (std::size_t tap = 0; tap < width; ++tap) {
+      const Real weight = lane_value(taps, table, tap, places.y[k]);
       if (tilted) {
         grid.term[0][at + tap] += weight * strength[first + k];
         grid.term[1][at + tap] += weight * places.tilt[k] * strength[first + k];
@@ -49,7 +50,7 @@ void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places,
   }
 }
 
-template <class Real, std::size_t Degree, std::size_t Chunks>
+template <class Real, std::size_t Degree, std::size_t Lanes>
 void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first, std::size_t count,
                 std::span<const std::complex<Real>> strength, std::span<const double> doppler, EdgeRow<Real>& row) {
   const std::size_t samples = piece.samples.lanes / 2;
@@ -60,7 +61,7 @@ void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::s
       std::complex<Real> z(lane_value(piece.samples, table, 2 * i, places.y[k]),
                            lane_value(piece.samples, table, 2 * i + 1, places.y[k]));
       if (!doppler.empty()) {
-        const double t = static_cast<double>(i) + places.fraction[k];
+        const double t = static_cast<double>(i) + static_cast<double>(places.fraction[k]);
         const double turns =
             doppler[first + k] * (piece.doppler_offset + t * (piece.doppler_slope + t * piece.doppler_bend));
         z *= std::complex<Real>(std::polar(1.0, -6.283185307179586476925 * (turns - std::round(turns))));
@@ -72,75 +73,70 @@ void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::s
 
 #else
 
-// One complex number in all pairs of lanes.
-HWY_INLINE hn::Vec<hn::ScalableTag<float>> in_all_pairs(hn::ScalableTag<float> d, const std::complex<float>* at) {
-  double both;
-  std::memcpy(&both, at, sizeof both);
-  return hn::BitCast(d, hn::Set(hn::ScalableTag<double>(), both));
-}
-HWY_INLINE hn::Vec<hn::ScalableTag<double>> in_all_pairs(hn::ScalableTag<double> d, const std::complex<double>* at) {
-  return hn::LoadDup128(d, reinterpret_cast<const double*>(at));
+constexpr std::size_t usual_width = 8;
+
+// Calls f(d, lane, weights) for the taps of an echo, vector by vector. The usual ones fill half of their lanes.
+template <class Real, std::size_t Degree, std::size_t Lanes, class F>
+HWY_INLINE void each_taps(const Polynomials<Real, Degree, Lanes>& taps, std::size_t width, std::int32_t table, Real y,
+                          const F& f) {
+  const hn::CappedTag<Real, Lanes == 16 ? usual_width : HWY_LANES(Real)> d;
+  const std::size_t last = Lanes == 16 ? usual_width : width;
+  for (std::size_t lane = 0; lane < last; lane += hn::Lanes(d)) f(d, lane, taps.at(d, table, lane, hn::Set(d, y)));
 }
 
-template <class D>
-HWY_INLINE void add_to(D d, hn::Vec<D> weight, hn::Vec<D> factor, hn::TFromD<D>* HWY_RESTRICT out) {
-  hn::StoreU(hn::MulAdd(weight, factor, hn::LoadU(d, out)), d, out);
+template <class Real>
+HWY_INLINE const Real* parts_of(const std::complex<Real>* z) {
+  return reinterpret_cast<const Real*>(z);
 }
 
 // Two terms, the second of which follows from the first.
-template <class Real, std::size_t Degree, std::size_t Chunks>
-HWY_INLINE void spread_tilted(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t count,
-                              const std::complex<Real>* HWY_RESTRICT strength, SpreadGrid<Real>& grid) {
-  const hn::ScalableTag<Real> d;
-  const Polynomials<Real, Degree, Chunks> polynomials(taps);
-  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+template <class Real, std::size_t Degree, std::size_t Lanes>
+HWY_INLINE void spread_tilted(const LanePolynomials<Real>& taps, std::size_t width, const Places<Real>& places,
+                              std::size_t count, const std::complex<Real>* HWY_RESTRICT strength,
+                              SpreadGrid<Real>& grid) {
+  const hn::ScalableTag<Real> wide;
+  const Polynomials<Real, Degree, Lanes> polynomials(taps);
   Real* const one = reinterpret_cast<Real*>(grid.term[0].data());
   Real* const two = reinterpret_cast<Real*>(grid.term[1].data());
   for (std::size_t k = 0; k < count; ++k) {
-    const auto y = hn::Set(d, places.y[k]);
-    const auto pair = in_all_pairs(d, strength + k);
-    const auto tilted = hn::Mul(pair, hn::Set(d, places.tilt[k]));
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-      const auto weight = polynomials.at(places.table[k], chunk, y);
-      const std::ptrdiff_t at = 2 * std::ptrdiff_t{places.cell[k]} + static_cast<std::ptrdiff_t>(chunk * hn::Lanes(d));
-      add_to(d, weight, pair, one + at);
-      add_to(d, weight, tilted, two + at);
-    }
+    const auto pair = in_all_pairs(wide, parts_of(strength + k));
+    const auto tilted = hn::Mul(pair, hn::Set(wide, places.tilt[k]));
+    each_taps(polynomials, width, places.table[k], places.y[k], [&](auto d, std::size_t lane, auto weights) {
+      const std::ptrdiff_t at = 2 * (std::ptrdiff_t{places.cell[k]} + static_cast<std::ptrdiff_t>(lane));
+      add_weighted(d, weights, pair, one + at);
+      add_weighted(d, weights, tilted, two + at);
+    });
   }
 }
 
 // Terms is 0 where their number is only known at run time.
-template <class Real, std::size_t Degree, std::size_t Chunks, std::size_t Terms>
-HWY_INLINE void spread_terms(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
-                             std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
-                             SpreadGrid<Real>& grid) {
-  const hn::ScalableTag<Real> d;
-  const Polynomials<Real, Degree, Chunks> polynomials(taps);
-  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+template <class Real, std::size_t Degree, std::size_t Lanes, std::size_t Terms>
+HWY_INLINE void spread_terms(const LanePolynomials<Real>& taps, std::size_t width, const Places<Real>& places,
+                             std::size_t first, std::size_t count, std::size_t total,
+                             std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
+  const hn::ScalableTag<Real> wide;
+  const Polynomials<Real, Degree, Lanes> polynomials(taps);
   const std::size_t terms = Terms > 0 ? Terms : grid.term.size();
-  for (std::size_t k = 0; k < count; ++k) {
-    const auto y = hn::Set(d, places.y[k]);
-    const std::ptrdiff_t at = places.cell[k];
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-      const auto weight = polynomials.at(places.table[k], chunk, y);
+  for (std::size_t k = 0; k < count; ++k)
+    each_taps(polynomials, width, places.table[k], places.y[k], [&](auto d, std::size_t lane, auto weights) {
+      const std::ptrdiff_t at = std::ptrdiff_t{places.cell[k]} + static_cast<std::ptrdiff_t>(lane);
       for (std::size_t r = 0; r < terms; ++r) {
-        const auto pair = in_all_pairs(d, strength.data() + r * total + first + k);
-        add_to(d, weight, pair, reinterpret_cast<Real*>(grid.term[r].data() + at) + chunk * hn::Lanes(d));
+        const auto pair = in_all_pairs(wide, parts_of(strength.data() + r * total + first + k));
+        add_weighted(d, weights, pair, reinterpret_cast<Real*>(grid.term[r].data() + at));
       }
-    }
-  }
+    });
 }
 
-template <class Real, std::size_t Degree, std::size_t Chunks>
-HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, const Places<Real>& places, std::size_t first,
-                             std::size_t count, std::size_t total, std::span<const std::complex<Real>> strength,
-                             SpreadGrid<Real>& grid) {
+template <class Real, std::size_t Degree, std::size_t Lanes>
+HWY_INLINE void spread_block(const LanePolynomials<Real>& taps, std::size_t width, const Places<Real>& places,
+                             std::size_t first, std::size_t count, std::size_t total,
+                             std::span<const std::complex<Real>> strength, SpreadGrid<Real>& grid) {
   if (strength.size() < grid.term.size() * total)
-    return spread_tilted<Real, Degree, Chunks>(taps, places, count, strength.data() + first, grid);
+    return spread_tilted<Real, Degree, Lanes>(taps, width, places, count, strength.data() + first, grid);
   switch (grid.term.size()) {
-    case 1: return spread_terms<Real, Degree, Chunks, 1>(taps, places, first, count, total, strength, grid);
-    case 2: return spread_terms<Real, Degree, Chunks, 2>(taps, places, first, count, total, strength, grid);
-    default: return spread_terms<Real, Degree, Chunks, 0>(taps, places, first, count, total, strength, grid);
+    case 1: return spread_terms<Real, Degree, Lanes, 1>(taps, width, places, first, count, total, strength, grid);
+    case 2: return spread_terms<Real, Degree, Lanes, 2>(taps, width, places, first, count, total, strength, grid);
+    default: return spread_terms<Real, Degree, Lanes, 0>(taps, width, places, first, count, total, strength, grid);
   }
 }
 
@@ -197,7 +193,7 @@ HWY_INLINE void place_turns(const EdgePiece<Real>& piece, std::span<const double
   auto largest = hn::Zero(d);
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
     const auto speed = hn::LoadU(d, from + k);
-    const auto sample = hn::Add(hn::Load(d, places.fraction + k), hn::Set(d, middle));
+    const auto sample = hn::Add(load_wide(d, places.fraction + k), hn::Set(d, middle));
     const auto bent = hn::Mul(sample, bend);
     const auto turns = hn::Mul(speed, hn::Add(offset, hn::Mul(sample, hn::Add(slope, bent))));
     const auto change = hn::Neg(hn::Mul(speed, hn::Add(slope, hn::Add(bent, bent))));
@@ -282,13 +278,12 @@ HWY_INLINE PairFactors<V> turned(D d, const LanePlaces<V>& at, V re, V im, V slo
   return {hn::NegMulAdd(im, s, hn::Mul(re, c)), hn::Mul(hn::MulAdd(re, s, hn::Mul(im, c)), at.signs)};
 }
 
-template <class Real, std::size_t Degree, std::size_t Chunks, EdgeTurn Turn>
+template <class Real, std::size_t Degree, std::size_t Lanes, EdgeTurn Turn>
 HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t count,
                           const Real* HWY_RESTRICT strength, const TurnedEdges<Real>& edges,
                           std::complex<Real>* HWY_RESTRICT row) {
   const hn::ScalableTag<Real> d;
-  const Polynomials<Real, Degree, Chunks> polynomials(piece.samples);
-  const std::size_t chunks = Chunks > 0 ? Chunks : polynomials.chunks;
+  const Polynomials<Real, Degree, Lanes> polynomials(piece.samples);
   const auto middle = hn::Set(d, static_cast<Real>(middle_sample(piece)));
   for (std::size_t k = 0; k < count; ++k) {
     const auto y = hn::Set(d, places.y[k]);
@@ -297,9 +292,8 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& plac
     const auto slope = Turn == EdgeTurn::none ? hn::Zero(d) : hn::Set(d, edges.slope[k]);
     const auto bend = Turn == EdgeTurn::none ? hn::Zero(d) : hn::Set(d, edges.bend[k]);
     Real* HWY_RESTRICT out = reinterpret_cast<Real*>(row + places.cell[k]);
-    for (std::size_t chunk = 0; chunk < chunks; ++chunk) {
-      const std::size_t lane = chunk * hn::Lanes(d);
-      const auto pairs = polynomials.at(places.table[k], chunk, y);
+    for (std::size_t lane = 0; lane < polynomials.lanes; lane += hn::Lanes(d)) {
+      const auto pairs = polynomials.at(d, places.table[k], lane, y);
       const auto factors = turned<Turn>(d, lane_places(d, lane, middle), re, im, slope, bend);
       const auto sum = hn::MulAdd(pairs, factors.re, hn::LoadU(d, out + lane));
       hn::StoreU(hn::MulAdd(hn::Reverse2(d, pairs), factors.im, sum), d, out + lane);
@@ -307,7 +301,7 @@ HWY_INLINE void edge_loop(const EdgePiece<Real>& piece, const Places<Real>& plac
   }
 }
 
-template <class Real, std::size_t Degree, std::size_t Chunks>
+template <class Real, std::size_t Degree, std::size_t Lanes>
 HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& places, std::size_t first,
                            std::size_t count, std::span<const std::complex<Real>> strength,
                            std::span<const double> doppler, EdgeRow<Real>& row) {
@@ -315,16 +309,16 @@ HWY_INLINE void edge_block(const EdgePiece<Real>& piece, const Places<Real>& pla
   std::complex<Real>* const out = row.samples.data();
   if (doppler.empty()) {
     const Real* const given = reinterpret_cast<const Real*>(strength.data() + first);
-    return edge_loop<Real, Degree, Chunks, EdgeTurn::none>(piece, places, count, given, edges, out);
+    return edge_loop<Real, Degree, Lanes, EdgeTurn::none>(piece, places, count, given, edges, out);
   }
   place_turns(piece, doppler, first, count, places, edges);
   turn_strengths(strength.data() + first, count, edges);
   if (edges.turn == EdgeTurn::faint)
-    edge_loop<Real, Degree, Chunks, EdgeTurn::faint>(piece, places, count, edges.strength, edges, out);
+    edge_loop<Real, Degree, Lanes, EdgeTurn::faint>(piece, places, count, edges.strength, edges, out);
   else if (edges.turn == EdgeTurn::slight)
-    edge_loop<Real, Degree, Chunks, EdgeTurn::slight>(piece, places, count, edges.strength, edges, out);
+    edge_loop<Real, Degree, Lanes, EdgeTurn::slight>(piece, places, count, edges.strength, edges, out);
   else
-    edge_loop<Real, Degree, Chunks, EdgeTurn::any>(piece, places, count, edges.strength, edges, out);
+    edge_loop<Real, Degree, Lanes, EdgeTurn::any>(piece, places, count, edges.strength, edges, out);
 }
 
 #endif  // HWY_SCALAR
@@ -340,7 +334,7 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
   const bool moves = !motion.doppler.empty();
   HWY_ALIGN double buffer[Block::most];
   HWY_ALIGN double speeds[Block::most];
-  Block places;
+  Block places{};
   for (std::size_t first = 0; first < position.size(); first += Block::most) {
     const std::size_t count = std::min(Block::most, position.size() - first);
     const double* const from = whole_vectors(position, first, count, buffer);
@@ -357,10 +351,11 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
       const auto left = hn::Sub(on_grid, hn::Set(d, 0.5 * static_cast<double>(width)));
       const auto cell = hn::Ceil(left);
       store_integers(d, hn::Add(cell, padding), places.cell + k);
-      place_on_pieces(d, hn::Sub(cell, left), taps, k, places);
+      store_narrow(d, hn::Sub(cell, left), places.fraction + k);
     }
-    with_shape(taps, [&](auto degree, auto chunks) {
-      spread_block<Real, degree(), chunks()>(taps, places, first, count, position.size(), strength, grid);
+    place_on_pieces(taps, count, places);
+    with_shape(taps, [&](auto degree, auto lanes) {
+      spread_block<Real, degree(), lanes()>(taps, width, places, first, count, position.size(), strength, grid);
     });
   }
 }
@@ -377,7 +372,7 @@ HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<cons
   const bool late = piece.late != 0.0 && !doppler.empty();
   HWY_ALIGN double buffer[Block::most];
   HWY_ALIGN double speeds[Block::most];
-  Block places;
+  Block places{};
   for (std::size_t first = 0; first < position.size(); first += Block::most) {
     const std::size_t count = std::min(Block::most, position.size() - first);
     const double* const from = whole_vectors(position, first, count, buffer);
@@ -390,11 +385,11 @@ HWY_INLINE void add_edges_on_target(const EdgePiece<Real>& piece, std::span<cons
       const auto useful = hn::And(hn::Gt(sample, first_useful), hn::Lt(sample, last_useful));
       // What is of no use goes where nobody looks, to the beginning of the padding.
       store_integers(d, hn::IfThenElseZero(useful, hn::Add(sample, padding)), places.cell + k);
-      hn::Store(fraction, d, places.fraction + k);
-      place_on_pieces(d, fraction, piece.samples, k, places);
+      store_narrow(d, fraction, places.fraction + k);
     }
-    with_shape(piece.samples, [&](auto degree, auto chunks) {
-      edge_block<Real, degree(), chunks()>(piece, places, first, count, strength, doppler, row);
+    place_on_pieces(piece.samples, count, places);
+    with_shape(piece.samples, [&](auto degree, auto lanes) {
+      edge_block<Real, degree(), lanes()>(piece, places, first, count, strength, doppler, row);
     });
   }
 }

@@ -56,7 +56,7 @@ struct SpreadingKernel {
   std::vector<double> weights_;  // and what the cosine there counts
 };
 
-/// A spreading kernel's taps as polynomials of the fraction, real and imaginary lanes interleaved.
+/// A spreading kernel's taps as polynomials of the fraction, a lane for each.
 template <class Real>
 [[nodiscard]] LanePolynomials<Real> tap_polynomials(const SpreadingKernel& kernel, double tolerance);
 

@@ -169,10 +169,10 @@ template <class Real>
 LanePolynomials<Real> tap_polynomials(const SpreadingKernel& kernel, double tolerance) {
   CORE_EXPECT(tolerance > 0.0);
   const auto tap = [&](std::size_t lane, double x) {
-    const double g = x - 0.5 * static_cast<double>(kernel.width) + static_cast<double>(lane / 2);
+    const double g = x - 0.5 * static_cast<double>(kernel.width) + static_cast<double>(lane);
     return kernel.value(2.0 * g / static_cast<double>(kernel.width));
   };
-  return fit_lanes<Real>(2 * kernel.width, tap, tolerance).value();
+  return fit_lanes<Real>(kernel.width, tap, tolerance).value();
 }
 
 template LanePolynomials<float> tap_polynomials(const SpreadingKernel&, double);
