@@ -11,68 +11,99 @@ namespace sarsim::radar {
 
 namespace {
 
-constexpr std::size_t powers = Moments::powers;
+constexpr std::size_t functions = BinFunctions::count;
 constexpr std::size_t kept_bytes = 16'000'000;  // of factors, per thread
 constexpr std::size_t most_points = 32'768;     // of a transform: sums and factors of more would take much memory
-constexpr double shortest_run = 0.05;           // samples of phi that polynomials are fitted over
-constexpr double most_pieces = 6.0;             // of a sample
-// Echoes that take as long one by one as a point of one more transform and what is done to it.
-constexpr double echoes_of_a_point = 0.6;
-
-// Polynomials through values at Chebyshev's points, y from -1 to 1.
-class PowerFit {
- public:
-  PowerFit() {
-    for (std::size_t i = 0; i < powers; ++i) {
-      const double angle = core::pi * (static_cast<double>(i) + 0.5) / powers;
-      node_[i] = std::cos(angle);
-      std::array<double, powers> before{1.0};
-      std::array<double, powers> now{0.0, 1.0};
-      for (std::size_t m = 0; m < powers; ++m) {
-        const double weight = (m == 0 ? 1.0 : 2.0) / powers * std::cos(static_cast<double>(m) * angle);
-        for (std::size_t p = 0; p < powers; ++p) weight_[p][i] += weight * before[p];
-        // T_(m+1) = 2 y T_m - T_(m-1).
-        std::array<double, powers> next{};
-        for (std::size_t p = 0; p + 1 < powers; ++p) next[p + 1] = 2.0 * now[p];
-        for (std::size_t p = 0; p < powers; ++p) next[p] -= before[p];
-        before = now;
-        now = next;
-      }
-    }
-  }
-
-  using Coefficients = std::array<std::complex<double>, powers>;  // lowest power first
-
-  template <class Function>
-  [[nodiscard]] Coefficients fit(const Function& f) const {
-    Coefficients sum{};
-    for (std::size_t i = 0; i < powers; ++i) {
-      const std::complex<double> value = f(node_[i]);
-      for (std::size_t p = 0; p < powers; ++p) sum[p] += weight_[p][i] * value;
-    }
-    return sum;
-  }
-
- private:
-  std::array<double, powers> node_{};
-  std::array<std::array<double, powers>, powers> weight_{};  // of value i in the coefficient of power p
-};
-
-std::complex<double> polynomial(const PowerFit::Coefficients& coefficients, double y) {
-  std::complex<double> sum;
-  for (std::size_t p = powers; p-- > 0;) sum = sum * y + coefficients[p];
-  return sum;
-}
+constexpr double most_angle_rad = 0.25;         // that a series in SIMD turns strengths by
+constexpr double most_width = 3.0;              // c of the functions: eight of them are enough up to about 2
 
 double late_rate(double doppler) { return doppler / (1.0 - doppler); }
 
 }  // namespace
 
-// Samples of an echo in a bin, each a polynomial in y: [term][power][sample].
-struct DenseRow::BinSamples {
-  std::array<std::vector<std::complex<double>>, 2 * powers> row;
-  double energy = 0.0;   // of the pulse, once for each term
-  bool is_exact = true;  // the polynomials keep the share; if not, they are not finished
+// The functions of the bins and what the samples of a pulse have of each: sample s of an echo is
+// sum over k of f_k(y) times part(k, s), turned by t.
+class DenseRow::Fit {
+ public:
+  Fit(const RangeBins& bins, const PulseBody& body, double interval_s)
+      : bins_(bins),
+        first_(bins.begin + 0.5 + body.from_middle_s(0.0) / interval_s),
+        half_(0.5 * static_cast<double>(bins.main_samples())),
+        function_(2.0 * core::pi * bins.most_z * half_) {
+    // Fejer's rule: exact for all that sums of the functions are.
+    for (std::size_t i = 0; i < nodes; ++i) {
+      const double angle = core::pi * (static_cast<double>(i) + 0.5) / nodes;
+      double sum = 1.0;
+      for (std::size_t m = 1; m <= nodes / 2; ++m) {
+        const auto twice = static_cast<double>(2 * m);
+        sum -= 2.0 * std::cos(twice * angle) / (twice * twice - 1.0);
+      }
+      y_[i] = std::cos(angle);
+      for (std::size_t k = 0; k < functions; ++k) weight_[k][i] = 2.0 / nodes * sum * function_.value(k, y_[i]);
+    }
+  }
+
+  // Of sample n after n0.
+  [[nodiscard]] Parts parts(double n) const {
+    const double s = first_ + n;
+    Parts even_and_odd{};
+    // Each node and its mirror image, whose weight is the same but for the sign of odd functions.
+    for (std::size_t i = 0; i < nodes / 2; ++i) {
+      const double angle = 2.0 * core::pi * s * bins_.most_z * y_[i];
+      const double c = 2.0 * std::cos(angle);
+      const double d = 2.0 * std::sin(angle);
+      for (std::size_t k = 0; k < functions; k += 2) {
+        even_and_odd[k] += weight_[k][i] * c;
+        even_and_odd[k + 1] += std::complex<double>(0.0, weight_[k + 1][i] * d);
+      }
+    }
+    const double turns = (0.5 * bins_.sweep * s - bins_.carrier * bins_.middle) * s;
+    const auto common = std::polar(1.0, 2.0 * core::pi * (turns - std::round(turns)));
+    for (std::complex<double>& part : even_and_odd) part *= common;
+    return even_and_odd;
+  }
+
+  // Of all samples of the main run.
+  [[nodiscard]] std::vector<Parts> all_parts() const {
+    std::vector<Parts> all(bins_.main_samples());
+    for (std::size_t n = 0; n < all.size(); ++n) all[n] = parts(static_cast<double>(n));
+    return all;
+  }
+
+  // What bends the functions: f'' + (2 pi most_z)^2 square f.
+  [[nodiscard]] double bend(std::size_t k, double y) const {
+    const double rad = 2.0 * core::pi * bins_.most_z;
+    return function_.second_derivative(k, y) + rad * rad * bins_.square * function_.value(k, y);
+  }
+  [[nodiscard]] double value(std::size_t k, double y) const { return function_.value(k, y); }
+  // What a bend of a change of the sweep counts.
+  [[nodiscard]] double bend_of(double change) const {
+    return bins_.most_z > 0.0 ? change / (4.0 * core::pi * bins_.most_z * bins_.most_z) : 0.0;
+  }
+
+  // A sample of an echo that stands at p, by these functions.
+  [[nodiscard]] std::complex<double> sample(const Parts& parts, double p, const PulseClock& clock) const {
+    const double apart = clock.doppler - bins_.middle;
+    const double change = (bins_.sweep_slope + bins_.sweep_square * apart) * apart +
+                          bins_.bend_slope * (clock.bend_per_s - bins_.bend_middle);
+    const double sweep = bins_.sweep + change;
+    const double z = sweep * p - bins_.carrier * apart;
+    const double turns = (0.5 * sweep * p - bins_.carrier * clock.doppler) * p + 0.5 * change * bins_.square;
+    const double y = bins_.most_z > 0.0 ? z / bins_.most_z : 0.0;
+    std::complex<double> sum;
+    for (std::size_t k = 0; k < functions; ++k)
+      sum += parts[k] * std::complex<double>(value(k, y), -bend_of(change) * bend(k, y));
+    return sum * std::polar(1.0, 2.0 * core::pi * turns);
+  }
+
+ private:
+  static constexpr std::size_t nodes = 32;
+  const RangeBins& bins_;
+  double first_;  // s of the first sample
+  double half_;
+  BinFunctions function_;
+  std::array<double, nodes> y_{};
+  std::array<std::array<double, nodes>, functions> weight_{};
 };
 
 bool DenseRow::suits(const EchoPulse& pulse, const PulseBody& body) {
@@ -80,30 +111,28 @@ bool DenseRow::suits(const EchoPulse& pulse, const PulseBody& body) {
   return smooth && pulse.pulse.envelope == Pulse::Envelope::rectangular && !pulse.band_limited && body.has_body();
 }
 
-// Two pieces between samples, one more where the pulse ends between them; for two terms, which need fewer powers of the
-// second, two more bins for the echoes whose ends motion moves over a sample.
-std::size_t DenseRow::transforms_about(const PulseBody& body, std::size_t doppler_terms) {
-  CORE_EXPECT(doppler_terms == 1 || doppler_terms == 2);
-  const double samples = body.last() - body.first();
-  const std::size_t bins = std::abs(samples - std::round(samples)) < 1e-9 ? 2 : 3;
-  return doppler_terms == 1 ? powers * bins : 13 * bins + 12;
+std::size_t DenseRow::transforms_about(const EchoPulse& pulse, double interval_s, double shift, double error) {
+  const double samples = pulse.pulse.width_s / interval_s;
+  const double sweep = std::abs(pulse.pulse.sweep_rate_hz_per_s()) * interval_s * interval_s;
+  return BinFunctions::needed(core::pi * samples * (0.5 * sweep + shift), error);
 }
 
-bool DenseRow::is_worth(double echoes, std::size_t transforms, std::size_t points) {
-  return points <= most_points &&
-         echoes > echoes_of_a_point * static_cast<double>(transforms) * static_cast<double>(points);
+// Echoes that take as long one by one as a point of the transforms, by measurement (docs/developer/performance.md).
+bool DenseRow::is_worth(double echoes, std::size_t transforms, std::size_t points, std::size_t doppler_terms) {
+  if (points > most_points || transforms > functions) return false;
+  const double least = doppler_terms > 1 ? 0.0 : 0.8;
+  return echoes > least * static_cast<double>(points);
 }
 
-DenseRow::DenseRow(const PulseBody& body, const SampleGrid& grid, double share, double room,
+DenseRow::DenseRow(const EchoPulse& pulse, const PulseBody& body, const SampleGrid& grid, double share, double room,
                    const core::BasicFft<float>& row_fft)
-    : body_(&body), grid_(grid), share_(share), room_(room), row_fft_(&row_fft) {
+    : pulse_(&pulse), body_(&body), grid_(grid), share_(share), room_(room), row_fft_(&row_fft) {
   CORE_EXPECT(share > 0.0);
   CORE_EXPECT(room >= 0.0);
   CORE_EXPECT(body.edges().size() == 2);
 }
 
 bool DenseRow::prepare(const DenseMotion& motion) {
-  CORE_EXPECT(motion.terms == 1 || motion.terms == 2);
   const auto found = std::ranges::find_if(kept_, [&](const Kept& kept) { return kept.motion.is_same(motion); });
   if (found != kept_.end()) {
     kept_.splice(kept_.begin(), kept_, found);
@@ -129,74 +158,72 @@ void DenseRow::limit_kept() {
 void DenseRow::take(const Strengths<float>& echoes) {
   const Kept& kept = kept_.front();
   CORE_EXPECT(kept.usable);
-  if (!has_sums_) moments_.make_room(kept.bins, kept.motion.terms);
+  if (!has_sums_) sums_.make_room(kept.bins);
   has_sums_ = true;
-  add_moments(kept.bins, echoes, kept.motion.terms, moments_);
+  add_to_bins(kept.bins, kept.weights, echoes, sums_);
 }
 
 void DenseRow::forget() {
-  if (has_sums_) moments_.sums.clear();
+  if (has_sums_) sums_.clear();
   has_sums_ = false;
 }
 
-void DenseRow::leave(std::span<std::complex<float>> spectrum) {
+void DenseRow::leave(std::span<std::complex<float>> spectrum, std::span<std::complex<float>> samples) {
   CORE_EXPECT(spectrum.size() == row_fft_->size());
   if (!has_sums_) return;
   has_sums_ = false;
   const Kept& kept = kept_.front();
-  for (std::size_t bin = 0; bin * powers < kept.factor.size(); ++bin) {
-    take_powers(kept.bins, bin);
-    for (std::size_t p = 0; p < powers; ++p) {
-      const Spectrum& factor = kept.factor[bin * powers + p];
-      if (factor.empty()) continue;
-      row_fft_->forward(power_row_[p]);
-      add_products<float>(spectrum, power_row_[p], factor);
-    }
+  const auto period = static_cast<std::ptrdiff_t>(row_fft_->size());
+  const auto first = static_cast<std::ptrdiff_t>(kept.bins.first_sample) % period;
+  std::array<std::span<std::complex<float>>, functions> rows;
+  for (std::size_t k = 0; k < functions; ++k) {
+    row_[k].resize(row_fft_->size());
+    rows[k] = row_[k];
+  }
+  leave_bins(kept.bins, kept.tails, sums_, static_cast<std::size_t>(first < 0 ? first + period : first), rows, samples);
+  for (std::size_t k = 0; k < functions; ++k) {
+    if (kept.factor[k].empty()) continue;
+    row_fft_->forward(row_[k]);
+    add_products<float>(spectrum, row_[k], kept.factor[k]);
   }
 }
 
-// Moves the sums of a bin of a term to rows of the period, and leaves 0.
-void DenseRow::take_powers(const RangeBins& bins, std::size_t bin) {
-  const std::size_t period = row_fft_->size();
-  const auto around = static_cast<std::ptrdiff_t>(period);
-  for (Spectrum& row : power_row_) row.assign(period, {});
-  auto at = static_cast<std::size_t>((static_cast<std::ptrdiff_t>(bins.first_sample) % around + around) % around);
-  std::complex<float>* sums = moments_.sums.data() + bin * bins.samples * powers;
-  for (std::size_t n = 0; n < bins.samples; ++n, sums += powers) {
-    for (std::size_t p = 0; p < powers; ++p) power_row_[p][at] += sums[p];
-    std::fill_n(sums, powers, std::complex<float>());
-    if (++at == period) at = 0;
-  }
-}
-
-// The fewest pieces that keep the share.
 DenseRow::Kept DenseRow::make(const DenseMotion& motion) const {
   Kept kept;
   kept.motion = motion;
-  for (double pieces = 1.0; pieces <= most_pieces && make_bins(kept, pieces); pieces += 1.0)
-    if (make_factors(kept)) return kept;
-  kept.usable = false;
-  kept.factor.clear();
+  kept.usable = make_bins(kept);
+  if (!kept.usable) return kept;
+  const Fit fit(kept.bins, *body_, grid_.interval_s);
+  const std::vector<Parts> parts = fit.all_parts();
+  kept.usable = is_exact(kept, fit, parts);
+  if (!kept.usable) return kept;
+  make_factors(kept, parts);
+  make_tails(kept, fit);
+  kept.usable = make_weights(kept, fit, share_);
   return kept;
 }
 
-// False where motion moves the ends of pulses too far apart.
-bool DenseRow::make_bins(Kept& kept, double pieces_per_sample) const {
+// False where motion moves the ends of pulses too far apart, or turns them too much.
+bool DenseRow::make_bins(Kept& kept) const {
   const DopplerSpan& span = kept.motion.span;
   RangeBins& bins = kept.bins;
-  bins = {};
+  bins.bends = kept.motion.bends != DopplerSpan{};
+  bins.moves = bins.bends || span != DopplerSpan{};
   bins.middle = span.middle;
-  bins.shift = kept.motion.shift_s / grid_.interval_s;
-  bins.tilt = span.half > 0.0 ? 1.0 / span.half : 0.0;
   bins.begin_hard = body_->first();
   bins.end_hard = body_->last();
-  if (body_->is_stretched() && span != DopplerSpan{}) {
+  if (body_->is_stretched() && bins.moves) {
     bins.begin_late = body_->from_middle_s(bins.begin_hard) / grid_.interval_s;
     bins.end_late = body_->from_middle_s(bins.end_hard) / grid_.interval_s;
+    bins.begin_bent = 0.5 * bins.begin_late * bins.begin_late * grid_.interval_s;
+    bins.end_bent = 0.5 * bins.end_late * bins.end_late * grid_.interval_s;
   }
   bins.begin = bins.begin_hard + bins.begin_late * late_rate(span.middle);
+  const double half = 1.01 * span.half;
   const double longer = bins.end_late - bins.begin_late;
-  const double apart = 1.01 * longer * span.half;  // by how much motion moves one end against the other
+  // By how much motion moves one end against the other.
+  const double most_bend = std::abs(kept.motion.bends.middle) + 1.01 * kept.motion.bends.half;
+  const double apart = longer * half + (bins.begin_bent + bins.end_bent) * most_bend;
   if (apart > 0.25) return false;
   double samples = bins.end_hard - bins.begin_hard + longer * late_rate(span.middle);
   if (std::abs(samples - std::round(samples)) < 1e-9) samples = std::round(samples);
@@ -204,100 +231,114 @@ bool DenseRow::make_bins(Kept& kept, double pieces_per_sample) const {
   bins.least_samples = std::ceil(samples - 1.0 - apart);
   if (apart == 0.0 && bins.least_samples == samples - 1.0) bins.least_samples = samples;
   bins.run_count = static_cast<std::size_t>(std::ceil(samples + apart) - bins.least_samples) + 1;
-  bins.bins = 0;
+  double longest = -1.0;
   for (std::size_t r = 0; r < bins.run_count; ++r) {
-    RangeBins::Run& run = bins.runs[r];
     const double most = samples - bins.least_samples - static_cast<double>(r) + 1.0;
-    run.from = std::clamp(most - 1.0, 0.0, 1.0);
-    double length = std::clamp(most, 0.0, 1.0) - run.from;
-    if (length < shortest_run) {
-      run.from -= 0.5 * (shortest_run - length);
-      length = shortest_run;
-    }
-    const double pieces = std::max(1.0, std::ceil(length * pieces_per_sample - 1e-6));
-    run.per_piece = pieces / length;
-    run.last_piece = pieces - 1.0;
-    run.first_bin = static_cast<double>(bins.bins);
-    bins.bins += static_cast<std::size_t>(pieces);
+    const double length = std::clamp(most, 0.0, 1.0) - std::clamp(most - 1.0, 0.0, 1.0);
+    if (length > longest) bins.main_run = r;
+    longest = std::max(longest, length);
   }
-  // For the echoes that touch the row, and a few beside.
-  const double spare = 2.0 * room_ + 3.0;
-  bins.first_sample = std::floor(bins.begin_hard - bins.end_hard - spare);
-  bins.samples = static_cast<std::size_t>(static_cast<double>(grid_.count) + spare - bins.first_sample + 1.0);
-  return true;
+  // From the last echo that ends before the row to the first that begins behind it: others are taken for one of these.
+  bins.first_sample = std::floor(bins.begin_hard - bins.end_hard - room_);
+  bins.samples = static_cast<std::size_t>(static_cast<double>(grid_.count) - bins.first_sample + 1.0);
+
+  const double sweep = pulse_->pulse.sweep_rate_hz_per_s() * grid_.interval_s * grid_.interval_s;
+  const double rate = 1.0 - span.middle;
+  bins.sweep = sweep * (body_->is_stretched() ? rate * rate : rate);
+  bins.square = samples * samples / 12.0;
+  const double place = 0.5 + std::abs(bins.begin_late) * half + bins.begin_bent * most_bend + 1e-6;
+  if (bins.moves) {
+    bins.carrier = kept.motion.carrier_hz * grid_.interval_s;
+    bins.sweep_slope = sweep * (body_->is_stretched() ? -2.0 * rate : -1.0);
+    bins.sweep_square = body_->is_stretched() ? sweep : 0.0;
+    bins.bend_middle = kept.motion.bends.middle;
+    bins.bend_slope = -bins.carrier * grid_.interval_s;
+    bins.sweep += bins.bend_slope * bins.bend_middle;
+    bins.most_change = half * (std::abs(bins.sweep_slope) + std::abs(bins.sweep_square) * half) +
+                       1.01 * std::abs(bins.bend_slope) * kept.motion.bends.half;
+  }
+  bins.most_z = (std::abs(bins.sweep) + bins.most_change) * place + std::abs(bins.carrier) * half;
+  const double angle = 2.0 * core::pi *
+                       ((0.5 * (std::abs(bins.sweep) + bins.most_change) * place +
+                         std::abs(bins.carrier) * (std::abs(span.middle) + half)) *
+                            place +
+                        0.5 * bins.most_change * bins.square);
+  return angle < most_angle_rad && core::pi * bins.most_z * samples < most_width;
+}
+
+// Whether the functions make the samples of echoes, each at another place, speed and bend.
+bool DenseRow::is_exact(const Kept& kept, const Fit& fit, std::span<const Parts> parts) const {
+  // Steps that fill a cube evenly: powers of the inverse of the root of x^4 = x + 1.
+  constexpr double steps[] = {0.81917251339616440, 0.67104360670378920, 0.54970047790197030};
+  const RangeBins& bins = kept.bins;
+  const double most_error = share_ * share_ * static_cast<double>(parts.size());
+  double error = 0.0;
+  for (std::size_t n = 0; n < parts.size() && error <= most_error; ++n) {
+    const auto at = static_cast<double>(n);
+    const auto within = [&](double step, const DopplerSpan& span) {
+      return span.middle + span.half * (2.0 * (at * step - std::floor(at * step)) - 1.0);
+    };
+    const double place = within(steps[0], {0.0, 0.5});
+    const PulseClock clock{within(steps[1], kept.motion.span), within(steps[2], kept.motion.bends)};
+    error += std::norm(fit.sample(parts[n], place, clock) -
+                       body_->endless_echo(bins.begin + 0.5 + place + at, clock, kept.motion.carrier_hz));
+  }
+  return error <= most_error;
+}
+
+// What each function has of the samples goes into its weights, so that all sums count alike.
+void DenseRow::make_factors(Kept& kept, std::span<const Parts> parts) const {
+  const std::size_t count = parts.size();
+  const std::size_t period = row_fft_->size();
+  std::array<double, functions> energy{};
+  for (const Parts& sample : parts)
+    for (std::size_t k = 0; k < functions; ++k) energy[k] += std::norm(sample[k]);
+  const core::Fft fft(period);
+  std::vector<std::complex<double>> row;
+  for (std::size_t k = 0; k < functions; ++k) {
+    kept.size[k] = std::sqrt(energy[k] / static_cast<double>(count));
+    if (!(kept.size[k] > 0.2 * share_)) {
+      kept.size[k] = 0.0;
+      continue;
+    }
+    row.assign(period, {});
+    for (std::size_t n = 0; n < count; ++n) row[n % period] += parts[n][k];
+    fft.forward(row);
+    kept.factor[k].resize(period);
+    const double scale = 1.0 / (kept.size[k] * static_cast<double>(period));
+    std::ranges::transform(row, kept.factor[k].begin(),
+                           [&](const std::complex<double>& z) { return std::complex<float>(scale * z); });
+  }
 }
 
 // False where polynomials do not keep the share.
-bool DenseRow::make_factors(Kept& kept) const {
-  const RangeBins& bins = kept.bins;
-  kept.factor.assign(kept.motion.terms * bins.bins * powers, {});
-  for (std::size_t r = 0; r < bins.run_count; ++r)
-    for (double piece = 0.0; piece <= bins.runs[r].last_piece; piece += 1.0) {
-      BinSamples samples = samples_of(kept, r, piece);
-      if (!samples.is_exact) return false;
-      if (kept.motion.terms == 2) tilt(samples);
-      keep_factors(samples, static_cast<std::size_t>(bins.runs[r].first_bin + piece), kept);
-    }
+bool DenseRow::make_weights(Kept& kept, const Fit& fit, double share) {
+  const double bend = fit.bend_of(kept.bins.most_change);
+  auto weights = fit_lanes<float>(
+      2 * functions,
+      [&](std::size_t lane, double x) {
+        const std::size_t k = lane % functions;
+        const double y = 2.0 * x - 1.0;
+        return kept.size[k] * (lane < functions ? fit.value(k, y) : bend * fit.bend(k, y));
+      },
+      0.3 * share);
+  if (!weights) return false;
+  kept.weights = std::move(*weights);
   return true;
 }
 
-DenseRow::BinSamples DenseRow::samples_of(const Kept& kept, std::size_t run_index, double piece) const {
-  static const PowerFit fit;
-  constexpr std::array<double, 4> check_places{-0.999, -0.3827, 0.7071, 0.999};  // where a fit errs about the most
+void DenseRow::make_tails(Kept& kept, const Fit& fit) {
   const RangeBins& bins = kept.bins;
-  const RangeBins::Run& run = bins.runs[run_index];
-  const DenseMotion& motion = kept.motion;
-  const std::size_t period = row_fft_->size();
-  BinSamples out;
-  for (std::size_t c = 0; c < motion.terms * powers; ++c) out.row[c].assign(period, {});
-  const auto count = static_cast<std::size_t>(bins.least_samples) + run_index;
-  out.energy = static_cast<double>(count * motion.terms);
-  const double most_error = 0.09 * share_ * share_ * out.energy;
-  double error = 0.0;
-  for (std::size_t n = 0; n < count && out.is_exact; ++n)
-    for (std::size_t term = 0; term < motion.terms; ++term) {
-      const double from_middle = motion.span.half * (motion.terms == 1 ? 0.0 : doppler_node(term, motion.terms));
-      const double begin = bins.begin + bins.shift * from_middle + static_cast<double>(n);
-      const auto sample = [&](double y) {
-        const double phi = run.from + (piece + 0.5 * (y + 1.0)) / run.per_piece;
-        return body_->endless_echo(begin + phi, {bins.middle + from_middle, 0.0}, motion.carrier_hz);
-      };
-      const PowerFit::Coefficients fitted = fit.fit(sample);
-      for (std::size_t p = 0; p < powers; ++p) out.row[term * powers + p][n % period] += fitted[p];
-      const double y = check_places[n % check_places.size()];
-      error += std::norm(polynomial(fitted, y) - sample(y));
-      out.is_exact = error <= most_error;
+  const auto count = static_cast<std::ptrdiff_t>(bins.main_samples());
+  for (std::size_t run = 0; run < bins.run_count; ++run) {
+    const std::ptrdiff_t more = static_cast<std::ptrdiff_t>(run) - static_cast<std::ptrdiff_t>(bins.main_run);
+    for (std::ptrdiff_t sample = std::min(count, count + more); sample < std::max(count, count + more); ++sample) {
+      BinTail tail{run, sample, {}, {}};
+      const Parts parts = fit.parts(static_cast<double>(sample));
+      for (std::size_t k = 0; k < functions; ++k)
+        if (kept.size[k] > 0.0) tail.set(k, (more > 0 ? 1.0 : -1.0) / kept.size[k] * parts[k]);
+      kept.tails.push_back(tail);
     }
-  return out;
-}
-
-// From the samples at two nodes in D to those of the strengths and of their product with where D stands in the span.
-void DenseRow::tilt(BinSamples& samples) {
-  const double slope = 0.5 / doppler_node(0, 2);
-  for (std::size_t p = 0; p < powers; ++p)
-    for (std::size_t n = 0; n < samples.row[p].size(); ++n) {
-      const std::complex<double> high = samples.row[p][n];
-      const std::complex<double> low = samples.row[powers + p][n];
-      samples.row[p][n] = 0.5 * (high + low);
-      samples.row[powers + p][n] = slope * (high - low);
-    }
-}
-
-void DenseRow::keep_factors(BinSamples& samples, std::size_t bin, Kept& kept) const {
-  const std::size_t period = row_fft_->size();
-  const core::Fft fft(period);
-  const double least = 1e-3 * share_ * share_ * samples.energy / static_cast<double>(kept.motion.terms);
-  for (std::size_t c = 0; c < kept.motion.terms * powers; ++c) {
-    std::vector<std::complex<double>>& row = samples.row[c];
-    double energy = 0.0;
-    for (const std::complex<double>& z : row) energy += std::norm(z);
-    if (!(energy > least)) continue;
-    fft.forward(row);
-    Spectrum& factor = kept.factor[(c / powers * kept.bins.bins + bin) * powers + c % powers];
-    factor.resize(period);
-    std::ranges::transform(row, factor.begin(), [&](const std::complex<double>& z) {
-      return std::complex<float>(z / static_cast<double>(period));
-    });
   }
 }
 

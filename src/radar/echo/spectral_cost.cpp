@@ -32,8 +32,9 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
                                        span.half, grid.interval_s, settings.share)
                              .terms_for(span.half, settings.share);
   if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
-  if (settings.single_precision && cost.doppler_terms <= 2 && DenseRow::suits(pulse, body)) {
-    cost.bin_transforms = DenseRow::transforms_about(body, cost.doppler_terms);
+  if (settings.single_precision && DenseRow::suits(pulse, body)) {
+    const double half_shift = carrier_hz * grid.interval_s * span.half;
+    cost.bin_transforms = DenseRow::transforms_about(pulse, grid.interval_s, half_shift, settings.share);
     cost.bin_points = static_cast<std::size_t>(row);
   }
   return cost;

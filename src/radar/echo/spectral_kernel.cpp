@@ -15,6 +15,7 @@
 #include "radar/echo/direct_kernel.hpp"
 #include "radar/echo/doppler_coupling.hpp"
 #include "radar/echo/doppler_terms.hpp"
+#include "radar/echo/edge_pieces.hpp"
 #include "radar/echo/pulse_body.hpp"
 #include "radar/echo/spectral_settings.hpp"
 #include "radar/echo/spreading.hpp"
@@ -104,9 +105,15 @@ struct SpectralKernel::Typed : Implementation {
         row_fft(row_size),
         folded(row_size) {
     edge_row.resize(grid.count);
-    has_body = body.has_body() && make_pieces();
+    if (body.has_body())
+      if (auto found = edge_pieces<Real>(body, settings.edge_samples, 0.3 * settings.share)) {
+        has_body = true;
+        pieces = std::move(*found);
+        steepest = steepest_edge(echo_pulse, body, settings.edge_samples);
+      }
     if constexpr (sizeof(Real) == 4)
-      if (has_body && DenseRow::suits(echo_pulse, body)) dense.emplace(body, grid, choices.share, room, row_fft);
+      if (has_body && DenseRow::suits(echo_pulse, body))
+        dense.emplace(echo_pulse, body, grid, choices.share, room, row_fft);
     if (!filter.taps.empty()) set_filter(filter);
   }
 
@@ -142,11 +149,13 @@ struct SpectralKernel::Typed : Implementation {
     if (position.empty()) return;
     motion = motion ? motion->with(gathered.motion) : gathered.motion;
     const Spectra wanted = wanted_spectra();
-    if (!has_body || strays() || wanted.terms * wanted.bend_terms > most_doppler_terms) return take_plainly(echoes);
+    // Those of a part without bends are 0.
+    if (wanted.bends != DopplerSpan{}) gathered.bend_per_s.resize(position.size());
+    if (!has_body || is_beyond_room()) return take_plainly(echoes);
     if (take_densely(wanted, echoes.size())) return;
+    if (edges_stray() || wanted.terms * wanted.bend_terms > most_doppler_terms) return take_plainly(echoes);
     part_neighbours(gathered);
-    const double most_doppler = std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
-    const double allowance = allowance_for(most_doppler * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
+    const double allowance = allowance_for(most_doppler() * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
     if (!spreading.is_for(allowance, wanted)) {
       leave_grid();
       spreading.band = &band_for(allowance);
@@ -156,9 +165,13 @@ struct SpectralKernel::Typed : Implementation {
     }
     spread_terms(*spreading.spectra);
     if (pieces.empty()) return;
+    begin_edges();
+    add_edge_pieces();
+  }
+
+  void begin_edges() {
     if (!has_edges) edge_row.clear();
     has_edges = true;
-    add_edge_pieces();
   }
 
   // Where many echoes fall on each sample. The first part of a pulse decides, for how many are to come.
@@ -166,10 +179,14 @@ struct SpectralKernel::Typed : Implementation {
     if constexpr (sizeof(Real) == 4) {
       const double touching = static_cast<double>(position.size()) / static_cast<double>(given);
       const double in_all = touching * static_cast<double>(std::max(expected, given));
-      if (!dense || wanted.terms > 2 || wanted.bends != DopplerSpan{}) return false;
-      if (!densely) densely = DenseRow::is_worth(in_all, DenseRow::transforms_about(body, wanted.terms), row_size);
+      if (!dense) return false;
+      if (!densely) {
+        const double shift = carrier_hz * grid.interval_s * wanted.span.half;
+        const std::size_t transforms = DenseRow::transforms_about(*pulse, grid.interval_s, shift, settings.share);
+        densely = DenseRow::is_worth(in_all, transforms, row_size, wanted.terms * wanted.bend_terms);
+      }
       if (!*densely) return false;
-      const DenseMotion common{carrier_hz, wanted.span, wanted.shift_s, wanted.terms};
+      const DenseMotion common{carrier_hz, wanted.span, wanted.bends};
       if (!dense->is_for(common)) leave_dense();
       if (!dense->prepare(common)) return false;
       dense->take(gathered);
@@ -182,7 +199,8 @@ struct SpectralKernel::Typed : Implementation {
     if constexpr (sizeof(Real) == 4) {
       if (!dense || dense->is_empty()) return;
       begin_bodies();
-      dense->leave(folded);
+      if (dense->has_samples()) begin_edges();
+      dense->leave(folded, edge_samples());
     }
   }
 
@@ -229,7 +247,7 @@ struct SpectralKernel::Typed : Implementation {
       out[i] += response_scale * std::complex<double>(folded[output_index[i]]);
   }
 
-  [[nodiscard]] std::span<const std::complex<Real>> edge_samples() const {
+  [[nodiscard]] std::span<std::complex<Real>> edge_samples() {
     return std::span(edge_row.samples).subspan(EdgeRow<Real>::padding, grid.count);
   }
 
@@ -265,19 +283,31 @@ struct SpectralKernel::Typed : Implementation {
     return best_coupling(*coupled, body, carrier_hz, span.half, grid.interval_s, settings.share);
   }
 
-  // Whether echoes are stretched, or bent, beyond what there is room for, or beyond what the samples at the edges
-  // follow: these keep their shape, and the Doppler of the hard end.
-  [[nodiscard]] bool strays() const {
+  // Whether echoes are stretched, or bent, beyond what there is room for.
+  [[nodiscard]] bool is_beyond_room() const {
+    if (pulse->doppler_rule == DopplerRule::thesis) return false;
+    return (most_doppler() + 0.5 * most_bend()) * (body.last() - body.first()) > std::max(room, 1e-12);
+  }
+
+  // Whether they are beyond what the samples at the edges follow: these keep their shape, and the Doppler of the hard
+  // end.
+  [[nodiscard]] bool edges_stray() const {
     if (pulse->doppler_rule == DopplerRule::thesis || !motion->moving()) return false;
-    const double half_s = 0.5 * (body.last() - body.first()) * grid.interval_s;
-    const double bend = half_s * std::max(std::abs(motion->lowest_bend), std::abs(motion->highest_bend));
-    const double most = std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
-    if ((most + 0.5 * bend) * (body.last() - body.first()) > std::max(room, 1e-12)) return true;
     const auto samples = static_cast<double>(settings.edge_samples);
-    const double rad = 2.0 * core::pi * carrier_hz * grid.interval_s * samples * (most * most + 0.5 * bend);
+    const double rad =
+        2.0 * core::pi * carrier_hz * grid.interval_s * samples * (most_doppler() * most_doppler() + 0.5 * most_bend());
     const double share_of_edges =
         std::sqrt(static_cast<double>(pieces.size()) * samples / (body.last() - body.first()));
-    return share_of_edges * (rad + samples * (most + bend) * steepest_edge) > settings.share;
+    return share_of_edges * (rad + samples * (most_doppler() + most_bend()) * steepest) > settings.share;
+  }
+
+  [[nodiscard]] double most_doppler() const {
+    return std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
+  }
+  // What the largest bend changes D by until the ends of the pulse.
+  [[nodiscard]] double most_bend() const {
+    const double half_s = 0.5 * (body.last() - body.first()) * grid.interval_s;
+    return half_s * std::max(std::abs(motion->lowest_bend), std::abs(motion->highest_bend));
   }
 
   Band& band_for(double allowance) {
@@ -392,49 +422,6 @@ struct SpectralKernel::Typed : Implementation {
     add_edges<Real>(piece, position, strength, late, edge_row);
   }
 
-  // False where a pulse is too wild next to its edges for polynomials.
-  bool make_pieces() {
-    const auto width = static_cast<double>(settings.edge_samples);
-    for (const PulseBody::Edge& edge : body.edges()) {
-      // Kept off the border by a hair, so that a value there is the one inside the piece.
-      const auto inside = [&](double t) { return std::clamp(t, edge.start + 1e-9, edge.start + width - 1e-9); };
-      const auto left_out = [&](std::size_t lane, double fraction) {
-        const double t = static_cast<double>(lane) + fraction;
-        const double x = t / width;
-        return body.value(inside(edge.start + t)) * (1.0 - body.step(edge.rising ? x : 1.0 - x));
-      };
-      auto samples = fit_lanes<Real>(
-          2 * settings.edge_samples,
-          [&](std::size_t lane, double x) {
-            const std::complex<double> e = left_out(lane / 2, x);
-            return lane % 2 == 0 ? e.real() : e.imag();
-          },
-          0.3 * settings.share);
-      if (!samples) return false;
-      EdgePiece<Real> piece;
-      piece.start = edge.start;
-      piece.hard = edge.rising ? edge.start : edge.start + width;
-      piece.samples = std::move(*samples);
-      pieces.push_back(std::move(piece));
-      steepest_edge = std::max(steepest_edge, steepness(edge.start));
-    }
-    return true;
-  }
-
-  // How much the pulse changes from sample to sample in an edge region, beside its sweep.
-  [[nodiscard]] double steepness(double start) const {
-    const double sweep = pulse->pulse.sweep_rate_hz_per_s();
-    const auto at = [&](double t) {
-      const double u_s = body.from_middle_s(t);
-      return body.value(t) * std::polar(1.0, -core::pi * sweep * u_s * u_s);
-    };
-    constexpr double step = 0.25;
-    double steepest = 0.0;
-    for (double t = start + 1e-6; t + step < start + static_cast<double>(settings.edge_samples); t += step)
-      steepest = std::max(steepest, std::abs(at(t + step) - at(t)) / step);
-    return steepest < 1e-9 ? 0.0 : steepest;
-  }
-
   const Spectra& spectra_for(Band& band, const Spectra& wanted) {
     const bool at_rest = wanted.span == DopplerSpan{} && wanted.bends == DopplerSpan{};
     const auto found = std::ranges::find_if(band.recent, [&](const Spectra& s) {
@@ -545,7 +532,7 @@ struct SpectralKernel::Typed : Implementation {
   SpreadGrid<Real> spread_grid;
   EdgeRow<Real> edge_row;
   bool has_body = false;
-  double steepest_edge = 0.0;  // 1/sample
+  double steepest = 0.0;  // edge, 1/sample
   std::optional<DopplerCoupling> coupled;
   double coupled_carrier_hz = 0.0;
   core::AlignedVector<std::complex<Real>> folded;  // spectrum, then samples, of the period

@@ -24,15 +24,25 @@ constexpr double user_sample_ns = 0.25;
 constexpr double band_limited_sample_ns = 0.62;
 constexpr double knot_ns = 5.0;       // of a curve, which ends a run of samples
 constexpr double untabled_ns = 20.0;  // pulses too long for a table take the reference
-constexpr double spread_ns = 6.0;
+constexpr double spread_ns = 4.0;
 constexpr double doppler_term_ns = 1.0;  // the weight of each further one
 constexpr double edge_sample_ns = 0.28;
-constexpr double bin_point_ns = 2.7;  // of a transform where many echoes fall on each sample
+// Where many echoes fall on each sample: each of them, what motion adds, and each point of each transform.
+constexpr double bin_echo_ns = 3.7;
+constexpr double bin_motion_ns = 0.8;
+constexpr double bin_point_ns = 1.9;
 constexpr double transform_point_ns = 2.2;
-constexpr double transform_octave_ns = 0.45;  // of a point, for each doubling beyond what stays in the cache of a core
+// Of a point, for each doubling beyond what stays in the cache of a core.
+constexpr double transform_octave_ns = 0.9;
+constexpr double bin_octave_ns = 0.5;
 constexpr double cached_points = 32768.0;
-constexpr double double_precision_times = 2.3;
+constexpr double double_precision_times = 2.6;
 constexpr double least_single_tolerance = 9.9e-7;
+
+// Of transforms of so many points in all.
+double point_ns(double cached_ns, double octave_ns, double points) {
+  return cached_ns + octave_ns * std::max(0.0, std::log2(std::max(points, 1.0) / cached_points));
+}
 
 struct DopplerRange {
   double lowest = 0.0;
@@ -103,20 +113,17 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
                                               doppler.highest);
   const auto terms = static_cast<double>(estimate.cost.doppler_terms);
   const double precision = tolerance_ < least_single_tolerance ? double_precision_times : 1.0;
-  const auto points = static_cast<double>(estimate.cost.transform_size);
-  const double point_ns = transform_point_ns +
-                          transform_octave_ns * std::max(0.0, std::log2(std::max(terms * points, 1.0) / cached_points));
+  const auto points = terms * static_cast<double>(estimate.cost.transform_size);
   estimate.ns = precision * echoes_ *
                     (spread_ns + doppler_term_ns * (terms - 1.0) +
                      edge_sample_ns * static_cast<double>(estimate.cost.edge_samples)) +
-                precision * point_ns * terms * points;
+                precision * points * point_ns(transform_point_ns, transform_octave_ns, points);
   const std::size_t transforms = estimate.cost.bin_transforms;
-  // As RowMaker does: in flight each part of the points has to be worth its bins.
-  const bool moves = doppler.lowest != 0.0 || doppler.highest != 0.0;
-  const double alike = moves ? std::min(echoes_, static_cast<double>(points_at_once)) : echoes_;
-  if (transforms > 0 && radar::DenseRow::is_worth(alike, transforms, estimate.cost.bin_points))
-    estimate.ns = echoes_ * (spread_ns + doppler_term_ns * (terms - 1.0)) +
-                  bin_point_ns * static_cast<double>(transforms * estimate.cost.bin_points);
+  const auto bin_points = static_cast<double>(transforms * estimate.cost.bin_points);
+  if (transforms > 0 &&
+      radar::DenseRow::is_worth(echoes_, transforms, estimate.cost.bin_points, estimate.cost.doppler_terms))
+    estimate.ns = echoes_ * (bin_echo_ns + (terms > 1.0 ? bin_motion_ns : 0.0)) +
+                  bin_points * point_ns(bin_point_ns, bin_octave_ns, bin_points);
   return estimate;
 }
 

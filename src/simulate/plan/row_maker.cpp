@@ -106,18 +106,11 @@ bool RowMaker::take_in_parts(std::optional<double> since_s) {
       return echoes_.size() > 0;
     }
     keep_heard(since_s);
-    if (from == 0) spectral_->begin(geometry_.carrier_hz(), alike(points.count));
+    if (from == 0) spectral_->begin(geometry_.carrier_hz(), points.count);
     spectral_->take(echoes_);
     any = any || echoes_.size() > 0;
   }
   return any;
-}
-
-// Of so many points, how many have echoes that move alike: all where those of the first part are at rest, else no more
-// than one part, as points in the order of azimuth have another Doppler in each.
-std::size_t RowMaker::alike(std::size_t points) const {
-  const bool moves = std::ranges::any_of(echoes_.doppler, [](double doppler) { return doppler != 0.0; });
-  return moves ? std::min(points, points_at_once) : points;
 }
 
 // Adds these echoes to a row. Returns the samples outside of which it is as it was.

@@ -35,7 +35,6 @@ class RowMaker {
   void take_echoes(std::optional<double> since_s);
   void keep_heard(std::optional<double> since_s);
   [[nodiscard]] bool take_in_parts(std::optional<double> since_s);
-  [[nodiscard]] std::size_t alike(std::size_t points) const;
   radar::SampleSpan add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s);
   radar::SampleSpan add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
   void blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const;
