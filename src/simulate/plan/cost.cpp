@@ -106,13 +106,13 @@ double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_sampl
 
 // The most that is held at once: while the script is read and checked, or while its pulses are computed.
 double most_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
-  constexpr double program = 8.6e6;
+  constexpr double program = 11e6;
   constexpr double transform_library = 5e6;
   constexpr double platform = 60e3;
-  constexpr double checked_target = 310.0;
+  constexpr double checked_target = 148.0;
   constexpr double surveyed_target = 300.0;
   constexpr double most_surveyed = 65'536.0;
-  constexpr double resolved_target = 120.0;
+  constexpr double resolved_target = 72.0;
   constexpr double cloud_point = 32.0;
   constexpr double echo = 48.0;
   constexpr double sample = 140.0;

@@ -79,7 +79,7 @@ TEST(Cost, HasMemoryForTargetsCloudsAndThreads) {
   const double least = bytes(scene_of(1), 1);
   EXPECT_GT(least, 5e6);
   EXPECT_LT(least, 15e6);
-  EXPECT_NEAR(bytes(scene_of(100'000), 1) - least, 100e3 * 500.0, 100e3 * 150.0);
+  EXPECT_NEAR(bytes(scene_of(100'000), 1) - least, 100e3 * 340.0, 100e3 * 100.0);
   EXPECT_GT(bytes(scene_of(100'000), 16), bytes(scene_of(100'000), 1) + 20e6);
 }
 
