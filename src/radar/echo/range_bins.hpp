@@ -18,7 +18,7 @@ namespace sarsim::radar {
 /// of how they go on from there. All in samples and turns; times of the pulse from its leading edge, D as ever.
 ///
 /// An echo at x reaches n0 when its pulse, by D = middle, is at begin + 1/2 + p, -1/2 <= p < 1/2 but for what motion
-/// does. With s = n - n0 + begin + 1/2 from the middle of the pulse on, it goes on like
+/// does. With s, which is n - n0 + begin + 1/2 less the middle of the pulse, it goes on like
 ///
 ///     exp(2 pi j (z s + dk (s^2 - square)/2 + t)),   z = k p - f (D - middle),   t = k p^2/2 - f D p + dk square/2
 ///
