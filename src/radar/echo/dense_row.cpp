@@ -111,9 +111,14 @@ bool DenseRow::suits(const EchoPulse& pulse, const PulseBody& body) {
   return smooth && pulse.pulse.envelope == Pulse::Envelope::rectangular && !pulse.band_limited && body.has_body();
 }
 
-std::size_t DenseRow::transforms_about(const EchoPulse& pulse, double interval_s, double shift, double error) {
+std::size_t DenseRow::transforms_about(const EchoPulse& pulse, double interval_s, double carrier_hz,
+                                       double half_doppler, double error) {
   const double samples = pulse.pulse.width_s / interval_s;
   const double sweep = std::abs(pulse.pulse.sweep_rate_hz_per_s()) * interval_s * interval_s;
+  // The change of the sweep turns the ends of the pulse by so much; what its square leaves, over pulse and speeds.
+  const double rad = 0.5 * core::pi * sweep * half_doppler * samples * samples;
+  if (0.029 * rad * rad > error) return functions + 1;
+  const double shift = std::abs(carrier_hz) * interval_s * half_doppler;
   return BinFunctions::needed(core::pi * samples * (0.5 * sweep + shift), error);
 }
 

@@ -38,11 +38,11 @@ class DenseRow {
   /// Whether the pulse is one that would go on smoothly beyond its ends: a chirp or a tone of constant amplitude.
   [[nodiscard]] static bool suits(const EchoPulse& pulse, const PulseBody& body);
 
-  /// About how many transforms a row takes.
-  /// @param shift  largest change of frequency by Doppler, cycles per sample, from that of the middle
-  /// @param error  relative, allowed
-  [[nodiscard]] static std::size_t transforms_about(const EchoPulse& pulse, double interval_s, double shift,
-                                                    double error);
+  /// About how many transforms a row takes; more than there are functions where these will not keep the error.
+  /// @param half_doppler  half of the span of D
+  /// @param error         relative, allowed
+  [[nodiscard]] static std::size_t transforms_about(const EchoPulse& pulse, double interval_s, double carrier_hz,
+                                                    double half_doppler, double error);
   /// Whether they are faster than echoes one by one.
   /// @param doppler_terms  that echoes one by one would take
   [[nodiscard]] static bool is_worth(double echoes, std::size_t transforms, std::size_t points,

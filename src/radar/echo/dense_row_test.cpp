@@ -72,14 +72,28 @@ TEST(DenseRow, IsWorthItsTransformsFromAboutAnEchoASampleOn) {
 }
 
 TEST(DenseRow, TakesFewerTransformsForNarrowBandsAndLooseTolerances) {
-  const auto transforms = [](double band, double shift, double error) {
-    return DenseRow::transforms_about(test_pulse(Pulse::Kind::chirp, 100.0, band), test_interval_s, shift, error);
+  const auto transforms = [](double band, double half_doppler, double error) {
+    const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.0, band);
+    return DenseRow::transforms_about(chirp, test_interval_s, carrier_hz, half_doppler, error);
   };
   EXPECT_EQ(transforms(0.9, 0.0, 1.25e-7), 8u);
   EXPECT_EQ(transforms(0.4, 0.0, 1.25e-7), 6u);
   EXPECT_EQ(transforms(0.9, 0.0, 1.25e-4), 5u);
-  EXPECT_GT(transforms(0.9, 1e-2, 1.25e-7), 8u);
-  EXPECT_EQ(DenseRow::transforms_about(test_pulse(Pulse::Kind::mono, 100.0), test_interval_s, 0.0, 1e-7), 1u);
+  EXPECT_GT(transforms(0.9, cycle_doppler(100.0), 1.25e-7), 8u);
+  const EchoPulse tone = test_pulse(Pulse::Kind::mono, 100.0);
+  EXPECT_EQ(DenseRow::transforms_about(tone, test_interval_s, carrier_hz, 0.0, 1e-7), 1u);
+}
+
+// The change of the sweep of long pulses enters to first order: what its square leaves grows with the square of D.
+TEST(DenseRow, KnowsForWhichSpansOfDopplerFunctionsAreEnough) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 2000.0, 0.8);
+  for (const auto& [half, enough] : {std::pair(2e-7, true), std::pair(4e-6, false)}) {
+    Parts parts{&chirp, grid};
+    const auto transforms = DenseRow::transforms_about(chirp, test_interval_s, 1e8, half, parts.settings.share);
+    EXPECT_EQ(transforms <= 8u, enough) << half;
+    EXPECT_EQ(parts.row.prepare({1e8, {0.0, half}, {}}), enough) << half;
+  }
 }
 
 TEST(DenseRow, FindsFunctionsThatKeepTheShare) {

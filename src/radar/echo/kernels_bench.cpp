@@ -233,13 +233,15 @@ const bool shapes_registered = [] {
   return true;
 }();
 
-void spectral(benchmark::State& state, Band band, double cycles, double promise) {
+void spectral(benchmark::State& state, Band band, double cycles, double promise, std::int64_t targets = 0) {
+  if (targets != 0) hwy::SetSupportedTargetsForTest(targets);
   const Workload w = workload(Pulse::Kind::chirp, 1000.0, 20000, cycles, band);
   SpectralKernel kernel(w.pulse, w.grid, promise);
   time_kernel(state, kernel, w, promise);
   const double span = cycles == 0.0 ? 0.0 : 2.0 * cycles / (carrier_hz * w.pulse.pulse.width_s);
   state.counters["terms"] = static_cast<double>(
       SpectralKernel::cost(w.pulse, w.grid, promise, carrier_hz, -0.5 * span, 0.5 * span).doppler_terms);
+  hwy::SetSupportedTargetsForTest(0);
 }
 BENCHMARK_CAPTURE(spectral, limited_1e_3, Band::limited, 0.0, 1e-3);
 BENCHMARK_CAPTURE(spectral, limited_1e_6, Band::limited, 0.0, 1e-6);
@@ -251,6 +253,9 @@ BENCHMARK_CAPTURE(spectral, limited_1e_6_hundredth_of_a_cycle, Band::limited, 0.
 BENCHMARK_CAPTURE(spectral, limited_1e_6_tenth_of_a_cycle, Band::limited, 0.1, 1e-6);
 BENCHMARK_CAPTURE(spectral, limited_1e_6_one_cycle, Band::limited, 1.0, 1e-6);
 BENCHMARK_CAPTURE(spectral, hard_1e_6_tenth_of_a_cycle, Band::hard_edged, 0.1, 1e-6);
+BENCHMARK_CAPTURE(spectral, limited_1e_6_avx2, Band::limited, 0.0, 1e-6, HWY_AVX2);
+BENCHMARK_CAPTURE(spectral, hard_1e_6_avx2, Band::hard_edged, 0.0, 1e-6, HWY_AVX2);
+BENCHMARK_CAPTURE(spectral, hard_1e_6_tenth_of_a_cycle_avx2, Band::hard_edged, 0.1, 1e-6, HWY_AVX2);
 
 // Making a kernel: what a thread pays once.
 void spectral_set_up(benchmark::State& state, double promise) {

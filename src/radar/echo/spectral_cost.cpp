@@ -33,8 +33,7 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
                              .terms_for(span.half, settings.share);
   if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
   if (settings.single_precision && DenseRow::suits(pulse, body)) {
-    const double half_shift = carrier_hz * grid.interval_s * span.half;
-    cost.bin_transforms = DenseRow::transforms_about(pulse, grid.interval_s, half_shift, settings.share);
+    cost.bin_transforms = DenseRow::transforms_about(pulse, grid.interval_s, carrier_hz, span.half, settings.share);
     cost.bin_points = static_cast<std::size_t>(row);
   }
   return cost;

@@ -181,8 +181,8 @@ struct SpectralKernel::Typed : Implementation {
       const double in_all = touching * static_cast<double>(std::max(expected, given));
       if (!dense) return false;
       if (!densely) {
-        const double shift = carrier_hz * grid.interval_s * wanted.span.half;
-        const std::size_t transforms = DenseRow::transforms_about(*pulse, grid.interval_s, shift, settings.share);
+        const std::size_t transforms =
+            DenseRow::transforms_about(*pulse, grid.interval_s, carrier_hz, wanted.span.half, settings.share);
         densely = DenseRow::is_worth(in_all, transforms, row_size, wanted.terms * wanted.bend_terms);
       }
       if (!*densely) return false;

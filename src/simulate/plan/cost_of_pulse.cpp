@@ -120,8 +120,9 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
                 precision * points * point_ns(transform_point_ns, transform_octave_ns, points);
   const std::size_t transforms = estimate.cost.bin_transforms;
   const auto bin_points = static_cast<double>(transforms * estimate.cost.bin_points);
-  if (transforms > 0 &&
-      radar::DenseRow::is_worth(echoes_, transforms, estimate.cost.bin_points, estimate.cost.doppler_terms))
+  estimate.in_bins = transforms > 0 && radar::DenseRow::is_worth(echoes_, transforms, estimate.cost.bin_points,
+                                                                 estimate.cost.doppler_terms);
+  if (estimate.in_bins)
     estimate.ns = echoes_ * (bin_echo_ns + (terms > 1.0 ? bin_motion_ns : 0.0)) +
                   bin_points * point_ns(bin_point_ns, bin_octave_ns, bin_points);
   return estimate;

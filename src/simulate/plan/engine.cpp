@@ -48,11 +48,14 @@ EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const Reso
   constexpr std::size_t largest_transform = std::size_t{1} << 27U;
   const bool direct =
       spectral.cost.doppler_terms > 20 || spectral.cost.transform_size > largest_transform || direct_ns <= spectral.ns;
-  return {
-      direct ? Engine::direct : Engine::spectral,
-      fmt::format("{:.0f} echoes a pulse of {:.0f} samples cost {} than transforms of {} points with {} Doppler terms",
-                  cost.echoes(), cost.samples(), direct ? "less" : "more", spectral.cost.transform_size,
-                  spectral.cost.doppler_terms)};
+  const std::string transforms =
+      spectral.in_bins
+          ? fmt::format("{} transforms of {} points", spectral.cost.bin_transforms, spectral.cost.bin_points)
+          : fmt::format("transforms of {} points with {} Doppler terms", spectral.cost.transform_size,
+                        spectral.cost.doppler_terms);
+  return {direct ? Engine::direct : Engine::spectral,
+          fmt::format("{:.0f} echoes a pulse of {:.0f} samples cost {} than {}", cost.echoes(), cost.samples(),
+                      direct ? "less" : "more", transforms)};
 }
 
 }  // namespace sarsim::simulate

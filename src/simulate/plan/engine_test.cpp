@@ -54,6 +54,7 @@ TEST_F(AutomaticEngine, IsSpectralForManyEchoesOfALongPulse) {
   const EngineChoice many = choice(scene_with(20000));
   EXPECT_EQ(many.engine, Engine::spectral);
   EXPECT_NE(many.reason.find("20000 echoes"), std::string::npos) << many.reason;
+  EXPECT_NE(many.reason.find("than 7 transforms of 1801 points"), std::string::npos) << many.reason;
 }
 
 TEST_F(AutomaticEngine, IsDirectForManyEchoesOfAPulseTooShortForABody) {
