@@ -68,7 +68,7 @@ TEST_F(Interruption, HangUpThatIsRepeatedStillCleansUp) {
 
 TEST_F(Interruption, HangUpThatWasIgnoredStaysSo) {
   SceneText scene;
-  scene.pulses = 100000;
+  scene.pulses = 400000;
   scene.lsb_mv = "1e-6";
   write_scene(scene);
   Start start = here();
