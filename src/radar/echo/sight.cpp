@@ -43,9 +43,7 @@ HWY_INLINE Triple outer(const Triple& a, const Triple& b) {
           hn::MulSub(a.x, b.y, hn::Mul(a.y, b.x))};
 }
 
-HWY_INLINE Triple scaled(Tag d, const core::Vec3& v, double factor) {
-  return {hn::Set(d, factor * v.x), hn::Set(d, factor * v.y), hn::Set(d, factor * v.z)};
-}
+HWY_INLINE Triple all_lanes(Tag d, const core::Vec3& v) { return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)}; }
 
 HWY_INLINE Triple plus(const Triple& a, Vector factor, const Triple& b) {
   return {hn::MulAdd(factor, b.x, a.x), hn::MulAdd(factor, b.y, a.y), hn::MulAdd(factor, b.z, a.z)};
@@ -84,29 +82,89 @@ Axis axis_of(const SightFrame& frame) {
           std::cos(frame.axis_elevation_rad)};
 }
 
-// What the echoes of a group of points depend on.
+// How the radar moves on, in units of the speed of light.
+struct RadarWay {
+  double per_light;
+  core::Vec3 way, slope;  // SightFrame::radar_mps and radar_slope_mps
+  double square;          // way.way
+  double per_still;       // 2/(1 - way.way)
+  double way_slope;       // way.slope
+};
+
+RadarWay way_of(const SightFrame& frame) {
+  RadarWay out{};
+  out.per_light = 1.0 / frame.light_speed_mps;
+  out.way = out.per_light * frame.radar_mps;
+  out.slope = out.per_light * frame.radar_slope_mps;
+  out.square = core::dot(out.way, out.way);
+  out.per_still = 2.0 / (1.0 - out.square);
+  out.way_slope = core::dot(out.way, out.slope);
+  return out;
+}
+
+// What the echoes of a group of points depend on. The frame is a copy: the compiler could not know that no result is
+// written into another, and would compute anew for each vector what all have in common.
 struct Scenery {
   const PointArrays& points;
-  const SightFrame& frame;
-  const AntennaSight& antenna;
   const CurveTables& curves;
+  const AntennaSight& antenna;
+  bool has_cuts;    // whether the antenna has sin(x)/x cuts,
+  bool has_tables;  // and user-defined ones
+  SightFrame frame;
+  bool is_upright;  // whether axes of the platform are those of the world
   Axis axis;
+  RadarWay way;
 };
+
+bool is_identity(const core::Mat3& m) {
+  return m.row[0] == core::Vec3{1, 0, 0} && m.row[1] == core::Vec3{0, 1, 0} && m.row[2] == core::Vec3{0, 0, 1};
+}
+
+Scenery scenery_of(const PointArrays& points, const SightFrame& frame, const AntennaSight& antenna,
+                   const CurveTables& curves) {
+  return {points,
+          curves,
+          antenna,
+          antenna.cut != std::array<double, 4>{},
+          antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0,
+          frame,
+          is_identity(frame.world_from_platform),
+          axis_of(frame),
+          way_of(frame)};
+}
+
+// The flights of one vector of points.
+struct Flights {
+  Triple look;          // to the points as they are met
+  Vector distance;      // its length
+  Vector per_distance;  // 1/distance
+  Vector per_ways;      // 1/(way out times way home)
+  Vector delay, doppler;
+  Mask slow;  // nothing near the speed of light
+};
+
+// The level part of a vector.
+struct Level {
+  Vector length;
+  Vector inverse;  // 1/length; 0 where there is none
+  Mask is_zero;    // shorter than 1e-15 m: rounding leaves that of a vertical vector
+};
+
+HWY_INLINE Level level_of(Tag d, const Triple& v) {
+  const auto square = hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y));
+  const auto is_zero = hn::Lt(square, hn::Set(d, 1e-30));
+  const auto length = hn::Sqrt(square);
+  return {length, hn::IfThenZeroElse(is_zero, hn::Div(length, square)), is_zero};
+}
 
 // A direction as sines and cosines of its azimuth and elevation; 0 is the azimuth of a vertical one.
 struct Angles {
   Vector sine_azimuth, cosine_azimuth, sine_elevation, cosine_elevation;
 };
 
-HWY_INLINE Angles angles_of(Tag d, const Triple& v, Vector level, Vector distance) {
-  const auto one = hn::Set(d, 1.0);
-  const auto vertical = hn::Eq(level, hn::Zero(d));
-  const auto divisor = hn::IfThenElse(vertical, one, level);
-  const auto per_both = hn::Div(one, hn::Mul(divisor, distance));
-  const auto per_level = hn::Mul(per_both, distance);
-  const auto per_distance = hn::Mul(per_both, divisor);
-  return {hn::Mul(v.x, per_level), hn::IfThenElse(vertical, one, hn::Mul(v.y, per_level)), hn::Mul(v.z, per_distance),
-          hn::Mul(level, per_distance)};
+HWY_INLINE Angles angles_of(Tag d, const Triple& v, const Level& level, Vector per_distance) {
+  return {hn::Mul(v.x, level.inverse), hn::IfThenElse(level.is_zero, hn::Set(d, 1.0), hn::Mul(v.y, level.inverse)),
+          hn::Mul(v.z, per_distance), hn::Mul(level.length, per_distance)};
 }
 
 // cos and sin of any angle in radians.
@@ -203,22 +261,19 @@ HWY_INLINE Vector user_gain_db(Tag d, const AntennaSight& antenna, const SightFr
 }
 
 // What the antennas make of an amplitude, and the decibels that are still to be applied.
-HWY_INLINE void weigh(Tag d, const Scenery& scenery, const Triple& look, Vector distance, Vector& amplitude,
-                      Vector& decibels) {
+HWY_INLINE void weigh(Tag d, const Scenery& scenery, const Flights& flight, Vector& amplitude, Vector& decibels) {
   const AntennaSight& antenna = scenery.antenna;
   const SightFrame& frame = scenery.frame;
-  const bool sinx = antenna.cut != std::array<double, 4>{};
-  const bool user = antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0;
-  if (!sinx && !user) return;
+  if (!scenery.has_cuts && !scenery.has_tables) return;
   const bool world = antenna.offsets == AntennaSight::Offsets::world_angles;
-  const Triple v = world ? look : turned(d, frame.antenna_from_world, look, core::Vec3{});
-  const auto level = hn::Sqrt(hn::MulAdd(v.x, v.x, hn::Mul(v.y, v.y)));
-  if (sinx) {
-    const Angles angles = angles_of(d, v, level, distance);
+  const Triple v = world ? flight.look : turned(d, frame.antenna_from_world, flight.look, core::Vec3{});
+  const Level level = level_of(d, v);
+  if (scenery.has_cuts) {
+    const Angles angles = angles_of(d, v, level, flight.per_distance);
     const Angles offset = world ? less_axis(d, angles, scenery.axis) : angles;
     amplitude = hn::Mul(amplitude, sinx_gain(d, antenna, offset));
   }
-  if (user) decibels = hn::Add(decibels, user_gain_db(d, antenna, frame, v, level));
+  if (scenery.has_tables) decibels = hn::Add(decibels, user_gain_db(d, antenna, frame, v, level.length));
 }
 
 template <bool Whole>
@@ -241,7 +296,7 @@ HWY_INLINE Triple drawn_position(Tag d, const PointArrays& points, const Points<
 }
 
 template <bool Whole>
-HWY_INLINE Vector root_rcs(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse) {
+HWY_INLINE Vector drawn_root_rcs(Tag d, const PointArrays& points, const Points<Whole>& at, std::int64_t pulse) {
   const PointJitter& jitter = points.jitter;
   if (jitter.rcs_m2.empty()) return at.of(d, points.root_rcs_m);
   const hn::RebindToUnsigned<Tag> du;
@@ -272,7 +327,7 @@ HWY_INLINE Triple normals(Tag d, const PointArrays& points, const Points<Whole>&
 
 // What the reflectivity makes of an amplitude, and the decibels that are still to be applied.
 template <bool Whole>
-HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, const Triple& look, Vector distance,
+HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, const Flights& flight,
                         Vector& amplitude, Vector& decibels) {
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
@@ -280,15 +335,15 @@ HWY_INLINE void reflect(Tag d, const Scenery& scenery, const Points<Whole>& at, 
   const Triple of_platform = normals(d, points, at, frame.pulse);
   Triple normal = turned(d, frame.world_from_platform, of_platform, core::Vec3{});
   if (frame.moves) {
-    const auto early = hn::Sub(hn::Div(distance, hn::Set(d, frame.light_speed_mps)), hn::Set(d, frame.anchor_s));
+    const auto early = hn::MulSub(flight.distance, hn::Set(d, 1.0 / frame.light_speed_mps), hn::Set(d, frame.anchor_s));
     normal = plus(normal, early, turned(d, frame.world_from_platform_rate, of_platform, core::Vec3{}));
   }
-  const auto towards = hn::Neg(inner(normal, look));
+  const auto towards = hn::Neg(inner(normal, flight.look));
   if (points.law == PointArrays::Law::cosine) {
-    amplitude = hn::Mul(amplitude, hn::Sqrt(hn::Max(hn::Div(towards, distance), hn::Zero(d))));
+    amplitude = hn::Mul(amplitude, hn::Sqrt(hn::Max(hn::Div(towards, flight.distance), hn::Zero(d))));
     return;
   }
-  const Triple across = outer(normal, look);
+  const Triple across = outer(normal, flight.look);
   const auto incidence = angle_between(d, hn::Sqrt(inner(across, across)), towards);
   decibels = hn::Add(decibels, curve_value(d, scenery.curves, at.of(d, points.curve_cell), degrees(d, incidence)));
 }
@@ -302,109 +357,91 @@ struct Columns {
   }
 };
 
-// The flights of one vector of points.
-struct Flights {
-  Triple look;      // to the points as they are met
-  Vector distance;  // its length
-  Vector per_ways;  // 1/(way out times way home)
-  Vector delay, doppler;
-  Mask slow;  // nothing near the speed of light
-};
-
 // thesis_flight_of, in vectors.
-HWY_INLINE Flights thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity) {
-  Flights out;
+HWY_INLINE void set_thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity,
+                                   Flights& out) {
   out.look = look;
   const auto distance2 = inner(look, look);
-  out.per_ways = hn::Div(hn::Set(d, 1.0), distance2);
   out.distance = hn::Sqrt(distance2);
-  const auto v = hn::Div(inner(look, velocity), out.distance);
+  out.per_ways = hn::Div(hn::Set(d, 1.0), distance2);
+  out.per_distance = hn::Mul(out.per_ways, out.distance);
+  const auto v = hn::Mul(inner(look, velocity), out.per_distance);
   out.delay = hn::Div(hn::Add(out.distance, out.distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v));
   out.doppler = hn::Mul(hn::Add(v, v), hn::Set(d, 1.0 / frame.light_speed_mps));
   out.slow = hn::Lt(hn::Abs(v), hn::Set(d, 0.999 * frame.light_speed_mps));
-  return out;
 }
 
 // flight_of for points at rest.
-HWY_INLINE Flights flights_to_rest(Tag d, const SightFrame& frame, const Triple& look) {
-  const double per_light = 1.0 / frame.light_speed_mps;
-  const Triple w = scaled(d, frame.radar_mps, per_light);
-  const double w2 = per_light * per_light * core::dot(frame.radar_mps, frame.radar_mps);
-  const double slope_w = per_light * per_light * core::dot(frame.radar_mps, frame.radar_slope_mps);
-  Flights out;
-  out.look = look;
-  const auto distance2 = inner(look, look);
-  out.distance = hn::Sqrt(distance2);
-  out.slow = w2 < 0.998 ? hn::Eq(hn::Zero(d), hn::Zero(d)) : hn::Gt(hn::Zero(d), hn::Zero(d));
+HWY_INLINE void set_flights_to_rest(Tag d, const RadarWay& radar, const Triple& look, Flights& out) {
   const auto one = hn::Set(d, 1.0);
-  if (w2 == 0.0) {
+  const auto distance2 = inner(look, look);
+  out.look = look;
+  out.distance = hn::Sqrt(distance2);
+  out.slow = radar.square < 0.998 ? hn::Eq(one, one) : hn::Gt(one, one);
+  if (radar.square == 0.0) {
     out.per_ways = hn::Div(one, distance2);
-    out.delay = hn::Mul(hn::Add(out.distance, out.distance), hn::Set(d, per_light));
+    out.per_distance = hn::Mul(out.per_ways, out.distance);
+    out.delay = hn::Mul(out.distance, hn::Set(d, 2.0 * radar.per_light));
     out.doppler = hn::Zero(d);
-    return out;
+    return;
   }
-  const auto along = inner(look, w);
-  const auto half = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, 1.0 / (1.0 - w2)));
-  const auto length = hn::Add(half, half);
+  const auto along = inner(look, all_lanes(d, radar.way));
+  const auto length = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, radar.per_still));
   const auto home = hn::Sub(length, out.distance);
-  out.delay = hn::Mul(length, hn::Set(d, per_light));
-  // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w); one division for that and the ways.
-  const auto out_w = inner(look, scaled(d, frame.radar_slope_mps, per_light));
-  const auto home_w = hn::MulSub(length, hn::Set(d, slope_w), out_w);
+  out.delay = hn::Mul(length, hn::Set(d, radar.per_light));
+  // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w); one division for all.
+  const auto out_w = inner(look, all_lanes(d, radar.slope));
+  const auto home_w = hn::MulSub(length, hn::Set(d, radar.way_slope), out_w);
   const auto ahead = hn::Sub(out.distance, out_w);
-  const auto per_all = hn::Div(one, hn::Mul(hn::Mul(out.distance, home), ahead));
+  const auto home_ahead = hn::Mul(home, ahead);
+  const auto per_all = hn::Div(one, hn::Mul(out.distance, home_ahead));
+  out.per_distance = hn::Mul(per_all, home_ahead);
   out.per_ways = hn::Mul(per_all, ahead);
   out.doppler = hn::Mul(hn::MulSub(home_w, out.distance, hn::Mul(out_w, home)), hn::Mul(per_all, out.distance));
-  return out;
 }
 
 // flight_of, in vectors.
-HWY_INLINE Flights flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity) {
-  const double per_light = 1.0 / frame.light_speed_mps;
-  const auto scale = hn::Set(d, per_light);
+HWY_INLINE void set_flights(Tag d, const RadarWay& radar, double anchor_s, const Triple& look, const Triple& velocity,
+                            Flights& out) {
+  const auto scale = hn::Set(d, radar.per_light);
   const Triple b{hn::Mul(velocity.x, scale), hn::Mul(velocity.y, scale), hn::Mul(velocity.z, scale)};
-  const Triple way = scaled(d, frame.radar_mps, per_light);
-  const Triple w = scaled(d, frame.radar_slope_mps, per_light);
-  const double w2 = per_light * per_light * core::dot(frame.radar_mps, frame.radar_mps);
-  const double slope_w = per_light * per_light * core::dot(frame.radar_mps, frame.radar_slope_mps);
-  const Triple r = plus(look, hn::Set(d, -frame.anchor_s), velocity);
+  const Triple way = all_lanes(d, radar.way);
+  const Triple w = all_lanes(d, radar.slope);
+  const Triple r = plus(look, hn::Set(d, -anchor_s), velocity);
   const auto one = hn::Set(d, 1.0);
   const auto rb = inner(r, b);
   const auto b2 = inner(b, b);
   const auto still = hn::Sub(one, b2);
-  Flights out;
   out.distance = hn::Div(hn::Add(rb, hn::Sqrt(hn::MulAdd(rb, rb, hn::Mul(inner(r, r), still)))), still);
   out.look = plus(r, out.distance, b);
-  const auto half = hn::Mul(hn::Sub(out.distance, inner(out.look, way)), hn::Set(d, 1.0 / (1.0 - w2)));
-  const auto length = hn::Add(half, half);
+  const auto length = hn::Mul(hn::Sub(out.distance, inner(out.look, way)), hn::Set(d, radar.per_still));
   const auto home = hn::Sub(length, out.distance);
   out.delay = hn::Mul(length, scale);
   const auto out_w_m = inner(out.look, w);
-  const auto per_out = hn::Div(one, out.distance);
+  out.per_distance = hn::Div(one, out.distance);
   const auto per_home = hn::Div(one, home);
-  out.per_ways = hn::Mul(per_out, per_home);
+  out.per_ways = hn::Mul(out.per_distance, per_home);
   const auto out_b_m = inner(out.look, b);
-  const auto out_w = hn::Mul(out_w_m, per_out);
-  const auto out_b = hn::Mul(out_b_m, per_out);
-  const auto home_w = hn::Mul(hn::MulSub(length, hn::Set(d, slope_w), out_w_m), per_home);
+  const auto out_w = hn::Mul(out_w_m, out.per_distance);
+  const auto out_b = hn::Mul(out_b_m, out.per_distance);
+  const auto home_w = hn::Mul(hn::MulSub(length, hn::Set(d, radar.way_slope), out_w_m), per_home);
   const auto home_b = hn::Mul(hn::MulSub(length, inner(way, b), out_b_m), per_home);
   const auto sum = hn::Add(hn::Sub(out_b, home_b), hn::Sub(home_w, out_w));
   const auto products = hn::MulSub(out_w, home_b, hn::Mul(out_b, home_w));
   out.doppler = hn::Div(hn::Add(sum, products), hn::Mul(hn::Sub(one, out_w), hn::Sub(one, home_b)));
-  out.slow = hn::And(hn::Lt(b2, hn::Set(d, 0.998)), hn::Lt(hn::Set(d, w2), hn::Set(d, 0.998)));
-  return out;
+  out.slow = hn::And(hn::Lt(b2, hn::Set(d, 0.998)), hn::Lt(hn::Set(d, radar.square), hn::Set(d, 0.998)));
 }
 
 // bend_of and bend, in vectors.
 HWY_INLINE Vector bent(Tag d, const SightFrame& frame, const Triple& point, const Triple& velocity, Flights& flight) {
   const auto per_light = hn::Set(d, 1.0 / frame.light_speed_mps);
-  const Triple relative = plus(velocity, hn::Set(d, -1.0), scaled(d, frame.radar_slope_mps, 1.0));
+  const Triple relative = plus(velocity, hn::Set(d, -1.0), all_lanes(d, frame.radar_slope_mps));
   const Triple acceleration = turned(d, frame.world_from_platform_acceleration, point, frame.acceleration_mps2);
-  const auto per_distance = hn::Div(hn::Set(d, 1.0), flight.distance);
+  const auto per_distance = flight.per_distance;
   const auto speed = hn::Mul(inner(flight.look, relative), per_distance);
   const auto curvature = hn::NegMulAdd(speed, speed, inner(relative, relative));
   const auto by_point = hn::Mul(inner(flight.look, acceleration), per_distance);
-  const auto by_radar = hn::Mul(inner(flight.look, scaled(d, frame.radar_mps2, 1.0)), per_distance);
+  const auto by_radar = hn::Mul(inner(flight.look, all_lanes(d, frame.radar_mps2)), per_distance);
   const auto second = hn::Add(hn::Mul(curvature, per_distance), hn::Sub(by_point, by_radar));
   const auto early = hn::MulSub(flight.distance, per_light, hn::Set(d, frame.anchor_s));
   const auto late = hn::Sub(flight.delay, hn::Set(d, frame.back_s));
@@ -416,33 +453,55 @@ HWY_INLINE Vector bent(Tag d, const SightFrame& frame, const Triple& point, cons
   return hn::Mul(second, hn::Add(per_light, per_light));
 }
 
-// The echoes of one vector of points; a mask of those that are certain to be possible.
-template <bool Whole>
+// Where points are from the radar as it sends.
+HWY_INLINE Triple seen_at(Tag d, const Scenery& scenery, const Triple& point) {
+  const core::Vec3& origin = scenery.frame.origin_m;
+  if (!scenery.is_upright) return turned(d, scenery.frame.world_from_platform, point, origin);
+  return {hn::Add(point.x, hn::Set(d, origin.x)), hn::Add(point.y, hn::Set(d, origin.y)),
+          hn::Add(point.z, hn::Set(d, origin.z))};
+}
+
+// The flights to one vector of points; writes where their echoes go.
+template <bool Plain, bool Whole>
+HWY_INLINE void set_flights_at(Tag d, const Scenery& scenery, const Points<Whole>& at, const Columns& to,
+                               Flights& out) {
+  const PointArrays& points = scenery.points;
+  const SightFrame& frame = scenery.frame;
+  const Triple point{at.of(d, points.x_m), at.of(d, points.y_m), at.of(d, points.z_m)};
+  if constexpr (Plain) {
+    set_flights_to_rest(d, scenery.way, seen_at(d, scenery, point), out);
+  } else {
+    // Deviations move points, never speeds.
+    const bool at_rest = frame.light_time == LightTime::exact && !frame.moves;
+    const Triple velocity =
+        at_rest && !frame.bends ? Triple{} : turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
+    const Triple seen = seen_at(d, scenery, drawn_position(d, points, at, frame.pulse, point));
+    if (frame.light_time == LightTime::thesis)
+      set_thesis_flights(d, frame, seen, velocity, out);
+    else if (at_rest)
+      set_flights_to_rest(d, scenery.way, seen, out);
+    else
+      set_flights(d, scenery.way, frame.anchor_s, seen, velocity, out);
+    if (to.bend != nullptr) at.put(d, frame.bends ? bent(d, frame, point, velocity, out) : hn::Zero(d), to.bend);
+  }
+  at.put(d, out.delay, to.delay);
+  at.put(d, out.doppler, to.doppler);
+}
+
+// The echoes of one vector of points; a mask of those that are certain to be possible. Plain: see `is_plain`.
+template <bool Plain, bool Whole>
 HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const Columns& to) {
   const Tag d;
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
-  const AntennaSight& antenna = scenery.antenna;
-  const Triple point{at.of(d, points.x_m), at.of(d, points.y_m), at.of(d, points.z_m)};
-  // Deviations move points, never speeds.
-  const bool at_rest = frame.light_time == LightTime::exact && !frame.moves;
-  const Triple velocity =
-      at_rest && !frame.bends ? Triple{} : turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
-  const Triple seen =
-      turned(d, frame.world_from_platform, drawn_position(d, points, at, frame.pulse, point), frame.origin_m);
-  Flights flight = frame.light_time == LightTime::thesis ? thesis_flights(d, frame, seen, velocity)
-                   : at_rest                             ? flights_to_rest(d, frame, seen)
-                                                         : flights(d, frame, seen, velocity);
-  if (to.bend != nullptr) at.put(d, frame.bends ? bent(d, frame, point, velocity, flight) : hn::Zero(d), to.bend);
-  at.put(d, flight.delay, to.delay);
-  at.put(d, flight.doppler, to.doppler);
-
-  auto a = hn::Mul(root_rcs(d, points, at, frame.pulse), hn::Set(d, frame.amplitude_scale));
+  Flights flight;
+  set_flights_at<Plain>(d, scenery, at, to, flight);
+  const auto root_rcs = Plain ? at.of(d, points.root_rcs_m) : drawn_root_rcs(d, points, at, frame.pulse);
+  auto a = hn::Mul(root_rcs, hn::Set(d, frame.amplitude_scale));
   auto decibels = hn::Zero(d);
-  reflect(d, scenery, at, flight.look, flight.distance, a, decibels);
-  weigh(d, scenery, flight.look, flight.distance, a, decibels);
-  if (points.law == PointArrays::Law::curve || antenna.curve_cell[0] >= 0.0 || antenna.curve_cell[2] >= 0.0)
-    a = hn::Mul(a, amplitude_of_decibels(d, decibels));
+  if constexpr (!Plain) reflect(d, scenery, at, flight, a, decibels);
+  weigh(d, scenery, flight, a, decibels);
+  if (scenery.has_tables || points.law == PointArrays::Law::curve) a = hn::Mul(a, amplitude_of_decibels(d, decibels));
   if (frame.spreading) a = hn::Mul(a, flight.per_ways);
   at.put(d, a, to.amplitude);
   const auto apart = hn::Ge(flight.distance, hn::Set(d, doubtful_distance_m));
@@ -451,21 +510,39 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const
 
 // The last few points; a function of its own, or the compiler takes its time over the two copies of the geometry.
 HWY_NOINLINE Mask rest_at(const Scenery& scenery, const Points<false>& at, const Columns& to) {
-  return echoes_at(scenery, at, to);
+  return echoes_at<false>(scenery, at, to);
+}
+
+template <bool Plain>
+HWY_INLINE Mask whole_vectors_at(const Scenery& scenery, const PointSpan& run, const Columns& to) {
+  const Tag d;
+  const std::size_t lanes = hn::Lanes(d);
+  Mask possible = hn::FirstN(d, lanes);
+  for (std::size_t i = run.begin; i + lanes <= run.end; i += lanes)
+    possible = hn::And(possible, echoes_at<Plain>(scenery, Points<true>{i, lanes}, to.from(i - run.begin)));
+  return possible;
+}
+
+// Points at rest that reflect alike in all directions, the same for every pulse: as most are where there are many.
+bool is_plain(const PointArrays& points, const SightFrame& frame, const EchoBatch& echoes) {
+  const PointJitter& jitter = points.jitter;
+  return frame.light_time == LightTime::exact && !frame.moves && echoes.bend_per_s.empty() &&
+         points.law == PointArrays::Law::isotropic && jitter.x_stddev_m.empty() && jitter.z_stddev_m.empty() &&
+         jitter.rcs_m2.empty();
 }
 
 bool write_on_target(const PointArrays& points, const PointSpan& run, const SightFrame& frame,
                      const AntennaSight& antenna, const CurveTables& curves, EchoBatch& echoes, std::size_t first) {
   const Tag d;
-  const std::size_t lanes = hn::Lanes(d);
-  const Scenery scenery{points, frame, antenna, curves, axis_of(frame)};
+  const Scenery scenery = scenery_of(points, frame, antenna, curves);
   const Columns to{echoes.delay_s.data() + first, echoes.amplitude_sqrt_w.data() + first, echoes.doppler.data() + first,
                    echoes.bend_per_s.empty() ? nullptr : echoes.bend_per_s.data() + first};
-  Mask possible = hn::FirstN(d, lanes);
-  std::size_t i = run.begin;
-  for (; i + lanes <= run.end; i += lanes)
-    possible = hn::And(possible, echoes_at(scenery, Points<true>{i, lanes}, to.from(i - run.begin)));
-  if (i < run.end) possible = hn::And(possible, rest_at(scenery, {i, run.end - i}, to.from(i - run.begin)));
+  Mask possible = is_plain(points, frame, echoes) ? whole_vectors_at<true>(scenery, run, to)
+                                                  : whole_vectors_at<false>(scenery, run, to);
+  if (const std::size_t rest = run.size() % hn::Lanes(d); rest > 0) {
+    const Scenery copy = scenery;  // since its address is taken
+    possible = hn::And(possible, rest_at(copy, {run.end - rest, rest}, to.from(run.size() - rest)));
+  }
   return hn::AllTrue(d, possible);
 }
 
