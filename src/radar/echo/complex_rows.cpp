@@ -34,15 +34,15 @@ HWY_INLINE std::size_t product_vectors(const std::complex<Real>* a, const std::c
                                        std::complex<Real>* out, std::size_t count, bool sum) {
   const hn::ScalableTag<Real> d;
   const std::size_t numbers = hn::Lanes(d) / 2;
-  const auto signs = hn::OddEven(hn::Set(d, Real(1)), hn::Set(d, Real(-1)));
+  const auto signs = hn::OddEven(hn::Zero(d), hn::Set(d, Real(-0.0)));
   std::size_t i = 0;
   for (; i + numbers <= count; i += numbers) {
     const auto x = hn::LoadU(d, reinterpret_cast<const Real*>(a + i));
     const auto y = hn::LoadU(d, reinterpret_cast<const Real*>(b + i));
     Real* to = reinterpret_cast<Real*>(out + i);
     const auto start = sum ? hn::LoadU(d, to) : hn::Zero(d);
-    const auto crossed = hn::Mul(hn::Mul(hn::Reverse2(d, x), signs), hn::DupOdd(y));
-    hn::StoreU(hn::Add(hn::MulAdd(x, hn::DupEven(y), crossed), start), d, to);
+    const auto crossed = hn::MulAdd(hn::Xor(hn::Reverse2(d, x), signs), hn::DupOdd(y), start);
+    hn::StoreU(hn::MulAdd(x, hn::DupEven(y), crossed), d, to);
   }
   return i;
 }

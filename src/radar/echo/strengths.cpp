@@ -32,17 +32,30 @@ struct Columns {
   }
 };
 
+// What is the same for all echoes of a row; kept apart, as the compiler could not know that no result is written into a
+// RowFrame.
+struct RowConstants {
+  explicit RowConstants(const RowFrame& frame)
+      : origin_s(frame.origin_s),
+        per_interval(1.0 / frame.interval_s),
+        quarters_per_s(-4.0 * frame.carrier_hz),
+        from(frame.from),
+        to(frame.to) {}
+
+  double origin_s, per_interval, quarters_per_s, from, to;
+};
+
 template <class Real>
-HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowFrame& frame) {
+HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowConstants& row) {
   const hn::ScalableTag<double> dd;
   const hn::Rebind<Real, hn::ScalableTag<double>> narrow;
   const auto delay = hn::LoadU(dd, at.delay);
   const auto amplitude = hn::LoadU(dd, at.amplitude);
   Vectors<Real> out;
-  out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, frame.origin_s)), hn::Set(dd, 1.0 / frame.interval_s));
+  out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, row.origin_s)), hn::Set(dd, row.per_interval));
   out.doppler = hn::LoadU(dd, at.doppler);
   out.bend = at.bend == nullptr ? hn::Zero(dd) : hn::LoadU(dd, at.bend);
-  const auto quarters = hn::Mul(delay, hn::Set(dd, -4.0 * frame.carrier_hz));
+  const auto quarters = hn::Mul(delay, hn::Set(dd, row.quarters_per_s));
   const auto whole = hn::Round(quarters);
   const auto angle = hn::Mul(hn::Sub(quarters, whole), hn::Set(dd, 0.5 * core::pi));
   const auto turns = hn::Round(hn::Mul(whole, hn::Set(dd, 0.25)));
@@ -63,12 +76,12 @@ HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowFrame& frame) 
 
 // Writes the echoes of a vector that touch the row behind the `kept` ones that are there.
 template <class Real>
-HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std::size_t here, std::size_t& kept,
+HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowConstants& row, std::size_t here, std::size_t& kept,
                               Strengths<Real>& out) {
   const hn::ScalableTag<double> dd;
   const hn::Rebind<Real, hn::ScalableTag<double>> narrow;
   const std::size_t lanes = hn::Lanes(dd);
-  const auto touches = hn::And(hn::Gt(v.position, hn::Set(dd, frame.from)), hn::Lt(v.position, hn::Set(dd, frame.to)));
+  const auto touches = hn::And(hn::Gt(v.position, hn::Set(dd, row.from)), hn::Lt(v.position, hn::Set(dd, row.to)));
   if (here == lanes && hn::AllTrue(dd, touches)) {
     hn::StoreU(v.position, dd, out.position.data() + kept);
     hn::StoreU(v.doppler, dd, out.doppler.data() + kept);
@@ -88,7 +101,7 @@ HWY_INLINE void keep_touching(const Vectors<Real>& v, const RowFrame& frame, std
   hn::StoreU(v.re, narrow, re);
   hn::StoreU(v.im, narrow, im);
   for (std::size_t i = 0; i < here; ++i) {
-    if (!(position[i] > frame.from && position[i] < frame.to)) continue;
+    if (!(position[i] > row.from && position[i] < row.to)) continue;
     out.position[kept] = position[i];
     out.strength[kept] = {re[i], im[i]};
     out.doppler[kept] = doppler[i];
@@ -132,7 +145,8 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   const bool bends = !echoes.bend_per_s.empty();
   const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.doppler.data(),
                     bends ? echoes.bend_per_s.data() : nullptr};
-  for (; k + lanes <= count; k += lanes) keep_touching(strengths_at<Real>(all.from(k), frame), frame, lanes, kept, out);
+  const RowConstants row(frame);
+  for (; k + lanes <= count; k += lanes) keep_touching(strengths_at<Real>(all.from(k), row), row, lanes, kept, out);
   if (k < count) {
     HWY_ALIGN double rest[4][hn::MaxLanes(dd)];
     for (std::size_t i = 0; i < lanes; ++i) {
@@ -142,8 +156,8 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
       rest[2][i] = all.doppler[source];
       rest[3][i] = bends ? all.bend[source] : 0.0;
     }
-    keep_touching(strengths_at<Real>({rest[0], rest[1], rest[2], bends ? rest[3] : nullptr}, frame), frame, count - k,
-                  kept, out);
+    keep_touching(strengths_at<Real>({rest[0], rest[1], rest[2], bends ? rest[3] : nullptr}, row), row, count - k, kept,
+                  out);
   }
   out.position.resize(kept);
   out.strength.resize(kept);
