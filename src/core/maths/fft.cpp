@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <mutex>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -26,10 +27,12 @@ template <>
 struct Fftw<double> {
   using Plan = fftw_plan;
   static fftw_complex* data(std::complex<double>* x) { return reinterpret_cast<fftw_complex*>(x); }
-  static Plan make(int size, std::complex<double>* x, int sign) {
-    return fftw_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE);
+  static Plan make(int size, std::complex<double>* from, std::complex<double>* to, int sign) {
+    return fftw_plan_dft_1d(size, data(from), data(to), sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   }
-  static void run(Plan plan, std::complex<double>* x) { fftw_execute_dft(plan, data(x), data(x)); }
+  static void run(Plan plan, std::complex<double>* from, std::complex<double>* to) {
+    fftw_execute_dft(plan, data(from), data(to));
+  }
   static bool aligned(std::complex<double>* x) { return fftw_alignment_of(reinterpret_cast<double*>(x)) == 0; }
   static void destroy(Plan plan) { fftw_destroy_plan(plan); }
 };
@@ -38,10 +41,12 @@ template <>
 struct Fftw<float> {
   using Plan = fftwf_plan;
   static fftwf_complex* data(std::complex<float>* x) { return reinterpret_cast<fftwf_complex*>(x); }
-  static Plan make(int size, std::complex<float>* x, int sign) {
-    return fftwf_plan_dft_1d(size, data(x), data(x), sign, FFTW_ESTIMATE);
+  static Plan make(int size, std::complex<float>* from, std::complex<float>* to, int sign) {
+    return fftwf_plan_dft_1d(size, data(from), data(to), sign, FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
   }
-  static void run(Plan plan, std::complex<float>* x) { fftwf_execute_dft(plan, data(x), data(x)); }
+  static void run(Plan plan, std::complex<float>* from, std::complex<float>* to) {
+    fftwf_execute_dft(plan, data(from), data(to));
+  }
   static bool aligned(std::complex<float>* x) { return fftwf_alignment_of(reinterpret_cast<float*>(x)) == 0; }
   static void destroy(Plan plan) { fftwf_destroy_plan(plan); }
 };
@@ -52,28 +57,49 @@ void expect_aligned(std::span<std::complex<Real>> data) {
     throw std::invalid_argument("the data of a Fourier transform must begin at a multiple of 16 bytes");
 }
 
+// A transform in one direction, in place or to another array.
+template <class Real>
+class Plan {
+ public:
+  enum class To { same, other };
+
+  Plan(std::size_t size, int sign, To to) {
+    std::vector<std::complex<Real>> from(size);
+    std::vector<std::complex<Real>> other(to == To::other ? size : 0);
+    const std::scoped_lock hold(planner_lock());
+    plan_ = Library::make(static_cast<int>(size), from.data(), to == To::other ? other.data() : from.data(), sign);
+    if (plan_ == nullptr) throw std::bad_alloc();
+  }
+  Plan(const Plan&) = delete;
+  Plan& operator=(const Plan&) = delete;
+  ~Plan() {
+    const std::scoped_lock hold(planner_lock());
+    Library::destroy(plan_);
+  }
+
+  void run(std::span<std::complex<Real>> from, std::span<std::complex<Real>> to) const {
+    expect_aligned(from);
+    expect_aligned(to);
+    Library::run(plan_, from.data(), to.data());
+  }
+
+ private:
+  using Library = Fftw<Real>;
+  typename Library::Plan plan_ = nullptr;
+};
+
 }  // namespace
 
 template <class Real>
 struct BasicFft<Real>::Plans {
-  using Library = Fftw<Real>;
-  typename Library::Plan forward = nullptr;
-  typename Library::Plan inverse = nullptr;
+  using Direction = Plan<Real>;
+  Direction forward;
+  Direction inverse;
+  std::once_flag planned;
+  std::optional<Direction> forward_to_other;
 
-  explicit Plans(std::size_t size) {
-    std::vector<std::complex<Real>> scratch(size);
-    const std::scoped_lock hold(planner_lock());
-    forward = Library::make(static_cast<int>(size), scratch.data(), FFTW_FORWARD);
-    inverse = Library::make(static_cast<int>(size), scratch.data(), FFTW_BACKWARD);
-    if (forward == nullptr || inverse == nullptr) throw std::bad_alloc();
-  }
-  Plans(const Plans&) = delete;
-  Plans& operator=(const Plans&) = delete;
-  ~Plans() {
-    const std::scoped_lock hold(planner_lock());
-    Library::destroy(forward);
-    Library::destroy(inverse);
-  }
+  explicit Plans(std::size_t size)
+      : forward(size, FFTW_FORWARD, Direction::To::same), inverse(size, FFTW_BACKWARD, Direction::To::same) {}
 };
 
 template <class Real>
@@ -87,13 +113,17 @@ BasicFft<Real>& BasicFft<Real>::operator=(BasicFft&&) noexcept = default;
 
 template <class Real>
 void BasicFft<Real>::forward(std::span<std::complex<Real>> data) const {
-  expect_aligned(data);
-  Fftw<Real>::run(plans_->forward, data.data());
+  plans_->forward.run(data, data);
 }
 template <class Real>
 void BasicFft<Real>::inverse(std::span<std::complex<Real>> data) const {
-  expect_aligned(data);
-  Fftw<Real>::run(plans_->inverse, data.data());
+  plans_->inverse.run(data, data);
+}
+template <class Real>
+void BasicFft<Real>::forward(std::span<std::complex<Real>> data, std::span<std::complex<Real>> out) const {
+  std::call_once(plans_->planned,
+                 [&] { plans_->forward_to_other.emplace(size_, FFTW_FORWARD, Plan<Real>::To::other); });
+  plans_->forward_to_other->run(data, out);
 }
 
 template class BasicFft<float>;

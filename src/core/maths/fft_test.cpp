@@ -116,11 +116,34 @@ TEST(SingleFft, GivesTheSameBytesWhereverTheDataBegin) {
   }
 }
 
+TEST(SingleFft, ToAnotherArrayIsThatInPlaceAndLeavesTheData) {
+  for (const std::size_t size : {1u, 2u, 45u, 1024u, 3001u}) {
+    const Signal signal = random_signal(size);
+    const std::vector<std::complex<float>> given(signal.begin(), signal.end());
+    std::vector<std::complex<float>> data = given;
+    std::vector<std::complex<float>> out(size);
+    BasicFft<float> fft(size);
+    fft.forward(data, out);
+    EXPECT_EQ(data, given);
+    const BasicFft<float> moved = std::move(fft);
+    std::vector<std::complex<float>> again(size);
+    moved.forward(data, again);
+    EXPECT_EQ(again, out);
+    moved.forward(data);
+    const float bound = 2.0F * std::numeric_limits<float>::epsilon() * std::sqrt(static_cast<float>(size)) *
+                        (1.0F + std::log2(static_cast<float>(size)));
+    for (std::size_t i = 0; i < size; ++i) EXPECT_LT(std::abs(data[i] - out[i]), bound) << size;
+  }
+}
+
 TEST(SingleFft, RefusesDataBetweenTwoMultiplesOf16Bytes) {
   std::vector<std::complex<float>> data(17);
   const BasicFft<float> fft(16);
   EXPECT_THROW(fft.forward(std::span(data).subspan(1)), std::invalid_argument);
   EXPECT_THROW(fft.inverse(std::span(data).subspan(1)), std::invalid_argument);
+  std::vector<std::complex<float>> other(17);
+  EXPECT_THROW(fft.forward(std::span(data).first(16), std::span(other).subspan(1)), std::invalid_argument);
+  EXPECT_THROW(fft.forward(std::span(data).subspan(1), std::span(other).first(16)), std::invalid_argument);
 }
 
 TEST(GoodFftSize, IsTheSmallestProductOfTwosThreesAndFivesFromTheMinimumOn) {

@@ -185,11 +185,12 @@ void DenseRow::leave(std::span<std::complex<float>> spectrum, std::span<std::com
     row_[k].resize(row_fft_->size());
     rows[k] = row_[k];
   }
+  transform_.resize(row_fft_->size());
   leave_bins(kept.bins, kept.tails, sums_, static_cast<std::size_t>(first < 0 ? first + period : first), rows, samples);
   for (std::size_t k = 0; k < functions; ++k) {
     if (kept.factor[k].empty()) continue;
-    row_fft_->forward(row_[k]);
-    add_products<float>(spectrum, row_[k], kept.factor[k]);
+    row_fft_->forward(row_[k], transform_);
+    add_products<float>(spectrum, transform_, kept.factor[k]);
   }
 }
 

@@ -106,6 +106,7 @@ class DenseRow {
   BinSums sums_;
   bool has_sums_ = false;
   std::array<Spectrum, functions> row_;
+  Spectrum transform_;  // of one of them
 };
 
 }  // namespace sarsim::radar
