@@ -12,10 +12,11 @@ namespace sarsim::radar {
 namespace {
 
 constexpr std::size_t functions = BinFunctions::count;
-constexpr std::size_t kept_bytes = 16'000'000;  // of factors, per thread
-constexpr std::size_t most_points = 32'768;     // of a transform: sums and factors of more would take much memory
-constexpr double most_angle_rad = 0.25;         // that a series in SIMD turns strengths by
-constexpr double most_width = 3.0;              // c of the functions: eight of them are enough up to about 2
+constexpr std::size_t kept_bytes = 16'000'000;      // of factors, per thread
+constexpr std::size_t most_points = 32'768;         // of a transform: sums and factors of more would take much memory
+constexpr std::size_t most_points_of_two = 16'384;  // that a transform to another array pays for: both are in the cache
+constexpr double most_angle_rad = 0.25;             // that a series in SIMD turns strengths by
+constexpr double most_width = 3.0;                  // c of the functions: eight of them are enough up to about 2
 
 double late_rate(double doppler) { return doppler / (1.0 - doppler); }
 
@@ -76,6 +77,7 @@ class DenseRow::Fit {
     return function_.second_derivative(k, y) + rad * rad * bins_.square * function_.value(k, y);
   }
   [[nodiscard]] double value(std::size_t k, double y) const { return function_.value(k, y); }
+  [[nodiscard]] double second_derivative(std::size_t k, double y) const { return function_.second_derivative(k, y); }
   // What a bend of a change of the sweep counts.
   [[nodiscard]] double bend_of(double change) const {
     return bins_.most_z > 0.0 ? change / (4.0 * core::pi * bins_.most_z * bins_.most_z) : 0.0;
@@ -185,13 +187,21 @@ void DenseRow::leave(std::span<std::complex<float>> spectrum, std::span<std::com
     row_[k].resize(row_fft_->size());
     rows[k] = row_[k];
   }
-  transform_.resize(row_fft_->size());
   leave_bins(kept.bins, kept.tails, sums_, static_cast<std::size_t>(first < 0 ? first + period : first), rows, samples);
   for (std::size_t k = 0; k < functions; ++k) {
     if (kept.factor[k].empty()) continue;
-    row_fft_->forward(row_[k], transform_);
-    add_products<float>(spectrum, transform_, kept.factor[k]);
+    add_products<float>(spectrum, transformed(row_[k]), kept.factor[k]);
   }
+}
+
+std::span<const std::complex<float>> DenseRow::transformed(Spectrum& row) {
+  if (row.size() > most_points_of_two) {
+    row_fft_->forward(row);
+    return row;
+  }
+  transform_.resize(row.size());
+  row_fft_->forward(row, transform_);
+  return transform_;
 }
 
 DenseRow::Kept DenseRow::make(const DenseMotion& motion) const {
@@ -230,7 +240,9 @@ bool DenseRow::make_bins(Kept& kept) const {
   // By how much motion moves one end against the other.
   const double most_bend = std::abs(kept.motion.bends.middle) + 1.01 * kept.motion.bends.half;
   const double apart = longer * half + (bins.begin_bent + bins.end_bent) * most_bend;
-  if (apart > 0.25) return false;
+  // Ends are moved by polynomials of second degree.
+  if (apart > 0.25 || std::pow(half, 3) * std::max(std::abs(bins.begin_late), std::abs(bins.end_late)) > 1e-10)
+    return false;
   double samples = bins.end_hard - bins.begin_hard + longer * late_rate(span.middle);
   if (std::abs(samples - std::round(samples)) < 1e-9) samples = std::round(samples);
   // The end is reached after ceil(samples - phi) samples, or as many as motion makes of that; at rest phi is below 1.
@@ -262,6 +274,7 @@ bool DenseRow::make_bins(Kept& kept) const {
     bins.sweep += bins.bend_slope * bins.bend_middle;
     bins.most_change = half * (std::abs(bins.sweep_slope) + std::abs(bins.sweep_square) * half) +
                        1.01 * std::abs(bins.bend_slope) * kept.motion.bends.half;
+    if (core::pi * bins.most_change * bins.square < 0.1 * share_) bins.most_change = 0.0;
   }
   bins.most_z = (std::abs(bins.sweep) + bins.most_change) * place + std::abs(bins.carrier) * half;
   const double angle = 2.0 * core::pi *
@@ -272,22 +285,25 @@ bool DenseRow::make_bins(Kept& kept) const {
   return angle < most_angle_rad && core::pi * bins.most_z * samples < most_width;
 }
 
-// Whether the functions make the samples of echoes, each at another place, speed and bend.
+// Whether the functions make samples of echoes, each at another place, speed and bend: some hundreds all over the
+// pulse.
 bool DenseRow::is_exact(const Kept& kept, const Fit& fit, std::span<const Parts> parts) const {
   // Steps that fill a cube evenly: powers of the inverse of the root of x^4 = x + 1.
   constexpr double steps[] = {0.81917251339616440, 0.67104360670378920, 0.54970047790197030};
+  constexpr std::size_t looks = 400;
   const RangeBins& bins = kept.bins;
-  const double most_error = share_ * share_ * static_cast<double>(parts.size());
+  const std::size_t stride = std::max<std::size_t>(1, parts.size() / looks);
+  const double most_error = share_ * share_ * static_cast<double>((parts.size() + stride - 1) / stride);
   double error = 0.0;
-  for (std::size_t n = 0; n < parts.size() && error <= most_error; ++n) {
-    const auto at = static_cast<double>(n);
+  for (std::size_t n = 0; n < parts.size() && error <= most_error; n += stride) {
+    const auto look = static_cast<double>(n / stride);
     const auto within = [&](double step, const DopplerSpan& span) {
-      return span.middle + span.half * (2.0 * (at * step - std::floor(at * step)) - 1.0);
+      return span.middle + span.half * (2.0 * (look * step - std::floor(look * step)) - 1.0);
     };
     const double place = within(steps[0], {0.0, 0.5});
     const PulseClock clock{within(steps[1], kept.motion.span), within(steps[2], kept.motion.bends)};
-    error += std::norm(fit.sample(parts[n], place, clock) -
-                       body_->endless_echo(bins.begin + 0.5 + place + at, clock, kept.motion.carrier_hz));
+    const double at = bins.begin + 0.5 + place + static_cast<double>(n);
+    error += std::norm(fit.sample(parts[n], place, clock) - body_->endless_echo(at, clock, kept.motion.carrier_hz));
   }
   return error <= most_error;
 }
@@ -317,20 +333,30 @@ void DenseRow::make_factors(Kept& kept, std::span<const Parts> parts) const {
   }
 }
 
-// False where polynomials do not keep the share.
+// What second derivatives of the polynomials leave of an echo with the largest change of the sweep, root mean square.
+double DenseRow::bend_error(const Kept& kept, const Fit& fit) {
+  constexpr int checks = 203;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < functions; ++k)
+    for (int i = 0; i <= checks; ++i) {
+      const double x = static_cast<double>(i) / checks;
+      const double exact = kept.size[k] * fit.second_derivative(k, 2.0 * x - 1.0);
+      sum += std::pow(0.25 * kept.weights.second_derivative(k, x) - exact, 2);
+    }
+  return fit.bend_of(kept.bins.most_change) * std::sqrt(sum / (checks + 1));
+}
+
+// False where polynomials do not keep the share, or their second derivatives: these may take a higher degree.
 bool DenseRow::make_weights(Kept& kept, const Fit& fit, double share) {
-  const double bend = fit.bend_of(kept.bins.most_change);
-  auto weights = fit_lanes<float>(
-      2 * functions,
-      [&](std::size_t lane, double x) {
-        const std::size_t k = lane % functions;
-        const double y = 2.0 * x - 1.0;
-        return kept.size[k] * (lane < functions ? fit.value(k, y) : bend * fit.bend(k, y));
-      },
-      0.3 * share);
-  if (!weights) return false;
-  kept.weights = std::move(*weights);
-  return true;
+  for (double error = 0.3 * share; error > 1e-5 * share; error *= 0.1) {
+    auto weights = fit_lanes<float>(
+        functions, [&](std::size_t k, double x) { return kept.size[k] * fit.value(k, 2.0 * x - 1.0); }, error,
+        functions);
+    if (!weights) return false;
+    kept.weights = std::move(*weights);
+    if (bend_error(kept, fit) < 0.4 * share) return true;
+  }
+  return false;
 }
 
 void DenseRow::make_tails(Kept& kept, const Fit& fit) {

@@ -1,8 +1,9 @@
 #include "radar/echo/range_bins.hpp"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
+
+#include "core/maths/constants.hpp"
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "radar/echo/range_bins.cpp"
@@ -21,43 +22,117 @@ namespace sarsim::radar::HWY_NAMESPACE {
 constexpr std::size_t streams = 16;
 constexpr std::size_t in_turn = 8;  // of each place; at least the doubles of a vector
 
-constexpr std::size_t floats_of_sum = 2 * BinSums::functions;
+constexpr std::size_t functions = BinSums::functions;
+constexpr std::size_t floats_of_sum = 2 * functions;
 
 // Where the echoes of a block belong.
 struct BinPlaces {
   static constexpr std::size_t most = streams * in_turn;
-  HWY_ALIGN float place[most];         // p
+  HWY_ALIGN float ahead[most];         // p by D and a from the middle
   HWY_ALIGN float apart[most];         // D from the middle
   HWY_ALIGN float bend[most];          // a from the middle
   HWY_ALIGN std::int32_t sum[most];    // where the sums begin, in floats
   HWY_ALIGN float y[most];             // in the piece, from its middle
   HWY_ALIGN std::int32_t table[most];  // where the polynomials of the piece begin
-  HWY_ALIGN float strength[2 * most];
-  HWY_ALIGN float bent[2 * most];  // -j dk/most_change times it
+  HWY_ALIGN float strength[2 * most];  // as it comes,
+  HWY_ALIGN float re[most];            // and turned
+  HWY_ALIGN float im[most];
+  HWY_ALIGN float bent_re[most];  // what half of a second derivative by y counts
+  HWY_ALIGN float bent_im[most];
 };
 
 using Wide = hn::CappedTag<double, in_turn>;
 using WideVector = hn::Vec<Wide>;
 using Narrow = hn::ScalableTag<float>;
 
-HWY_INLINE WideVector limited(WideVector x, double most) {
-  return hn::Max(hn::Zero(Wide()), hn::Min(x, hn::Set(Wide(), most)));
+// Whole numbers of at most 2^22 as integers.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> small_integers(D d, hn::Vec<D> whole) {
+  const hn::RebindToSigned<D> integer;
+  const auto magic = hn::Set(d, 12582912.0F);  // 3 2^22, whose last bit is that of 1
+  return hn::Sub(hn::BitCast(integer, hn::Add(whole, magic)), hn::BitCast(integer, magic));
 }
 
 // How echoes move: not at all, evenly, or bent.
 enum class BinMotion { none, even, bent };
+
+// A polynomial of D and a about their middles.
+struct Shift {
+  double at_middle, slope, square, bent;
+
+  // What hard + late D/(1 - D) + bend a is but for (D - middle)^3.
+  Shift(const RangeBins& bins, double hard, double late, double bend) : bent(bend) {
+    const double rate = 1.0 / (1.0 - bins.middle);
+    at_middle = hard + late * bins.middle * rate + bend * bins.bend_middle;
+    slope = late * rate * rate;
+    square = slope * rate;
+  }
+};
+
+// Where bins put echoes.
+struct Placing {
+  static constexpr double hair = 1e-9;  // a sample so close to an end belongs to what follows
+
+  explicit Placing(const RangeBins& bins)
+      : begin(bins, bins.begin_hard, bins.begin_late, bins.begin_bent),
+        length(bins, bins.end_hard - bins.begin_hard, bins.end_late - bins.begin_late, bins.end_bent - bins.begin_bent),
+        middle(bins.middle),
+        bend_middle(bins.bend_middle),
+        first_sample(bins.first_sample),
+        main_run(static_cast<double>(bins.main_run)),
+        rows(static_cast<std::int32_t>(bins.samples)),
+        runs(static_cast<std::int32_t>(bins.run_count)),
+        main_rows(static_cast<std::int32_t>(bins.main_run * bins.samples)) {
+    begin.at_middle += 0.5 - hair;
+    length.at_middle -= 0.5 + bins.least_samples;
+  }
+
+  Shift begin;   // to half a sample before the first sample, rounded; less a hair
+  Shift length;  // beyond the least, less half a sample
+  double middle, bend_middle;
+  double first_sample, main_run;
+  std::int32_t rows, runs, main_rows;
+};
+
+// What bins turn echoes by, in single precision.
+struct Turning {
+  Turning(const RangeBins& bins, const Placing& placing, const LanePolynomials<float>& weights)
+      : sweep(static_cast<float>(bins.sweep)),
+        sweep_slope(static_cast<float>(bins.sweep_slope)),
+        sweep_square(static_cast<float>(bins.sweep_square)),
+        bend_slope(static_cast<float>(bins.bend_slope)),
+        carrier(static_cast<float>(bins.carrier)),
+        carried(static_cast<float>(bins.carrier * bins.middle)),
+        half_square(static_cast<float>(0.5 * bins.square)),
+        begin_slope(static_cast<float>(placing.begin.slope)),
+        begin_square(static_cast<float>(placing.begin.square)),
+        begin_bent(static_cast<float>(placing.begin.bent)),
+        begin_bent_middle(static_cast<float>(placing.begin.bent * bins.bend_middle)),
+        pieces(static_cast<float>(weights.pieces)),
+        per_piece(static_cast<float>((weights.degree + 1) * weights.lanes)) {
+    if (!(bins.most_z > 0.0)) return;
+    const double z = bins.most_z / static_cast<double>(weights.pieces);  // half a piece
+    per_z = static_cast<float>(0.5 / z);
+    if (!(bins.most_change > 0.0)) return;
+    per_change = static_cast<float>(1.0 / (8.0 * core::pi * z * z));
+    per_bend = static_cast<float>(8.0 * core::pi * core::pi * z * z * bins.square);
+  }
+
+  float sweep, sweep_slope, sweep_square, bend_slope, carrier, carried, half_square;
+  float begin_slope, begin_square, begin_bent, begin_bent_middle;  // of p
+  float pieces;
+  float per_piece;          // coefficients
+  float per_z = 0.0F;       // pieces
+  float per_change = 0.0F;  // what half of a second derivative counts for each unit of dk,
+  float per_bend = 0.0F;    // and the function itself for each unit of that
+};
 
 // Finds the places of echoes.
 template <BinMotion Motion>
 class Placer {
  public:
   HWY_INLINE Placer(const RangeBins& bins, const LanePolynomials<float>& weights, std::uint8_t* marks)
-      : bins_(bins),
-        pieces_(static_cast<float>(weights.pieces)),
-        per_piece_(static_cast<float>((weights.degree + 1) * weights.lanes)),
-        per_z_(bins.most_z > 0.0 ? static_cast<float>(0.5 / bins.most_z) * pieces_ : 0.0F),
-        per_change_(bins.most_change > 0.0 ? static_cast<float>(1.0 / bins.most_change) : 0.0F),
-        marks_(marks) {}
+      : placing_(bins), turning_(bins, placing_, weights), marks_(marks) {}
 
   // Of up to `in_turn` echoes.
   HWY_INLINE void place_some(const Strengths<float>& echoes, std::size_t first, std::size_t count, std::size_t at,
@@ -92,39 +167,52 @@ class Placer {
   // For a block that is placed: where the echoes stand on the pieces, and their strengths turned by t.
   HWY_INLINE void turn(BinPlaces& out) const {
     const Narrow d;
-    const auto of = [&](double x) { return hn::Set(d, static_cast<float>(x)); };
-    const auto one = of(1.0);
+    const auto of = [&](float x) { return hn::Set(d, x); };
+    const auto one = of(1.0F);
     for (std::size_t k = 0; k < BinPlaces::most; k += hn::Lanes(d)) {
-      const auto place = hn::Load(d, out.place + k);
-      auto sweep = of(bins_.sweep);
-      auto z = hn::Mul(sweep, place);
-      auto turns = hn::Mul(hn::Mul(z, of(0.5)), place);
+      auto place = hn::Load(d, out.ahead + k);
       auto change = hn::Zero(d);
+      auto z = hn::Zero(d);
+      auto turns = hn::Zero(d);
       if constexpr (moves) {
         const auto apart = hn::Load(d, out.apart + k);
-        change = hn::Mul(apart, hn::MulAdd(apart, of(bins_.sweep_square), of(bins_.sweep_slope)));
-        if constexpr (bent) change = hn::MulAdd(hn::Load(d, out.bend + k), of(bins_.bend_slope), change);
-        const auto swept = hn::MulAdd(change, place, z);
-        const auto carried = hn::MulAdd(apart, of(bins_.carrier), of(bins_.carrier * bins_.middle));
-        turns = hn::MulAdd(place, hn::MulSub(swept, of(0.5), carried), hn::Mul(change, of(0.5 * bins_.square)));
-        z = hn::NegMulAdd(apart, of(bins_.carrier), swept);
+        place = hn::MulAdd(apart, hn::MulAdd(apart, of(turning_.begin_square), of(turning_.begin_slope)), place);
+        change = hn::Mul(apart, hn::MulAdd(apart, of(turning_.sweep_square), of(turning_.sweep_slope)));
+        if constexpr (bent) {
+          const auto bend = hn::Load(d, out.bend + k);
+          place = hn::Add(hn::MulAdd(bend, of(turning_.begin_bent), place), of(turning_.begin_bent_middle));
+          change = hn::MulAdd(bend, of(turning_.bend_slope), change);
+        }
+        const auto swept = hn::Mul(hn::Add(of(turning_.sweep), change), place);
+        const auto carried = hn::MulAdd(apart, of(turning_.carrier), of(turning_.carried));
+        turns = hn::MulAdd(place, hn::MulSub(swept, of(0.5F), carried), hn::Mul(change, of(turning_.half_square)));
+        z = hn::NegMulAdd(apart, of(turning_.carrier), swept);
+      } else {
+        z = hn::Mul(of(turning_.sweep), place);
+        turns = hn::Mul(hn::Mul(z, of(0.5F)), place);
       }
       place_on_pieces(z, k, out);
       // Series of angles below a quarter.
-      const auto angle = hn::Mul(turns, of(6.283185307179586476925));
+      const auto angle = hn::Mul(turns, of(6.283185307179586F));
       const auto square = hn::Mul(angle, angle);
-      const auto c = hn::MulAdd(square, hn::MulAdd(square, of(1.0 / 24.0), of(-0.5)), one);
-      const auto s = hn::Mul(angle, hn::MulAdd(square, hn::MulAdd(square, of(1.0 / 120.0), of(-1.0 / 6.0)), one));
-      auto re = hn::Zero(d);
-      auto im = hn::Zero(d);
-      hn::LoadInterleaved2(d, out.strength + 2 * k, re, im);
-      const auto turned_re = hn::NegMulAdd(im, s, hn::Mul(re, c));
-      const auto turned_im = hn::MulAdd(re, s, hn::Mul(im, c));
-      hn::StoreInterleaved2(turned_re, turned_im, d, out.strength + 2 * k);
+      const auto c = hn::MulAdd(square, hn::MulAdd(square, of(1.0F / 24.0F), of(-0.5F)), one);
+      const auto s = hn::Mul(angle, hn::MulAdd(square, hn::MulAdd(square, of(1.0F / 120.0F), of(-1.0F / 6.0F)), one));
+      auto from_re = hn::Zero(d);
+      auto from_im = hn::Zero(d);
+      hn::LoadInterleaved2(d, out.strength + 2 * k, from_re, from_im);
+      auto re = hn::NegMulAdd(from_im, s, hn::Mul(from_re, c));
+      auto im = hn::MulAdd(from_re, s, hn::Mul(from_im, c));
       if constexpr (moves) {
-        const auto bend = hn::Mul(change, hn::Set(d, per_change_));
-        hn::StoreInterleaved2(hn::Mul(turned_im, bend), hn::Neg(hn::Mul(turned_re, bend)), d, out.bent + 2 * k);
+        const auto bend = hn::Mul(change, of(turning_.per_change));
+        const auto bent_re = hn::Mul(im, bend);
+        const auto bent_im = hn::Neg(hn::Mul(re, bend));
+        hn::Store(bent_re, d, out.bent_re + k);
+        hn::Store(bent_im, d, out.bent_im + k);
+        re = hn::MulAdd(bent_re, of(turning_.per_bend), re);
+        im = hn::MulAdd(bent_im, of(turning_.per_bend), im);
       }
+      hn::Store(re, d, out.re + k);
+      hn::Store(im, d, out.im + k);
     }
   }
 
@@ -132,38 +220,48 @@ class Placer {
   static constexpr bool moves = Motion != BinMotion::none;
   static constexpr bool bent = Motion == BinMotion::bent;
 
-  // A sample within 1e-9 of an end belongs to what follows.
+  HWY_INLINE WideVector shifted(const Shift& shift, WideVector apart, WideVector bend, WideVector x) const {
+    const Wide d;
+    if constexpr (moves) x = hn::MulAdd(apart, hn::MulAdd(apart, hn::Set(d, shift.square), hn::Set(d, shift.slope)), x);
+    if constexpr (bent) x = hn::MulAdd(bend, hn::Set(d, shift.bent), x);
+    return x;
+  }
+
   HWY_INLINE void place_vector(const double* position, const double* doppler, const double* bend, std::size_t at,
                                BinPlaces& out) const {
     const Wide d;
-    const auto hair = hn::Set(d, 1e-9);
-    const auto x = hn::LoadU(d, position);
-    auto begins = hn::Add(x, hn::Set(d, bins_.begin_hard));
-    auto ends = hn::Add(x, hn::Set(d, bins_.end_hard));
+    auto apart = hn::Zero(d);
+    auto bends = hn::Zero(d);
     if constexpr (moves) {
-      const auto speed = hn::LoadU(d, doppler);
-      const auto late = hn::MulAdd(speed, hn::MulAdd(speed, speed, speed), speed);  // D/(1 - D) but for D^4
-      begins = hn::MulAdd(late, hn::Set(d, bins_.begin_late), begins);
-      ends = hn::MulAdd(late, hn::Set(d, bins_.end_late), ends);
-      if constexpr (bent) {
-        const auto a = hn::LoadU(d, bend);
-        begins = hn::MulAdd(a, hn::Set(d, bins_.begin_bent), begins);
-        ends = hn::MulAdd(a, hn::Set(d, bins_.end_bent), ends);
-        store_narrow(d, hn::Sub(a, hn::Set(d, bins_.bend_middle)), out.bend + at);
-      }
-      store_narrow(d, hn::Sub(speed, hn::Set(d, bins_.middle)), out.apart + at);
+      apart = hn::Sub(hn::LoadU(d, doppler), hn::Set(d, placing_.middle));
+      store_narrow(d, apart, out.apart + at);
     }
-    const auto first = hn::Ceil(hn::Sub(begins, hair));
-    store_narrow(d, hn::Sub(hn::Sub(first, x), hn::Set(d, bins_.begin + 0.5)), out.place + at);
+    if constexpr (bent) {
+      bends = hn::Sub(hn::LoadU(d, bend), hn::Set(d, placing_.bend_middle));
+      store_narrow(d, bends, out.bend + at);
+    }
+    const auto from = hn::Add(hn::LoadU(d, position), hn::Set(d, placing_.begin.at_middle));
+    const auto begins = shifted(placing_.begin, apart, bends, from);
+    const auto first = hn::Round(begins);
+    const auto ahead = hn::Sub(first, begins);
+    store_narrow(d, ahead, out.ahead + at);
 
-    const auto samples = hn::Set(d, static_cast<double>(bins_.samples));
-    const auto row = limited(hn::Sub(first, hn::Set(d, bins_.first_sample)), static_cast<double>(bins_.samples - 1));
-    const auto per_sum = hn::Set(d, static_cast<double>(floats_of_sum));
-    if (bins_.run_count == 1) return store_integers(d, hn::Mul(row, per_sum), out.sum + at);
-    const auto more = hn::Sub(hn::Sub(hn::Ceil(hn::Sub(ends, hair)), first), hn::Set(d, bins_.least_samples));
-    const auto run = limited(more, static_cast<double>(bins_.run_count - 1));
-    store_integers(d, hn::Mul(hn::MulAdd(run, samples, row), per_sum), out.sum + at);
-    if (!hn::AllTrue(d, hn::Eq(run, hn::Set(d, static_cast<double>(bins_.main_run))))) mark(out.sum + at);
+    const hn::Rebind<std::int32_t, Wide> integer;
+    const auto limited = [&](WideVector whole, std::int32_t count) {
+      return hn::Max(hn::Zero(integer), hn::Min(hn::DemoteTo(integer, whole), hn::Set(integer, count - 1)));
+    };
+    auto row = limited(hn::Sub(first, hn::Set(d, placing_.first_sample)), placing_.rows);
+    bool is_main = true;
+    if (placing_.runs > 1) {
+      const auto more =
+          hn::Ceil(hn::Sub(shifted(placing_.length, apart, bends, hn::Set(d, placing_.length.at_middle)), ahead));
+      is_main = hn::AllTrue(d, hn::Eq(more, hn::Set(d, placing_.main_run)));
+      row = hn::Add(row, is_main ? hn::Set(integer, placing_.main_rows)
+                                 : hn::Mul(limited(more, placing_.runs), hn::Set(integer, placing_.rows)));
+    }
+    static_assert(floats_of_sum == 16);
+    hn::StoreU(hn::ShiftLeft<4>(row), integer, out.sum + at);
+    if (!is_main) mark(out.sum + at);
   }
 
   void mark(const std::int32_t* HWY_RESTRICT sums) const {
@@ -173,104 +271,62 @@ class Placer {
 
   HWY_INLINE void place_on_pieces(hn::Vec<Narrow> z, std::size_t k, BinPlaces& out) const {
     const Narrow d;
-    const hn::RebindToSigned<Narrow> whole;
-    const auto along = hn::MulAdd(z, hn::Set(d, per_z_), hn::Set(d, 0.5F * pieces_));
-    const auto piece = hn::Max(hn::Zero(d), hn::Min(hn::Floor(along), hn::Set(d, pieces_ - 1.0F)));
-    hn::Store(hn::ConvertTo(whole, hn::Mul(piece, hn::Set(d, per_piece_))), whole, out.table + k);
-    hn::Store(hn::Sub(hn::Sub(along, piece), hn::Set(d, 0.5F)), d, out.y + k);
+    const auto along = hn::MulAdd(z, hn::Set(d, turning_.per_z), hn::Set(d, 0.5F * turning_.pieces - 0.5F));
+    const auto piece = hn::Max(hn::Zero(d), hn::Min(hn::Round(along), hn::Set(d, turning_.pieces - 1.0F)));
+    const auto table = small_integers(d, hn::Mul(piece, hn::Set(d, turning_.per_piece)));
+    hn::Store(table, hn::RebindToSigned<Narrow>(), out.table + k);
+    hn::Store(hn::Sub(along, piece), d, out.y + k);
   }
 
-  const RangeBins& bins_;
-  float pieces_;
-  float per_piece_;  // coefficients
-  float per_z_;
-  float per_change_;
+  Placing placing_;
+  Turning turning_;
   std::uint8_t* marks_;  // of the sums of all runs
 };
 
-#if HWY_TARGET == HWY_SCALAR
-
-// One lane holds no pair of a real and an imaginary part: plain loops.
+// Adds strengths times their weights, and what bends add to these: half of the second derivative of the polynomials
+// times another strength.
 template <std::size_t Degree, bool Bends>
 class Adder {
  public:
-  Adder(const LanePolynomials<float>& weights, std::complex<float>* sums) : weights_(weights), sums_(sums) {}
-
-  void add(const BinPlaces& places, std::size_t k) const {
-    float* const at = reinterpret_cast<float*>(sums_) + places.sum[k];
-    for (std::size_t f = 0; f < BinSums::functions; ++f)
-      for (std::size_t part = 0; part < 2; ++part) {
-        at[2 * f + part] += weight(places, k, f) * places.strength[2 * k + part];
-        if (Bends) at[2 * f + part] += weight(places, k, BinSums::functions + f) * places.bent[2 * k + part];
-      }
-  }
-
- private:
-  float weight(const BinPlaces& places, std::size_t k, std::size_t lane) const {
-    const float* from = weights_.coefficients.data() + places.table[k] + lane;
-    float sum = from[0];
-    for (std::size_t p = 1; p <= weights_.degree; ++p) sum = sum * places.y[k] + from[p * weights_.lanes];
-    return sum;
-  }
-
-  const LanePolynomials<float>& weights_;
-  std::complex<float>* sums_;
-};
-
-#else
-
-// Adds strengths times their weights.
-template <std::size_t Degree, bool Bends>
-class Adder {
- public:
-  HWY_INLINE Adder(const LanePolynomials<float>& weights, std::complex<float>* sums)
-      : weights_(weights), sums_(reinterpret_cast<float*>(sums)) {}
+  HWY_INLINE Adder(const LanePolynomials<float>& weights, float* sums)
+      : coefficients_(weights.coefficients.data()), degree_(weights.degree), sums_(sums) {}
 
   HWY_INLINE void add(const BinPlaces& places, std::size_t k) const {
+    const D d;
     float* HWY_RESTRICT at = sums_ + places.sum[k];
-    const auto pair = in_all_pairs(Wide(), places.strength + 2 * k);
-    if constexpr (Bends) {
-      const auto bent = in_all_pairs(Wide(), places.bent + 2 * k);
-      if constexpr (hn::MaxLanes(Wide()) == 2 * functions) {
-        add_both(places, k, pair, bent, at);
-      } else {
-        add_some(places, k, 0, pair, at);
-        add_some(places, k, functions, bent, at);
+    const float* HWY_RESTRICT from = coefficients_ + places.table[k];
+    const V y = hn::Set(d, places.y[k]);
+    for (std::size_t f = 0; f < functions; f += hn::Lanes(d)) {
+      V re = hn::Load(d, at + f);
+      V im = hn::Load(d, at + functions + f);
+      V c = hn::Load(d, from + f);  // of y^m
+      V weight = c;
+      V bend = hn::Zero(d);  // of the sum of c y^m, that of m (m - 1)/2 c y^(m - 2)
+      for (std::size_t m = degree(); m > 0; --m) {
+        if (Bends && m >= 2) bend = hn::MulAdd(bend, y, m > 2 ? hn::Mul(c, half_product(m)) : c);
+        c = hn::Load(d, from + (degree() - m + 1) * functions + f);
+        weight = hn::MulAdd(weight, y, c);
       }
-    } else {
-      add_some(places, k, 0, pair, at);
+      if constexpr (Bends) {
+        re = hn::MulAdd(bend, hn::Set(d, places.bent_re[k]), re);
+        im = hn::MulAdd(bend, hn::Set(d, places.bent_im[k]), im);
+      }
+      hn::Store(hn::MulAdd(weight, hn::Set(d, places.re[k]), re), d, at + f);
+      hn::Store(hn::MulAdd(weight, hn::Set(d, places.im[k]), im), d, at + functions + f);
     }
   }
 
  private:
-  static constexpr std::size_t functions = BinSums::functions;
-  using Wide = hn::CappedTag<float, 2 * functions>;
+  using D = hn::CappedTag<float, functions>;
+  using V = hn::Vec<D>;
 
-  // By the functions from a lane on.
-  template <class V>
-  HWY_INLINE void add_some(const BinPlaces& places, std::size_t k, std::size_t lane, V pair,
-                           float* HWY_RESTRICT at) const {
-    const hn::CappedTag<float, functions> d;
-    const auto y = hn::Set(d, places.y[k]);
-    for (std::size_t f = 0; f < functions; f += hn::Lanes(d))
-      add_weighted(d, weights_.at(d, places.table[k], lane + f, y), pair, at + 2 * f);
-  }
+  HWY_INLINE std::size_t degree() const { return Degree > 0 ? Degree : degree_; }
+  static HWY_INLINE V half_product(std::size_t m) { return hn::Set(D(), static_cast<float>(m * (m - 1) / 2)); }
 
-  // All weights are one vector.
-  template <class V>
-  HWY_INLINE void add_both(const BinPlaces& places, std::size_t k, V pair, V bent, float* HWY_RESTRICT at) const {
-    const Wide d;
-    auto sum = hn::Load(d, at);
-    each_twice(d, weights_.at(d, places.table[k], 0, hn::Set(d, places.y[k])),
-               [&](std::size_t lane, V each) { sum = hn::MulAdd(each, lane == 0 ? pair : bent, sum); });
-    hn::Store(sum, d, at);
-  }
-
-  Polynomials<float, Degree, 2 * functions> weights_;
+  const float* HWY_RESTRICT coefficients_;
+  std::size_t degree_;
   float* sums_;
 };
-
-#endif  // HWY_SCALAR
 
 template <BinMotion Motion, std::size_t Degree>
 void add_all(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
@@ -306,50 +362,28 @@ void add_on_target(const RangeBins& bins, const LanePolynomials<float>& weights,
                : add_all<BinMotion::none, usual>(bins, weights, echoes, out);
 }
 
-#if HWY_TARGET != HWY_SCALAR
-
-// The sum of a number's real parts and that of its imaginary parts, from lanes that hold them in turn.
-template <class D>
-HWY_INLINE std::complex<float> sum_of_pairs(D d, hn::Vec<D> pairs) {
-  if constexpr (hn::MaxLanes(d) > 2) {
-    const hn::Half<D> half;
-    return sum_of_pairs(half, hn::Add(hn::LowerHalf(half, pairs), hn::UpperHalf(half, pairs)));
-  } else {
-    HWY_ALIGN float parts[2];
-    hn::Store(pairs, d, parts);
-    return {parts[0], parts[1]};
-  }
-}
-
-#endif
-
 // What a tail says of the sums of a bin.
 HWY_INLINE std::complex<float> sample_of(const BinTail& tail, const float* HWY_RESTRICT sums) {
-  constexpr std::size_t lanes = 2 * BinSums::functions;
-#if HWY_TARGET == HWY_SCALAR
-  std::complex<float> result;
-  for (std::size_t i = 0; i < lanes; i += 2)
-    result += std::complex<float>(sums[i] * tail.of_same[i] + sums[i + 1] * tail.of_other[i],
-                                  sums[i + 1] * tail.of_same[i + 1] + sums[i] * tail.of_other[i + 1]);
-  return result;
-#else
-  const hn::CappedTag<float, lanes> d;
-  auto all = hn::Zero(d);
-  for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
-    const auto sum = hn::Load(d, sums + lane);
-    all = hn::MulAdd(sum, hn::LoadU(d, tail.of_same.data() + lane), all);
-    all = hn::MulAdd(hn::Reverse2(d, sum), hn::LoadU(d, tail.of_other.data() + lane), all);
+  const hn::CappedTag<float, functions> d;
+  auto re = hn::Zero(d);
+  auto im = hn::Zero(d);
+  for (std::size_t f = 0; f < functions; f += hn::Lanes(d)) {
+    const auto sum_re = hn::Load(d, sums + f);
+    const auto sum_im = hn::Load(d, sums + functions + f);
+    const auto factor_re = hn::LoadU(d, tail.re.data() + f);
+    const auto factor_im = hn::LoadU(d, tail.im.data() + f);
+    re = hn::MulAdd(sum_re, factor_re, hn::NegMulAdd(sum_im, factor_im, re));
+    im = hn::MulAdd(sum_re, factor_im, hn::MulAdd(sum_im, factor_re, im));
   }
-  return sum_of_pairs(d, all);
-#endif
+  return {hn::GetLane(hn::SumOfLanes(d, re)), hn::GetLane(hn::SumOfLanes(d, im))};
 }
 
 // Adds the sums of other runs to those of the main run, and what that does not tell of them to the edges.
 void join_runs(const RangeBins& bins, std::span<const BinTail> tails, BinSums& sums,
                std::span<std::complex<float>> edges) {
-  constexpr std::size_t lanes = 2 * BinSums::functions;
+  constexpr std::size_t lanes = floats_of_sum;
   const hn::CappedTag<float, lanes> d;
-  float* const all = reinterpret_cast<float*>(sums.sums.data());
+  float* const all = sums.sums.data();
   const auto last = static_cast<std::ptrdiff_t>(edges.size());
   const auto join = [&](std::size_t run, std::size_t n) {
     float* HWY_RESTRICT others = all + (run * bins.samples + n) * lanes;
@@ -374,39 +408,56 @@ void join_runs(const RangeBins& bins, std::span<const BinTail> tails, BinSums& s
 }
 
 // Moves `count` sums of each function to rows from sample `at` on, and leaves 0.
-void move_to_rows(std::complex<float>* HWY_RESTRICT sums, std::size_t count, std::size_t at,
-                  std::span<const std::span<std::complex<float>>, BinSums::functions> rows) {
-  constexpr std::size_t functions = BinSums::functions;
+void move_to_rows(float* HWY_RESTRICT sums, std::size_t count, std::size_t at,
+                  std::span<const std::span<std::complex<float>>, functions> rows) {
   std::size_t n = 0;
 #if HWY_TARGET != HWY_SCALAR
-  // A complex number is moved as a double; four by four, or two by two.
-  const hn::CappedTag<double, 4> d;
+  // Real and imaginary parts of four functions, or two, become complex numbers, moved as doubles; and four by four, or
+  // two by two, those of one function neighbours.
+  const hn::CappedTag<float, functions> floats;
+  const hn::RepartitionToWide<decltype(floats)> d;
   constexpr std::size_t block = hn::MaxLanes(d);
-  double* const from = reinterpret_cast<double*>(sums);
-  for (; n + block <= count; n += block)
-    for (std::size_t k = 0; k < functions; k += block) {
-      const auto in = [&](std::size_t i) { return hn::LoadU(d, from + (n + i) * functions + k); };
-      const auto out = [&](std::size_t i, auto v) {
-        hn::StoreU(v, d, reinterpret_cast<double*>(rows[k + i].data() + at + n));
-      };
-      const auto a = hn::InterleaveLower(d, in(0), in(1));
-      const auto b = hn::InterleaveUpper(d, in(0), in(1));
-      if constexpr (block == 2) {
-        out(0, a);
-        out(1, b);
-      } else {
-        const auto e = hn::InterleaveLower(d, in(2), in(3));
-        const auto f = hn::InterleaveUpper(d, in(2), in(3));
-        out(0, hn::ConcatLowerLower(d, e, a));
-        out(1, hn::ConcatLowerLower(d, f, b));
-        out(2, hn::ConcatUpperUpper(d, e, a));
-        out(3, hn::ConcatUpperUpper(d, f, b));
-      }
+  const auto numbers = [&](std::size_t i, std::size_t half, auto joined) {
+    const float* const from = sums + i * floats_of_sum + half * 2 * block;
+    return hn::BitCast(d, joined(hn::Load(floats, from), hn::Load(floats, from + functions)));
+  };
+  const auto lower = [&](auto re, auto im) { return hn::InterleaveLower(floats, re, im); };
+  const auto upper = [&](auto re, auto im) { return hn::InterleaveUpper(floats, re, im); };
+  const auto out = [&](std::size_t function, auto v) {
+    hn::StoreU(v, d, reinterpret_cast<double*>(rows[function].data() + at + n));
+  };
+  const auto move = [&](std::size_t half, std::size_t first, std::size_t second, auto joined) {
+    const auto in = [&](std::size_t i) { return numbers(n + i, half, joined); };
+    const auto a = hn::InterleaveLower(d, in(0), in(1));
+    const auto b = hn::InterleaveUpper(d, in(0), in(1));
+    if constexpr (block == 2) {
+      out(first, a);
+      out(first + 1, b);
+    } else {
+      const auto e = hn::InterleaveLower(d, in(2), in(3));
+      const auto f = hn::InterleaveUpper(d, in(2), in(3));
+      out(first, hn::ConcatLowerLower(d, e, a));
+      out(first + 1, hn::ConcatLowerLower(d, f, b));
+      out(second, hn::ConcatUpperUpper(d, e, a));
+      out(second + 1, hn::ConcatUpperUpper(d, f, b));
     }
+  };
+  const auto zero = hn::Zero(floats);
+  for (; n + block <= count; n += block) {
+    for (std::size_t half = 0; half < functions / (2 * block); ++half) {
+      const std::size_t function = half * 2 * block;
+      move(half, function, function + 4, lower);
+      move(half, function + 2, function + 6, upper);
+    }
+    for (std::size_t i = 0; i < block * floats_of_sum; i += hn::Lanes(floats))
+      hn::Store(zero, floats, sums + n * floats_of_sum + i);
+  }
 #endif
   for (; n < count; ++n)
-    for (std::size_t k = 0; k < functions; ++k) rows[k][at + n] = sums[n * functions + k];
-  std::fill_n(sums, count * functions, std::complex<float>());
+    for (std::size_t k = 0; k < functions; ++k) {
+      float* const sum = sums + n * floats_of_sum + k;
+      rows[k][at + n] = {std::exchange(sum[0], 0.0F), std::exchange(sum[functions], 0.0F)};
+    }
 }
 
 }  // namespace sarsim::radar::HWY_NAMESPACE
@@ -421,7 +472,7 @@ HWY_EXPORT(join_runs);
 HWY_EXPORT(move_to_rows);
 
 void BinSums::make_room(const RangeBins& bins) {
-  sums.resize(bins.run_count * bins.samples * functions);
+  sums.resize(bins.run_count * bins.samples * 2 * functions);
   marks.resize(bins.run_count * bins.samples / rows_of_mark + 1);
 }
 
@@ -432,17 +483,16 @@ void BinSums::clear() {
 
 void BinTail::set(std::size_t function, std::complex<double> factor) {
   CORE_EXPECT(function < BinSums::functions);
-  of_same[2 * function] = of_same[2 * function + 1] = static_cast<float>(factor.real());
-  of_other[2 * function] = static_cast<float>(-factor.imag());
-  of_other[2 * function + 1] = static_cast<float>(factor.imag());
+  re[function] = static_cast<float>(factor.real());
+  im[function] = static_cast<float>(factor.imag());
 }
 
 void add_to_bins(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
                  BinSums& out) {
   CORE_EXPECT(bins.run_count >= 1 && bins.run_count <= RangeBins::most_runs);
   CORE_EXPECT(bins.samples > 0);
-  CORE_EXPECT(out.sums.size() == bins.run_count * bins.samples * BinSums::functions);
-  CORE_EXPECT(weights.lanes == 2 * BinSums::functions);
+  CORE_EXPECT(out.sums.size() == bins.run_count * bins.samples * 2 * BinSums::functions);
+  CORE_EXPECT(weights.lanes == BinSums::functions);
   CORE_EXPECT(echoes.strength.size() == echoes.position.size());
   CORE_EXPECT(echoes.doppler.size() == echoes.position.size());
   CORE_EXPECT(!bins.bends || echoes.bend_per_s.size() == echoes.position.size());
@@ -457,10 +507,10 @@ void leave_bins(const RangeBins& bins, std::span<const BinTail> tails, BinSums& 
   CORE_EXPECT(first < period);
   CORE_EXPECT(bins.samples <= period);
   if (bins.run_count > 1) HWY_DYNAMIC_DISPATCH(join_runs)(bins, tails, sums, edges);
-  std::complex<float>* from = sums.sums.data() + bins.main_run * bins.samples * functions;
+  float* from = sums.sums.data() + bins.main_run * bins.samples * 2 * functions;
   const auto move = [&](std::size_t count, std::size_t at) {
     HWY_DYNAMIC_DISPATCH(move_to_rows)(from, count, at, rows);
-    from += count * functions;
+    from += count * 2 * functions;
   };
   const std::size_t to_end = std::min(bins.samples, period - first);
   const std::size_t around = bins.samples - to_end;

@@ -62,7 +62,7 @@ struct RangeBins {
 struct BinSums {
   static constexpr std::size_t functions = BinFunctions::count;
   static constexpr std::size_t rows_of_mark = 8;
-  core::AlignedVector<std::complex<float>> sums;  ///< [run][n0][function].
+  core::AlignedVector<float> sums;  ///< [run][n0][real part, imaginary part][function].
   std::vector<std::uint8_t> marks;  ///< Of each few sums: whether an echo of another than the main run may be there.
 
   /// Makes room; what is new is 0, what was there is as it was.
@@ -72,20 +72,19 @@ struct BinSums {
 };
 
 /// Adds echoes to the sums in SIMD. The sum does not depend on the instruction set but for rounding.
-/// @param weights  of echoes by (y + 1)/2, where y = z/most_z is in [-1, 1]: for each function, and then for each what
-///                 -j dk/most_change of an echo adds
+/// @param weights  of echoes by (y + 1)/2, where y = z/most_z is in [-1, 1], a lane for each function; second
+///                 derivatives are those of these polynomials
 void add_to_bins(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
                  BinSums& out);
 
-/// A sample that echoes of a run have beyond those of the main run, or one that they lack (negative), as a sum over the
-/// real and the imaginary parts of the sums of their bin.
+/// A sample that echoes of a run have beyond those of the main run, or one that they lack (negative): the sum of the
+/// sums of their bin times these factors.
 struct BinTail {
   std::size_t run = 0;
-  std::ptrdiff_t sample = 0;                             ///< After n0.
-  std::array<float, 2 * BinSums::functions> of_same{};   ///< What a part adds to its own kind,
-  std::array<float, 2 * BinSums::functions> of_other{};  ///< and the other part to it.
+  std::ptrdiff_t sample = 0;  ///< After n0.
+  std::array<float, BinSums::functions> re{}, im{};
 
-  /// Adds `factor` times the sum of a function.
+  /// What the sum of a function is multiplied by.
   void set(std::size_t function, std::complex<double> factor);
 };
 

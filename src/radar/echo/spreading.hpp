@@ -15,13 +15,15 @@ namespace sarsim::radar {
 /// they are polynomials in y = pieces x - p - 1/2, evaluated together. Real is float or double.
 template <class Real>
 struct LanePolynomials {
-  std::size_t lanes = 0;  ///< Padded to a multiple of `granularity`; the padding lanes are 0.
+  std::size_t lanes = 0;  ///< Padded to whole vectors, a multiple of `granularity` or what was asked for, by zeros.
   std::size_t degree = 0;
   std::size_t pieces = 1;
   core::AlignedVector<Real> coefficients;  ///< [pieces][degree + 1][lanes], highest power first.
 
   /// One lane at x in [0, 1], one at a time.
   [[nodiscard]] double value(std::size_t lane, double x) const;
+  /// Its second derivative by x.
+  [[nodiscard]] double second_derivative(std::size_t lane, double x) const;
 
   static constexpr std::size_t granularity = 64 / sizeof(Real);
 };
@@ -29,10 +31,12 @@ struct LanePolynomials {
 /// Fits f(lane, x) for lanes 0 ... count - 1 at Chebyshev points, with an error below `tolerance` at check points
 /// between them: the lowest degree, from 3 on, for which pieces of at most 8 kB (32 kB in double precision) in all
 /// suffice. Nothing where no degree up to 24 does.
+/// @param grain  lanes that the number of lanes is padded to a multiple of
 template <class Real>
 [[nodiscard]] std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count,
                                                              const std::function<double(std::size_t, double)>& f,
-                                                             double tolerance);
+                                                             double tolerance,
+                                                             std::size_t grain = LanePolynomials<Real>::granularity);
 
 /// Where a non-uniform transform puts its strengths: the exponential of a semicircle,
 /// phi(z) = exp(beta (sqrt(1 - z^2) - 1)), |z| <= 1, over `width` grid cells, for a grid with twice as many points as

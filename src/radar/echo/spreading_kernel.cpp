@@ -79,13 +79,13 @@ std::size_t pieces_in(std::size_t bytes, std::size_t bytes_per_piece) {
 
 template <class Real>
 std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
-                                               double tolerance) {
+                                               double tolerance, std::size_t grain) {
   CORE_EXPECT(count > 0);
+  CORE_EXPECT(grain > 0);
   CORE_EXPECT(tolerance >= 0.0);
   constexpr std::size_t highest = 24;
   constexpr std::size_t table_bytes = sizeof(Real) == 4 ? 8192 : 32768;
   LanePolynomials<Real> result;
-  const std::size_t grain = LanePolynomials<Real>::granularity;
   result.lanes = (count + grain - 1) / grain * grain;
   const auto fits = [&] {
     const ChebyshevFit chebyshev(result.degree);
@@ -119,13 +119,26 @@ double LanePolynomials<Real>::value(std::size_t lane, double x) const {
   return sum;
 }
 
+template <class Real>
+double LanePolynomials<Real>::second_derivative(std::size_t lane, double x) const {
+  const double scaled = x * static_cast<double>(pieces);
+  const double piece = std::min(std::floor(scaled), static_cast<double>(pieces - 1));
+  const Real* at = coefficients.data() + static_cast<std::size_t>(piece) * (degree + 1) * lanes + lane;
+  double sum = 0.0;
+  for (std::size_t m = degree; m >= 2; --m)
+    sum =
+        sum * (scaled - piece - 0.5) + static_cast<double>(m * (m - 1)) * static_cast<double>(at[(degree - m) * lanes]);
+  return sum * static_cast<double>(pieces * pieces);
+}
+
 template struct LanePolynomials<float>;
 template struct LanePolynomials<double>;
 
 template std::optional<LanePolynomials<float>> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&,
-                                                         double);
+                                                         double, std::size_t);
 template std::optional<LanePolynomials<double>> fit_lanes(std::size_t,
-                                                          const std::function<double(std::size_t, double)>&, double);
+                                                          const std::function<double(std::size_t, double)>&, double,
+                                                          std::size_t);
 
 SpreadingKernel::SpreadingKernel(double tolerance)
     : width(static_cast<std::size_t>(std::clamp(std::ceil(std::log10(1.0 / tolerance)) + 1.0, 4.0, 14.0))),

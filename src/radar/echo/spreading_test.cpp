@@ -30,6 +30,17 @@ TYPED_TEST(Spreading, FitReproducesAPolynomialAndLeavesThePaddingZero) {
       EXPECT_NEAR(p.value(lane, x), lane < 5 ? f(lane, x) : 0.0, 20.0 * rounding_of<TypeParam> + 1e-12);
 }
 
+TYPED_TEST(Spreading, FitHasTheSecondDerivativeToo) {
+  const auto f = [](std::size_t lane, double x) { return std::sin((2.0 + static_cast<double>(lane)) * x); };
+  const auto p = fit_lanes<TypeParam>(3, f, 1e-7, 4).value();
+  ASSERT_EQ(p.lanes, 4u);
+  for (std::size_t lane = 0; lane < p.lanes; ++lane)
+    for (double x = 0.0; x <= 1.0; x += 0.0173) {
+      const double rate = 2.0 + static_cast<double>(lane);
+      EXPECT_NEAR(p.second_derivative(lane, x), lane < 3 ? -rate * rate * f(lane, x) : 0.0, 2e-3 * rate * rate);
+    }
+}
+
 TYPED_TEST(Spreading, FitTakesTheLowestDegreeThatKeepsTheToleranceOnATableOfItsSize) {
   const auto f = [](std::size_t, double x) { return std::exp(20.0 * (x - 1.0)); };
   std::size_t before = 0;
