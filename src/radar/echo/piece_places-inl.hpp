@@ -54,20 +54,29 @@ HWY_INLINE hn::Vec<D> load_wide(D d, const Real* HWY_RESTRICT from) {
   if constexpr (sizeof(Real) == 8) return hn::Load(d, from);
 }
 
-// For `fraction` in [0, 1) of a block: the pieces and the positions inside.
+// Whole numbers of at most 2^22 as integers.
+template <class D>
+HWY_INLINE hn::Vec<hn::RebindToSigned<D>> small_integers(D d, hn::Vec<D> whole) {
+  const hn::RebindToSigned<D> integer;
+  const auto magic = hn::Set(d, 12582912.0F);  // 3 2^22, whose last bit is that of 1
+  return hn::Sub(hn::BitCast(integer, hn::Add(whole, magic)), hn::BitCast(integer, magic));
+}
+
+// For `fraction` in [0, 1) of a block: the pieces and the positions inside, from their middles.
 template <class Real>
 HWY_INLINE void place_on_pieces(const LanePolynomials<Real>& lanes, std::size_t count, Places<Real>& out) {
   const hn::ScalableTag<Real> d;
-  const hn::RebindToSigned<hn::ScalableTag<Real>> whole;
   const auto pieces = hn::Set(d, static_cast<Real>(lanes.pieces));
   const auto last = hn::Set(d, static_cast<Real>(lanes.pieces - 1));
   const auto stride = hn::Set(d, static_cast<Real>((lanes.degree + 1) * lanes.lanes));
+  const auto half = hn::Set(d, Real(0.5));
   for (std::size_t k = 0; k < count; k += hn::Lanes(d)) {
-    const auto scaled = hn::Mul(hn::Load(d, out.fraction + k), pieces);
-    const auto piece = hn::Min(hn::Floor(scaled), last);
-    hn::Store(hn::Sub(hn::Sub(scaled, piece), hn::Set(d, Real(0.5))), d, out.y + k);
+    const auto along = hn::MulSub(hn::Load(d, out.fraction + k), pieces, half);
+    const auto piece = hn::Max(hn::Zero(d), hn::Min(hn::Round(along), last));
+    hn::Store(hn::Sub(along, piece), d, out.y + k);
     const auto table = hn::Mul(piece, stride);
-    if constexpr (sizeof(Real) == 4) hn::Store(hn::ConvertTo(whole, table), whole, out.table + k);
+    if constexpr (sizeof(Real) == 4)
+      hn::Store(small_integers(d, table), hn::RebindToSigned<decltype(d)>(), out.table + k);
     if constexpr (sizeof(Real) == 8) store_integers(d, table, out.table + k);
   }
 }

@@ -45,14 +45,6 @@ using Wide = hn::CappedTag<double, in_turn>;
 using WideVector = hn::Vec<Wide>;
 using Narrow = hn::ScalableTag<float>;
 
-// Whole numbers of at most 2^22 as integers.
-template <class D>
-HWY_INLINE hn::Vec<hn::RebindToSigned<D>> small_integers(D d, hn::Vec<D> whole) {
-  const hn::RebindToSigned<D> integer;
-  const auto magic = hn::Set(d, 12582912.0F);  // 3 2^22, whose last bit is that of 1
-  return hn::Sub(hn::BitCast(integer, hn::Add(whole, magic)), hn::BitCast(integer, magic));
-}
-
 // How echoes move: not at all, evenly, or bent.
 enum class BinMotion { none, even, bent };
 

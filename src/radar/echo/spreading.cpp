@@ -329,8 +329,11 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
                                  const SpreadMotion& motion, SpreadGrid<Real>& grid) {
   using Block = Places<Real>;
   const hn::ScalableTag<double> d;
-  const auto cells = static_cast<double>(grid.cells);
-  const auto padding = hn::Set(d, static_cast<double>(SpreadGrid<Real>::padding));
+  const hn::Rebind<std::int32_t, decltype(d)> integer;
+  const auto cells_per_unit = hn::Set(d, static_cast<double>(grid.cells) / period);
+  const auto half_width = hn::Set(d, 0.5 * static_cast<double>(width));
+  const auto most_cells = hn::Set(integer, static_cast<std::int32_t>(grid.cells));
+  const auto padding = hn::Set(integer, static_cast<std::int32_t>(SpreadGrid<Real>::padding));
   const bool moves = !motion.doppler.empty();
   HWY_ALIGN double buffer[Block::most];
   HWY_ALIGN double speeds[Block::most];
@@ -347,10 +350,11 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
         store_narrow(d, hn::Mul(speed, hn::Set(d, motion.tilt)), places.tilt + k);
       }
       const auto wrapped = hn::IfThenElse(hn::Lt(given, hn::Zero(d)), hn::Add(given, hn::Set(d, period)), given);
-      const auto on_grid = hn::Min(hn::Mul(wrapped, hn::Set(d, cells / period)), hn::Set(d, cells));
-      const auto left = hn::Sub(on_grid, hn::Set(d, 0.5 * static_cast<double>(width)));
+      const auto left = hn::MulSub(wrapped, cells_per_unit, half_width);
       const auto cell = hn::Ceil(left);
-      store_integers(d, hn::Add(cell, padding), places.cell + k);
+      // Rounding may leave a position beyond the end of the circle.
+      const auto on_grid = hn::Min(hn::DemoteTo(integer, cell), most_cells);
+      hn::StoreU(hn::Add(on_grid, padding), integer, places.cell + k);
       store_narrow(d, hn::Sub(cell, left), places.fraction + k);
     }
     place_on_pieces(taps, count, places);
