@@ -124,6 +124,14 @@ std::size_t DenseRow::transforms_about(const EchoPulse& pulse, double interval_s
   return BinFunctions::needed(core::pi * samples * (0.5 * sweep + shift), error);
 }
 
+// A tenth of the error, so that second derivatives of polynomials of the usual degree will do.
+DopplerSpan DenseRow::shared_span(const EchoPulse& pulse, double interval_s, double carrier_hz, const DopplerSpan& span,
+                                  double error) {
+  if (span.half == 0.0) return span;
+  const DopplerSpan wide{std::round(span.middle / span.half) * span.half, 4.0 * span.half};
+  return transforms_about(pulse, interval_s, carrier_hz, wide.half, 0.1 * error) <= functions ? wide : span;
+}
+
 // Echoes that take as long one by one as a point of the transforms, by measurement (docs/developer/performance.md).
 bool DenseRow::is_worth(double echoes, std::size_t transforms, std::size_t points, std::size_t doppler_terms) {
   if (points > most_points || transforms > functions) return false;
@@ -148,6 +156,10 @@ bool DenseRow::prepare(const DenseMotion& motion) {
     limit_kept();
   }
   return kept_.front().usable;
+}
+
+bool DenseRow::is_refused(const DenseMotion& motion) const {
+  return std::ranges::any_of(kept_, [&](const Kept& kept) { return !kept.usable && kept.motion.is_same(motion); });
 }
 
 // The least recently used make room.

@@ -43,6 +43,10 @@ class DenseRow {
   /// @param error         relative, allowed
   [[nodiscard]] static std::size_t transforms_about(const EchoPulse& pulse, double interval_s, double carrier_hz,
                                                     double half_doppler, double error);
+  /// A span of four times the width around `span`, which more pulses have in common, where the functions follow its
+  /// motion as well; otherwise `span`.
+  [[nodiscard]] static DopplerSpan shared_span(const EchoPulse& pulse, double interval_s, double carrier_hz,
+                                               const DopplerSpan& span, double error);
   /// Whether they are faster than echoes one by one.
   /// @param doppler_terms  that echoes one by one would take
   [[nodiscard]] static bool is_worth(double echoes, std::size_t transforms, std::size_t points,
@@ -58,6 +62,8 @@ class DenseRow {
 
   /// Makes bins for this motion ready; false where none keep the share.
   [[nodiscard]] bool prepare(const DenseMotion& motion);
+  /// Whether `prepare` has failed for this motion.
+  [[nodiscard]] bool is_refused(const DenseMotion& motion) const;
   /// Adds echoes of a motion that is prepared.
   void take(const Strengths<float>& echoes);
   [[nodiscard]] bool is_empty() const { return !has_sums_; }

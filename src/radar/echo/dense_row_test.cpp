@@ -96,6 +96,50 @@ TEST(DenseRow, KnowsForWhichSpansOfDopplerFunctionsAreEnough) {
   }
 }
 
+TEST(DenseRow, SharesASpanFourTimesAsWideWhereFunctionsFollowIt) {
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 2000.0, 0.8);
+  const auto shared = [&](const DopplerSpan& span) {
+    return DenseRow::shared_span(chirp, test_interval_s, carrier_hz, span, 1.25e-7);
+  };
+  const double half = std::exp2(-26);  // 1.5e-8
+  EXPECT_EQ(shared({3.25 * half, half}), (DopplerSpan{3.0 * half, 4.0 * half}));
+  // The ends would turn by more than 7e-4 rad.
+  EXPECT_EQ(shared({26.0 * half, 8.0 * half}), (DopplerSpan{26.0 * half, 8.0 * half}));
+  EXPECT_EQ(shared({half, 0.0}), (DopplerSpan{half, 0.0}));
+  // Neighbours have it in common.
+  for (const double middle : {-2.25, -2.0, -1.75})
+    EXPECT_EQ(shared({middle * half, half}), (DopplerSpan{-2.0 * half, 4.0 * half})) << middle;
+}
+
+// Where the wider span moves ends too far apart, that of the echoes serves.
+TEST(DenseRow, TakesTheSpanOfItsEchoesWhereItCannotShareOne) {
+  const EchoPulse tone = test_pulse(Pulse::Kind::mono, 2000.4);
+  const SampleGrid grid = test_grid(3000);
+  const double low_hz = 1e5;
+  const DopplerSpan span = span_covering(-2e-5, 2e-5);
+  const DopplerSpan wide = DenseRow::shared_span(tone, grid.interval_s, low_hz, span, 1.25e-7);
+  ASSERT_NE(wide, span);
+  Parts parts{&tone, grid};
+  const DenseMotion refused{low_hz, wide, {}};
+  EXPECT_FALSE(parts.row.is_refused(refused));
+  EXPECT_FALSE(parts.row.prepare(refused));
+  EXPECT_TRUE(parts.row.is_refused(refused));
+  EXPECT_TRUE(parts.row.prepare({low_hz, span, {}}));
+  EXPECT_FALSE(parts.row.is_refused({low_hz, span, {}}));
+
+  SpectralKernel kernel(tone, grid, 1e-6);
+  kernel.begin(low_hz, very_many);
+  EchoBatch all;
+  for (const unsigned seed : {1U, 2U}) {
+    const EchoBatch part = random_echoes(100, grid, 2100.0, 1e-5 * core::exact_light_speed_mps, seed);
+    kernel.take(part);
+    for (std::size_t k = 0; k < part.size(); ++k) all.add(part.delay_s[k], part.amplitude_sqrt_w[k], part.doppler[k]);
+  }
+  ComplexRow row(grid.count);
+  kernel.finish(row);
+  EXPECT_LT(relative_error(row, reference_row(tone, grid, low_hz, all), strength_of(tone, grid, all)), 1e-6);
+}
+
 // Second derivatives of polynomials are as good as the change needs them, up to the largest that enters.
 TEST(DenseRow, FollowsChangesOfTheSweepOfLongPulses) {
   const SampleGrid grid = test_grid(2500);

@@ -186,9 +186,15 @@ struct SpectralKernel::Typed : Implementation {
         densely = DenseRow::is_worth(in_all, transforms, row_size, wanted.terms * wanted.bend_terms);
       }
       if (!*densely) return false;
-      const DenseMotion common{carrier_hz, wanted.span, wanted.bends};
+      DenseMotion common{carrier_hz,
+                         DenseRow::shared_span(*pulse, grid.interval_s, carrier_hz, wanted.span, settings.share),
+                         wanted.bends};
+      if (dense->is_refused(common)) common.span = wanted.span;
       if (!dense->is_for(common)) leave_dense();
-      if (!dense->prepare(common)) return false;
+      if (!dense->prepare(common)) {
+        common.span = wanted.span;
+        if (!dense->prepare(common)) return false;
+      }
       dense->take(gathered);
       return true;
     }
