@@ -24,6 +24,7 @@ constexpr double direct_start_s = 0.8e-3;
 constexpr double spectral_start_s = 3.5e-3;
 // Where the points are, for the fast engines; the cost of the reference has it.
 constexpr double per_sight_s = 1.5e-9;
+constexpr double per_platform_s = 0.25e-6;  // where it is and how it turns
 
 double scatterers_of(const ResolvedScene& scene) {
   auto count = static_cast<double>(scene.scatterers.size());
@@ -99,7 +100,10 @@ double row_seconds(const Plan& plan, double echo_samples, const MachineSpeed& ma
 // @param echo_samples  samples of all its echoes together
 double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_samples, const MachineSpeed& machine) {
   const double heard = static_cast<double>(1 + plan.other_pulses.pulses.size());
-  const double sight_s = plan.engine.engine == Engine::reference ? 0.0 : per_sight_s * scatterers_of(*plan.scene);
+  const double sight_s = plan.engine.engine == Engine::reference
+                             ? 0.0
+                             : per_sight_s * scatterers_of(*plan.scene) +
+                                   per_platform_s * static_cast<double>(plan.scene->platforms.size());
   return speed_of(machine, plan.engine.engine) * heard * share_in_sight(plan) * (1e-9 * work.pulse_ns + sight_s) +
          row_seconds(plan, echo_samples, machine);
 }

@@ -33,7 +33,7 @@ constexpr double bin_motion_ns = 0.8;
 constexpr double bin_point_ns = 1.9;
 constexpr double transform_point_ns = 2.2;
 // Of a point, for each doubling beyond what stays in the cache of a core.
-constexpr double transform_octave_ns = 0.9;
+constexpr double transform_octave_ns = 1.7;
 constexpr double bin_octave_ns = 0.5;
 constexpr double cached_points = 32768.0;
 constexpr double double_precision_times = 2.6;
