@@ -358,17 +358,14 @@ double DenseRow::bend_error(const Kept& kept, const Fit& fit) {
   return fit.bend_of(kept.bins.most_change) * std::sqrt(sum / (checks + 1));
 }
 
-// False where polynomials do not keep the share, or their second derivatives: these may take a higher degree.
+// False where polynomials do not keep the share, or their second derivatives.
 bool DenseRow::make_weights(Kept& kept, const Fit& fit, double share) {
-  for (double error = 0.3 * share; error > 1e-5 * share; error *= 0.1) {
-    auto weights = fit_lanes<float>(
-        functions, [&](std::size_t k, double x) { return kept.size[k] * fit.value(k, 2.0 * x - 1.0); }, error,
-        functions);
-    if (!weights) return false;
-    kept.weights = std::move(*weights);
-    if (bend_error(kept, fit) < 0.4 * share) return true;
-  }
-  return false;
+  auto weights = fit_lanes<float>(
+      functions, [&](std::size_t k, double x) { return kept.size[k] * fit.value(k, 2.0 * x - 1.0); }, 0.3 * share,
+      functions);
+  if (!weights) return false;
+  kept.weights = std::move(*weights);
+  return bend_error(kept, fit) < 0.5 * share;
 }
 
 void DenseRow::make_tails(Kept& kept, const Fit& fit) {

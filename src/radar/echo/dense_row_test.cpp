@@ -211,6 +211,15 @@ TEST(DenseRow, IsThatOfTheReferenceForBentEchoes) {
     }
 }
 
+// Of a tone without Doppler the functions are nearly constant, and second derivatives of polynomials are rounding
+// alone.
+TEST(DenseRow, IsThatOfTheReferenceForBentTones) {
+  const SampleGrid grid = test_grid(300);
+  const EchoPulse tone = test_pulse(Pulse::Kind::mono, 100.4);
+  for (const double rad : {1e-3, 1e-5, 1e-7})
+    expect_reference(tone, grid, random_echoes(100, grid, 120.0, 0.0, 5, bend_of(rad, 100.4)));
+}
+
 // The sums go around the circle of the transform.
 TEST(DenseRow, IsThatOfTheReferenceForRowsOfAnyLength) {
   for (std::size_t count = 250; count < 290; ++count) {
@@ -269,6 +278,28 @@ TEST(DenseRow, DecidesEndsThatMotionMovesOverASample) {
       echoes.add(grid.first_s + (50.0 + where * ends_move) * grid.interval_s, 1.0, share * largest);
     expect_reference(chirp, grid, echoes);
   }
+}
+
+// Ends move by D/(1 - D), not by D alone: here by 4e-7 of a sample more.
+TEST(DenseRow, DecidesEndsByTheSquareOfTheSpeedToo) {
+  const EchoPulse tone = test_pulse(Pulse::Kind::mono, 2000.0);
+  const SampleGrid grid = test_grid(2500);
+  const double low_hz = 1e5;
+  for (const double doppler : {-2e-5, 2e-5})
+    for (int step = -5; step <= 5; ++step) {
+      const double ends_move = 1000.0 * doppler / (1.0 - doppler);
+      EchoBatch echoes;
+      for (const double end : {-1.0, 1.0})
+        echoes.add(grid.first_s + (50.0 + end * ends_move + 1e-7 * step) * grid.interval_s, 1.0, doppler);
+      echoes.add(grid.first_s + 50.3 * grid.interval_s, 1.0, -doppler);
+      SpectralKernel kernel(tone, grid, 1e-6);
+      kernel.begin(low_hz, very_many);
+      kernel.take(echoes);
+      ComplexRow row(grid.count);
+      kernel.finish(row);
+      EXPECT_LT(relative_error(row, reference_row(tone, grid, low_hz, echoes), strength_of(tone, grid, echoes)), 1e-6)
+          << doppler << ' ' << step;
+    }
 }
 
 TEST(DenseRow, TakesPartsOfAnyMotion) {

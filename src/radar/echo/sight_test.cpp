@@ -305,6 +305,56 @@ TEST(WriteEchoes, OnTheAxisOfABeamHaveGainOneAndRightAboveItNone) {
   });
 }
 
+// Its azimuth is 0 by definition: what a classic beam that looks up sees of it depends on that.
+TEST(WriteEchoes, RightAboveAreOnTheAxisOfAClassicBeamThatLooksUp) {
+  at_every_simd_level([] {
+    SightFrame frame;
+    frame.light_speed_mps = c;
+    frame.amplitude_scale = 1.0;
+    frame.axis_elevation_rad = core::pi / 2;
+    AntennaSight beam;
+    beam.offsets = AntennaSight::Offsets::world_angles;
+    for (double& cut : beam.cut) cut = 4.4;
+    PointArrays points;
+    points.x_m = points.y_m = {0.0};
+    points.z_m = {100.0};
+    points.root_rcs_m = {1.0};
+    EXPECT_NEAR(written(points, frame, beam).echoes.amplitude_sqrt_w[0], 1e-4, 1e-18);
+  });
+}
+
+// Each of them alone, where points at rest could take the shorter way.
+TEST(WriteEchoes, DeviateInOneColumnAlone) {
+  const auto echo = [](const PointJitter& jitter) {
+    SightFrame frame;
+    frame.origin_m = {300.0, 400.0, 500.0};
+    frame.light_speed_mps = c;
+    frame.amplitude_scale = 1.0;
+    frame.pulse = 3;
+    PointArrays points;
+    points.x_m = points.y_m = points.z_m = points.root_rcs_m = std::vector<double>(16, 2.0);
+    points.jitter = jitter;
+    EchoBatch echoes = batch_of(16, false);
+    EXPECT_TRUE(write_echoes(points, {0, 16}, frame, {}, {}, echoes, 0));
+    return std::pair(echoes.delay_s[5], echoes.amplitude_sqrt_w[5]);
+  };
+  at_every_simd_level([&] {
+    const std::vector<double> ones(16, 1.0);
+    const std::vector<std::uint64_t> keys(16, 77);
+    PointJitter level, height, size;
+    level.x_stddev_m = level.y_stddev_m = height.z_stddev_m = ones;
+    level.position_key = height.position_key = keys;
+    size.rcs_m2 = std::vector<double>(16, 4.0);
+    size.rcs_stddev_m2 = ones;
+    size.rcs_key = keys;
+    const auto plain = echo({});
+    EXPECT_NE(echo(level).first, plain.first);
+    EXPECT_NE(echo(height).first, plain.first);
+    EXPECT_EQ(echo(size).first, plain.first);
+    EXPECT_NE(echo(size).second, plain.second);
+  });
+}
+
 // A beam along +x with no elevation: its axis has y = 6e-17, which must not light up what stands at a right angle.
 TEST(WriteEchoes, AtARightAngleToABeamOrBeyondAreNothingHoweverTheAxisIsRounded) {
   at_every_simd_level([] {
