@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t functions = BinFunctions::count;
 constexpr std::size_t kept_bytes = 16'000'000;      // of factors, per thread
+constexpr std::size_t most_kept = 64;               // motions; those that cannot be made count too, and hold little
 constexpr std::size_t most_points = 32'768;         // of a transform: sums and factors of more would take much memory
 constexpr std::size_t most_points_of_two = 16'384;  // that a transform to another array pays for: both are in the cache
 constexpr double most_angle_rad = 0.25;             // that a series in SIMD turns strengths by
@@ -168,7 +169,7 @@ void DenseRow::limit_kept() {
   std::size_t count = 0;
   for (const Kept& kept : kept_) {
     for (const Spectrum& factor : kept.factor) bytes += factor.size() * sizeof(std::complex<float>);
-    if (bytes > kept_bytes && count > 0) break;
+    if ((bytes > kept_bytes && count > 0) || count == most_kept) break;
     ++count;
   }
   kept_.resize(count);

@@ -140,6 +140,18 @@ TEST(DenseRow, TakesTheSpanOfItsEchoesWhereItCannotShareOne) {
   EXPECT_LT(relative_error(row, reference_row(tone, grid, low_hz, all), strength_of(tone, grid, all)), 1e-6);
 }
 
+// A long recording meets ever new motions.
+TEST(DenseRow, ForgetsMotionsOfLongAgo) {
+  const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 100.4, 0.8);
+  Parts parts{&chirp, test_grid(300)};
+  const auto refused = [](int k) { return DenseMotion{carrier_hz, {1e-6 * k, cycle_doppler(100.0)}, {}}; };
+  for (int k = 0; k < 64; ++k) EXPECT_FALSE(parts.row.prepare(refused(k)));
+  EXPECT_TRUE(parts.row.is_refused(refused(0)));
+  EXPECT_FALSE(parts.row.prepare(refused(64)));
+  EXPECT_FALSE(parts.row.is_refused(refused(0)));
+  EXPECT_TRUE(parts.row.is_refused(refused(1)));
+}
+
 // Second derivatives of polynomials are as good as the change needs them, up to the largest that enters.
 TEST(DenseRow, FollowsChangesOfTheSweepOfLongPulses) {
   const SampleGrid grid = test_grid(2500);
