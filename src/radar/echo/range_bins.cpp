@@ -28,7 +28,7 @@ constexpr std::size_t floats_of_sum = 2 * functions;
 // Where the echoes of a block belong.
 struct BinPlaces {
   static constexpr std::size_t most = streams * in_turn;
-  HWY_ALIGN float ahead[most];         // p by D and a from the middle
+  HWY_ALIGN float ahead[most];         // n0 less where the echo itself begins, less half a sample
   HWY_ALIGN float apart[most];         // D from the middle
   HWY_ALIGN float bend[most];          // a from the middle
   HWY_ALIGN std::int32_t sum[most];    // where the sums begin, in floats
@@ -79,8 +79,8 @@ struct Placing {
     length.at_middle -= 0.5 + bins.least_samples;
   }
 
-  Shift begin;   // to half a sample before the first sample, rounded; less a hair
-  Shift length;  // beyond the least, less half a sample
+  Shift begin;   // half a sample less a hair after where an echo begins: rounded, the first sample that it reaches
+  Shift length;  // beyond the least number of samples, less half a sample
   double middle, bend_middle;
   double first_sample, main_run;
   std::int32_t rows, runs, main_rows;
