@@ -82,7 +82,9 @@ def run(command, folder, environment=None, **options):
             process.communicate()
             return End(None, "", [])
     lines = log.read_text(errors="replace").splitlines() if log and log.exists() else []
-    calls = [tuple(line.split(" ", 2)[1:]) for line in lines if line.count(" ") >= 2]
+    # Threads that call at the same time may tell it in another order than they were counted in.
+    told = sorted((line.split(" ", 2) for line in lines if line.count(" ") >= 2), key=lambda words: int(words[0]))
+    calls = [tuple(words[1:]) for words in told]
     return End(process.returncode, err.decode(errors="replace"), calls)
 
 
