@@ -7,8 +7,8 @@
 
 namespace sarsim::core {
 
-/// Discrete Fourier transforms of one length, without scaling (FFTW), in float or double. To another array
-/// they are up to a tenth faster than in place; the last digits differ.
+/// Discrete Fourier transforms of one length, without scaling (FFTW), in float or double. To another array they
+/// are up to a tenth faster than in place; the last digits differ.
 ///
 /// forward:  X[k] = sum over n of x[n] exp(-2 pi j k n/N);  inverse the same with +j.
 /// Plans are estimated, never timed, so that the same input gives the same bytes in every run. Executing is safe from
@@ -29,7 +29,8 @@ class BasicFft {
   /// The inverse without its factor 1/N; `data` as for `forward`.
   void inverse(std::span<std::complex<Real>> data) const;
 
-  /// The same to another array, which may not overlap `data`; these stay as they are. Plans at first use.
+  /// The transform to another array of as many values, which begins likewise and may not overlap `data`; these stay as
+  /// they are. Plans at first use.
   void forward(std::span<std::complex<Real>> data, std::span<std::complex<Real>> out) const;
 
  private:

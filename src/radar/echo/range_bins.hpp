@@ -81,8 +81,8 @@ void add_to_bins(const RangeBins& bins, const LanePolynomials<float>& weights, c
 /// sums of their bin times these factors.
 struct BinTail {
   std::size_t run = 0;
-  std::ptrdiff_t sample = 0;  ///< After n0.
-  std::array<float, BinSums::functions> re{}, im{};
+  std::ptrdiff_t sample = 0;                         ///< After n0.
+  std::array<float, BinSums::functions> re{}, im{};  ///< Factors of the sum of each function.
 
   /// What the sum of a function is multiplied by.
   void set(std::size_t function, std::complex<double> factor);

@@ -75,6 +75,26 @@ std::size_t pieces_in(std::size_t bytes, std::size_t bytes_per_piece) {
   return pieces;
 }
 
+// The piece that x is on, and where on it.
+struct PlaceOnPieces {
+  std::size_t piece;
+  double y;
+
+  template <class Real>
+  PlaceOnPieces(const LanePolynomials<Real>& all, double x) {
+    const double scaled = x * static_cast<double>(all.pieces);
+    const double whole = std::min(std::floor(scaled), static_cast<double>(all.pieces - 1));
+    piece = static_cast<std::size_t>(whole);
+    y = scaled - whole - 0.5;
+  }
+
+  // Of y^m.
+  template <class Real>
+  [[nodiscard]] double coefficient(const LanePolynomials<Real>& all, std::size_t lane, std::size_t m) const {
+    return static_cast<double>(all.coefficients[(piece * (all.degree + 1) + all.degree - m) * all.lanes + lane]);
+  }
+};
+
 }  // namespace
 
 template <class Real>
@@ -111,23 +131,18 @@ std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count, const std::fun
 
 template <class Real>
 double LanePolynomials<Real>::value(std::size_t lane, double x) const {
-  const double scaled = x * static_cast<double>(pieces);
-  const double piece = std::min(std::floor(scaled), static_cast<double>(pieces - 1));
-  const Real* at = coefficients.data() + static_cast<std::size_t>(piece) * (degree + 1) * lanes + lane;
+  const PlaceOnPieces place(*this, x);
   double sum = 0.0;
-  for (std::size_t p = 0; p <= degree; ++p) sum = sum * (scaled - piece - 0.5) + static_cast<double>(at[p * lanes]);
+  for (std::size_t m = degree + 1; m-- > 0;) sum = sum * place.y + place.coefficient(*this, lane, m);
   return sum;
 }
 
 template <class Real>
 double LanePolynomials<Real>::second_derivative(std::size_t lane, double x) const {
-  const double scaled = x * static_cast<double>(pieces);
-  const double piece = std::min(std::floor(scaled), static_cast<double>(pieces - 1));
-  const Real* at = coefficients.data() + static_cast<std::size_t>(piece) * (degree + 1) * lanes + lane;
+  const PlaceOnPieces place(*this, x);
   double sum = 0.0;
   for (std::size_t m = degree; m >= 2; --m)
-    sum =
-        sum * (scaled - piece - 0.5) + static_cast<double>(m * (m - 1)) * static_cast<double>(at[(degree - m) * lanes]);
+    sum = sum * place.y + static_cast<double>(m * (m - 1)) * place.coefficient(*this, lane, m);
   return sum * static_cast<double>(pieces * pieces);
 }
 
