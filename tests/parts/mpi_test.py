@@ -22,7 +22,10 @@ MPIRUN = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--bind-to", "none
 
 
 def mpi(ranks, *words):
-    return [*MPIRUN, "-n", str(ranks), os.environ["SARSIM_BUILT_MPI_PROGRAM"], *words]
+    """A job with a folder of its own for what its processes share: by default the jobs of a user share one, and a job
+    that ends may remove it while another begins."""
+    shared = ["--mca", "orte_tmpdir_base", tempfile.mkdtemp(prefix="job-")]
+    return [*MPIRUN, *shared, "-n", str(ranks), os.environ["SARSIM_BUILT_MPI_PROGRAM"], *words]
 
 
 def figures(err):
@@ -119,6 +122,7 @@ def main():
         sys.exit(SKIPPED)
     with tempfile.TemporaryDirectory(prefix="sarsim-mpi-") as name:
         folder = pathlib.Path(name)
+        tempfile.tempdir = name
         refusals_folder = folder / "refusals"
         same_bytes(folder)
         killed_and_resumed(folder)
