@@ -188,7 +188,7 @@ void DenseRow::forget() {
   has_sums_ = false;
 }
 
-void DenseRow::leave(std::span<std::complex<float>> spectrum, std::span<std::complex<float>> samples) {
+void DenseRow::leave(std::span<std::complex<float>> spectrum, std::vector<LoneSample>& lone) {
   CORE_EXPECT(spectrum.size() == row_fft_->size());
   if (!has_sums_) return;
   has_sums_ = false;
@@ -200,7 +200,8 @@ void DenseRow::leave(std::span<std::complex<float>> spectrum, std::span<std::com
     row_[k].resize(row_fft_->size());
     rows[k] = row_[k];
   }
-  leave_bins(kept.bins, kept.tails, sums_, static_cast<std::size_t>(first < 0 ? first + period : first), rows, samples);
+  leave_bins(kept.bins, kept.tails, sums_, static_cast<std::size_t>(first < 0 ? first + period : first), rows,
+             grid_.count, lone);
   for (std::size_t k = 0; k < functions; ++k) {
     if (kept.factor[k].empty()) continue;
     add_products<float>(spectrum, transformed(row_[k]), kept.factor[k]);

@@ -71,10 +71,8 @@ class DenseRow {
   [[nodiscard]] bool is_for(const DenseMotion& motion) const {
     return has_sums_ && kept_.front().motion.is_same(motion);
   }
-  /// Adds the spectrum of what was taken, over the length of the period, and single samples of the row, and forgets it.
-  void leave(std::span<std::complex<float>> spectrum, std::span<std::complex<float>> samples);
-  /// Whether `leave` may add single samples.
-  [[nodiscard]] bool has_samples() const { return has_sums_ && kept_.front().bins.run_count > 1; }
+  /// Adds the spectrum of what was taken, over the length of the period, and lone samples of the row, and forgets it.
+  void leave(std::span<std::complex<float>> spectrum, std::vector<LoneSample>& lone);
   /// Forgets it without that.
   void forget();
 

@@ -1,6 +1,7 @@
 #include "radar/echo/range_bins.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "core/maths/constants.hpp"
@@ -123,7 +124,7 @@ struct Turning {
 template <BinMotion Motion>
 class Placer {
  public:
-  HWY_INLINE Placer(const RangeBins& bins, const LanePolynomials<float>& weights, std::uint8_t* marks)
+  HWY_INLINE Placer(const RangeBins& bins, const LanePolynomials<float>& weights, std::uint64_t* marks)
       : placing_(bins), turning_(bins, placing_, weights), marks_(marks) {}
 
   // Of up to `in_turn` echoes.
@@ -257,8 +258,10 @@ class Placer {
   }
 
   void mark(const std::int32_t* HWY_RESTRICT sums) const {
-    for (std::size_t i = 0; i < hn::Lanes(Wide()); ++i)
-      marks_[static_cast<std::size_t>(sums[i]) / (floats_of_sum * BinSums::rows_of_mark)] = 1;
+    for (std::size_t i = 0; i < hn::Lanes(Wide()); ++i) {
+      const std::size_t place = static_cast<std::size_t>(sums[i]) / floats_of_sum;
+      marks_[place / 64] |= std::uint64_t{1} << place % 64;
+    }
   }
 
   HWY_INLINE void place_on_pieces(hn::Vec<Narrow> z, std::size_t k, BinPlaces& out) const {
@@ -272,7 +275,7 @@ class Placer {
 
   Placing placing_;
   Turning turning_;
-  std::uint8_t* marks_;  // of the sums of all runs
+  std::uint64_t* marks_;  // of the sums of all runs
 };
 
 // Adds strengths times their weights, and what bends add to these: half of the second derivative of the polynomials
@@ -370,33 +373,32 @@ HWY_INLINE std::complex<float> sample_of(const BinTail& tail, const float* HWY_R
   return {hn::GetLane(hn::SumOfLanes(d, re)), hn::GetLane(hn::SumOfLanes(d, im))};
 }
 
-// Adds the sums of other runs to those of the main run, and what that does not tell of them to the edges.
-void join_runs(const RangeBins& bins, std::span<const BinTail> tails, BinSums& sums,
-               std::span<std::complex<float>> edges) {
+// Adds the sums of other runs to those of the main run, and what that does not tell of them to lone samples.
+void join_runs(const RangeBins& bins, std::span<const BinTail> tails, BinSums& sums, std::size_t count,
+               std::vector<LoneSample>& lone) {
   constexpr std::size_t lanes = floats_of_sum;
   const hn::CappedTag<float, lanes> d;
   float* const all = sums.sums.data();
-  const auto last = static_cast<std::ptrdiff_t>(edges.size());
   const auto join = [&](std::size_t run, std::size_t n) {
     float* HWY_RESTRICT others = all + (run * bins.samples + n) * lanes;
     float* HWY_RESTRICT main = all + (bins.main_run * bins.samples + n) * lanes;
     for (const BinTail& tail : tails) {
       const std::ptrdiff_t at =
           static_cast<std::ptrdiff_t>(bins.first_sample) + static_cast<std::ptrdiff_t>(n) + tail.sample;
-      if (tail.run == run && at >= 0 && at < last) edges[static_cast<std::size_t>(at)] += sample_of(tail, others);
+      if (tail.run == run && at >= 0 && at < static_cast<std::ptrdiff_t>(count))
+        lone.push_back({static_cast<std::size_t>(at), sample_of(tail, others)});
     }
     for (std::size_t lane = 0; lane < lanes; lane += hn::Lanes(d)) {
       hn::Store(hn::Add(hn::Load(d, main + lane), hn::Load(d, others + lane)), d, main + lane);
       hn::Store(hn::Zero(d), d, others + lane);
     }
   };
-  for (std::size_t mark = 0; mark < sums.marks.size(); ++mark) {
-    if (std::exchange(sums.marks[mark], 0) == 0) continue;
-    const std::size_t begin = mark * BinSums::rows_of_mark;
-    const std::size_t end = std::min(bins.run_count * bins.samples, begin + BinSums::rows_of_mark);
-    for (std::size_t i = begin; i < end; ++i)
-      if (const std::size_t run = i / bins.samples; run != bins.main_run) join(run, i - run * bins.samples);
-  }
+  for (std::size_t word = 0; word < sums.marks.size(); ++word)
+    for (std::uint64_t marks = std::exchange(sums.marks[word], 0); marks != 0; marks &= marks - 1) {
+      const std::size_t place = 64 * word + static_cast<std::size_t>(std::countr_zero(marks));
+      const std::size_t run = place / bins.samples;
+      if (run != bins.main_run) join(run, place - run * bins.samples);
+    }
 }
 
 // Moves `count` sums of each function to rows from sample `at` on, and leaves 0.
@@ -465,7 +467,7 @@ HWY_EXPORT(move_to_rows);
 
 void BinSums::make_room(const RangeBins& bins) {
   sums.resize(bins.run_count * bins.samples * 2 * functions);
-  marks.resize(bins.run_count * bins.samples / rows_of_mark + 1);
+  marks.resize(bins.run_count * bins.samples / 64 + 1);
 }
 
 void BinSums::clear() {
@@ -492,17 +494,17 @@ void add_to_bins(const RangeBins& bins, const LanePolynomials<float>& weights, c
 }
 
 void leave_bins(const RangeBins& bins, std::span<const BinTail> tails, BinSums& sums, std::size_t first,
-                std::span<const std::span<std::complex<float>>, BinSums::functions> rows,
-                std::span<std::complex<float>> edges) {
+                std::span<const std::span<std::complex<float>>, BinSums::functions> rows, std::size_t count,
+                std::vector<LoneSample>& lone) {
   constexpr std::size_t functions = BinSums::functions;
   const std::size_t period = rows[0].size();
   CORE_EXPECT(first < period);
   CORE_EXPECT(bins.samples <= period);
-  if (bins.run_count > 1) HWY_DYNAMIC_DISPATCH(join_runs)(bins, tails, sums, edges);
+  if (bins.run_count > 1) HWY_DYNAMIC_DISPATCH(join_runs)(bins, tails, sums, count, lone);
   float* from = sums.sums.data() + bins.main_run * bins.samples * 2 * functions;
-  const auto move = [&](std::size_t count, std::size_t at) {
-    HWY_DYNAMIC_DISPATCH(move_to_rows)(from, count, at, rows);
-    from += count * 2 * functions;
+  const auto move = [&](std::size_t places, std::size_t at) {
+    HWY_DYNAMIC_DISPATCH(move_to_rows)(from, places, at, rows);
+    from += places * 2 * functions;
   };
   const std::size_t to_end = std::min(bins.samples, period - first);
   const std::size_t around = bins.samples - to_end;

@@ -61,9 +61,9 @@ struct RangeBins {
 /// Sums of strengths times their weights.
 struct BinSums {
   static constexpr std::size_t functions = BinFunctions::count;
-  static constexpr std::size_t rows_of_mark = 8;
-  core::AlignedVector<float> sums;  ///< [run][n0][real part, imaginary part][function].
-  std::vector<std::uint8_t> marks;  ///< Of each few sums: whether an echo of another than the main run may be there.
+  core::AlignedVector<float> sums;   ///< [run][n0][real part, imaginary part][function].
+  std::vector<std::uint64_t> marks;  ///< A bit for each [run][n0], lowest first: whether an echo may be there. May be
+                                     ///< missing in the main run.
 
   /// Makes room; what is new is 0, what was there is as it was.
   void make_room(const RangeBins& bins);
@@ -88,10 +88,16 @@ struct BinTail {
   void set(std::size_t function, std::complex<double> factor);
 };
 
+/// Something that one sample of a row has beside the others.
+struct LoneSample {
+  std::size_t at = 0;
+  std::complex<float> value;
+};
+
 /// Moves the sums to a row for each function, around the circle of their length, n0 at first_sample at `first`; what
-/// the main run does not tell of the others goes to `edges`, whose samples are those of the row. Leaves 0.
+/// the main run does not tell of the others is added to `lone`, of a row of `count` samples. Leaves 0.
 void leave_bins(const RangeBins& bins, std::span<const BinTail> tails, BinSums& sums, std::size_t first,
-                std::span<const std::span<std::complex<float>>, BinSums::functions> rows,
-                std::span<std::complex<float>> edges);
+                std::span<const std::span<std::complex<float>>, BinSums::functions> rows, std::size_t count,
+                std::vector<LoneSample>& lone);
 
 }  // namespace sarsim::radar

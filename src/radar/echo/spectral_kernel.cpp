@@ -141,6 +141,7 @@ struct SpectralKernel::Typed : Implementation {
     motion.reset();
     spreading = {};
     has_bodies = has_edges = has_plain = false;
+    lone.clear();
   }
 
   // Parts go onto one grid for as long as the motion of all so far asks for the same spectra.
@@ -205,8 +206,7 @@ struct SpectralKernel::Typed : Implementation {
     if constexpr (sizeof(Real) == 4) {
       if (!dense || dense->is_empty()) return;
       begin_bodies();
-      if (dense->has_samples()) begin_edges();
-      dense->leave(folded, edge_samples());
+      dense->leave(folded, lone);
     }
   }
 
@@ -223,14 +223,16 @@ struct SpectralKernel::Typed : Implementation {
   }
 
   void finish(std::span<std::complex<double>> row) override {
+    CORE_EXPECT(row.size() == grid.count);
     leave_grid();
     leave_dense();
     if (has_bodies) {
       row_fft.inverse(folded);
       add_row<Real>(row, std::span(folded).first(row.size()));
     }
-    if (has_edges) add_row<Real>(row, edge_samples().first(row.size()));
+    if (has_edges) add_row<Real>(row, edge_samples());
     if (has_plain) std::ranges::transform(row, raw_row, row.begin(), std::plus());
+    for (const LoneSample& sample : lone) row[sample.at] += std::complex<double>(sample.value);
   }
 
   void finish_filtered(std::span<std::complex<double>> out) override {
@@ -238,13 +240,14 @@ struct SpectralKernel::Typed : Implementation {
     leave_dense();
     if (!has_bodies && !has_plain) return;
     if (!has_bodies) std::ranges::fill(folded, std::complex<Real>());
-    if (has_edges || has_plain) {
+    if (has_edges || has_plain || !lone.empty()) {
       time_row.assign(row_size, {});
       if (has_edges) std::ranges::copy(edge_samples(), time_row.begin());
       if (has_plain)
         std::ranges::transform(raw_row, time_row, time_row.begin(), [](std::complex<double> z, std::complex<Real> sum) {
           return std::complex<Real>(z) + sum;
         });
+      for (const LoneSample& sample : lone) time_row[sample.at] += std::complex<Real>(sample.value);
       add_time_row();
     }
     multiply_by<Real>(folded, response);
@@ -527,6 +530,7 @@ struct SpectralKernel::Typed : Implementation {
   bool has_bodies = false;  // in `folded`
   bool has_edges = false;   // in `edge_row`
   bool has_plain = false;   // in `raw_row`
+  std::vector<LoneSample> lone;
 
   Strengths<Real> gathered;  // of the part that is taken
   core::AlignedVector<double>& position = gathered.position;
