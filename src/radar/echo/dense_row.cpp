@@ -253,16 +253,16 @@ bool DenseRow::make_bins(Kept& kept) const {
   const double longer = bins.end_late - bins.begin_late;
   // By how much motion moves one end against the other.
   const double most_bend = std::abs(kept.motion.bends.middle) + 1.01 * kept.motion.bends.half;
-  const double apart = longer * half + (bins.begin_bent + bins.end_bent) * most_bend;
+  bins.apart = longer * half + (bins.begin_bent + bins.end_bent) * most_bend;
   // Ends are moved by polynomials of second degree.
-  if (apart > 0.25 || std::pow(half, 3) * std::max(std::abs(bins.begin_late), std::abs(bins.end_late)) > 1e-10)
+  if (bins.apart > 0.25 || std::pow(half, 3) * std::max(std::abs(bins.begin_late), std::abs(bins.end_late)) > 1e-10)
     return false;
   double samples = bins.end_hard - bins.begin_hard + longer * late_rate(span.middle);
   if (std::abs(samples - std::round(samples)) < 1e-9) samples = std::round(samples);
   // The end is reached after ceil(samples - phi) samples, or as many as motion makes of that; at rest phi is below 1.
-  bins.least_samples = std::ceil(samples - 1.0 - apart);
-  if (apart == 0.0 && bins.least_samples == samples - 1.0) bins.least_samples = samples;
-  bins.run_count = static_cast<std::size_t>(std::ceil(samples + apart) - bins.least_samples) + 1;
+  bins.least_samples = std::ceil(samples - 1.0 - bins.apart);
+  if (bins.apart == 0.0 && bins.least_samples == samples - 1.0) bins.least_samples = samples;
+  bins.run_count = static_cast<std::size_t>(std::ceil(samples + bins.apart) - bins.least_samples) + 1;
   double longest = -1.0;
   for (std::size_t r = 0; r < bins.run_count; ++r) {
     const double most = samples - bins.least_samples - static_cast<double>(r) + 1.0;

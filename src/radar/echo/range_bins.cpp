@@ -78,12 +78,15 @@ struct Placing {
         main_rows(static_cast<std::int32_t>(bins.main_run * bins.samples)) {
     begin.at_middle += 0.5 - hair;
     length.at_middle -= 0.5 + bins.least_samples;
+    main_middle = length.at_middle - main_run + 0.5;
+    main_half = 0.5 - bins.apart - hair;
   }
 
   Shift begin;   // half a sample less a hair after where an echo begins: rounded, the first sample that it reaches
   Shift length;  // beyond the least number of samples, less half a sample
   double middle, bend_middle;
   double first_sample, main_run;
+  double main_middle, main_half;  // of what is ahead of echoes that are of the main run, however they move
   std::int32_t rows, runs, main_rows;
 };
 
@@ -244,17 +247,18 @@ class Placer {
       return hn::Max(hn::Zero(integer), hn::Min(hn::DemoteTo(integer, whole), hn::Set(integer, count - 1)));
     };
     auto row = limited(hn::Sub(first, hn::Set(d, placing_.first_sample)), placing_.rows);
-    bool is_main = true;
-    if (placing_.runs > 1) {
-      const auto more =
-          hn::Ceil(hn::Sub(shifted(placing_.length, apart, bends, hn::Set(d, placing_.length.at_middle)), ahead));
-      is_main = hn::AllTrue(d, hn::Eq(more, hn::Set(d, placing_.main_run)));
-      row = hn::Add(row, is_main ? hn::Set(integer, placing_.main_rows)
-                                 : hn::Mul(limited(more, placing_.runs), hn::Set(integer, placing_.rows)));
-    }
-    static_assert(floats_of_sum == 16);
-    hn::StoreU(hn::ShiftLeft<4>(row), integer, out.sum + at);
-    if (!is_main) mark(out.sum + at);
+    const auto put = [&](hn::Vec<decltype(integer)> place) {
+      static_assert(floats_of_sum == 16);
+      hn::StoreU(hn::ShiftLeft<4>(place), integer, out.sum + at);
+    };
+    if (placing_.runs == 1) return put(row);
+    const auto off = hn::Abs(hn::Sub(ahead, hn::Set(d, placing_.main_middle)));
+    if (HWY_LIKELY(hn::AllTrue(d, hn::Lt(off, hn::Set(d, placing_.main_half)))))
+      return put(hn::Add(row, hn::Set(integer, placing_.main_rows)));
+    const auto length = shifted(placing_.length, apart, bends, hn::Set(d, placing_.length.at_middle));
+    const auto run = limited(hn::Ceil(hn::Sub(length, ahead)), placing_.runs);
+    put(hn::Add(row, hn::Mul(run, hn::Set(integer, placing_.rows))));
+    mark(out.sum + at);
   }
 
   void mark(const std::int32_t* HWY_RESTRICT sums) const {

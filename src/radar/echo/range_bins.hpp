@@ -50,6 +50,7 @@ struct RangeBins {
   double least_samples = 0.0;  ///< Of the first run; one more in each further one.
   std::size_t run_count = 1;
   std::size_t main_run = 0;  ///< The one of most echoes.
+  double apart = 0.0;  ///< By how much motion moves one end of a pulse against the other from their middles, most.
 
   double first_sample = 0.0;  ///< The smallest n0.
   std::size_t samples = 0;    ///< So many n0 there are.
