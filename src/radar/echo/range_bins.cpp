@@ -38,8 +38,7 @@ struct BinPlaces {
   HWY_ALIGN float strength[2 * most];  // as it comes,
   HWY_ALIGN float re[most];            // and turned
   HWY_ALIGN float im[most];
-  HWY_ALIGN float bent_re[most];  // what half of a second derivative by y counts
-  HWY_ALIGN float bent_im[most];
+  HWY_ALIGN float bent[most];  // what half of a second derivative by y counts, times -j
 };
 
 using Wide = hn::CappedTag<double, in_turn>;
@@ -130,6 +129,8 @@ class Placer {
   HWY_INLINE Placer(const RangeBins& bins, const LanePolynomials<float>& weights, std::uint64_t* marks)
       : placing_(bins), turning_(bins, placing_, weights), marks_(marks) {}
 
+  [[nodiscard]] HWY_INLINE float per_bend() const { return turning_.per_bend; }
+
   // Of up to `in_turn` echoes.
   HWY_INLINE void place_some(const Strengths<float>& echoes, std::size_t first, std::size_t count, std::size_t at,
                              BinPlaces& out) const {
@@ -196,19 +197,9 @@ class Placer {
       auto from_re = hn::Zero(d);
       auto from_im = hn::Zero(d);
       hn::LoadInterleaved2(d, out.strength + 2 * k, from_re, from_im);
-      auto re = hn::NegMulAdd(from_im, s, hn::Mul(from_re, c));
-      auto im = hn::MulAdd(from_re, s, hn::Mul(from_im, c));
-      if constexpr (moves) {
-        const auto bend = hn::Mul(change, of(turning_.per_change));
-        const auto bent_re = hn::Mul(im, bend);
-        const auto bent_im = hn::Neg(hn::Mul(re, bend));
-        hn::Store(bent_re, d, out.bent_re + k);
-        hn::Store(bent_im, d, out.bent_im + k);
-        re = hn::MulAdd(bent_re, of(turning_.per_bend), re);
-        im = hn::MulAdd(bent_im, of(turning_.per_bend), im);
-      }
-      hn::Store(re, d, out.re + k);
-      hn::Store(im, d, out.im + k);
+      hn::Store(hn::NegMulAdd(from_im, s, hn::Mul(from_re, c)), d, out.re + k);
+      hn::Store(hn::MulAdd(from_re, s, hn::Mul(from_im, c)), d, out.im + k);
+      if constexpr (moves) hn::Store(hn::Mul(change, of(turning_.per_change)), d, out.bent + k);
     }
   }
 
@@ -287,8 +278,8 @@ class Placer {
 template <std::size_t Degree, bool Bends>
 class Adder {
  public:
-  HWY_INLINE Adder(const LanePolynomials<float>& weights, float* sums)
-      : coefficients_(weights.coefficients.data()), degree_(weights.degree), sums_(sums) {}
+  HWY_INLINE Adder(const LanePolynomials<float>& weights, float per_bend, float* sums)
+      : coefficients_(weights.coefficients.data()), degree_(weights.degree), per_bend_(per_bend), sums_(sums) {}
 
   HWY_INLINE void add(const BinPlaces& places, std::size_t k) const {
     const D d;
@@ -302,16 +293,22 @@ class Adder {
       V weight = c;
       V bend = hn::Zero(d);  // of the sum of c y^m, that of m (m - 1)/2 c y^(m - 2)
       for (std::size_t m = degree(); m > 0; --m) {
-        if (Bends && m >= 2) bend = hn::MulAdd(bend, y, m > 2 ? hn::Mul(c, half_product(m)) : c);
+        if (Bends && m >= 2) {
+          const V own = m > 2 ? hn::Mul(c, half_product(m)) : c;
+          bend = m == degree() ? own : hn::MulAdd(bend, y, own);
+        }
         c = hn::Load(d, from + (degree() - m + 1) * functions + f);
         weight = hn::MulAdd(weight, y, c);
       }
+      const V by_re = hn::Set(d, places.re[k]);
+      const V by_im = hn::Set(d, places.im[k]);
       if constexpr (Bends) {
-        re = hn::MulAdd(bend, hn::Set(d, places.bent_re[k]), re);
-        im = hn::MulAdd(bend, hn::Set(d, places.bent_im[k]), im);
+        bend = hn::Mul(hn::MulAdd(weight, hn::Set(d, per_bend_), bend), hn::Set(d, places.bent[k]));
+        re = hn::MulAdd(bend, by_im, re);
+        im = hn::NegMulAdd(bend, by_re, im);
       }
-      hn::Store(hn::MulAdd(weight, hn::Set(d, places.re[k]), re), d, at + f);
-      hn::Store(hn::MulAdd(weight, hn::Set(d, places.im[k]), im), d, at + functions + f);
+      hn::Store(hn::MulAdd(weight, by_re, re), d, at + f);
+      hn::Store(hn::MulAdd(weight, by_im, im), d, at + functions + f);
     }
   }
 
@@ -324,6 +321,7 @@ class Adder {
 
   const float* HWY_RESTRICT coefficients_;
   std::size_t degree_;
+  float per_bend_;
   float* sums_;
 };
 
@@ -331,7 +329,7 @@ template <BinMotion Motion, std::size_t Degree>
 void add_all(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
              BinSums& out) {
   const Placer<Motion> placer(bins, weights, out.marks.data());
-  const Adder<Degree, Motion != BinMotion::none> adder(weights, out.sums.data());
+  const Adder<Degree, Motion != BinMotion::none> adder(weights, placer.per_bend(), out.sums.data());
   BinPlaces places{};
   const std::size_t part = echoes.position.size() / streams;
   for (std::size_t from = 0; from < part; from += in_turn) {
