@@ -12,14 +12,37 @@ namespace sarsim::radar {
 namespace {
 
 constexpr std::size_t functions = BinFunctions::count;
-constexpr std::size_t kept_bytes = 16'000'000;      // of factors, per thread
-constexpr std::size_t most_kept = 64;               // motions; those that cannot be made count too, and hold little
+constexpr std::size_t kept_bytes = 16'000'000;   // of factors, per thread
+constexpr std::size_t most_kept = 64;            // motions; those that cannot be made count too, and hold little
+constexpr std::size_t pieces_of_degree_2 = 128;  // of polynomials, which stay in the nearest cache
+constexpr std::size_t weights_bytes = pieces_of_degree_2 * 3 * functions * sizeof(float);
 constexpr std::size_t most_points = 32'768;         // of a transform: sums and factors of more would take much memory
 constexpr std::size_t most_points_of_two = 16'384;  // that a transform to another array pays for: both are in the cache
+constexpr double bend_shares = 3.0;                 // of the error, for second derivatives of polynomials
 constexpr double most_angle_rad = 0.25;             // that a series in SIMD turns strengths by
 constexpr double most_width = 3.0;                  // c of the functions: eight of them are enough up to about 2
 
 double late_rate(double doppler) { return doppler / (1.0 - doppler); }
+
+// How far a span of D takes the functions.
+struct Reach {
+  double width;  // c of the functions
+  double rad;    // by which the change of the sweep turns the ends of the pulse
+
+  Reach(const EchoPulse& pulse, double interval_s, double carrier_hz, double half_doppler) {
+    const double samples = pulse.pulse.width_s / interval_s;
+    const double sweep = std::abs(pulse.pulse.sweep_rate_hz_per_s()) * interval_s * interval_s;
+    const double shift = std::abs(carrier_hz) * interval_s * half_doppler;
+    width = core::pi * samples * (0.5 * sweep + shift);
+    rad = 0.5 * core::pi * sweep * half_doppler * samples * samples;
+  }
+
+  // Whether the second derivatives of polynomials of degree 2 keep their shares: what a piece leaves of c rad x^3, the
+  // place in the pulse x being in [-1, 1], root mean square of both.
+  [[nodiscard]] bool suits_degree_2(double share) const {
+    return width * rad / (std::sqrt(21.0) * static_cast<double>(pieces_of_degree_2)) <= bend_shares * share;
+  }
+};
 
 }  // namespace
 
@@ -116,21 +139,24 @@ bool DenseRow::suits(const EchoPulse& pulse, const PulseBody& body) {
 
 std::size_t DenseRow::transforms_about(const EchoPulse& pulse, double interval_s, double carrier_hz,
                                        double half_doppler, double error) {
-  const double samples = pulse.pulse.width_s / interval_s;
-  const double sweep = std::abs(pulse.pulse.sweep_rate_hz_per_s()) * interval_s * interval_s;
-  // The change of the sweep turns the ends of the pulse by so much; what its square leaves, over pulse and speeds.
-  const double rad = 0.5 * core::pi * sweep * half_doppler * samples * samples;
-  if (0.029 * rad * rad > error) return functions + 1;
-  const double shift = std::abs(carrier_hz) * interval_s * half_doppler;
-  return BinFunctions::needed(core::pi * samples * (0.5 * sweep + shift), error);
+  const Reach reach(pulse, interval_s, carrier_hz, half_doppler);
+  // What the square of the angle leaves, over pulse and speeds.
+  if (0.029 * reach.rad * reach.rad > error) return functions + 1;
+  return BinFunctions::needed(reach.width, error);
 }
 
-// A tenth of the error, so that second derivatives of polynomials of the usual degree will do.
+// A tenth of the error, so that second derivatives of polynomials of degree 3 will do; and not beyond those of degree 2
+// where the echoes are within.
 DopplerSpan DenseRow::shared_span(const EchoPulse& pulse, double interval_s, double carrier_hz, const DopplerSpan& span,
                                   double error) {
   if (span.half == 0.0) return span;
-  const DopplerSpan wide{std::round(span.middle / span.half) * span.half, 4.0 * span.half};
-  return transforms_about(pulse, interval_s, carrier_hz, wide.half, 0.1 * error) <= functions ? wide : span;
+  const double half = 2.0 * span.half;
+  if (transforms_about(pulse, interval_s, carrier_hz, half, 0.1 * error) > functions) return span;
+  const auto suits_degree_2 = [&](double half_doppler) {
+    return Reach(pulse, interval_s, carrier_hz, half_doppler).suits_degree_2(error);
+  };
+  if (suits_degree_2(span.half) && !suits_degree_2(half)) return span;
+  return {std::round(span.middle / half) * half, half};
 }
 
 // Echoes that take as long one by one as a point of the transforms, by measurement (docs/developer/performance.md).
@@ -360,14 +386,18 @@ double DenseRow::bend_error(const Kept& kept, const Fit& fit) {
   return fit.bend_of(kept.bins.most_change) * std::sqrt(sum / (checks + 1));
 }
 
-// False where polynomials do not keep the share, or their second derivatives.
+// False where the polynomials leave more than half of a share, or their second derivatives more than three: bins have
+// a row of eight shares to themselves, and the functions leave one at most.
 bool DenseRow::make_weights(Kept& kept, const Fit& fit, double share) {
-  auto weights = fit_lanes<float>(
-      functions, [&](std::size_t k, double x) { return kept.size[k] * fit.value(k, 2.0 * x - 1.0); }, 0.3 * share,
-      functions);
-  if (!weights) return false;
-  kept.weights = std::move(*weights);
-  return bend_error(kept, fit) < 0.5 * share;
+  for (std::size_t lowest_degree = 2; lowest_degree <= 3; ++lowest_degree) {
+    auto weights =
+        fit_lanes<float>(functions, [&](std::size_t k, double x) { return kept.size[k] * fit.value(k, 2.0 * x - 1.0); },
+                         0.5 * share, {functions, lowest_degree, weights_bytes});
+    if (!weights) return false;
+    kept.weights = std::move(*weights);
+    if (bend_error(kept, fit) < bend_shares * share) return true;
+  }
+  return false;
 }
 
 void DenseRow::make_tails(Kept& kept, const Fit& fit) {

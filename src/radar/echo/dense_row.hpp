@@ -43,7 +43,7 @@ class DenseRow {
   /// @param error         relative, allowed
   [[nodiscard]] static std::size_t transforms_about(const EchoPulse& pulse, double interval_s, double carrier_hz,
                                                     double half_doppler, double error);
-  /// A span of four times the width around `span`, which more pulses have in common, where the functions follow its
+  /// A span of twice the width around `span`, which more pulses have in common, where the functions follow its
   /// motion as well; otherwise `span`.
   [[nodiscard]] static DopplerSpan shared_span(const EchoPulse& pulse, double interval_s, double carrier_hz,
                                                const DopplerSpan& span, double error);

@@ -349,14 +349,18 @@ void add_all(const RangeBins& bins, const LanePolynomials<float>& weights, const
 
 void add_on_target(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
                    BinSums& out) {
-  constexpr std::size_t usual = 3;  // degree
-  if (weights.degree != usual || bins.bends)
-    bins.bends   ? add_all<BinMotion::bent, 0>(bins, weights, echoes, out)
-    : bins.moves ? add_all<BinMotion::even, 0>(bins, weights, echoes, out)
-                 : add_all<BinMotion::none, 0>(bins, weights, echoes, out);
-  else
-    bins.moves ? add_all<BinMotion::even, usual>(bins, weights, echoes, out)
-               : add_all<BinMotion::none, usual>(bins, weights, echoes, out);
+  if (bins.bends) return add_all<BinMotion::bent, 0>(bins, weights, echoes, out);
+  switch (weights.degree) {
+    case 2:
+      return bins.moves ? add_all<BinMotion::even, 2>(bins, weights, echoes, out)
+                        : add_all<BinMotion::none, 2>(bins, weights, echoes, out);
+    case 3:
+      return bins.moves ? add_all<BinMotion::even, 3>(bins, weights, echoes, out)
+                        : add_all<BinMotion::none, 3>(bins, weights, echoes, out);
+    default:
+      return bins.moves ? add_all<BinMotion::even, 0>(bins, weights, echoes, out)
+                        : add_all<BinMotion::none, 0>(bins, weights, echoes, out);
+  }
 }
 
 // What a tail says of the sums of a bin.

@@ -28,15 +28,20 @@ struct LanePolynomials {
   static constexpr std::size_t granularity = 64 / sizeof(Real);
 };
 
+/// What polynomials may be.
+template <class Real>
+struct LaneLimits {
+  std::size_t grain = LanePolynomials<Real>::granularity;  ///< The number of lanes is padded to a multiple of it.
+  std::size_t lowest_degree = 3;
+  std::size_t bytes = sizeof(Real) == 4 ? 8'192 : 32'768;  ///< Most, of all pieces.
+};
+
 /// Fits f(lane, x) for lanes 0 ... count - 1 at Chebyshev points, with an error below `tolerance` at check points
-/// between them: the lowest degree, from 3 on, for which pieces of at most 8 kB (32 kB in double precision) in all
-/// suffice. Nothing where no degree up to 24 does.
-/// @param grain  lanes that the number of lanes is padded to a multiple of
+/// between them: the lowest degree for which pieces within the limits suffice. Nothing where no degree up to 24 does.
 template <class Real>
 [[nodiscard]] std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count,
                                                              const std::function<double(std::size_t, double)>& f,
-                                                             double tolerance,
-                                                             std::size_t grain = LanePolynomials<Real>::granularity);
+                                                             double tolerance, const LaneLimits<Real>& limits = {});
 
 /// Where a non-uniform transform puts its strengths: the exponential of a semicircle,
 /// phi(z) = exp(beta (sqrt(1 - z^2) - 1)), |z| <= 1, over `width` grid cells, for a grid with twice as many points as

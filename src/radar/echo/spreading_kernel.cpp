@@ -99,12 +99,12 @@ struct PlaceOnPieces {
 
 template <class Real>
 std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count, const std::function<double(std::size_t, double)>& f,
-                                               double tolerance, std::size_t grain) {
+                                               double tolerance, const LaneLimits<Real>& limits) {
+  const std::size_t grain = limits.grain;
   CORE_EXPECT(count > 0);
   CORE_EXPECT(grain > 0);
   CORE_EXPECT(tolerance >= 0.0);
   constexpr std::size_t highest = 24;
-  constexpr std::size_t table_bytes = sizeof(Real) == 4 ? 8192 : 32768;
   LanePolynomials<Real> result;
   result.lanes = (count + grain - 1) / grain * grain;
   const auto fits = [&] {
@@ -122,8 +122,8 @@ std::optional<LanePolynomials<Real>> fit_lanes(std::size_t count, const std::fun
       }
     return true;
   };
-  for (result.degree = 3; result.degree <= highest; ++result.degree) {
-    result.pieces = pieces_in(table_bytes, (result.degree + 1) * result.lanes * sizeof(Real));
+  for (result.degree = limits.lowest_degree; result.degree <= highest; ++result.degree) {
+    result.pieces = pieces_in(limits.bytes, (result.degree + 1) * result.lanes * sizeof(Real));
     if (fits()) return result;
   }
   return std::nullopt;
@@ -150,10 +150,10 @@ template struct LanePolynomials<float>;
 template struct LanePolynomials<double>;
 
 template std::optional<LanePolynomials<float>> fit_lanes(std::size_t, const std::function<double(std::size_t, double)>&,
-                                                         double, std::size_t);
+                                                         double, const LaneLimits<float>&);
 template std::optional<LanePolynomials<double>> fit_lanes(std::size_t,
                                                           const std::function<double(std::size_t, double)>&, double,
-                                                          std::size_t);
+                                                          const LaneLimits<double>&);
 
 SpreadingKernel::SpreadingKernel(double tolerance)
     : width(static_cast<std::size_t>(std::clamp(std::ceil(std::log10(1.0 / tolerance)) + 1.0, 4.0, 14.0))),

@@ -32,7 +32,7 @@ TYPED_TEST(Spreading, FitReproducesAPolynomialAndLeavesThePaddingZero) {
 
 TYPED_TEST(Spreading, FitHasTheSecondDerivativeToo) {
   const auto f = [](std::size_t lane, double x) { return std::sin((2.0 + static_cast<double>(lane)) * x); };
-  const auto p = fit_lanes<TypeParam>(3, f, 1e-7, 4).value();
+  const auto p = fit_lanes<TypeParam>(3, f, 1e-7, {.grain = 4}).value();
   ASSERT_EQ(p.lanes, 4u);
   for (std::size_t lane = 0; lane < p.lanes; ++lane)
     for (double x = 0.0; x <= 1.0; x += 0.0173) {
@@ -66,6 +66,20 @@ TYPED_TEST(Spreading, FitOfWhatNoPolynomialReachesIsNothing) {
       1, [](std::size_t, double x) { return x < 0.3 ? 0.0 : 1.0; }, 1e-6));
   EXPECT_FALSE(fit_lanes<TypeParam>(
       1, [](std::size_t, double x) { return std::exp(x); }, 0.0));
+}
+
+TYPED_TEST(Spreading, DegreesAndPiecesKeepTheLimits) {
+  const auto f = [](std::size_t, double x) { return std::cos(2.6 * x); };
+  const auto of = [&](std::size_t lowest_degree, std::size_t pieces) {
+    const std::size_t bytes = pieces * (lowest_degree + 1) * 8 * sizeof(TypeParam);
+    return fit_lanes<TypeParam>(8, f, 1e-7, {.grain = 8, .lowest_degree = lowest_degree, .bytes = bytes}).value();
+  };
+  const LanePolynomials<TypeParam> low = of(2, 128);
+  EXPECT_EQ(low.degree, 2u);
+  EXPECT_EQ(low.pieces, 128u);
+  for (double x = 0.0; x <= 1.0; x += 0.0173) EXPECT_NEAR(low.value(3, x), f(3, x), 2e-7);
+  EXPECT_EQ(of(3, 64).degree, 3u);
+  EXPECT_GT(of(2, 32).degree, 2u);  // too few pieces
 }
 
 TYPED_TEST(Spreading, TapsAreTheKernelAtTheCellsAroundAPosition) {
