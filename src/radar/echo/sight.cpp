@@ -89,6 +89,7 @@ struct RadarWay {
   double square;          // way.way
   double per_still;       // 2/(1 - way.way)
   double way_slope;       // way.slope
+  bool is_even;           // whether slope is way but for rounding: always, unless the radar jumps or jerks
 };
 
 RadarWay way_of(const SightFrame& frame) {
@@ -99,6 +100,7 @@ RadarWay way_of(const SightFrame& frame) {
   out.square = core::dot(out.way, out.way);
   out.per_still = 2.0 / (1.0 - out.square);
   out.way_slope = core::dot(out.way, out.slope);
+  out.is_even = core::norm(out.slope - out.way) <= 1e-15;
   return out;
 }
 
@@ -140,7 +142,6 @@ struct Flights {
   Vector per_distance;  // 1/distance
   Vector per_ways;      // 1/(way out times way home)
   Vector delay, doppler;
-  Mask slow;  // nothing near the speed of light
 };
 
 // The level part of a vector.
@@ -357,8 +358,8 @@ struct Columns {
   }
 };
 
-// thesis_flight_of, in vectors.
-HWY_INLINE void set_thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity,
+// thesis_flight_of, in vectors; a mask of those not near the speed of light.
+HWY_INLINE Mask set_thesis_flights(Tag d, const SightFrame& frame, const Triple& look, const Triple& velocity,
                                    Flights& out) {
   out.look = look;
   const auto distance2 = inner(look, look);
@@ -368,7 +369,7 @@ HWY_INLINE void set_thesis_flights(Tag d, const SightFrame& frame, const Triple&
   const auto v = hn::Mul(inner(look, velocity), out.per_distance);
   out.delay = hn::Div(hn::Add(out.distance, out.distance), hn::Sub(hn::Set(d, frame.light_speed_mps), v));
   out.doppler = hn::Mul(hn::Add(v, v), hn::Set(d, 1.0 / frame.light_speed_mps));
-  out.slow = hn::Lt(hn::Abs(v), hn::Set(d, 0.999 * frame.light_speed_mps));
+  return hn::Lt(hn::Abs(v), hn::Set(d, 0.999 * frame.light_speed_mps));
 }
 
 // flight_of for points at rest.
@@ -377,7 +378,6 @@ HWY_INLINE void set_flights_to_rest(Tag d, const RadarWay& radar, const Triple& 
   const auto distance2 = inner(look, look);
   out.look = look;
   out.distance = hn::Sqrt(distance2);
-  out.slow = radar.square < 0.998 ? hn::Eq(one, one) : hn::Gt(one, one);
   if (radar.square == 0.0) {
     out.per_ways = hn::Div(one, distance2);
     out.per_distance = hn::Mul(out.per_ways, out.distance);
@@ -389,19 +389,25 @@ HWY_INLINE void set_flights_to_rest(Tag d, const RadarWay& radar, const Triple& 
   const auto length = hn::Mul(hn::Sub(out.distance, along), hn::Set(d, radar.per_still));
   const auto home = hn::Sub(length, out.distance);
   out.delay = hn::Mul(length, hn::Set(d, radar.per_light));
-  // 1 - D = (1 - u2.w)/(1 - u1.w), over the common denominator d2 (d1 - r1.w); one division for all.
+  if (radar.is_even) {  // D = 1 - d1/d2
+    out.per_ways = hn::Div(one, hn::Mul(out.distance, home));
+    out.per_distance = hn::Mul(out.per_ways, home);
+    out.doppler = hn::Mul(hn::Sub(home, out.distance), hn::Mul(out.per_ways, out.distance));
+    return;
+  }
+  // D = 1 - (1 - u2.w)/(1 - u1.w) is (d1 + d2)(way.w d1 - r1.w)/(d2 (d1 - r1.w)); one division for all.
   const auto out_w = inner(look, all_lanes(d, radar.slope));
-  const auto home_w = hn::MulSub(length, hn::Set(d, radar.way_slope), out_w);
   const auto ahead = hn::Sub(out.distance, out_w);
+  const auto slower = hn::Mul(length, hn::MulSub(out.distance, hn::Set(d, radar.way_slope), out_w));
   const auto home_ahead = hn::Mul(home, ahead);
   const auto per_all = hn::Div(one, hn::Mul(out.distance, home_ahead));
   out.per_distance = hn::Mul(per_all, home_ahead);
   out.per_ways = hn::Mul(per_all, ahead);
-  out.doppler = hn::Mul(hn::MulSub(home_w, out.distance, hn::Mul(out_w, home)), hn::Mul(per_all, out.distance));
+  out.doppler = hn::Mul(slower, hn::Mul(per_all, out.distance));
 }
 
-// flight_of, in vectors.
-HWY_INLINE void set_flights(Tag d, const RadarWay& radar, double anchor_s, const Triple& look, const Triple& velocity,
+// flight_of, in vectors; a mask of points not near the speed of light.
+HWY_INLINE Mask set_flights(Tag d, const RadarWay& radar, double anchor_s, const Triple& look, const Triple& velocity,
                             Flights& out) {
   const auto scale = hn::Set(d, radar.per_light);
   const Triple b{hn::Mul(velocity.x, scale), hn::Mul(velocity.y, scale), hn::Mul(velocity.z, scale)};
@@ -429,7 +435,7 @@ HWY_INLINE void set_flights(Tag d, const RadarWay& radar, double anchor_s, const
   const auto sum = hn::Add(hn::Sub(out_b, home_b), hn::Sub(home_w, out_w));
   const auto products = hn::MulSub(out_w, home_b, hn::Mul(out_b, home_w));
   out.doppler = hn::Div(hn::Add(sum, products), hn::Mul(hn::Sub(one, out_w), hn::Sub(one, home_b)));
-  out.slow = hn::And(hn::Lt(b2, hn::Set(d, 0.998)), hn::Lt(hn::Set(d, radar.square), hn::Set(d, 0.998)));
+  return hn::Lt(b2, hn::Set(d, 0.998));
 }
 
 // bend_of and bend, in vectors.
@@ -461,13 +467,14 @@ HWY_INLINE Triple seen_at(Tag d, const Scenery& scenery, const Triple& point) {
           hn::Add(point.z, hn::Set(d, origin.z))};
 }
 
-// The flights to one vector of points; writes where their echoes go.
+// The flights to one vector of points; writes where their echoes go. A mask of points not near the speed of light.
 template <bool Plain, bool Whole>
-HWY_INLINE void set_flights_at(Tag d, const Scenery& scenery, const Points<Whole>& at, const Columns& to,
+HWY_INLINE Mask set_flights_at(Tag d, const Scenery& scenery, const Points<Whole>& at, const Columns& to,
                                Flights& out) {
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
   const Triple point{at.of(d, points.x_m), at.of(d, points.y_m), at.of(d, points.z_m)};
+  Mask slow = hn::FirstN(d, hn::Lanes(d));
   if constexpr (Plain) {
     set_flights_to_rest(d, scenery.way, seen_at(d, scenery, point), out);
   } else {
@@ -477,15 +484,16 @@ HWY_INLINE void set_flights_at(Tag d, const Scenery& scenery, const Points<Whole
         at_rest && !frame.bends ? Triple{} : turned(d, frame.world_from_platform_rate, point, frame.velocity_mps);
     const Triple seen = seen_at(d, scenery, drawn_position(d, points, at, frame.pulse, point));
     if (frame.light_time == LightTime::thesis)
-      set_thesis_flights(d, frame, seen, velocity, out);
+      slow = set_thesis_flights(d, frame, seen, velocity, out);
     else if (at_rest)
       set_flights_to_rest(d, scenery.way, seen, out);
     else
-      set_flights(d, scenery.way, frame.anchor_s, seen, velocity, out);
+      slow = set_flights(d, scenery.way, frame.anchor_s, seen, velocity, out);
     if (to.bend != nullptr) at.put(d, frame.bends ? bent(d, frame, point, velocity, out) : hn::Zero(d), to.bend);
   }
   at.put(d, out.delay, to.delay);
   at.put(d, out.doppler, to.doppler);
+  return slow;
 }
 
 // The echoes of one vector of points; a mask of those that are certain to be possible. Plain: see `is_plain`.
@@ -495,7 +503,7 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const
   const PointArrays& points = scenery.points;
   const SightFrame& frame = scenery.frame;
   Flights flight;
-  set_flights_at<Plain>(d, scenery, at, to, flight);
+  const Mask slow = set_flights_at<Plain>(d, scenery, at, to, flight);
   const auto root_rcs = Plain ? at.of(d, points.root_rcs_m) : drawn_root_rcs(d, points, at, frame.pulse);
   auto a = hn::Mul(root_rcs, hn::Set(d, frame.amplitude_scale));
   auto decibels = hn::Zero(d);
@@ -505,7 +513,8 @@ HWY_INLINE Mask echoes_at(const Scenery& scenery, const Points<Whole>& at, const
   if (frame.spreading) a = hn::Mul(a, flight.per_ways);
   at.put(d, a, to.amplitude);
   const auto apart = hn::Ge(flight.distance, hn::Set(d, doubtful_distance_m));
-  return hn::And(hn::And(flight.slow, apart), hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));
+  const auto possible = hn::And(apart, hn::Le(hn::Abs(a), hn::Set(d, doubtful_amplitude)));
+  return Plain ? possible : hn::And(slow, possible);
 }
 
 // The last few points; a function of its own, or the compiler takes its time over the two copies of the geometry.
@@ -543,7 +552,7 @@ bool write_on_target(const PointArrays& points, const PointSpan& run, const Sigh
     const Scenery copy = scenery;  // since its address is taken
     possible = hn::And(possible, rest_at(copy, {run.end - rest, rest}, to.from(run.size() - rest)));
   }
-  return hn::AllTrue(d, possible);
+  return scenery.way.square < 0.998 && hn::AllTrue(d, possible);
 }
 
 }  // namespace sarsim::radar::HWY_NAMESPACE
