@@ -142,7 +142,9 @@ std::vector<SightFrame> frames_of_all_kinds(std::mt19937& random) {
   SightFrame upright = from_moving;
   upright.world_from_platform = SightFrame().world_from_platform;
   upright.bends = false;
-  return {thesis, moving, both, still, from_moving, upright};
+  SightFrame even = upright;
+  even.radar_slope_mps = even.radar_mps;
+  return {thesis, moving, both, still, from_moving, upright, even};
 }
 
 // Bends go where there is room for them; without, points at rest take a shorter way.
@@ -425,6 +427,20 @@ TEST(WriteEchoes, TellWhetherAnyOfThemMayBeImpossible) {
       EXPECT_FALSE(possible(i, {10, 0, 0}, 1.0, {-1.001 * c, 0, 0}));
     }
     EXPECT_TRUE(possible(0, {10, 0, 0}, 1.0, {0.9 * c, 0, 0}));
+  });
+}
+
+TEST(WriteEchoes, MayBeImpossibleForARadarNearTheSpeedOfLight) {
+  std::mt19937 random(4);
+  const PointArrays points = random_points(random, 11, false);
+  at_every_simd_level([&] {
+    for (SightFrame frame : frames_of_all_kinds(random)) {
+      if (frame.light_time == LightTime::thesis) continue;  // it knows no speed of the radar alone
+      for (const double speed : {0.9 * c, 1.001 * c}) {
+        frame.radar_mps = frame.radar_slope_mps = {0, speed, 0};
+        EXPECT_EQ(written(points, frame).possible, speed < c);
+      }
+    }
   });
 }
 
