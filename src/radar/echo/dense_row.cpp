@@ -146,17 +146,20 @@ std::size_t DenseRow::transforms_about(const EchoPulse& pulse, double interval_s
 }
 
 // A tenth of the error, so that second derivatives of polynomials of degree 3 will do; and not beyond those of degree 2
-// where the echoes are within.
+// where the echoes are within. Halves are powers of two, so that spans of several widths share one.
 DopplerSpan DenseRow::shared_span(const EchoPulse& pulse, double interval_s, double carrier_hz, const DopplerSpan& span,
                                   double error) {
   if (span.half == 0.0) return span;
-  const double half = 2.0 * span.half;
-  if (transforms_about(pulse, interval_s, carrier_hz, half, 0.1 * error) > functions) return span;
-  const auto suits_degree_2 = [&](double half_doppler) {
-    return Reach(pulse, interval_s, carrier_hz, half_doppler).suits_degree_2(error);
+  const auto suits_degree_2 = [&](double half) {
+    return Reach(pulse, interval_s, carrier_hz, half).suits_degree_2(error);
   };
-  if (suits_degree_2(span.half) && !suits_degree_2(half)) return span;
-  return {std::round(span.middle / half) * half, half};
+  const bool is_low = suits_degree_2(span.half);
+  for (double half = 8.0 * span.half; half > span.half; half *= 0.5) {
+    if (is_low && !suits_degree_2(half)) continue;
+    if (transforms_about(pulse, interval_s, carrier_hz, half, 0.1 * error) <= functions)
+      return {std::round(span.middle / half) * half, half};
+  }
+  return span;
 }
 
 // Echoes that take as long one by one as a point of the transforms, by measurement (docs/developer/performance.md).

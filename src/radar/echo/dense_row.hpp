@@ -43,8 +43,8 @@ class DenseRow {
   /// @param error         relative, allowed
   [[nodiscard]] static std::size_t transforms_about(const EchoPulse& pulse, double interval_s, double carrier_hz,
                                                     double half_doppler, double error);
-  /// A span of twice the width around `span`, which more pulses have in common, where the functions follow its
-  /// motion as well; otherwise `span`.
+  /// A span around `span`, up to eight times as wide, which more pulses have in common, as far as the functions follow
+  /// its motion as well; otherwise `span`.
   [[nodiscard]] static DopplerSpan shared_span(const EchoPulse& pulse, double interval_s, double carrier_hz,
                                                const DopplerSpan& span, double error);
   /// Whether they are faster than echoes one by one.

@@ -96,23 +96,31 @@ TEST(DenseRow, KnowsForWhichSpansOfDopplerFunctionsAreEnough) {
   }
 }
 
-TEST(DenseRow, SharesASpanTwiceAsWideWhereFunctionsFollowIt) {
+TEST(DenseRow, SharesASpanAsWideAsFunctionsFollow) {
   const EchoPulse chirp = test_pulse(Pulse::Kind::chirp, 2000.0, 0.8);
   const auto shared = [&](const DopplerSpan& span) {
     return DenseRow::shared_span(chirp, test_interval_s, carrier_hz, span, 1.25e-7);
   };
   const double half = std::exp2(-26);  // 1.5e-8
-  EXPECT_EQ(shared({3.25 * half, half}), (DopplerSpan{4.0 * half, 2.0 * half}));
-  // Polynomials of degree 2 would not do any more,
+  // Polynomials of degree 2 would not do beyond four times of it,
+  EXPECT_EQ(shared({3.25 * half, half}), (DopplerSpan{4.0 * half, 4.0 * half}));
+  EXPECT_EQ(shared({12.5 * half, 2.0 * half}), (DopplerSpan{12.0 * half, 4.0 * half}));
   EXPECT_EQ(shared({12.5 * half, 4.0 * half}), (DopplerSpan{12.5 * half, 4.0 * half}));
-  // which do not here.
+  // and do not here.
   EXPECT_EQ(shared({26.0 * half, 8.0 * half}), (DopplerSpan{32.0 * half, 16.0 * half}));
   // The ends would turn by more than 7e-4 rad.
   EXPECT_EQ(shared({26.0 * half, 16.0 * half}), (DopplerSpan{26.0 * half, 16.0 * half}));
   EXPECT_EQ(shared({half, 0.0}), (DopplerSpan{half, 0.0}));
+  EXPECT_EQ(shared({0.0, std::exp2(-40)}), (DopplerSpan{0.0, std::exp2(-37)}));
   // Neighbours have it in common.
-  for (const double middle : {-2.25, -2.0, -1.75})
-    EXPECT_EQ(shared({middle * half, half}), (DopplerSpan{-2.0 * half, 2.0 * half})) << middle;
+  for (const double middle : {-5.75, -4.0, -2.25})
+    EXPECT_EQ(shared({middle * half, half}), (DopplerSpan{-4.0 * half, 4.0 * half})) << middle;
+  // Whatever is in a span is in that which it shares.
+  for (double middle = -9.0; middle < 9.0; middle += 0.25) {
+    const DopplerSpan wide = shared({middle * half, half});
+    EXPECT_LE(wide.middle - wide.half, (middle - 1.0) * half);
+    EXPECT_GE(wide.middle + wide.half, (middle + 1.0) * half);
+  }
 }
 
 // Where the wider span moves ends too far apart, that of the echoes serves.
