@@ -6,6 +6,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
+#include "radar/echo/spectral_settings.hpp"
 
 namespace sarsim::radar {
 
@@ -18,9 +19,9 @@ constexpr std::size_t pieces_of_degree_2 = 128;  // of polynomials, which stay i
 constexpr std::size_t weights_bytes = pieces_of_degree_2 * 3 * functions * sizeof(float);
 constexpr std::size_t most_points = 32'768;         // of a transform: sums and factors of more would take much memory
 constexpr std::size_t most_points_of_two = 16'384;  // that a transform to another array pays for: both are in the cache
-constexpr double bend_shares = 3.0;                 // of the error, for second derivatives of polynomials
-constexpr double most_angle_rad = 0.25;             // that a series in SIMD turns strengths by
-constexpr double most_width = 3.0;                  // c of the functions: eight of them are enough up to about 2
+constexpr double bend_shares = SpectralSettings::motion_shares;  // of the error, for second derivatives of polynomials
+constexpr double most_angle_rad = 0.25;                          // that a series in SIMD turns strengths by
+constexpr double most_width = 3.0;  // c of the functions: eight of them are enough up to about 2
 
 double late_rate(double doppler) { return doppler / (1.0 - doppler); }
 

@@ -62,6 +62,15 @@ std::size_t DopplerCoupling::terms_for(double half, double error) const {
   return terms;
 }
 
+double DopplerCoupling::widest(std::size_t terms, double error) const {
+  CORE_EXPECT(terms > 0);
+  CORE_EXPECT(error > 0.0);
+  if (terms == 1) return 2.0 * error / (change + std::sqrt(change * change + 2.0 * curvature * error));
+  double power = error / (0.25 * curvature);
+  for (std::size_t r = 3; r <= terms; ++r) power *= 2.0 * static_cast<double>(r) / fastest_rad;
+  return std::pow(power, 1.0 / static_cast<double>(terms));
+}
+
 DopplerCoupling no_coupling(const PulseBody& body, double carrier_hz) {
   const double rad = largest_doppler_rad(body, carrier_hz);
   return {0.0, rad, rad * rad, rad};

@@ -21,6 +21,8 @@ struct DopplerCoupling {
   [[nodiscard]] double remainder(std::size_t terms, double half) const;
   /// The least number of terms with a remainder below `error`; at most one more than `most_doppler_terms`.
   [[nodiscard]] std::size_t terms_for(double half, double error) const;
+  /// The largest half span of D for which so many terms have a remainder of `error`; may be infinite.
+  [[nodiscard]] double widest(std::size_t terms, double error) const;
 };
 
 /// Without a shift.

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 
 #include <gtest/gtest.h>
 
@@ -77,6 +78,19 @@ TEST(DopplerCoupling, BoundsWhatItsTermsMiss) {
           EXPECT_LE(missed(body, coupling, half, terms, x), 1.01 * coupling.remainder(terms, half) + 1e-11)
               << samples << ' ' << half << ' ' << terms << ' ' << x;
   }
+}
+
+TEST(DopplerCoupling, KnowsTheWidestSpanOfItsTerms) {
+  const EchoPulse pulse = chirp(1000.0);
+  const PulseBody body = body_of(pulse);
+  for (const DopplerCoupling& coupling :
+       {coupling_of(pulse, body, interval_s, carrier_hz), no_coupling(body, carrier_hz)})
+    for (const double error : {1e-9, 1e-6, 1e-3})
+      for (std::size_t terms = 1; terms <= 5; ++terms)
+        EXPECT_NEAR(coupling.remainder(terms, coupling.widest(terms, error)), error, 1e-9 * error) << terms;
+  const DopplerCoupling nothing_changes{};
+  EXPECT_EQ(nothing_changes.widest(1, 1e-6), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nothing_changes.widest(2, 1e-6), std::numeric_limits<double>::infinity());
 }
 
 // An aircraft looks at targets within 2.3 degrees: two terms, three without the shift.

@@ -52,6 +52,15 @@ DopplerSpan span_covering(double lowest, double highest) {
   }
 }
 
+std::optional<DopplerSpan> span_within(double lowest, double highest, double half) {
+  CORE_EXPECT(lowest <= highest);
+  for (double step = half; step >= half / 16.0; step *= 0.5) {
+    const double middle = std::round(0.5 * (lowest + highest) / step) * step;
+    if (middle - half <= lowest && middle + half >= highest) return DopplerSpan{middle, half};
+  }
+  return std::nullopt;
+}
+
 DopplerSpan bends_covering(double lowest, double highest, double rad_per_bend, double error) {
   if (std::max(std::abs(lowest), std::abs(highest)) * rad_per_bend <= 0.25 * error) return {};
   const double step = 0.25 * error / rad_per_bend;

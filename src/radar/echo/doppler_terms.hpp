@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 
 #include "radar/echo/pulse_body.hpp"
 #include "radar/echo/strengths.hpp"
@@ -27,6 +28,10 @@ namespace sarsim::radar {
 
 /// A span of D on a fixed ladder of spans, so that neighbouring pulses share spectra.
 [[nodiscard]] DopplerSpan span_covering(double lowest, double highest);
+
+/// A span of this half around what `span_covering` takes, whose middle is a multiple of as much of the half as
+/// possible, so that rows share it; nothing where that is less than a sixteenth.
+[[nodiscard]] std::optional<DopplerSpan> span_within(double lowest, double highest, double half);
 
 /// The span of a for bends that turn the ends of the pulse by up to `rad_per_bend` times them: none where that is less
 /// than a quarter of `error`, and on multiples of that, so that pulse after pulse has the same spectra.

@@ -57,5 +57,18 @@ TEST(BendsCovering, AreNoneForATrifleAndSharedByNeighbours) {
   EXPECT_GE(wide.middle + wide.half, 5e-10);
 }
 
+TEST(SpanWithin, HoldsWhatItIsForOnTheCoarsestLadder) {
+  for (double lowest = -3.0; lowest < 3.0; lowest += 0.03)
+    for (const double width : {0.0, 0.2, 1.0, 1.7}) {
+      const DopplerSpan span = span_within(lowest, lowest + width, 1.0).value();
+      EXPECT_EQ(span.half, 1.0);
+      EXPECT_LE(span.middle - 1.0, lowest);
+      EXPECT_GE(span.middle + 1.0, lowest + width);
+      EXPECT_EQ(std::remainder(span.middle, width <= 1.0 ? 1.0 : width <= 1.5 ? 0.5 : 0.125), 0.0);
+    }
+  EXPECT_FALSE(span_within(0.3, 2.29, 1.0).has_value());
+  EXPECT_FALSE(span_within(0.0, 2.1, 1.0).has_value());
+}
+
 }  // namespace doppler_terms_test
 }  // namespace sarsim::radar

@@ -29,8 +29,8 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
   cost.transform_size = static_cast<std::size_t>(4.0 * (body.half_band() + allowance_for(shift)) * row);
   if (span.half > 0.0)
     cost.doppler_terms = best_coupling(coupling_of(pulse, body, grid.interval_s, carrier_hz), body, carrier_hz,
-                                       span.half, grid.interval_s, settings.share)
-                             .terms_for(span.half, settings.share);
+                                       span.half, grid.interval_s, settings.motion_share())
+                             .terms_for(span.half, settings.motion_share());
   if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
   if (settings.single_precision && DenseRow::suits(pulse, body)) {
     cost.bin_transforms = DenseRow::transforms_about(pulse, grid.interval_s, carrier_hz, span.half, settings.share);

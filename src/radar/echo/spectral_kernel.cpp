@@ -149,12 +149,13 @@ struct SpectralKernel::Typed : Implementation {
     gather(echoes);
     if (position.empty()) return;
     motion = motion ? motion->with(gathered.motion) : gathered.motion;
-    const Spectra wanted = wanted_spectra();
+    Spectra wanted = wanted_spectra();
     // Those of a part without bends are 0.
     if (wanted.bends != DopplerSpan{}) gathered.bend_per_s.resize(position.size());
     if (!has_body || is_beyond_room()) return take_plainly(echoes);
     if (take_densely(wanted, echoes.size())) return;
     if (edges_stray() || wanted.terms * wanted.bend_terms > most_doppler_terms) return take_plainly(echoes);
+    share_span(wanted);
     part_neighbours(gathered);
     const double allowance = allowance_for(most_doppler() * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
     if (!spreading.is_for(allowance, wanted)) {
@@ -276,10 +277,19 @@ struct SpectralKernel::Typed : Implementation {
         bends_covering(motion->lowest_bend, motion->highest_bend, largest_bend_rad(body, carrier_hz), settings.share);
     const DopplerCoupling coupling = coupling_for(wanted.span);
     wanted.shift_s = coupling.shift_s;
-    wanted.terms = wanted.span.half > 0.0 ? coupling.terms_for(wanted.span.half, settings.share) : 1;
+    wanted.terms = wanted.span.half > 0.0 ? coupling.terms_for(wanted.span.half, settings.motion_share()) : 1;
     wanted.bend_terms =
         wanted.bends.half > 0.0 ? bend_terms_for(body, carrier_hz, wanted.bends.half, settings.share) : 1;
     return wanted;
+  }
+
+  // As wide as its terms allow, so that rows share spectra.
+  void share_span(Spectra& wanted) {
+    if (wanted.span.half == 0.0) return;
+    double half =
+        std::min(8.0 * wanted.span.half, coupling_for(wanted.span).widest(wanted.terms, settings.motion_share()));
+    if (wanted.shift_s != 0.0) half = std::min(half, grid.interval_s / std::abs(wanted.shift_s));
+    wanted.span = span_within(motion->lowest_doppler, motion->highest_doppler, half).value_or(wanted.span);
   }
 
   // How echoes of a span are taken: that of the last carrier is kept, as most radars have one.
@@ -289,7 +299,7 @@ struct SpectralKernel::Typed : Implementation {
       coupled = coupling_of(*pulse, body, grid.interval_s, carrier_hz);
       coupled_carrier_hz = carrier_hz;
     }
-    return best_coupling(*coupled, body, carrier_hz, span.half, grid.interval_s, settings.share);
+    return best_coupling(*coupled, body, carrier_hz, span.half, grid.interval_s, settings.motion_share());
   }
 
   // Whether echoes are stretched, or bent, beyond what there is room for.
