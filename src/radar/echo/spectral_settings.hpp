@@ -7,8 +7,8 @@ namespace sarsim::radar {
 
 /// How an error budget is divided and what follows from it.
 struct SpectralSettings {
-  static constexpr double motion_shares =
-      3.0;  ///< Of the eight, to what is left of motion: the others do not need all.
+  /// Of the eight, to what is left of motion: the others do not need all.
+  static constexpr double motion_shares = 3.0;
 
   bool single_precision;
   double share;              ///< Error allowed to each source

@@ -108,11 +108,12 @@ double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_sampl
          row_seconds(plan, echo_samples, machine);
 }
 
-// The most that is held at once: while the script is read and checked, or while its pulses are computed.
+// The most that is held at once: while the script is read and checked and its platforms are looked at, or while its
+// pulses are computed.
 double most_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   constexpr double program = 11e6;
   constexpr double transform_library = 5e6;
-  constexpr double platform = 60e3;
+  constexpr double platform = 70e3;
   constexpr double checked_target = 148.0;
   constexpr double surveyed_target = 300.0;
   constexpr double most_surveyed = 65'536.0;
@@ -128,18 +129,18 @@ double most_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   const auto targets = static_cast<double>(scene.scatterers.targets());
   const double points = static_cast<double>(scene.scatterers.size()) - targets;
   const double sheets = all - static_cast<double>(scene.scatterers.size());
-  const double checked = checked_target * targets + surveyed_target * std::min(all, most_surveyed);
+  const double checked = checked_target * targets + surveyed_target * std::min(all, most_surveyed) +
+                         platform * static_cast<double>(scene.platforms.size());
   const double at_once = work.transforms > 0.0 ? std::min(all, static_cast<double>(points_at_once)) : all;
   double of_thread = echo * at_once + sample * static_cast<double>(std::max(plan.raw_grid.count, plan.columns));
   double computed = resolved_target * (targets + sheets);
   if (work.transforms > 0.0) {
     const double spectra = work.transforms > 1.0 ? spectra_kept * 4.0 * work.transforms * work.transform_points : 0.0;
     of_thread += transform_point * work.transform_points + std::min(spectra, most_spectra);
-    computed += transform_library;
   }
+  if (work.transforms > 0.0 || plan.compressor) computed += transform_library;
   computed += threads * of_thread;
-  return program + platform * static_cast<double>(scene.platforms.size()) + cloud_point * points +
-         std::max(checked, computed);
+  return program + cloud_point * points + std::max(checked, computed);
 }
 
 }  // namespace

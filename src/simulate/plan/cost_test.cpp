@@ -83,6 +83,20 @@ TEST(Cost, HasMemoryForTargetsCloudsAndThreads) {
   EXPECT_GT(bytes(scene_of(100'000), 16), bytes(scene_of(100'000), 1) + 20e6);
 }
 
+// Platforms are looked at before the pulses, whose memory comes after; a filter needs the library of transforms.
+TEST(Cost, HasMemoryForPlatformsAndFilters) {
+  const auto bytes = [](const scene::Scene& scene) {
+    return estimated_cost(make_plan(scene, 0, nullptr, Engine::direct), 1).memory_bytes;
+  };
+  scene::Scene scene = scene_of(1000);
+  const double least = bytes(scene);
+  scene.platforms.resize(101, scene.platforms[0]);
+  EXPECT_NEAR(bytes(scene) - least, 7e6, 1e6);
+  scene = scene_of(1000);
+  scene.simulations[0].processing = scene::Processing::matched_filter;
+  EXPECT_NEAR(bytes(scene) - least, 5e6, 1e6);
+}
+
 // A surface is looked at from the front, from behind, or from both sides in turn.
 TEST(Cost, LeavesOutBacksOfSurfaces) {
   scene::Scene scene = scene_of(0);
