@@ -101,6 +101,13 @@ class DenseRow::Fit {
     const double rad = 2.0 * core::pi * bins_.most_z;
     return function_.second_derivative(k, y) + rad * rad * bins_.square * function_.value(k, y);
   }
+  // How much function k counts in an echo at most: by itself, or by what the largest change of the sweep makes of it.
+  // That is much for tones without Doppler, whose functions span next to nothing.
+  [[nodiscard]] double most(std::size_t k) const {
+    double largest = 0.0;
+    for (double y = 0.0; y <= 1.0; y += 0.125) largest = std::max(largest, std::abs(bend(k, y)));
+    return std::max(1.0, bend_of(bins_.most_change) * largest);
+  }
   [[nodiscard]] double value(std::size_t k, double y) const { return function_.value(k, y); }
   [[nodiscard]] double second_derivative(std::size_t k, double y) const { return function_.second_derivative(k, y); }
   // What a bend of a change of the sweep counts.
@@ -257,7 +264,7 @@ DenseRow::Kept DenseRow::make(const DenseMotion& motion) const {
   const std::vector<Parts> parts = fit.all_parts();
   kept.usable = is_exact(kept, fit, parts);
   if (!kept.usable) return kept;
-  make_factors(kept, parts);
+  make_factors(kept, fit, parts);
   make_tails(kept, fit);
   kept.usable = make_weights(kept, fit, share_);
   return kept;
@@ -353,7 +360,7 @@ bool DenseRow::is_exact(const Kept& kept, const Fit& fit, std::span<const Parts>
 }
 
 // What each function has of the samples goes into its weights, so that all sums count alike.
-void DenseRow::make_factors(Kept& kept, std::span<const Parts> parts) const {
+void DenseRow::make_factors(Kept& kept, const Fit& fit, std::span<const Parts> parts) const {
   const std::size_t count = parts.size();
   const std::size_t period = row_fft_->size();
   std::array<double, functions> energy{};
@@ -363,7 +370,7 @@ void DenseRow::make_factors(Kept& kept, std::span<const Parts> parts) const {
   std::vector<std::complex<double>> row;
   for (std::size_t k = 0; k < functions; ++k) {
     kept.size[k] = std::sqrt(energy[k] / static_cast<double>(count));
-    if (!(kept.size[k] > 0.2 * share_)) {
+    if (!(kept.size[k] * fit.most(k) > 0.2 * share_)) {
       kept.size[k] = 0.0;
       continue;
     }

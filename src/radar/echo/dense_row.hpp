@@ -95,7 +95,7 @@ class DenseRow {
   [[nodiscard]] Kept make(const DenseMotion& motion) const;
   [[nodiscard]] bool make_bins(Kept& kept) const;
   [[nodiscard]] bool is_exact(const Kept& kept, const Fit& fit, std::span<const Parts> parts) const;
-  void make_factors(Kept& kept, std::span<const Parts> parts) const;
+  void make_factors(Kept& kept, const Fit& fit, std::span<const Parts> parts) const;
   [[nodiscard]] static double bend_error(const Kept& kept, const Fit& fit);
   [[nodiscard]] static bool make_weights(Kept& kept, const Fit& fit, double share);
   static void make_tails(Kept& kept, const Fit& fit);
