@@ -6,6 +6,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "radar/echo/complex_rows.hpp"
+#include "radar/echo/doppler_terms.hpp"
 #include "radar/echo/spectral_settings.hpp"
 
 namespace sarsim::radar {
@@ -165,7 +166,7 @@ DopplerSpan DenseRow::shared_span(const EchoPulse& pulse, double interval_s, dou
   for (double half = 8.0 * span.half; half > span.half; half *= 0.5) {
     if (is_low && !suits_degree_2(half)) continue;
     if (transforms_about(pulse, interval_s, carrier_hz, half, 0.1 * error) <= functions)
-      return {std::round(span.middle / half) * half, half};
+      return span_within(span.middle - span.half, span.middle + span.half, half).value_or(span);
   }
   return span;
 }

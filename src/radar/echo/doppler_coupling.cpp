@@ -62,13 +62,15 @@ std::size_t DopplerCoupling::terms_for(double half, double error) const {
   return terms;
 }
 
-double DopplerCoupling::widest(std::size_t terms, double error) const {
+double DopplerCoupling::widest(std::size_t terms, double interval_s, double error) const {
   CORE_EXPECT(terms > 0);
   CORE_EXPECT(error > 0.0);
-  if (terms == 1) return 2.0 * error / (change + std::sqrt(change * change + 2.0 * curvature * error));
+  const double by_shift = interval_s / std::abs(shift_s);  // infinite without one
+  if (terms == 1)
+    return std::min(by_shift, 2.0 * error / (change + std::sqrt(change * change + 2.0 * curvature * error)));
   double power = error / (0.25 * curvature);
   for (std::size_t r = 3; r <= terms; ++r) power *= 2.0 * static_cast<double>(r) / fastest_rad;
-  return std::pow(power, 1.0 / static_cast<double>(terms));
+  return std::min(by_shift, std::pow(power, 1.0 / static_cast<double>(terms)));
 }
 
 DopplerCoupling no_coupling(const PulseBody& body, double carrier_hz) {

@@ -21,8 +21,9 @@ struct DopplerCoupling {
   [[nodiscard]] double remainder(std::size_t terms, double half) const;
   /// The least number of terms with a remainder below `error`; at most one more than `most_doppler_terms`.
   [[nodiscard]] std::size_t terms_for(double half, double error) const;
-  /// The largest half span of D for which so many terms have a remainder of `error`; may be infinite.
-  [[nodiscard]] double widest(std::size_t terms, double error) const;
+  /// The largest half span of D for which so many terms have a remainder of at most `error`, and whose shift is no more
+  /// than a sample; may be infinite.
+  [[nodiscard]] double widest(std::size_t terms, double interval_s, double error) const;
 };
 
 /// Without a shift.
@@ -33,7 +34,7 @@ struct DopplerCoupling {
 [[nodiscard]] DopplerCoupling coupling_of(const EchoPulse& pulse, const PulseBody& body, double interval_s,
                                           double carrier_hz);
 
-/// The coupling that takes fewer terms: `coupled`, or none. A shift of more than a sample is never taken.
+/// The coupling that takes fewer terms: `coupled`, or none; none, too, where its shift would be more than a sample.
 [[nodiscard]] DopplerCoupling best_coupling(const DopplerCoupling& coupled, const PulseBody& body, double carrier_hz,
                                             double half, double interval_s, double error);
 

@@ -87,10 +87,13 @@ TEST(DopplerCoupling, KnowsTheWidestSpanOfItsTerms) {
        {coupling_of(pulse, body, interval_s, carrier_hz), no_coupling(body, carrier_hz)})
     for (const double error : {1e-9, 1e-6, 1e-3})
       for (std::size_t terms = 1; terms <= 5; ++terms)
-        EXPECT_NEAR(coupling.remainder(terms, coupling.widest(terms, error)), error, 1e-9 * error) << terms;
+        EXPECT_NEAR(coupling.remainder(terms, coupling.widest(terms, 1.0, error)), error, 1e-9 * error) << terms;
+  // A shift of a sample comes first.
+  const DopplerCoupling coupled = coupling_of(pulse, body, interval_s, carrier_hz);
+  EXPECT_DOUBLE_EQ(coupled.widest(20, interval_s, 1e-3), interval_s / coupled.shift_s);
   const DopplerCoupling nothing_changes{};
-  EXPECT_EQ(nothing_changes.widest(1, 1e-6), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(nothing_changes.widest(2, 1e-6), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nothing_changes.widest(1, interval_s, 1e-6), std::numeric_limits<double>::infinity());
+  EXPECT_EQ(nothing_changes.widest(2, interval_s, 1e-6), std::numeric_limits<double>::infinity());
 }
 
 // An aircraft looks at targets within 2.3 degrees: two terms, three without the shift.

@@ -89,14 +89,14 @@ struct BinTail {
   void set(std::size_t function, std::complex<double> factor);
 };
 
-/// Something that one sample of a row has beside the others.
+/// What is added to a single sample of a row, beside the sums.
 struct LoneSample {
-  std::size_t at = 0;
-  std::complex<float> value;
+  std::size_t at = 0;         ///< After the row's first.
+  std::complex<float> value;  ///< As strengths are, sqrt(W).
 };
 
 /// Moves the sums to a row for each function, around the circle of their length, n0 at first_sample at `first`; what
-/// the main run does not tell of the others is added to `lone`, of a row of `count` samples. Leaves 0.
+/// the main run does not tell of the others is put behind what is in `lone`, for a row of `count` samples. Leaves 0.
 void leave_bins(const RangeBins& bins, std::span<const BinTail> tails, BinSums& sums, std::size_t first,
                 std::span<const std::span<std::complex<float>>, BinSums::functions> rows, std::size_t count,
                 std::vector<LoneSample>& lone);

@@ -245,9 +245,7 @@ struct SpectralKernel::Typed : Implementation {
       time_row.assign(row_size, {});
       if (has_edges) std::ranges::copy(edge_samples(), time_row.begin());
       if (has_plain)
-        std::ranges::transform(raw_row, time_row, time_row.begin(), [](std::complex<double> z, std::complex<Real> sum) {
-          return std::complex<Real>(z) + sum;
-        });
+        for (std::size_t n = 0; n < raw_row.size(); ++n) time_row[n] += std::complex<Real>(raw_row[n]);
       for (const LoneSample& sample : lone) time_row[sample.at] += std::complex<Real>(sample.value);
       add_time_row();
     }
@@ -286,10 +284,9 @@ struct SpectralKernel::Typed : Implementation {
   // As wide as its terms allow, so that rows share spectra.
   void share_span(Spectra& wanted) {
     if (wanted.span.half == 0.0) return;
-    double half =
-        std::min(8.0 * wanted.span.half, coupling_for(wanted.span).widest(wanted.terms, settings.motion_share()));
-    if (wanted.shift_s != 0.0) half = std::min(half, grid.interval_s / std::abs(wanted.shift_s));
-    wanted.span = span_within(motion->lowest_doppler, motion->highest_doppler, half).value_or(wanted.span);
+    const double widest = coupling_for(wanted.span).widest(wanted.terms, grid.interval_s, settings.motion_share());
+    wanted.span = span_within(motion->lowest_doppler, motion->highest_doppler, std::min(8.0 * wanted.span.half, widest))
+                      .value_or(wanted.span);
   }
 
   // How echoes of a span are taken: that of the last carrier is kept, as most radars have one.

@@ -28,7 +28,7 @@ struct LanePolynomials {
   static constexpr std::size_t granularity = 64 / sizeof(Real);
 };
 
-/// What polynomials may be.
+/// Limits of the polynomials that `fit_lanes` looks for.
 template <class Real>
 struct LaneLimits {
   std::size_t grain = LanePolynomials<Real>::granularity;  ///< The number of lanes is padded to a multiple of it.
