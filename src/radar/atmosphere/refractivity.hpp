@@ -17,8 +17,8 @@ struct ExponentialRefractivity {
 
   /// N at a height; also below 0, where it goes on growing.
   [[nodiscard]] double value(double height_m) const;
-  /// dN/dh, 1/m.
-  [[nodiscard]] double gradient_per_m(double height_m) const;
+  /// dN/dh at a height, 1/m.
+  [[nodiscard]] double gradient_at_per_m(double height_m) const;
   /// End of a panel of quadrature, 3 H on; infinity above 40 H, where exp(-40) = 4e-18 is left.
   [[nodiscard]] double next_break_m(double height_m) const;
 };
@@ -30,6 +30,8 @@ struct LinearRefractivity {
 
   /// N at a height.
   [[nodiscard]] double value(double height_m) const;
+  /// dN/dh at a height, 1/m: 0 above the top.
+  [[nodiscard]] double gradient_at_per_m(double height_m) const { return height_m < top_m() ? gradient_per_m : 0.0; }
   /// Where it has become 0, m: 8.03 km for the numbers above.
   [[nodiscard]] double top_m() const { return -surface / gradient_per_m; }
   /// The top from below it, then infinity.
@@ -60,5 +62,12 @@ struct LinearRefractivity {
 /// that is 4.7 % of the excess at 0.5 deg to space, 0.7 % at 5 deg and 0.02 % at 30 deg.
 [[nodiscard]] double excess_path_m(const ExponentialRefractivity& air, const StraightPath& path);
 [[nodiscard]] double excess_path_m(const LinearRefractivity& air, const StraightPath& path);
+
+/// By how much the bent ray between the ends of a path is quicker than the straight line, m, one way: what
+/// `excess_path_m` leaves out. Second order of the ray's deviation, 1/2 integral theta^2 ds with theta the angle
+/// between ray and line, d theta/ds = -1e-6 dN/dh cos(elevation), whose mean over the path is 0. Within 5 % of the
+/// table above from 5 deg of elevation on, and 25 % at 2 deg, where higher orders count.
+[[nodiscard]] double bending_gain_m(const ExponentialRefractivity& air, const StraightPath& path);
+[[nodiscard]] double bending_gain_m(const LinearRefractivity& air, const StraightPath& path);
 
 }  // namespace sarsim::radar

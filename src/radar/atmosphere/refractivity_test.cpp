@@ -79,11 +79,33 @@ Bent bent_at_true(double true_rad, double top_m) {
 
 TEST(ExponentialRefractivity, HasTheNumbersOfTheSpecification) {
   const ExponentialRefractivity air;
-  EXPECT_NEAR(1e3 * air.gradient_per_m(0.0), -42.9, 0.05);
-  EXPECT_NEAR(k_factor(air.gradient_per_m(0.0)), 1.376, 5e-4);
+  EXPECT_NEAR(1e3 * air.gradient_at_per_m(0.0), -42.9, 0.05);
+  EXPECT_NEAR(k_factor(air.gradient_at_per_m(0.0)), 1.376, 5e-4);
   EXPECT_NEAR(1e3 * gradient_of_k_per_m(4.0 / 3.0), -39.24, 5e-3);
   EXPECT_NEAR(k_factor(gradient_of_k_per_m(1.7)), 1.7, 1e-12);
   EXPECT_NEAR(air.value(7350.0), 315.0 / std::exp(1.0), 1e-10);
+}
+
+// Against rays traced by Snell's law.
+TEST(BendingGain, IsWhatTheStraightLineIsTooLong) {
+  const ExponentialRefractivity air;
+  for (const double top_m : {3000.0, 10e3, 700e3})
+    for (const double elevation_deg : {2.0, 5.0, 7.3, 10.0, 20.0, 30.0}) {
+      const Bent ray = bent_at_true(elevation_deg * core::rad_per_deg, top_m);
+      const double share = elevation_deg < 5.0 ? 0.25 : 0.05;
+      EXPECT_NEAR(bending_gain_m(air, ray.path), ray.too_long_m, share * ray.too_long_m)
+          << top_m << ' ' << elevation_deg;
+    }
+  EXPECT_NEAR(bending_gain_m(air, {0.0, 700e3, 700e3, radius_m}), 0.0, 1e-30);
+}
+
+// With an even gradient the angle is linear: 1/2 integral theta^2 = (N' cos e)^2 L^3/24.
+TEST(BendingGain, OfAnEvenGradientIsAClosedForm) {
+  const LinearRefractivity air;
+  const double bend = 39.24e-9 * 8.0 / 10.0;
+  EXPECT_NEAR(bending_gain_m(air, {0.0, 6000.0, 10e3, flat}), bend * bend * 1e12 / 24.0,
+              1e-5 * bend * bend * 1e12 / 24.0);
+  EXPECT_NEAR(bending_gain_m(air, {3000.0, 3000.0, 100e3, flat}), 39.24e-9 * 39.24e-9 * 1e15 / 24.0, 1e-6);
 }
 
 TEST(ExcessPath, IsTheClosedFormAtTheZenith) {

@@ -208,13 +208,18 @@ void check_bandwidth(Findings& findings, const Simulation& simulation, const Rad
                                    value_text(beyond_hz, "Hz"))});
 }
 
-void check_ranges(Findings& findings, const Simulation& simulation, const radar::Repetition& repetition) {
-  if (simulation.range_start_m < 0.0)
-    findings.warning(Consequence::surprise, "range_start_m",
-                     {.message = "the slant range window starts before the radar; that part is empty",
-                      .found = value_text(simulation.range_start_m, "m"),
-                      .expected = "0 m or more",
-                      .hint = {}});
+// With centred pulses, ranges are those of the middle of the echo, whose first half arrives earlier.
+void check_ranges(Findings& findings, const Simulation& simulation, const Radar& radar,
+                  const radar::Repetition& repetition) {
+  const bool centred = simulation.pulse_position == Simulation::PulsePosition::centre;
+  const double lead_m = centred ? radar::range_of(0.5 * radar.pulse_width_s, core::exact_light_speed_mps) : 0.0;
+  if (simulation.range_start_m < -lead_m)
+    findings.warning(
+        Consequence::surprise, "range_start_m",
+        {.message = "the slant range window starts before the radar; that part is empty",
+         .found = value_text(simulation.range_start_m, "m"),
+         .expected = centred ? value_text(-lead_m, "m") + " or more, half a pulse before the radar" : "0 m or more",
+         .hint = {}});
   const double unambiguous_m = radar::range_of(repetition.shortest_interval_s(), core::exact_light_speed_mps);
   if (simulation.range_end_m <= unambiguous_m) return;
   findings.warning(
@@ -295,7 +300,7 @@ void check_simulation(Findings& findings, NameCheck& radars, const Scene& scene,
   radar::PulseRange pulses;
   if (window_sound && repetition) {
     pulses = check_pulses(findings, window_of(simulation), *repetition);
-    check_ranges(findings, simulation, *repetition);
+    check_ranges(findings, simulation, *radar, *repetition);
   }
   const bool rows_fit = !window_sound || !rate_sound || radar == nullptr ||
                         check_row_length(findings, simulation, *radar, scene.options.pulse);

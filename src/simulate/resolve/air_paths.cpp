@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "radar/earth/ellipsoid.hpp"
+#include "radar/earth/ellipsoid_height.hpp"
 
 namespace sarsim::simulate {
 
@@ -54,13 +54,25 @@ AirPaths::AirPaths(const scene::Atmosphere& atmosphere, double carrier_hz, doubl
       axis_(axis_of(turning)) {}
 
 double AirPaths::height_m(const core::Vec3& point_m) const {
-  if (axis_ == core::Vec3{}) return point_m.z;
-  const core::Vec3 r = point_m - centre_m_;
-  const double distance_m = core::norm(r);
-  const double sine = core::dot(r, axis_) / distance_m;
-  constexpr double semi_minor_m = radar::wgs84_semi_major_m * (1.0 - radar::wgs84_flattening);
-  const double along = semi_minor_m * std::sqrt(1.0 - sine * sine);
-  return distance_m - radar::wgs84_semi_major_m * semi_minor_m / std::hypot(along, radar::wgs84_semi_major_m * sine);
+  return axis_ == core::Vec3{} ? point_m.z : radar::height_over_ellipsoid_m(point_m - centre_m_, axis_);
+}
+
+radar::StraightPath AirPaths::path(const core::Vec3& radar_m, const core::Vec3& point_m) const {
+  return table_.path(height_m(point_m), height_m(radar_m), core::norm(point_m - radar_m));
+}
+
+double AirPaths::bending_m(const core::Vec3& radar_m, const core::Vec3& point_m) const {
+  const radar::Atmosphere& air = table_.model().atmosphere();
+  if (air.refraction == radar::Refraction::none) return 0.0;
+  const radar::StraightPath way = path(radar_m, point_m);
+  return air.refraction == radar::Refraction::exponential
+             ? radar::bending_gain_m(table_.model().exponential(), way)
+             : radar::bending_gain_m(
+                   radar::LinearRefractivity{air.surface_refractivity, radar::gradient_of_k_per_m(air.k_factor)}, way);
+}
+
+double AirPaths::elevation_rad(const core::Vec3& radar_m, const core::Vec3& point_m) const {
+  return radar::low_elevation_rad(path(radar_m, point_m));
 }
 
 radar::PathEffect AirPaths::one_way(const core::Vec3& radar_m, const core::Vec3& point_m) const {

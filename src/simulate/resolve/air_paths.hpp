@@ -32,10 +32,19 @@ class AirPaths {
   /// One way, as the tables have it.
   [[nodiscard]] radar::PathEffect one_way(const core::Vec3& radar_m, const core::Vec3& point_m) const;
 
+  /// By how much the bent ray between two points is quicker than the straight line of `one_way`, m, one way; 0 without
+  /// refraction. Accuracy of `radar::bending_gain_m`.
+  [[nodiscard]] double bending_m(const core::Vec3& radar_m, const core::Vec3& point_m) const;
+
+  /// Elevation of the straight line at its lower end, rad.
+  [[nodiscard]] double elevation_rad(const core::Vec3& radar_m, const core::Vec3& point_m) const;
+
   /// Height above the ellipsoid, or above the plane: within 1e-5 of itself.
   [[nodiscard]] double height_m(const core::Vec3& point_m) const;
 
  private:
+  [[nodiscard]] radar::StraightPath path(const core::Vec3& radar_m, const core::Vec3& point_m) const;
+
   radar::AtmosphereTable table_;
   double carrier_hz_;
   double light_speed_mps_;

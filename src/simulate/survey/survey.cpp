@@ -14,6 +14,7 @@
 #include "scene/model/format_values.hpp"
 #include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/limit_rules.hpp"
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/pulse_motion.hpp"
 #include "simulate/survey/sight_rules.hpp"
@@ -50,6 +51,7 @@ class Surveyor {
     check_lsb(survey, plan);
     check_other_pulses(plan, survey, index_, scope_, problems_);
     check_pulse_motion(survey, plan, control);
+    check_limits(plan, survey, index_, scope_, problems_);
     check_sights(survey, plan, control);
   }
 

@@ -137,10 +137,12 @@ TEST(Survey, WarnsOfAnLsbThatClipsOrWastesTheConverter) {
   EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "lsb_v", "too small")));
   scene.simulations[0].lsb_v = 5e-9;
   EXPECT_THAT(survey(scene), ElementsAre(problem(core::Severity::warning, "lsb_v", "too large")));
-  for (int i = 0; i < 9; ++i) scene.targets.push_back(scene.targets[0]);  // ten echoes that add up
+  for (int i = 1; i < 10; ++i)  // ten echoes that add up, of one cell
+    scene.targets.push_back(target_on("Earth", {1000.0, 0.1 * i, 0.0}));
   scene.simulations[0].lsb_v = 5e-8;
   const core::Problems large = survey(scene);
-  ASSERT_THAT(large, ElementsAre(problem(core::Severity::warning, "lsb_v", "too large")));
+  ASSERT_THAT(large, ElementsAre(problem(core::Severity::warning, "lsb_v", "too large"),
+                                 problem(core::Severity::note, "", "targets 1 and 2 are unresolved")));
   EXPECT_THAT(large[0].expected, HasSubstr("1.67"));  // 10 x 2.13e-7 V over 127 counts: 1.67e-8 V
   scene.targets.resize(1);
   scene.simulations[0].format = scene::FileFormat::npy;  // volts: no converter

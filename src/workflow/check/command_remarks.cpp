@@ -6,6 +6,7 @@
 #include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/report/refused.hpp"
@@ -153,15 +154,18 @@ class Asking {
          [&] { return focus(index); });
   }
 
-  // What a command refuses it does not suit.
+  // A recording that a command refuses does not suit it; but an aperture is flown to be focused.
   void add(const char* command, std::size_t index, const Answer& answer) {
     core::Problems remarks;
     try {
       remarks = answer();
-    } catch (const core::Refused&) {
-      return;
+    } catch (const core::Refused& refused) {
+      remarks = refused.problems;
     }
-    if (core::has_errors(remarks)) return;
+    if (core::has_errors(remarks)) {
+      if (command != std::string_view("focus")) return;
+      remarks = {refusal_of(remarks)};
+    }
     for (core::Problem& remark : remarks) {
       remark.subject = {"simulation", index, ""};
       const auto same = std::ranges::find_if(said_, [&](const Said& other) {
@@ -173,6 +177,14 @@ class Asking {
       else
         same->commands += std::string(" and ") + command;
     }
+  }
+
+  // The first error, as a note.
+  [[nodiscard]] static core::Problem refusal_of(const core::Problems& problems) {
+    core::Problem refusal = *std::ranges::find(problems, core::Severity::error, &core::Problem::severity);
+    refusal.severity = core::Severity::note;
+    refusal.message = "will refuse this recording: " + refusal.message;
+    return refusal;
   }
 
   [[nodiscard]] core::Problems search(std::size_t index) {
@@ -200,7 +212,7 @@ class Asking {
 
   [[nodiscard]] core::Problems focus(std::size_t index) {
     FocusInput input = focus_input_of(scene_, index, resolved_);
-    return core::has_errors(input.problems) ? core::Problems{} : remarks_of_focus(std::move(input), control_);
+    return core::has_errors(input.problems) ? input.problems : remarks_of_focus(std::move(input), control_);
   }
 
   scene::Scene scene_;

@@ -22,8 +22,9 @@ namespace sarsim::workflow {
 /// - `focus` where the radar moves past targets that rest, for longer than the aperture L that makes lambda R/(2 L) <
 /// L.
 ///
-/// A command that would refuse the simulation says nothing, nor `focus` where targets times pulses, of which it looks
-/// at 2048 at most, are more than a million. Nobody detects without noise.
+/// A command that would refuse the simulation has no remarks, except `focus`, whose first error becomes a note; nor has
+/// `focus` where targets times pulses, of which it looks at 2048 at most, are more than a million. Nobody detects
+/// without noise.
 /// @param scene     has passed `check` and the survey without errors
 /// @param resolved  what `resolve` gives for it
 /// @throw  Interrupted

@@ -120,6 +120,16 @@ TEST(RemarksOfCommands, DoNotLookAtMoreThanAMillionEchoesForFocus) {
   EXPECT_EQ(said(scene), "");
 }
 
+// Intervals of 1/600 s and 1.3/600 s in turn: methods in the frequency domain need even ones.
+TEST(RemarksOfCommands, SayThatFocusWillRefuseAFlight) {
+  scene::Scene scene = sar_scene(600.0, {{}});
+  ASSERT_EQ(said(scene), "");
+  scene.radars[0].repetition = scene::Radar::Repetition::user;
+  scene.radars[0].pri_s.part[0] = {core::Interpolation::linear, {{0.0, 1.0 / 600.0}, {1.0, 1.3 / 600.0}}};
+  EXPECT_THAT(said(scene),
+              HasSubstr("note: sarsim focus: will refuse this recording: the pulses are not evenly spaced"));
+}
+
 TEST(RemarksOfCommands, AskEachCommandOnceForARadar) {
   scene::Scene scene = noisy(40.0);
   scene.simulations.push_back(scene.simulations[0]);
