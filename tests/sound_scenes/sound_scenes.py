@@ -173,7 +173,7 @@ def mti(draw):
 
 def stepped(draw):
     range_m = draw.uniform(5e3, 15e3)
-    turn = draw.uniform(0.5, 1.5)
+    turn = draw.uniform(0.3, 0.9)
     step_hz = 2.5e6
     points = [[12, 0, 0], [4, 5, 0], [4, -5, 0], [-10, 3, 1], [-10, -3, 1]]
     return (HEADER + f'[[platform]]\nname = "Ship"\nposition = [0, {number(range_m)}, 0]\nrotation_rate = [0, 0, {number(turn)}]\n'
