@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 #include "gui/common/appearance.hpp"
@@ -284,6 +285,41 @@ class FigurePlotTest : public QObject {
     QVERIFY(rect->axis(QCPAxis::atLeft)->range().contains(700.0));
     // As is named what is seen: beyond a kilometre now.
     QCOMPARE(rect->axis(QCPAxis::atBottom)->label(), QString("East (km)"));
+  }
+
+  // Axes whose span passes a kilometre as the window grows: marks in metres under a title in kilometres mislead by
+  // 1000.
+  void titles_and_marks_of_axes_have_one_unit_at_every_size() {
+    picture::Figure figure = map_of_four_cells();
+    picture::FigurePanel& panel = figure.panels[0];
+    panel.image = picture::FigureImage{2, 2, -950.0, 950.0, -950.0, 950.0, panel.image->cells};
+    for (picture::FigureAxis* axis : {&panel.x, &panel.y}) {
+      axis->first = -950.0;
+      axis->last = 950.0;
+    }
+    gui::FigurePlot plot;
+    plot.set_figure(figure);
+    plot.show();
+    std::set<QString> units;
+    for (int step = 0; step < 240; ++step) {
+      plot.resize(500 + step % 7, 380 + step);
+      plot.grab();
+      for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
+        const QCPAxis* axis = plot.panel(0)->axis(side);
+        const double scale = axis->label().endsWith("(km)") ? 1000.0 : 1.0;
+        units.insert(axis->label());
+        const QVector<double> marks = axis->tickVector();
+        const QVector<QString> labels = axis->tickVectorLabels();
+        QCOMPARE(marks.size(), labels.size());
+        QVERIFY(!marks.isEmpty());
+        for (int i = 0; i < marks.size(); ++i) {
+          QVERIFY(axis->range().contains(marks[i]));
+          const double read = QString(labels[i]).replace(QChar(0x2212), '-').toDouble() * scale;
+          QVERIFY2(std::abs(read - marks[i]) < 1e-6, qPrintable(axis->label() + ' ' + labels[i]));
+        }
+      }
+    }
+    QVERIFY(units.size() >= 3);  // Metres and kilometres of at least one axis were met.
   }
 
   void metres_stay_as_long_when_the_plot_gets_another_size_or_palette() {

@@ -24,12 +24,18 @@ constexpr int bar_width_px = 14;
 constexpr std::size_t most_stops = 256;
 constexpr double words_turn_at = 0.75;  // share of a panel's width
 
-// Marks at round numbers for whatever length the axis has when it is drawn.
+// Marks at round numbers for whatever length and span the axis has when it is drawn, and the axis title with their
+// unit: one object decides both, so that they cannot differ.
 class RoundTicker : public QCPAxisTicker {
  public:
+  /// @param name    of the axis, without its unit
   /// @param factor  what the values of the axis are multiplied by to be those of `unit`
-  RoundTicker(const QCPAxis* axis, std::string unit, double spacing_px, double factor)
-      : axis_(axis), unit_(std::move(unit)), spacing_px_(spacing_px), factor_(factor) {}
+  RoundTicker(QCPAxis* axis, const std::string& name, std::string unit, double spacing_px, double factor)
+      : axis_(axis),
+        name_(QString::fromStdString(name)),
+        unit_(std::move(unit)),
+        spacing_px_(spacing_px),
+        factor_(factor) {}
 
   void generate(const QCPRange& range, const QLocale& /*locale*/, QChar /*format*/, int /*precision*/,
                 QVector<double>& ticks, QVector<double>* sub_ticks, QVector<QString>* labels) override {
@@ -40,6 +46,8 @@ class RoundTicker : public QCPAxisTicker {
         axis_->orientation() == Qt::Horizontal ? (known ? area : around).width() : (known ? area : around).height();
     const picture::Ticks marks =
         picture::axis_ticks(range.lower * factor_, range.upper * factor_, length, spacing_px_, unit_);
+    axis_->setLabel(marks.unit.empty() ? name_
+                                       : name_ + QStringLiteral(" (%1)").arg(QString::fromStdString(marks.unit)));
     ticks.clear();
     if (sub_ticks != nullptr) sub_ticks->clear();
     if (labels != nullptr) labels->clear();
@@ -50,17 +58,12 @@ class RoundTicker : public QCPAxisTicker {
   }
 
  private:
-  const QCPAxis* axis_;
+  QCPAxis* axis_;
+  QString name_;
   std::string unit_;
   double spacing_px_;
   double factor_;
 };
-
-QString axis_title(const std::string& label, const std::string& unit, double first, double last) {
-  const std::string shown = picture::axis_ticks(first, last, 500.0, 50.0, unit).unit;
-  const QString name = QString::fromStdString(label);
-  return shown.empty() ? name : name + QStringLiteral(" (%1)").arg(QString::fromStdString(shown));
-}
 
 QVector<double> numbers(const std::vector<double>& list) { return {list.begin(), list.end()}; }
 
@@ -179,7 +182,7 @@ void FigurePlot::keep_scales() {
   constexpr double longest_strip = 3.0;
   for (std::size_t i = 0; i < panels_.size() && i < figure_.panels.size(); ++i) {
     const picture::FigurePanel& panel = figure_.panels[i];
-    const QCPAxisRect* const rect = panels_[i];
+    QCPAxisRect* const rect = panels_[i];
     if (rect == nullptr || !panel.image || panel.x.unit != "m" || panel.y.unit != "m") continue;
     const double across_m = std::abs(panel.x.last - panel.x.first);
     const double up_m = std::abs(panel.y.last - panel.y.first);
@@ -191,22 +194,17 @@ void FigurePlot::keep_scales() {
       const double middle = 0.5 * (axis.first + axis.last);
       const double half = 0.5 * metres_per_px * length_px;
       for (const auto side : {first, second}) rect->axis(side)->setRange(middle - half, middle + half);
-      name_axis(rect->axis(first), axis);
     };
     show(QCPAxis::atBottom, QCPAxis::atTop, panel.x, rect->width());
     show(QCPAxis::atLeft, QCPAxis::atRight, panel.y, rect->height());
+    rect->update(QCPLayoutElement::upPreparation);  // Marks were made for the ranges before.
   }
-}
-
-void FigurePlot::name_axis(QCPAxis* axis, const picture::FigureAxis& described) {
-  axis->setLabel(axis_title(described.label, described.unit, axis->range().lower, axis->range().upper));
 }
 
 void FigurePlot::add_axis(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px) {
   axis->setRange(std::min(described.first, described.last), std::max(described.first, described.last));
   axis->setRangeReversed(described.last < described.first);
-  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, described.unit, spacing_px, 1.0));
-  axis->setLabel(axis_title(described.label, described.unit, described.first, described.last));
+  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, described.label, described.unit, spacing_px, 1.0));
 }
 
 void FigurePlot::add_twin(QCPAxis* axis, const picture::FigureAxis& described, double spacing_px) {
@@ -215,8 +213,7 @@ void FigurePlot::add_twin(QCPAxis* axis, const picture::FigureAxis& described, d
   axis->setRangeReversed(described.last < described.first);
   axis->setTicks(true);
   axis->setTickLabels(true);
-  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, twin.unit, spacing_px, twin.factor));
-  axis->setLabel(axis_title(twin.label, twin.unit, described.first * twin.factor, described.last * twin.factor));
+  axis->setTicker(QSharedPointer<RoundTicker>::create(axis, twin.label, twin.unit, spacing_px, twin.factor));
 }
 
 void FigurePlot::add_curve(QCPAxisRect* rect, const picture::FigureCurve& curve) {
@@ -319,8 +316,7 @@ void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const picture::Figur
   dress(scale->axis());
   scale->axis()->setRange(bar.first, bar.last);
   scale->axis()->setTicker(
-      QSharedPointer<RoundTicker>::create(scale->axis(), bar.unit, 2.5 * fontMetrics().height(), 1.0));
-  scale->axis()->setLabel(axis_title(bar.label, bar.unit, bar.first, bar.last));
+      QSharedPointer<RoundTicker>::create(scale->axis(), bar.label, bar.unit, 2.5 * fontMetrics().height(), 1.0));
   auto* const margins = new QCPMarginGroup(this);
   scale->setMarginGroup(QCP::msTop | QCP::msBottom, margins);
   rect->setMarginGroup(QCP::msTop | QCP::msBottom, margins);

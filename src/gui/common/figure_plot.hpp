@@ -58,7 +58,6 @@ class FigurePlot : public QCustomPlot {
   void add_colour_bar(int row, QCPAxisRect* rect, const picture::FigureColourBar& bar);
   void dress(QCPAxis* axis);
   void keep_scales();
-  void name_axis(QCPAxis* axis, const picture::FigureAxis& described);
   [[nodiscard]] QColor ink(picture::Role role) const;
 
   picture::Figure figure_;

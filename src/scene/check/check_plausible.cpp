@@ -97,10 +97,46 @@ void check_beamwidth(Findings& findings, std::string_view field, std::string_vie
                                         -20.0 * std::log10(std::sin(1.391557 / half) / (1.391557 / half)))});
 }
 
-void check_beams(Findings& findings, std::string_view field, const Antenna& antenna) {
+// An aperture of length L has a half-power width of 0.886 lambda/L.
+void check_narrow_beam(Findings& findings, std::string_view field, std::string_view cut, double width_deg,
+                       double wavelength_m) {
+  constexpr double narrow_deg = 0.1;
+  constexpr double longest_antenna_m = 100.0;
+  if (!(width_deg > 0.0) || width_deg >= narrow_deg) return;
+  const double length_m = 0.886 * wavelength_m / (width_deg * core::pi / 180.0);
+  if (!(length_m > longest_antenna_m)) return;
+  findings.warning(Consequence::surprise, field,
+                   {.message = fmt::format("the {} beamwidth needs an antenna {:.3g} m long", cut, length_m),
+                    .found = value_text(width_deg, "deg"),
+                    .expected = fmt::format("{} or more, an antenna of up to {:g} m",
+                                            value_text(core::tidy(width_deg * length_m / longest_antenna_m, 3), "deg"),
+                                            longest_antenna_m),
+                    .hint = "Beamwidths are in degrees; the length is 0.886 times the wavelength over the width."});
+}
+
+// What a uniformly illuminated aperture of these beamwidths has: 4 pi 0.886^2/(product of the widths).
+void check_gain(Findings& findings, std::string_view field, const Antenna& antenna, const core::PowerRatio& gain) {
+  constexpr double directive = 100.0;
+  const double widths = antenna.azimuth_beamwidth.rad() * antenna.elevation_beamwidth.rad();
+  if (gain.db() != 0.0 || !(widths > 0.0)) return;
+  const double directivity = 4.0 * core::pi * 0.886 * 0.886 / widths;
+  if (!(directivity > directive) || !std::isfinite(directivity)) return;
+  findings.note(field,
+                {.message = "the antenna has a narrow beam and a gain of 0 dB: signal-to-noise ratios are too low",
+                 .found = "0 dB",
+                 .expected = fmt::format("about {:.0f} dB less the antenna's losses", 10.0 * std::log10(directivity)),
+                 .hint = "The pattern is relative to the peak; the gain of the peak is a field of its own."});
+}
+
+void check_beams(Findings& findings, std::string_view field, const Antenna& antenna,
+                 const std::optional<CarrierSpan>& carriers) {
   if (antenna.pattern != Antenna::Pattern::sinx) return;
   check_beamwidth(findings, field, "azimuth", antenna.azimuth_beamwidth.deg());
   check_beamwidth(findings, field, "elevation", antenna.elevation_beamwidth.deg());
+  if (!carriers || !(carriers->highest_hz > 0.0)) return;
+  const double wavelength_m = radar::wavelength_of(carriers->highest_hz, core::exact_light_speed_mps);
+  check_narrow_beam(findings, field, "azimuth", antenna.azimuth_beamwidth.deg(), wavelength_m);
+  check_narrow_beam(findings, field, "elevation", antenna.elevation_beamwidth.deg(), wavelength_m);
 }
 
 void check_hanning(Findings& findings, const Radar& radar) {
@@ -232,8 +268,11 @@ void check_plausible_radar(Findings& findings, const Radar& radar) {
   check_usual_carrier(findings, radar);
   check_band_above_zero(findings, radar);
   check_time_bandwidth(findings, radar);
-  check_beams(findings, "transmit_antenna", radar.transmit_antenna);
-  if (!radar.same_antenna) check_beams(findings, "receive_antenna", radar.receive_antenna);
+  const auto carriers = carrier_span(radar);
+  check_beams(findings, "transmit_antenna", radar.transmit_antenna, carriers);
+  if (!radar.same_antenna) check_beams(findings, "receive_antenna", radar.receive_antenna, carriers);
+  if (radar.noise_temperature_k > 0.0 && radar.transmit_antenna.pattern == Antenna::Pattern::sinx)
+    check_gain(findings, "transmit_gain", radar.transmit_antenna, radar.transmit_gain);
   check_hanning(findings, radar);
 }
 

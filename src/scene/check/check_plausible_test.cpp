@@ -45,6 +45,38 @@ TEST(CheckPlausible, SaysHowWideAWideBeamIs) {
   EXPECT_THAT(expect_warning(beam(120.0), radar_field("transmit_antenna")).hint, HasSubstr("2.7 dB below"));
 }
 
+// 0.886 x 3.1228 cm over 0.01 deg = 158.5 m; millimetre waves have such beams from 17 m.
+TEST(CheckPlausible, WarnsOfABeamThatNeedsAnAntennaOfAHundredMetres) {
+  const auto beam = [](double width_deg, double carrier_hz) {
+    return with([=](Radar& r, Simulation&) {
+      r.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(width_deg);
+      r.carrier_hz = carrier_hz;
+    });
+  };
+  const core::Problem problem = expect_warning(beam(0.01, 9.6e9), radar_field("transmit_antenna"));
+  EXPECT_THAT(problem.message, HasSubstr("azimuth beamwidth needs an antenna 159 m long"));
+  EXPECT_THAT(problem.expected, HasSubstr("0.0159 deg"));
+  EXPECT_TRUE(check(beam(0.01, 94e9)).empty());
+  EXPECT_TRUE(check(beam(0.1, 5e9)).empty());
+}
+
+// 4 pi 0.886^2/(4 deg x 2 deg) = 36.1 dB; it counts where there is noise.
+TEST(CheckPlausible, NotesANarrowBeamWithoutGain) {
+  Scene scene = with([](Radar& r, Simulation&) {
+    r.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(4.0);
+    r.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(2.0);
+    r.transmit_gain = {};
+  });
+  EXPECT_TRUE(check(scene).empty());
+  scene.radars[0].noise_temperature_k = 290.0;
+  const core::Problems problems = check(scene);
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].severity, core::Severity::note);
+  EXPECT_THAT(problems[0].expected, HasSubstr("36 dB"));
+  scene.radars[0].transmit_gain = core::PowerRatio::from_db(34.0);
+  EXPECT_TRUE(check(scene).empty());
+}
+
 TEST(CheckPlausible, WarnsOfAHanningWindowWithoutEffect) {
   expect_warning(with([](Radar& r, Simulation&) { r.window = Radar::Window::hanning; }),
                  radar_field("hanning_pedestal"));
