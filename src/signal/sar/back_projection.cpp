@@ -13,6 +13,7 @@
 #include "signal/sar/back_projection_kernel.hpp"
 #include "signal/sar/echo_records.hpp"
 #include "signal/sar/ground_sight.hpp"
+#include "signal/sar/projection_tiles.hpp"
 #include "signal/sar/reference_track.hpp"
 
 namespace sarsim::signal {
@@ -87,178 +88,28 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   return aperture;
 }
 
-// A line of points a + step k + k^2/2 bend + k^3/6 twist.
-struct PointLine {
-  core::Vec3 first_m, step_m, bend_m, twist_m;
-};
-
-// The cubic through points 0, 1, 2 and 3 thirds from the first.
-PointLine line_through(const std::array<core::Vec3, 4>& p, double third) {
-  const core::Vec3 d1 = p[1] - p[0];
-  const core::Vec3 d2 = p[2] - 2.0 * p[1] + p[0];
-  const core::Vec3 d3 = p[3] - 3.0 * p[2] + 3.0 * p[1] - p[0];
-  return {p[0], (1.0 / third) * (d1 - 0.5 * d2 + (1.0 / 3.0) * d3), (1.0 / (third * third)) * (d2 - d3),
-          (1.0 / (third * third * third)) * d3};
-}
-
-// Gives a tile its points.
-// @param turned  the line runs along the rows of the tile, not along its columns
-void put_points(const PointLine& line, const core::Vec3& step_m, bool turned, ProjectionTile& tile) {
-  tile.corner_m = line.first_m;
-  (turned ? tile.row_step_m : tile.column_step_m) = line.step_m;
-  (turned ? tile.row_bend_m : tile.column_bend_m) = line.bend_m;
-  (turned ? tile.row_twist_m : tile.column_twist_m) = line.twist_m;
-  (turned ? tile.column_step_m : tile.row_step_m) = step_m;
-  (turned ? tile.column_bend_m : tile.row_bend_m) = {};
-  (turned ? tile.column_twist_m : tile.row_twist_m) = {};
-}
-
-// Where a tile begins in a grid, how many rows and columns of it belong to a whole one, and whether its columns run
-// along the rows of the grid.
-struct TileShape {
-  double row, column;
-  double rows, columns;
-  bool turned;
-};
-
-// Fits a tile to a curved grid, by a cubic over columns and a line over rows; puts it into the plane of the grid if the
-// fit is off by more than 1 in 50 000 of a column, as straight below a track, where the surface bends sharply.
-void bend_tile(const PointGrid& grid, const TileShape& shape, ProjectionTile& tile) {
-  const double third = (shape.columns - 1.0) / 3.0;
-  const double last_row = shape.rows - 1.0;
-  const auto at = [&](double i, double j) { return grid.curved(shape.row + i, shape.column + j); };
-  const double middle = 0.5 * last_row;
-  PointLine line =
-      line_through({at(middle, 0.0), at(middle, third), at(middle, 2.0 * third), at(middle, 3.0 * third)}, third);
-  const core::Vec3 row_step_m = (1.0 / last_row) * (at(last_row, 1.5 * third) - at(0.0, 1.5 * third));
-  line.first_m = line.first_m - middle * row_step_m;
-  put_points(line, row_step_m, shape.turned, tile);
-  double missed_m = 0.0;
-  for (const double i : {0.0, last_row})
-    for (const double j : {0.0, 0.5 * third, 1.5 * third, 2.5 * third, 3.0 * third}) {
-      const core::Vec3 point_m = shape.turned ? tile.point_m(j, i) : tile.point_m(i, j);
-      missed_m = std::max(missed_m, core::norm(point_m - at(i, j)));
-    }
-  if (missed_m < 2e-5 * core::norm(grid.column_step_m)) return;
-  const core::Vec3 corner_m = grid.origin_m + shape.row * grid.row_step_m + shape.column * grid.column_step_m;
-  put_points({corner_m, grid.column_step_m, {}, {}}, grid.row_step_m, shape.turned, tile);
-}
-
-// Whether distances from the antenna change less along a column of the grid than along a row: then the points of a
-// vector, which stand in a line, share most of their records.
-bool changes_less_along_columns(const PointGrid& grid, const SarEchoes& echoes) {
-  constexpr std::size_t looks = 16;
-  double down_m = 0.0;
-  double right_m = 0.0;
-  for (std::size_t look = 0; look < looks; ++look) {
-    const TrackPoint& antenna = echoes.track[look * (echoes.track.size() - 1) / (looks - 1)];
-    for (const double row : {0.0, 0.5, 1.0})
-      for (const double column : {0.0, 0.5, 1.0}) {
-        const double i = row * static_cast<double>(grid.rows);
-        const double j = column * static_cast<double>(grid.columns);
-        const core::Vec3 point_m = grid.at(i, j);
-        const core::Vec3 r = point_m - antenna.position_m;
-        const double distance_m = std::max(core::norm(r), 1e-300);
-        down_m += std::abs(core::dot(r, grid.at(i + 1.0, j) - point_m)) / distance_m;
-        right_m += std::abs(core::dot(r, grid.at(i, j + 1.0) - point_m)) / distance_m;
-      }
-  }
-  return down_m < right_m;
-}
-
-// The rectangles a grid is computed in, in bands of whole rows of the grid. The columns of a tile run along those of
-// the grid or, where that is better, along its rows.
-class Tiles {
- public:
-  static constexpr std::size_t points = ProjectionTile::rows * ProjectionTile::columns;
-
-  Tiles(const PointGrid& grid, const SarEchoes& echoes)
-      : grid_(&grid),
-        turned_(changes_less_along_columns(grid, echoes)),
-        high_(turned_ ? ProjectionTile::columns : ProjectionTile::rows),
-        wide_(turned_ ? ProjectionTile::rows : ProjectionTile::columns),
-        across_((grid.columns + wide_ - 1) / wide_),
-        down_((grid.rows + high_ - 1) / high_) {}
-
-  [[nodiscard]] std::size_t count() const { return across_ * down_; }
-  [[nodiscard]] std::size_t first_row(std::size_t tile) const { return tile / across_ * high_; }
-  [[nodiscard]] std::size_t first_column(std::size_t tile) const { return tile % across_ * wide_; }
-  [[nodiscard]] std::size_t rows(std::size_t tile) const { return std::min(high_, grid_->rows - first_row(tile)); }
-  [[nodiscard]] std::size_t columns(std::size_t tile) const {
-    return std::min(wide_, grid_->columns - first_column(tile));
-  }
-  [[nodiscard]] std::size_t tiles_of_band() const { return across_; }
-  /// Where a tile has the point of a row and a column of the grid, counted from its first ones.
-  [[nodiscard]] std::size_t at(std::size_t row, std::size_t column) const {
-    return turned_ ? column * ProjectionTile::columns + row : row * ProjectionTile::columns + column;
-  }
-
-  void place(std::size_t index, ProjectionTile& tile) const {
-    tile.used_rows = turned_ ? columns(index) : rows(index);
-    tile.used_columns = turned_ ? rows(index) : columns(index);
-    const TileShape shape{static_cast<double>(first_row(index)), static_cast<double>(first_column(index)),
-                          static_cast<double>(high_), static_cast<double>(wide_), turned_};
-    if (grid_->curved) {
-      bend_tile(*grid_, shape, tile);
-      return;
-    }
-    const core::Vec3 corner_m = grid_->origin_m + shape.row * grid_->row_step_m + shape.column * grid_->column_step_m;
-    put_points({corner_m, grid_->column_step_m, {}, {}}, grid_->row_step_m, turned_, tile);
-  }
-
- private:
-  const PointGrid* grid_;
-  bool turned_;
-  std::size_t high_, wide_;  // in rows and columns of the grid
-  std::size_t across_;
-  std::size_t down_;
-};
-
-// The stretches that the antenna's nearest approach to each tile allows.
-std::vector<Stretch> stretches_of(const Tiles& tiles, const SarEchoes& echoes, const core::WorkControl& control) {
-  const double wavelength_m = radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
-  std::vector<Stretch> stretches(tiles.count());
-  core::parallel_ranges(tiles.count(), 16, control, [&](std::size_t begin, std::size_t end) {
-    ProjectionTile tile;
-    for (std::size_t index = begin; index < end; ++index) {
-      tiles.place(index, tile);
-      // Stretches reach to the end of the tile even where it is not used.
-      const core::Vec3 down = 0.5 * static_cast<double>(ProjectionTile::rows) * tile.row_step_m;
-      const core::Vec3 right = 0.5 * static_cast<double>(ProjectionTile::columns) * tile.column_step_m;
-      const core::Vec3 middle = tile.corner_m + down + right;
-      double nearest_m = 1e300;
-      for (const TrackPoint& point : echoes.track)
-        nearest_m = std::min(nearest_m, core::norm(middle - point.position_m));
-      for (const core::Vec3& receiver_m : echoes.receivers_m)
-        nearest_m = std::min(nearest_m, core::norm(middle - receiver_m));
-      nearest_m -= core::norm(down) + core::norm(right);
-      stretches[index] = stretch_for(nearest_m, core::norm(tile.column_step_m), wavelength_m);
-    }
-  });
-  return stretches;
-}
-
 // Sums of all points while the pulses are worked through: those of a tile stand together, real parts first.
 struct Sums {
   std::vector<std::complex<float>> values;
   std::vector<float> weights;  // empty where all pulses count
 
   void load(std::size_t index, ProjectionTile& tile) const {
-    const auto* from = reinterpret_cast<const float*>(values.data() + index * Tiles::points);
-    std::copy_n(from, Tiles::points, tile.re.begin());
-    std::copy_n(from + Tiles::points, Tiles::points, tile.im.begin());
-    if (!weights.empty()) std::copy_n(weights.data() + index * Tiles::points, Tiles::points, tile.weight.begin());
+    const auto* from = reinterpret_cast<const float*>(values.data() + index * ProjectionTiles::points);
+    std::copy_n(from, ProjectionTiles::points, tile.re.begin());
+    std::copy_n(from + ProjectionTiles::points, ProjectionTiles::points, tile.im.begin());
+    if (!weights.empty())
+      std::copy_n(weights.data() + index * ProjectionTiles::points, ProjectionTiles::points, tile.weight.begin());
   }
   void store(const ProjectionTile& tile, std::size_t index) {
-    auto* to = reinterpret_cast<float*>(values.data() + index * Tiles::points);
+    auto* to = reinterpret_cast<float*>(values.data() + index * ProjectionTiles::points);
     std::ranges::copy(tile.re, to);
-    std::ranges::copy(tile.im, to + Tiles::points);
-    if (!weights.empty()) std::ranges::copy(tile.weight, weights.data() + index * Tiles::points);
+    std::ranges::copy(tile.im, to + ProjectionTiles::points);
+    if (!weights.empty()) std::ranges::copy(tile.weight, weights.data() + index * ProjectionTiles::points);
   }
 };
 
 // The mean values of the points of a tile, among those of the rows of its band.
-void normalize(const ProjectionTile& tile, const Tiles& tiles, std::size_t index, std::size_t columns,
+void normalize(const ProjectionTile& tile, const ProjectionTiles& tiles, std::size_t index, std::size_t columns,
                std::optional<float> share, std::span<std::complex<float>> band) {
   for (std::size_t row = 0; row < tiles.rows(index); ++row) {
     std::complex<float>* out = band.data() + row * columns + tiles.first_column(index);
@@ -272,7 +123,8 @@ void normalize(const ProjectionTile& tile, const Tiles& tiles, std::size_t index
 
 // The mean values of all points, in the order of the grid. Rows take no more room than their tiles, so that those of a
 // band can be written over what has been read.
-std::vector<std::complex<float>> mean_values(Sums sums, const Tiles& tiles, const PointGrid& grid, std::size_t pulses) {
+std::vector<std::complex<float>> mean_values(Sums sums, const ProjectionTiles& tiles, const PointGrid& grid,
+                                             std::size_t pulses) {
   std::optional<float> share;
   if (sums.weights.empty()) share = 1.0F / static_cast<float>(pulses);
   const auto tile = std::make_unique<ProjectionTile>();
@@ -288,6 +140,14 @@ std::vector<std::complex<float>> mean_values(Sums sums, const Tiles& tiles, cons
   }
   sums.values.resize(grid.rows * grid.columns);
   return std::move(sums.values);
+}
+
+// No point is at a distance of 0 or less from the line.
+void clear_before_line(FocusedImage& image) {
+  for (std::size_t column = 0; column < image.range.count; ++column) {
+    if (image.range.at(static_cast<double>(column)) > 0.0) continue;
+    for (std::size_t row = 0; row < image.azimuth.count; ++row) image.values[row * image.range.count + column] = {};
+  }
 }
 
 }  // namespace
@@ -317,8 +177,8 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
   expect_sound(echoes, options);
   const std::size_t points = grid.rows * grid.columns;
   if (points == 0 || echoes.volts.empty()) return std::vector<std::complex<float>>(points);
-  const Tiles tiles(grid, echoes);
-  Sums sums{std::vector<std::complex<float>>(tiles.count() * Tiles::points), {}};
+  const ProjectionTiles tiles(grid, echoes, control);
+  Sums sums{std::vector<std::complex<float>>(tiles.count() * ProjectionTiles::points), {}};
   if (options.aperture != BackProjectionOptions::Aperture::all) sums.weights.resize(sums.values.size());
   const std::size_t pulses = echoes.track.size();
   const std::size_t pulse_bytes = EchoRecords::factor * EchoRecords::floats * sizeof(float) * echoes.samples;
@@ -327,7 +187,6 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
   ProjectionConstants constants = constants_of(echoes, options);
   constants.record_count = records.count();
   const ProjectionAperture aperture = aperture_of(options);
-  const std::vector<Stretch> stretches = stretches_of(tiles, echoes, control);
 
   std::vector<ProjectionPulse> together;
   for (std::size_t first = 0; first < pulses; first += block) {
@@ -337,10 +196,11 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
     for (std::size_t i = 0; i < count; ++i) together.push_back(pulse_of(echoes, first + i, records.at(i)));
     core::parallel_ranges(tiles.count(), 1, control, [&](std::size_t begin, std::size_t end) {
       const auto tile = std::make_unique<ProjectionTile>();
+      std::vector<core::Vec3> points_m;
       for (std::size_t index = begin; index < end; ++index) {
-        tiles.place(index, *tile);
+        tiles.place(index, *tile, points_m);
         sums.load(index, *tile);
-        project(together, constants, aperture, stretches[index], *tile);
+        project(together, constants, aperture, tiles.stretch(index), *tile);
         sums.store(*tile, index);
       }
     });
@@ -363,6 +223,7 @@ FocusedImage back_project(const SarEchoes& echoes, const ImageFrame& frame, cons
   ReferenceTrack line = fitted_track(echoes.track);
   if (frame.plane == ImagePlane::slant_range) line = {0.0, frame.origin_m, frame.along};
   turn_to_baseband(image, grid, line, control);
+  if (frame.plane == ImagePlane::slant_range) clear_before_line(image);
   return image;
 }
 

@@ -22,8 +22,7 @@ struct PointGrid {
   core::Vec3 column_step_m;
   std::size_t rows = 0;
   std::size_t columns = 0;
-  /// If not empty: the place of a row and a column, smooth in both. The steps are then those of the plane that is used
-  /// instead where the surface bends too sharply.
+  /// If not empty: the place of a row and a column, continuous in both; the steps are then of no use.
   std::function<core::Vec3(double row, double column)> curved{};
 
   [[nodiscard]] core::Vec3 at(double row, double column) const {

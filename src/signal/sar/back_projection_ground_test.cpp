@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/maths/constants.hpp"
 #include "signal/sar/back_projection.hpp"
@@ -66,6 +67,110 @@ TEST(BackProjectionOntoSlantRanges, OfLevelGroundHasNoErrorOffMidSwath) {
     // In the plane through the track and the middle of the swath: 25 m off, 4 pi/lambda * 6 cm * 25 m/(R tan b).
     const std::complex<double> in_plane = response(image_of_slant(echoes, {}), point);
     EXPECT_LT(20.0 * std::log10(std::abs(in_plane)), off_m != 0.0 ? -0.3 : 0.01) << off_m;
+  }
+}
+
+// A flight that climbs, sways, heaves and turns, above level ground at height 0 that it sees to its left.
+struct FlightDraw {
+  SarEchoes echoes;
+  core::Vec3 point_m;
+};
+
+FlightDraw drawn_flight(std::mt19937& random) {
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const double carrier_hz = 1e9 * std::pow(35.0, between(0.0, 1.0));
+  const double bandwidth_hz = 100e6;
+  const double cell_m = core::exact_light_speed_mps / (2.0 * bandwidth_hz);
+  const double above_m = 50.0 * std::pow(160.0, between(0.0, 1.0));
+  const double aside_m = above_m * std::pow(60.0, between(-1.0, 0.4));  // from straight below to grazing
+  const double squint = std::tan(between(-0.7, 0.7));
+  const double climb = std::tan(between(-10.0, 10.0) / core::deg_per_rad);
+  const double sway_m = between(0.0, 5.0) * cell_m;
+  const double phase = between(0.0, 2.0 * core::pi);
+  FlightDraw draw;
+  draw.echoes.waveform = {carrier_hz, bandwidth_hz, 0.0, 1.4 * bandwidth_hz, core::exact_light_speed_mps};
+  const double range_m = std::hypot(above_m, aside_m) * std::hypot(1.0, squint);
+  const double length_m = 0.2 * range_m;
+  constexpr std::size_t pulses = 48;
+  draw.echoes.track = test::straight_flight({0.0, 0.0, above_m}, {length_m, 0.0, climb * length_m},
+                                            static_cast<double>(pulses), pulses);
+  const double turn = between(0.0, 0.2) * length_m;
+  for (TrackPoint& point : draw.echoes.track) {
+    const double angle = phase + 7.0 * point.time_s;
+    point.position_m = point.position_m + core::Vec3{0.2 * sway_m * std::sin(2.3 * angle),
+                                                     sway_m * std::sin(angle) + turn * point.time_s * point.time_s,
+                                                     sway_m * std::cos(1.7 * angle)};
+    point.velocity_mps = 100.0 / length_m * point.velocity_mps;
+  }
+  draw.point_m = {std::hypot(above_m, aside_m) * squint, aside_m, 0.0};
+  double least_m = INFINITY, most_m = 0.0;
+  for (const TrackPoint& point : draw.echoes.track) {
+    least_m = std::min(least_m, core::norm(draw.point_m - point.position_m));
+    most_m = std::max(most_m, core::norm(draw.point_m - point.position_m));
+  }
+  const double sample_m = core::exact_light_speed_mps / (2.0 * draw.echoes.waveform.sample_rate_hz);
+  draw.echoes.samples = static_cast<std::size_t>((most_m - least_m) / sample_m) + 300;
+  draw.echoes.first_delay_s = 2.0 * (least_m - 150.0 * sample_m) / core::exact_light_speed_mps;
+  test::write_echoes(draw.echoes, {{draw.point_m}}, draw.echoes.track);
+  return draw;
+}
+
+// An image in which a point is one of the samples: at the row and the column that are given.
+FocusedImage image_with_sample(const FlightDraw& draw, std::size_t row, std::size_t column) {
+  const ReferenceTrack line = fitted_track(draw.echoes.track);
+  ImageFrame frame;
+  frame.origin_m = line.position_m;
+  frame.speed_mps = core::norm(line.velocity_mps);
+  frame.along = (1.0 / frame.speed_mps) * line.velocity_mps;
+  const core::Vec3 to_point = draw.point_m - frame.origin_m;
+  frame.across = to_point - core::dot(to_point, frame.along) * frame.along;
+  frame.across = (1.0 / core::norm(frame.across)) * frame.across;
+  const ImagePlace place = place_of(frame, draw.point_m);
+  const ImageAxis azimuth{place.azimuth_m - 0.3 * static_cast<double>(row), 0.3, row + 3, 0.0};
+  const ImageAxis range{place.range_m - 0.4 * static_cast<double>(column), 0.4, 160, 0.0};
+  BackProjectionOptions options;
+  options.ground_m = 0.0;
+  return back_project(draw.echoes, frame, azimuth, range, options, {.threads = 2});
+}
+
+// Whatever the track does, each sample of the image is the sum for the point of level ground at its azimuth and range.
+TEST(BackProjectionOntoSlantRanges, OfAnyTrackHasThePointsOfTheGroundInAllOfTheSwath) {
+  std::mt19937 random(11);
+  for (int number = 0; number < 60; ++number) {
+    const FlightDraw draw = drawn_flight(random);
+    const std::size_t row = number % 2 == 0 ? 61 : 5;
+    const std::size_t column = number % 3 == 0 ? 150 : number % 3 == 1 ? 37 : 64;
+    const FocusedImage image = image_with_sample(draw, row, column);
+    const double range_m = image.range.at(static_cast<double>(column));
+    const auto value = std::complex<double>(image.values[row * image.range.count + column]) *
+                       core::turned_exactly(2.0 * range_m * image.carrier_hz / image.light_speed_mps);
+    // A ten thousandth of a wavelength off the surface is 4 pi 1e-4 rad; the images of the interpolation between
+    // records, -47 dB, differ from pulse to pulse.
+    const double tolerance = 4.0 * core::pi * 1e-4 + 3.0 * 4.5e-3 / std::sqrt(48.0);
+    EXPECT_NEAR(std::abs(value), 1.0, tolerance) << number;
+    EXPECT_NEAR(std::arg(value), 0.0, tolerance) << number;
+  }
+}
+
+TEST(BackProjectionOntoSlantRanges, HasNothingAtRangesOfZeroAndLess) {
+  std::mt19937 random(3);
+  const FlightDraw draw = drawn_flight(random);
+  const ReferenceTrack line = fitted_track(draw.echoes.track);
+  ImageFrame frame;
+  frame.origin_m = line.position_m;
+  frame.along = (1.0 / core::norm(line.velocity_mps)) * line.velocity_mps;
+  frame.across = core::cross({0.0, 0.0, 1.0}, frame.along);
+  const ImageAxis azimuth{0.0, 1.0, 3, 0.0};
+  const double range_m = place_of(frame, draw.point_m).range_m;
+  const ImageAxis range{-1.5 * range_m, 0.1 * range_m, 30, 0.0};
+  BackProjectionOptions options;
+  options.ground_m = 0.0;
+  const FocusedImage image = back_project(draw.echoes, frame, azimuth, range, options, {.threads = 1});
+  for (std::size_t i = 0; i < image.values.size(); ++i) {
+    if (range.at(static_cast<double>(i % 30)) > 0.0) continue;
+    EXPECT_EQ(image.values[i], std::complex<float>()) << i;
   }
 }
 

@@ -1,6 +1,7 @@
 #include "signal/sar/back_projection_kernel.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -86,6 +87,13 @@ HWY_INLINE void cos_sin_half_turns(FloatVec x, FloatVec& cosine, FloatVec& sine)
 
 // How the points of a stretch are weighted.
 enum class Weighting { none, ones, cut, table };
+
+Weighting weighting_of(const ProjectionAperture& aperture) {
+  if (aperture.kind == ProjectionAperture::Kind::all) return Weighting::none;
+  return aperture.uniform ? Weighting::cut : Weighting::table;
+}
+
+constexpr std::size_t most_stretches = ProjectionTile::columns / static_cast<std::size_t>(Stretch::of_16);
 
 // What a pulse and a row have beside the polynomials.
 struct StretchTerms {
@@ -254,20 +262,21 @@ HWY_INLINE void add_row(Weighting weighting, const StretchRows& rows, std::size_
   }
 }
 
-void project_on_target(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
-                       const ProjectionAperture& aperture, std::size_t stretch, ProjectionTile& tile) {
+template <bool curved>
+void project_stretches(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
+                       const ProjectionAperture& aperture, std::size_t stretch, std::span<const RowShapes> shapes,
+                       ProjectionTile& tile) {
   const double half = 0.5 * static_cast<double>(stretch);
   const auto first = static_cast<float>(-half);
-  const Weighting wanted = aperture.kind == ProjectionAperture::Kind::all ? Weighting::none
-                           : aperture.uniform                             ? Weighting::cut
-                                                                          : Weighting::table;
+  const Weighting wanted = weighting_of(aperture);
   StretchRows rows;
   StretchTerms t{};
   t.weights = aperture.weights.data();
   for (const ProjectionPulse& pulse : pulses) {
     t.record_scale = static_cast<float>(constants.records_per_s / (2.0 * pulse.carrier_of(constants)));
     for (std::size_t column = 0; column < tile.used_columns; column += stretch) {
-      expand_rows(pulse, constants, aperture, tile, static_cast<double>(column) + half, half, rows);
+      const RowShapes* shape = curved ? &shapes[column / stretch] : nullptr;
+      expand_rows<curved>(pulse, constants, aperture, tile, shape, static_cast<double>(column) + half, half, rows);
       const std::size_t count = std::min(stretch, tile.used_columns - column);
       for (std::size_t row = 0; row < tile.used_rows; ++row) {
         Weighting weighting = wanted;
@@ -282,6 +291,125 @@ void project_on_target(std::span<const ProjectionPulse> pulses, const Projection
   }
 }
 
+void project_on_target(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
+                       const ProjectionAperture& aperture, std::size_t stretch, ProjectionTile& tile) {
+  if (tile.surface.empty()) {
+    project_stretches<false>(pulses, constants, aperture, stretch, {}, tile);
+    return;
+  }
+  std::array<RowShapes, most_stretches> shapes;
+  for (std::size_t i = 0; i * stretch < tile.used_columns; ++i) fill_shapes(tile.surface[i], shapes[i]);
+  project_stretches<true>(pulses, constants, aperture, stretch, shapes, tile);
+}
+
+// As many points as a vector has floats, or doubles where those are more.
+struct PointTerms {
+  static constexpr std::size_t most = 16;
+  alignas(64) std::array<float, most> half_turns, fraction, there, weight;
+  alignas(64) std::array<std::int32_t, most> record;
+};
+
+HWY_INLINE DoubleVec lane_weights(DoubleVec place, const ProjectionAperture& aperture) {
+  const DoubleTag d;
+  const auto inside = hn::Le(hn::Abs(place), hn::Set(d, 0.5));
+  if (aperture.uniform) return hn::IfThenElseZero(inside, hn::Set(d, 1.0));
+  alignas(64) std::array<double, PointTerms::most> at{};
+  const DoubleVec held = hn::Min(hn::Max(place, hn::Set(d, -0.5)), hn::Set(d, 0.5));
+  hn::Store(hn::Mul(hn::Add(held, hn::Set(d, 0.5)), hn::Set(d, static_cast<double>(ProjectionAperture::pieces))), d,
+            at.data());
+  for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+    const auto piece = static_cast<std::size_t>(at[lane]);
+    const auto begin = static_cast<double>(aperture.weights[piece]);
+    const auto end = static_cast<double>(aperture.weights[piece + 1]);
+    at[lane] = begin + (at[lane] - static_cast<double>(piece)) * (end - begin);
+  }
+  return hn::IfThenElseZero(inside, hn::Load(d, at.data()));
+}
+
+// What `project_point` computes, for the points from `lane` on.
+HWY_INLINE void point_terms(const Vec3Lanes& r, const ProjectionPulse& pulse, const ProjectionConstants& constants,
+                            const ProjectionAperture& aperture, const core::Vec3& heading, std::size_t lane,
+                            PointTerms& out) {
+  const DoubleTag d;
+  const DoubleVec zero = hn::Zero(d);
+  const double carrier_hz = pulse.carrier_of(constants);
+  DoubleVec distance = hn::Sqrt(length_squared(r));
+  if (pulse.bistatic)
+    distance = hn::Mul(hn::Set(d, 0.5),
+                       hn::Add(distance, hn::Sqrt(length_squared(moved(r, pulse.position_m - pulse.receiver_m)))));
+  const DoubleVec along = constants.moving ? dot_lanes(r, pulse.velocity_mps) : zero;
+  const DoubleVec away = hn::IfThenElseZero(hn::Gt(distance, zero), hn::Neg(hn::Div(along, distance)));
+  const DoubleVec delay = hn::Mul(hn::Set(d, slowness_of(pulse, constants)),
+                                  hn::NegMulAdd(hn::Set(d, 1.0 / constants.light_speed_mps), along, distance));
+  const DoubleVec fd = hn::Mul(hn::Set(d, -radar::turns_per_m(carrier_hz, constants.light_speed_mps)), away);
+  const DoubleVec early = hn::Mul(fd, hn::Set(d, constants.doppler_delay_s2));
+  const DoubleVec from_first = hn::Sub(hn::Sub(delay, early), hn::Set(d, constants.first_delay_s + pulse.later_s));
+  const DoubleVec record = hn::Mul(from_first, hn::Set(d, constants.records_per_s));
+  const auto there =
+      hn::And(hn::Ge(record, zero), hn::Lt(record, hn::Set(d, static_cast<double>(constants.record_count) - 1.0)));
+  const DoubleVec whole = hn::Floor(hn::IfThenElseZero(there, record));
+  store_floats(hn::IfThenElseZero(there, hn::Sub(record, whole)), out.fraction.data() + lane);
+  store_integers(hn::Add(whole, whole), out.record.data() + lane);
+  store_floats(without_turns(hn::MulAdd(hn::Set(d, 2.0 * carrier_hz), delay, hn::Mul(fd, early))),
+               out.half_turns.data() + lane);
+  DoubleVec weight = hn::Set(d, 1.0);
+  if (aperture.kind != ProjectionAperture::Kind::all) {
+    weight = lane_weights(place_of_points(r, heading, core::norm(pulse.velocity_mps), aperture), aperture);
+    store_floats(weight, out.weight.data() + lane);
+  }
+  store_floats(hn::IfThenElseZero(there, weight), out.there.data() + lane);
+}
+
+HWY_INLINE void add_points(const PointTerms& t, const float* records, std::size_t lane, float* HWY_RESTRICT re,
+                           float* HWY_RESTRICT im) {
+  const FloatTag d;
+  FloatVec cosine, sine;
+  cos_sin_half_turns(hn::Load(d, t.half_turns.data() + lane), cosine, sine);
+  const FloatVec weight = hn::Load(d, t.there.data() + lane);
+  const FloatVec fraction = hn::Load(d, t.fraction.data() + lane);
+  const Quad q = load_records(records, t.record.data() + lane);
+  const FloatVec echo_re = hn::Mul(weight, hn::MulAdd(fraction, hn::Sub(q.next_re, q.re), q.re));
+  const FloatVec echo_im = hn::Mul(weight, hn::MulAdd(fraction, hn::Sub(q.next_im, q.im), q.im));
+  hn::Store(hn::NegMulAdd(echo_im, sine, hn::MulAdd(echo_re, cosine, hn::Load(d, re))), d, re);
+  hn::Store(hn::MulAdd(echo_im, cosine, hn::MulAdd(echo_re, sine, hn::Load(d, im))), d, im);
+}
+
+void project_points_on_target(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
+                              const ProjectionAperture& aperture, ProjectionTile& tile) {
+  const DoubleTag d;
+  const FloatTag f;
+  const std::size_t together = std::max(hn::Lanes(d), hn::Lanes(f));
+  const bool weighted = aperture.kind != ProjectionAperture::Kind::all;
+  alignas(64) std::array<double, ProjectionTile::columns> x, y, z;
+  PointTerms t{};
+  for (std::size_t row = 0; row < tile.used_rows; ++row) {
+    for (std::size_t column = 0; column < ProjectionTile::columns; ++column) {
+      const core::Vec3 point_m = tile.point_m(row, column);
+      x[column] = point_m.x;
+      y[column] = point_m.y;
+      z[column] = point_m.z;
+    }
+    for (const ProjectionPulse& pulse : pulses) {
+      const core::Vec3 heading = heading_of(pulse, aperture);
+      for (std::size_t column = 0; column < tile.used_columns; column += together) {
+        for (std::size_t lane = 0; lane < together; lane += hn::Lanes(d)) {
+          const std::size_t from = column + lane;
+          const Vec3Lanes points{hn::Load(d, x.data() + from), hn::Load(d, y.data() + from),
+                                 hn::Load(d, z.data() + from)};
+          point_terms(moved(points, -1.0 * pulse.position_m), pulse, constants, aperture, heading, lane, t);
+        }
+        const std::size_t at = row * ProjectionTile::columns + column;
+        for (std::size_t lane = 0; lane < together; lane += hn::Lanes(f)) {
+          add_points(t, pulse.records, lane, tile.re.data() + at + lane, tile.im.data() + at + lane);
+          if (!weighted) continue;
+          float* sum = tile.weight.data() + at + lane;
+          hn::Store(hn::Add(hn::Load(f, sum), hn::Load(f, t.weight.data() + lane)), f, sum);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace sarsim::signal::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -290,6 +418,26 @@ HWY_AFTER_NAMESPACE();
 namespace sarsim::signal {
 
 HWY_EXPORT(project_on_target);
+HWY_EXPORT(project_points_on_target);
+
+core::Vec3 StretchSurface::point_m(double row, double j) const {
+  const double i = row - middle_row;
+  core::Vec3 point_m;
+  for (std::size_t a = 4; a-- > 0;) {
+    const auto& t = terms[a];
+    point_m = i * point_m + (t[0] + j * (t[1] + j * (t[2] + j * t[3])));
+  }
+  return point_m;
+}
+
+core::Vec3 ProjectionTile::point_m(std::size_t row, std::size_t column) const {
+  if (!points_m.empty()) return points_m[row * columns + column];
+  const auto i = static_cast<double>(row);
+  if (surface.empty()) return corner_m + i * row_step_m + static_cast<double>(column) * column_step_m;
+  const std::size_t stretch = columns / surface.size();
+  const double j = static_cast<double>(column % stretch) - 0.5 * static_cast<double>(stretch);
+  return surface[column / stretch].point_m(i, j);
+}
 
 Stretch stretch_for(double nearest_m, double column_step_m, double wavelength_m) {
   CORE_EXPECT(wavelength_m > 0.0);
@@ -310,18 +458,15 @@ void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants&
   CORE_EXPECT(aperture.uniform || aperture.weights.size() == ProjectionAperture::pieces + 2);
   CORE_EXPECT(tile.used_rows <= ProjectionTile::rows);
   CORE_EXPECT(tile.used_columns <= ProjectionTile::columns);
-  if (stretch != Stretch::by_point) {
-    HWY_DYNAMIC_DISPATCH(project_on_target)
-    (pulses, constants, aperture, static_cast<std::size_t>(stretch), tile);
+  CORE_EXPECT(tile.points_m.empty() || tile.points_m.size() == ProjectionTile::rows * ProjectionTile::columns);
+  if (stretch == Stretch::by_point) {
+    HWY_DYNAMIC_DISPATCH(project_points_on_target)(pulses, constants, aperture, tile);
     return;
   }
-  for (const ProjectionPulse& pulse : pulses)
-    for (std::size_t row = 0; row < tile.used_rows; ++row)
-      for (std::size_t column = 0; column < tile.used_columns; ++column) {
-        const std::size_t at = row * ProjectionTile::columns + column;
-        const core::Vec3 point_m = tile.point_m(static_cast<double>(row), static_cast<double>(column));
-        project_point(pulse, constants, aperture, point_m, tile.re[at], tile.im[at], tile.weight[at]);
-      }
+  CORE_EXPECT(tile.surface.empty() ||
+              tile.surface.size() * static_cast<std::size_t>(stretch) == ProjectionTile::columns);
+  HWY_DYNAMIC_DISPATCH(project_on_target)
+  (pulses, constants, aperture, static_cast<std::size_t>(stretch), tile);
 }
 
 }  // namespace sarsim::signal

@@ -47,8 +47,22 @@ struct ProjectionAperture {
   std::vector<float> weights;  ///< pieces + 1 values from place -1/2 to 1/2 and one more; empty where uniform.
 };
 
-/// Rows and columns of points, corner + row * row_step + row^2/2 * row_bend + row^3/6 * row_twist
-/// + column * column_step + column^2/2 * column_bend + column^3/6 * column_twist, and their sums.
+/// Where the points of one stretch of all rows of a tile are, on a curved surface:
+///
+///     sum over a, b of terms[a][b] (row - middle_row)^a j^b,     a and b from 0 to 3,
+///
+/// j the column counted from the middle of the stretch.
+struct StretchSurface {
+  static constexpr double middle_row = 15.5;
+
+  std::array<std::array<core::Vec3, 4>, 4> terms{};
+
+  /// World.
+  [[nodiscard]] core::Vec3 point_m(double row, double j) const;
+};
+
+/// Rows and columns of points and their sums: in a plane, corner + row * row_step + column * column_step, or on a
+/// curved surface.
 struct ProjectionTile {
   static constexpr std::size_t rows = 32;
   static constexpr std::size_t columns = 64;
@@ -56,26 +70,20 @@ struct ProjectionTile {
   core::Vec3 corner_m;
   core::Vec3 row_step_m;
   core::Vec3 column_step_m;
-  core::Vec3 column_bend_m{};  ///< 0 where the columns stand in a straight line.
-  core::Vec3 column_twist_m{};
-  core::Vec3 row_bend_m{};  ///< 0 where the rows stand in a straight line.
-  core::Vec3 row_twist_m{};
-  std::size_t used_rows = rows;        ///< The others are not computed.
-  std::size_t used_columns = columns;  ///< The others are computed in part.
+  std::span<const StretchSurface> surface{};  ///< Of each stretch of columns, kept elsewhere; empty: the plane.
+  std::span<const core::Vec3> points_m{};     ///< Of each point, row by row, for Stretch::by_point; empty: as above.
+  std::size_t used_rows = rows;               ///< The others are not computed.
+  std::size_t used_columns = columns;         ///< The others are computed in part.
   alignas(64) std::array<float, rows * columns> re{};
   alignas(64) std::array<float, rows * columns> im{};
   alignas(64) std::array<float, rows * columns> weight{};  ///< Sum of weights; left alone by Kind::all.
 
-  /// Place of a point; `column` may lie between two of them.
-  [[nodiscard]] core::Vec3 point_m(double row, double column) const {
-    return corner_m + row * row_step_m + (0.5 * row * row) * row_bend_m + (row * row * row / 6.0) * row_twist_m +
-           column * column_step_m + (0.5 * column * column) * column_bend_m +
-           (column * column * column / 6.0) * column_twist_m;
-  }
+  /// Place of a point.
+  [[nodiscard]] core::Vec3 point_m(std::size_t row, std::size_t column) const;
 };
 
-/// How delays vary along a stretch of a row: as a polynomial of degree 3 about its middle, or point by point where
-/// that is not exact enough.
+/// How delays vary along a stretch of a row: as a polynomial of degree 3 about its middle, or point by point, in double
+/// precision, where that is not exact enough.
 enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 = 64 };
 
 /// The longest stretch whose neglected term of degree 4, (h s)^4/(8 d^3) for points s apart, h = half the stretch, and
@@ -91,6 +99,7 @@ enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 =
 /// double precision at the middle of each stretch; from there a polynomial in float leads on, with whole turns per
 /// point taken out of its linear term: within 1.3e-5 cycles of the exact phase and 1e-3 of a record. SIMD with run-time
 /// choice of the instruction set.
+/// @param tile  with as many pieces of a surface as stretches, where it has a surface and no points
 void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
              const ProjectionAperture& aperture, Stretch stretch, ProjectionTile& tile);
 

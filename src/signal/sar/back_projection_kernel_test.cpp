@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <span>
+#include <vector>
 
 #include "signal/sar/echo_records.hpp"
+#include "signal/sar/projection_point.hpp"
 #include "signal/sar/sar_test_support.hpp"
 
 namespace sarsim::signal {
@@ -52,6 +55,17 @@ ProjectionTile tile_with(double spacing_m) {
   return tile;
 }
 
+// Each point and each pulse in double precision.
+void project_by_definition(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
+                           const ProjectionAperture& aperture, ProjectionTile& tile) {
+  for (const ProjectionPulse& pulse : pulses)
+    for (std::size_t row = 0; row < tile.used_rows; ++row)
+      for (std::size_t column = 0; column < tile.used_columns; ++column) {
+        const std::size_t at = row * ProjectionTile::columns + column;
+        project_point(pulse, constants, aperture, tile.point_m(row, column), tile.re[at], tile.im[at], tile.weight[at]);
+      }
+}
+
 double largest_difference(const ProjectionTile& a, const ProjectionTile& b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.re.size(); ++i)
@@ -67,7 +81,7 @@ TEST(Project, OfEveryStretchIsThatOfSinglePointsOnEveryInstructionSet) {
     for (const double spacing_m : {0.03, 0.25, 1.0}) {
       const Stretch longest = stretch_for(0.97 * distance_m - 36.0 * spacing_m, spacing_m, wavelength_m);
       ProjectionTile expected = tile_with(spacing_m);
-      project(s.pulses, s.constants, {}, Stretch::by_point, expected);
+      project_by_definition(s.pulses, s.constants, {}, expected);
       for (const Stretch stretch : {Stretch::of_16, Stretch::of_32, Stretch::of_64}) {
         if (stretch > longest) continue;
         test::on_every_instruction_set([&](std::int64_t target) {
@@ -82,42 +96,76 @@ TEST(Project, OfEveryStretchIsThatOfSinglePointsOnEveryInstructionSet) {
   }
 }
 
-// Columns of level ground at even slant ranges: y = sqrt(R^2 - h^2) has these derivatives.
-TEST(Project, OfBentColumnsIsThatOfSinglePointsOnEveryInstructionSet) {
+// Level ground below a line that climbs by 6 degrees, at even slant ranges: rows and columns bend, and each row bends
+// its columns otherwise.
+std::vector<StretchSurface> climbing_surface(double distance_m, std::size_t stretch) {
+  std::vector<StretchSurface> surface(ProjectionTile::columns / stretch);
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    auto& t = surface[i].terms;
+    const double x = 0.25 / distance_m;
+    t[0][0] = {-8.0 + 0.2 * static_cast<double>(stretch * i), -4.0 + 0.1 * static_cast<double>(i), 0.0};
+    t[0][1] = {0.2, 0.15, 0.01};
+    t[0][2] = {-0.4 * x * 0.25, 0.3 * x * 0.25, -0.2 * x * 0.25};
+    t[0][3] = {0.4 * x * x * 0.25, 0.0, 0.1 * x * x * 0.25};
+    t[1][0] = {-0.15, 0.2, 0.026};
+    t[1][1] = {1.1 * x, -0.7 * x, 0.3 * x};
+    t[1][2] = {0.9 * x * x, 0.0, -0.4 * x * x};
+    t[2][0] = {0.3 * x * 0.25, -0.2 * x * 0.25, 0.1 * x * 0.25};
+    t[2][1] = {0.0, 0.8 * x * x, 0.2 * x * x};
+    t[3][0] = {0.2 * x * x * 0.25, 0.1 * x * x * 0.25, 0.0};
+  }
+  return surface;
+}
+
+TEST(Project, OfACurvedSurfaceIsThatOfSinglePointsOnEveryInstructionSet) {
   for (const double distance_m : {400.0, 3000.0}) {
     const Setting s = setting_at(distance_m);
-    const auto bent = [&] {
-      ProjectionTile tile = tile_with(0.25);
-      tile.column_bend_m = (-0.5 * 0.0625 / distance_m) * tile.column_step_m;
-      tile.column_twist_m = (2.0 * std::pow(0.25 / distance_m, 2)) * tile.column_step_m;
-      tile.column_bend_m.z = -0.3 * 0.0625 / distance_m;
-      return tile;
-    };
-    ProjectionTile expected = bent();
-    project(s.pulses, s.constants, {}, Stretch::by_point, expected);
-    test::on_every_instruction_set([&](std::int64_t target) {
-      ProjectionTile got = bent();
-      project(s.pulses, s.constants, {}, Stretch::of_16, got);
-      EXPECT_LT(largest_difference(got, expected), 7.0 * 1.5e-4) << distance_m << " " << target;
-    });
+    for (const Stretch stretch : {Stretch::of_16, Stretch::of_32, Stretch::of_64}) {
+      if (stretch > stretch_for(0.9 * distance_m, 0.3, wavelength_m)) continue;
+      const auto surface = climbing_surface(distance_m, static_cast<std::size_t>(stretch));
+      ProjectionTile expected;
+      expected.surface = surface;
+      project_by_definition(s.pulses, s.constants, {}, expected);
+      test::on_every_instruction_set([&](std::int64_t target) {
+        ProjectionTile got;
+        got.surface = surface;
+        project(s.pulses, s.constants, {}, stretch, got);
+        EXPECT_LT(largest_difference(got, expected), 7.0 * 1.5e-4)
+            << distance_m << " " << static_cast<int>(stretch) << " " << target;
+      });
+    }
   }
 }
 
-TEST(Project, OfBentRowsIsThatOfSinglePointsOnEveryInstructionSet) {
-  const Setting s = setting_at(3000.0);
-  const auto bent = [] {
-    ProjectionTile tile = tile_with(0.25);
-    tile.row_bend_m = {3e-4, -2e-4, 5e-4};
-    tile.row_twist_m = {-2e-6, 1e-6, 3e-6};
-    return tile;
-  };
-  ProjectionTile expected = bent();
-  project(s.pulses, s.constants, {}, Stretch::by_point, expected);
-  test::on_every_instruction_set([&](std::int64_t target) {
-    ProjectionTile got = bent();
-    project(s.pulses, s.constants, {}, Stretch::of_64, got);
-    EXPECT_LT(largest_difference(got, expected), 7.0 * 1.5e-4) << target;
-  });
+// Points anywhere, of which none follows from its neighbours, with and without weights.
+TEST(Project, PointByPointIsTheDefinitionOnEveryInstructionSet) {
+  const Setting s = setting_at(400.0);
+  std::vector<core::Vec3> points_m;
+  for (std::size_t i = 0; i < ProjectionTile::rows * ProjectionTile::columns; ++i) {
+    const auto x = static_cast<double>(i);
+    points_m.push_back({30.0 * std::sin(1.3 * x), 25.0 * std::sin(2.1 * x), 9.0 * std::sin(0.7 * x)});
+  }
+  ProjectionAperture beam;
+  beam.kind = ProjectionAperture::Kind::angle;
+  const core::Vec3& v = s.pulses[3].velocity_mps;
+  const core::Vec3 sight = -s.pulses[3].position_m;
+  beam.squint_rad = std::asin(core::dot(sight, v) / (core::norm(sight) * core::norm(v)));
+  beam.extent = 0.05;
+  beam.uniform = false;
+  for (std::size_t i = 0; i <= ProjectionAperture::pieces + 1; ++i)
+    beam.weights.push_back(0.4F + 0.001F * static_cast<float>(i));
+  for (const ProjectionAperture& aperture : {ProjectionAperture{}, beam}) {
+    ProjectionTile expected;
+    expected.points_m = points_m;
+    project_by_definition(s.pulses, s.constants, aperture, expected);
+    test::on_every_instruction_set([&](std::int64_t target) {
+      ProjectionTile got;
+      got.points_m = points_m;
+      project(s.pulses, s.constants, aperture, Stretch::by_point, got);
+      EXPECT_LT(largest_difference(got, expected), 7.0 * 1e-5) << target;
+      for (std::size_t i = 0; i < got.weight.size(); ++i) ASSERT_NEAR(got.weight[i], expected.weight[i], 1e-5) << i;
+    });
+  }
 }
 
 // Echoes that alternate from sample to sample: points of a vector that share records and points that load their own, in
@@ -139,7 +187,7 @@ TEST(Project, FindsRecordsInEveryDirectionAndAtBothEnds) {
         return tile;
       };
       ProjectionTile expected = tile_at();
-      project(s.pulses, s.constants, {}, Stretch::by_point, expected);
+      project_by_definition(s.pulses, s.constants, {}, expected);
       test::on_every_instruction_set([&](std::int64_t target) {
         ProjectionTile got = tile_at();
         project(s.pulses, s.constants, {}, Stretch::of_64, got);
@@ -166,7 +214,7 @@ TEST(Project, WeighsByTheTableAsSinglePointsDoOnEveryInstructionSet) {
     for (std::size_t i = 0; i <= ProjectionAperture::pieces + 1; ++i)
       aperture.weights.push_back(i % 2 == 0 ? 0.5F : 1.5F);
     ProjectionTile expected = tile_with(1.0);
-    project(s.pulses, s.constants, aperture, Stretch::by_point, expected);
+    project_by_definition(s.pulses, s.constants, aperture, expected);
     test::on_every_instruction_set([&](std::int64_t target) {
       ProjectionTile got = tile_with(1.0);
       project(s.pulses, s.constants, aperture, Stretch::of_64, got);

@@ -9,8 +9,6 @@
 
 namespace sarsim::signal {
 
-namespace {}  // namespace
-
 GroundSight::GroundSight(const ReferenceTrack& reference, const core::Vec3& scene_m, double squint_rad)
     : squint_sine_(std::sin(squint_rad)),
       squint_cosine_(std::cos(squint_rad)),
@@ -42,6 +40,14 @@ core::Vec3 GroundSight::point_at(const core::Vec3& from_m, double range_m) const
     sine = std::clamp(drop_m / (-down_.z * across_m), -1.0, 1.0);
   }
   return from_m + along_m * ahead_ + across_m * (std::sqrt(1.0 - sine * sine) * side_ + sine * down_);
+}
+
+GroundSight::Tangents GroundSight::tangents_at(const core::Vec3& from_m, double range_m) const {
+  const double step_m = 1e-4 * range_m;
+  const double per_m = 0.5 / step_m;
+  const core::Vec3 step = step_m * ahead_;
+  return {per_m * (point_at(from_m + step, range_m) - point_at(from_m - step, range_m)),
+          per_m * (point_at(from_m, range_m + step_m) - point_at(from_m, range_m - step_m))};
 }
 
 core::Vec3 GroundSight::from_line(const core::Vec3& point_m) const {

@@ -74,6 +74,16 @@ FilledBand filled_band(double a, double b, double weight) { return {{std::min(a,
 
 std::optional<ImageSpectrum> spectrum_of(std::span<const SeenDirection> seen, const SarWaveform& waveform,
                                          double beyond) {
+  std::vector<SeenSlopes> slopes;
+  slopes.reserve(seen.size());
+  for (const SeenDirection& direction : seen)
+    slopes.push_back(
+        {direction.sine, std::sqrt(std::max(0.0, 1.0 - direction.sine * direction.sine)), direction.weight});
+  return spectrum_of(slopes, {0.0, 1.0, 0.0}, waveform, beyond);
+}
+
+std::optional<ImageSpectrum> spectrum_of(std::span<const SeenSlopes> seen, const SeenSlopes& baseband,
+                                         const SarWaveform& waveform, double beyond) {
   CORE_EXPECT(beyond >= 0.0 && beyond < 0.5);
   CORE_EXPECT(waveform.light_speed_mps > 0.0);
   const double low =
@@ -81,12 +91,13 @@ std::optional<ImageSpectrum> spectrum_of(std::span<const SeenDirection> seen, co
   const double high =
       radar::turns_per_m(waveform.carrier_hz + 0.5 * std::abs(waveform.bandwidth_hz), waveform.light_speed_mps);
   const double middle = radar::turns_per_m(waveform.carrier_hz, waveform.light_speed_mps);
+  const double azimuth0 = middle * baseband.azimuth;
+  const double range0 = middle * baseband.range;
   std::vector<FilledBand> azimuth;
   std::vector<FilledBand> range;
-  for (const SeenDirection& direction : seen) {
-    const double cosine = std::sqrt(std::max(0.0, 1.0 - direction.sine * direction.sine));
-    azimuth.push_back(filled_band(low * direction.sine, high * direction.sine, direction.weight));
-    range.push_back(filled_band(low * cosine - middle, high * cosine - middle, direction.weight));
+  for (const SeenSlopes& slope : seen) {
+    azimuth.push_back(filled_band(low * slope.azimuth - azimuth0, high * slope.azimuth - azimuth0, slope.weight));
+    range.push_back(filled_band(low * slope.range - range0, high * slope.range - range0, slope.weight));
   }
   const auto azimuth_extent = extent_of_bands(azimuth, beyond);
   const auto range_extent = extent_of_bands(range, beyond);

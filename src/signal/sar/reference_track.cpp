@@ -27,6 +27,19 @@ ReferenceTrack fitted_track(std::span<const TrackPoint> track) {
   return line;
 }
 
+double straightness(std::span<const TrackPoint> track) {
+  constexpr std::size_t pieces = 8;
+  if (track.size() < 2) return 0.0;
+  double flown_m = 0.0;
+  const core::Vec3* from_m = &track.front().position_m;
+  for (std::size_t piece = 1; piece <= pieces; ++piece) {
+    const core::Vec3& to_m = track[piece * (track.size() - 1) / pieces].position_m;
+    flown_m += core::norm(to_m - *from_m);
+    from_m = &to_m;
+  }
+  return flown_m > 0.0 ? core::norm(track.back().position_m - track.front().position_m) / flown_m : 0.0;
+}
+
 double distance_from(const ReferenceTrack& track, const core::Vec3& point_m) {
   const core::Vec3 r = point_m - track.position_m;
   const double speed2 = core::dot(track.velocity_mps, track.velocity_mps);

@@ -34,6 +34,17 @@ struct StretchRows {
   alignas(64) std::array<double, rows> place_begin, place_middle, place_end;
 };
 
+/// A vector for each row.
+struct RowVectors {
+  alignas(64) std::array<double, ProjectionTile::rows> x, y, z;
+};
+
+/// How the points of a stretch on a curved surface go on from its middle, row by row: place, step, bend and twist there
+/// (the derivatives by the column).
+struct RowShapes {
+  RowVectors place_m, step_m, bend_m, twist_m;
+};
+
 }  // namespace sarsim::signal
 
 #endif
@@ -76,6 +87,10 @@ HWY_INLINE DoubleVec dot_lanes(const Vec3Lanes& a, const core::Vec3& b) {
 HWY_INLINE Vec3Lanes moved(const Vec3Lanes& a, const core::Vec3& b) {
   const DoubleTag d;
   return {hn::Add(a.x, hn::Set(d, b.x)), hn::Add(a.y, hn::Set(d, b.y)), hn::Add(a.z, hn::Set(d, b.z))};
+}
+
+HWY_INLINE DoubleVec dot_lanes(const Vec3Lanes& a, const Vec3Lanes& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z)));
 }
 
 HWY_INLINE DoubleVec length_squared(const Vec3Lanes& a) {
@@ -140,33 +155,62 @@ HWY_INLINE void store_reach(DoubleVec record, DoubleVec most, const ProjectionCo
   store_floats(hn::Sub(hn::Sub(record, base), hn::Set(d, 0.5)), out.record0.data() + row);
 }
 
-// first + a i + q i^2/2 + s i^3/6 of one coordinate.
-HWY_INLINE DoubleVec cubic_of(DoubleVec i, double first, double a, double q, double s) {
+// a + b i + c i^2 + e i^3 of one coordinate.
+HWY_INLINE DoubleVec cubic_of(DoubleVec i, double a, double b, double c, double e) {
   const DoubleTag d;
-  const DoubleVec bend = hn::MulAdd(i, hn::Set(d, s / 6.0), hn::Set(d, 0.5 * q));
-  return hn::MulAdd(hn::MulAdd(bend, i, hn::Set(d, a)), i, hn::Set(d, first));
+  const DoubleVec bend = hn::MulAdd(i, hn::Set(d, e), hn::Set(d, c));
+  return hn::MulAdd(hn::MulAdd(bend, i, hn::Set(d, b)), i, hn::Set(d, a));
 }
 
-// The points of rows from that of row 0.
-HWY_INLINE Vec3Lanes row_points(DoubleVec i, const core::Vec3& first, const ProjectionTile& tile) {
-  const core::Vec3& a = tile.row_step_m;
-  const core::Vec3& q = tile.row_bend_m;
-  const core::Vec3& s = tile.row_twist_m;
-  return {cubic_of(i, first.x, a.x, q.x, s.x), cubic_of(i, first.y, a.y, q.y, s.y),
-          cubic_of(i, first.z, a.z, q.z, s.z)};
+// The derivatives by the column, of order `b`, for all rows.
+HWY_INLINE void fill_rows(const StretchSurface& surface, std::size_t b, double factorial, RowVectors& out) {
+  const DoubleTag d;
+  const auto& t = surface.terms;
+  const DoubleVec times = hn::Set(d, factorial);
+  for (std::size_t row = 0; row < ProjectionTile::rows; row += hn::Lanes(d)) {
+    const DoubleVec i = hn::Iota(d, static_cast<double>(row) - StretchSurface::middle_row);
+    hn::Store(hn::Mul(times, cubic_of(i, t[0][b].x, t[1][b].x, t[2][b].x, t[3][b].x)), d, out.x.data() + row);
+    hn::Store(hn::Mul(times, cubic_of(i, t[0][b].y, t[1][b].y, t[2][b].y, t[3][b].y)), d, out.y.data() + row);
+    hn::Store(hn::Mul(times, cubic_of(i, t[0][b].z, t[1][b].z, t[2][b].z, t[3][b].z)), d, out.z.data() + row);
+  }
 }
 
-// How the points of a column go on from its middle: step, bend and twist there.
-struct ColumnShape {
-  core::Vec3 step_m, bend_m, twist_m;
-  bool bent;
+HWY_INLINE void fill_shapes(const StretchSurface& surface, RowShapes& out) {
+  fill_rows(surface, 0, 1.0, out.place_m);
+  fill_rows(surface, 1, 1.0, out.step_m);
+  fill_rows(surface, 2, 2.0, out.bend_m);
+  fill_rows(surface, 3, 6.0, out.twist_m);
+}
+
+HWY_INLINE Vec3Lanes load_rows(const RowVectors& v, std::size_t row) {
+  const DoubleTag d;
+  return {hn::Load(d, v.x.data() + row), hn::Load(d, v.y.data() + row), hn::Load(d, v.z.data() + row)};
+}
+
+HWY_INLINE Vec3Lanes same_for_all(const core::Vec3& v) {
+  const DoubleTag d;
+  return {hn::Set(d, v.x), hn::Set(d, v.y), hn::Set(d, v.z)};
+}
+
+// Points of rows from an antenna, and how their columns go on.
+struct ShapeLanes {
+  Vec3Lanes r, step, bend, twist;
 };
 
-HWY_INLINE ColumnShape shape_of(const ProjectionTile& tile, double middle) {
-  const core::Vec3 twist_m = tile.column_twist_m;
-  const core::Vec3 bend_m = tile.column_bend_m + middle * twist_m;
-  const core::Vec3 step_m = tile.column_step_m + middle * tile.column_bend_m + (0.5 * middle * middle) * twist_m;
-  return {step_m, bend_m, twist_m, core::dot(bend_m, bend_m) + core::dot(twist_m, twist_m) > 0.0};
+template <bool curved>
+HWY_INLINE ShapeLanes shape_lanes(const ProjectionTile& tile, const RowShapes* shapes, const core::Vec3& first,
+                                  const core::Vec3& antenna_m, std::size_t row) {
+  if constexpr (curved)
+    return {moved(load_rows(shapes->place_m, row), -1.0 * antenna_m), load_rows(shapes->step_m, row),
+            load_rows(shapes->bend_m, row), load_rows(shapes->twist_m, row)};
+  const DoubleTag d;
+  const DoubleVec i = hn::Iota(d, static_cast<double>(row));
+  const core::Vec3& a = tile.row_step_m;
+  const Vec3Lanes r{hn::MulAdd(i, hn::Set(d, a.x), hn::Set(d, first.x)),
+                    hn::MulAdd(i, hn::Set(d, a.y), hn::Set(d, first.y)),
+                    hn::MulAdd(i, hn::Set(d, a.z), hn::Set(d, first.z))};
+  const Vec3Lanes zero = same_for_all({});
+  return {r, same_for_all(tile.column_step_m), zero, zero};
 }
 
 // Powers of j in a quantity along a stretch.
@@ -178,19 +222,20 @@ struct MotionTerms {
   DoubleVec ahead;            // r.V/c
 };
 
-HWY_INLINE DistanceTerms distances_of(const Vec3Lanes& r, const ColumnShape& shape) {
+template <bool curved>
+HWY_INLINE DistanceTerms distances_of(const Vec3Lanes& r, const ShapeLanes& shape) {
   const DoubleTag d;
   const DoubleVec distance = hn::Sqrt(length_squared(r));
   const DoubleVec inverse = hn::Div(hn::Set(d, 1.0), distance);
   const DoubleVec half_inverse = hn::Mul(inverse, hn::Set(d, 0.5));
-  const DoubleVec u = hn::Mul(dot_lanes(r, shape.step_m), inverse);
-  const DoubleVec b2 = hn::Set(d, core::dot(shape.step_m, shape.step_m));
-  const DoubleVec second = shape.bent ? hn::Add(b2, dot_lanes(r, shape.bend_m)) : b2;
+  const DoubleVec u = hn::Mul(dot_lanes(r, shape.step), inverse);
+  const DoubleVec b2 = length_squared(shape.step);
+  const DoubleVec second = curved ? hn::Add(b2, dot_lanes(r, shape.bend)) : b2;
   const DoubleVec bend = hn::Mul(hn::NegMulAdd(u, u, second), half_inverse);
   DoubleVec twist = hn::Neg(hn::Mul(hn::Mul(u, bend), inverse));
-  if (shape.bent) {
-    const DoubleVec third = hn::MulAdd(dot_lanes(r, shape.twist_m), hn::Set(d, 1.0 / 3.0),
-                                       hn::Set(d, core::dot(shape.step_m, shape.bend_m)));
+  if constexpr (curved) {
+    const DoubleVec third =
+        hn::MulAdd(dot_lanes(r, shape.twist), hn::Set(d, 1.0 / 3.0), dot_lanes(shape.step, shape.bend));
     twist = hn::MulAdd(third, half_inverse, twist);
   }
   return {distance, u, bend, twist};
@@ -204,30 +249,31 @@ HWY_INLINE DistanceTerms mean_of(const DistanceTerms& a, const DistanceTerms& b)
   return {mean(a.first, b.first), mean(a.step, b.step), mean(a.bend, b.bend), mean(a.twist, b.twist)};
 }
 
-HWY_INLINE MotionTerms motion_of(const Vec3Lanes& r, const DistanceTerms& distance, const core::Vec3& step_m,
-                                 const ProjectionPulse& pulse, const ProjectionConstants& constants) {
+HWY_INLINE MotionTerms motion_of(const ShapeLanes& shape, const DistanceTerms& distance, const ProjectionPulse& pulse,
+                                 const ProjectionConstants& constants) {
   const DoubleTag d;
   const DoubleVec zero = hn::Zero(d);
   if (!constants.moving) return {zero, zero, zero};
   const DoubleVec inverse = hn::Div(hn::Set(d, 1.0), distance.first);
-  const DoubleVec along = dot_lanes(r, pulse.velocity_mps);
+  const DoubleVec along = dot_lanes(shape.r, pulse.velocity_mps);
   const DoubleVec away = hn::Neg(hn::Mul(along, inverse));
-  const DoubleVec turned = hn::MulAdd(away, distance.step, hn::Set(d, core::dot(pulse.velocity_mps, step_m)));
+  const DoubleVec turned = hn::MulAdd(away, distance.step, dot_lanes(shape.step, pulse.velocity_mps));
   return {away, hn::Neg(hn::Mul(turned, inverse)), hn::Mul(along, hn::Set(d, 1.0 / constants.light_speed_mps))};
 }
 
 // Phases in half turns and records of rows from `row` on.
-HWY_INLINE void store_terms(const DistanceTerms& distance, const MotionTerms& motion, const ColumnShape& shape,
+template <bool curved>
+HWY_INLINE void store_terms(const DistanceTerms& distance, const MotionTerms& motion, const ShapeLanes& shape,
                             const ProjectionPulse& pulse, const ProjectionConstants& constants, std::size_t row,
                             double half, StretchRows& out) {
   const DoubleTag d;
   const double c = constants.light_speed_mps;
   const double carrier_hz = pulse.carrier_of(constants);
-  const double ahead1 = constants.moving ? core::dot(pulse.velocity_mps, shape.step_m) / c : 0.0;
-  const double ahead2 = constants.moving ? 0.5 * core::dot(pulse.velocity_mps, shape.bend_m) / c : 0.0;
+  const double per_speed = constants.moving ? 1.0 / c : 0.0;
+  const DoubleVec ahead1 = hn::Mul(hn::Set(d, per_speed), dot_lanes(shape.step, pulse.velocity_mps));
   const DoubleVec slowness = hn::Set(d, slowness_of(pulse, constants));
   const DoubleVec delay = hn::Mul(hn::Sub(distance.first, motion.ahead), slowness);
-  const DoubleVec delay1 = hn::Mul(slowness, hn::Sub(distance.step, hn::Set(d, ahead1)));
+  const DoubleVec delay1 = hn::Mul(slowness, hn::Sub(distance.step, ahead1));
   const DoubleVec doppler_scale = hn::Set(d, -radar::turns_per_m(carrier_hz, c));
   const DoubleVec fd = hn::Mul(doppler_scale, motion.away);
   const DoubleVec inverse_rate = hn::Set(d, constants.doppler_delay_s2);
@@ -235,7 +281,10 @@ HWY_INLINE void store_terms(const DistanceTerms& distance, const MotionTerms& mo
   const DoubleVec early1 = hn::Mul(hn::Mul(doppler_scale, motion.away_step), inverse_rate);
   const DoubleVec two_f = hn::Set(d, 2.0 * carrier_hz);
   const DoubleVec per_bend = hn::Mul(two_f, slowness);
-  const DoubleVec half_turns2 = hn::Mul(per_bend, hn::Sub(distance.bend, hn::Set(d, ahead2)));
+  DoubleVec bend = distance.bend;
+  if constexpr (curved)
+    bend = hn::NegMulAdd(hn::Set(d, 0.5 * per_speed), dot_lanes(shape.bend, pulse.velocity_mps), bend);
+  const DoubleVec half_turns2 = hn::Mul(per_bend, bend);
   const DoubleVec half_turns3 = hn::Mul(per_bend, distance.twist);
   store_floats(without_turns(hn::MulAdd(two_f, delay, hn::Mul(fd, early))), out.phase0.data() + row);
   store_floats(without_turns(hn::MulAdd(two_f, delay1, hn::Mul(hn::Add(fd, fd), early1))), out.phase1.data() + row);
@@ -258,26 +307,31 @@ HWY_INLINE void store_terms(const DistanceTerms& distance, const MotionTerms& mo
 //     v'(j) = (-V.b - v u)/d,     tau(j) = k (d(j) - r(j).V/c),
 //
 // q and s the bend and the twist of the columns there.
+// @param shapes  of the stretches on a curved surface
+template <bool curved>
 void expand_rows(const ProjectionPulse& pulse, const ProjectionConstants& constants, const ProjectionAperture& aperture,
-                 const ProjectionTile& tile, double middle, double half, StretchRows& out) {
+                 const ProjectionTile& tile, const RowShapes* shapes, double middle, double half, StretchRows& out) {
   const DoubleTag d;
-  const ColumnShape shape = shape_of(tile, middle);
   const double speed_mps = core::norm(pulse.velocity_mps);
   const core::Vec3 heading = heading_of(pulse, aperture);
-  const core::Vec3 first = tile.point_m(0.0, middle) - pulse.position_m;
+  const core::Vec3 first = tile.corner_m + middle * tile.column_step_m - pulse.position_m;
+  const DoubleVec to_end = hn::Set(d, half);
   for (std::size_t row = 0; row < ProjectionTile::rows; row += hn::Lanes(d)) {
-    const Vec3Lanes r = row_points(hn::Iota(d, static_cast<double>(row)), first, tile);
-    DistanceTerms distance = distances_of(r, shape);
+    const ShapeLanes shape = shape_lanes<curved>(tile, shapes, first, pulse.position_m, row);
+    const Vec3Lanes& r = shape.r;
+    DistanceTerms distance = distances_of<curved>(r, shape);
     if (pulse.bistatic)
-      distance = mean_of(distance, distances_of(moved(r, pulse.position_m - pulse.receiver_m), shape));
-    const MotionTerms motion = motion_of(r, distance, shape.step_m, pulse, constants);
-    store_terms(distance, motion, shape, pulse, constants, row, half, out);
+      distance = mean_of(distance, distances_of<curved>(moved(r, pulse.position_m - pulse.receiver_m), shape));
+    const MotionTerms motion = motion_of(shape, distance, pulse, constants);
+    store_terms<curved>(distance, motion, shape, pulse, constants, row, half, out);
     if (aperture.kind == ProjectionAperture::Kind::all) continue;
-    const core::Vec3 to_end_m = half * shape.step_m;
-    hn::Store(place_of_points(moved(r, -1.0 * to_end_m), heading, speed_mps, aperture), d,
-              out.place_begin.data() + row);
+    const Vec3Lanes& b = shape.step;
+    const Vec3Lanes begin{hn::NegMulAdd(to_end, b.x, r.x), hn::NegMulAdd(to_end, b.y, r.y),
+                          hn::NegMulAdd(to_end, b.z, r.z)};
+    const Vec3Lanes end{hn::MulAdd(to_end, b.x, r.x), hn::MulAdd(to_end, b.y, r.y), hn::MulAdd(to_end, b.z, r.z)};
+    hn::Store(place_of_points(begin, heading, speed_mps, aperture), d, out.place_begin.data() + row);
     hn::Store(place_of_points(r, heading, speed_mps, aperture), d, out.place_middle.data() + row);
-    hn::Store(place_of_points(moved(r, to_end_m), heading, speed_mps, aperture), d, out.place_end.data() + row);
+    hn::Store(place_of_points(end, heading, speed_mps, aperture), d, out.place_end.data() + row);
   }
 }
 
