@@ -10,7 +10,6 @@
 #include "radar/path/path.hpp"
 #include "signal/sar/back_projection.hpp"
 #include "signal/sar/ground_grid.hpp"
-#include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 namespace sarsim::workflow {
@@ -34,6 +33,22 @@ void weigh_pulses(signal::SarEchoes& echoes, const signal::SarWindow& window) {
     const auto factor = static_cast<float>(weight((static_cast<double>(p) + 0.5) / count - 0.5) * count / sum);
     for (std::size_t n = 0; n < echoes.samples; ++n) echoes.volts[p * echoes.samples + n] *= factor;
   }
+}
+
+// More columns where the antenna strays so far from its line that targets in the middle of its swath are nearer to the
+// line, or farther from it, than all recorded ranges.
+void reach_targets(signal::ImageAxis& range, const std::vector<SarTarget>& targets) {
+  constexpr double margin = 32.0;
+  double first = 0.0;
+  double last = static_cast<double>(range.count) - 1.0;
+  for (const SarTarget& target : targets) {
+    if (!(target.amplitude > 0.0) || !target.in_swath) continue;
+    const double at = range.index_of(target.place.range_m);
+    if (at < 0.0) first = std::min(first, std::floor(at - margin));
+    if (at > static_cast<double>(range.count) - 1.0) last = std::max(last, std::ceil(at + margin));
+  }
+  range.first_m = range.at(first);
+  range.count = static_cast<std::size_t>(last - first) + 1;
 }
 
 // Closer rows where targets have Doppler frequencies that the pulses alternate too slowly for: back projection resolves
@@ -76,14 +91,6 @@ signal::BackProjectionOptions options_of(const signal::FocusOptions& options, co
   return back;
 }
 
-// Whether the antenna strays so far from its line that the height of the points matters; otherwise the plane of the
-// line and the scene is good enough.
-bool strays(const signal::EchoRows& echoes) {
-  constexpr double least_wavelengths = 1e-3;
-  return signal::fit_straight(echoes.track).worst_position_m >
-         least_wavelengths * radar::wavelength_of(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
-}
-
 void expect_ground_in_reach(const signal::FocusedImage& axes, double ground_m) {
   const double level = std::hypot(axes.frame.along.x, axes.frame.along.y);
   const double nearest_m = std::abs(axes.frame.origin_m.z - ground_m) / std::max(level, 1e-6);
@@ -98,12 +105,12 @@ void expect_ground_in_reach(const signal::FocusedImage& axes, double ground_m) {
 // The frame of the points that are focused, and the height of those of slant range.
 std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& input,
                                  const BackProjectionChoice& choice) {
+  if (axes.frame.plane == signal::ImagePlane::ground_grid) return std::nullopt;
   core::Vec3 scene_m = scene_middle_m(*input.plan);
   if (choice.ground_m) scene_m.z = *choice.ground_m;
   if (!choice.ground) {
     axes.frame.across = across_of(scene_m, axes.frame);
     if (choice.ground_m) expect_ground_in_reach(axes, scene_m.z);
-    if (!strays(input.echoes)) return std::nullopt;
     return scene_m.z;
   }
   if (core::norm(core::cross(axes.frame.along, {0.0, 0.0, 1.0})) < 1e-6)
@@ -149,9 +156,11 @@ signal::FocusedImage back_projection_axes(const signal::EchoRows& echoes, const 
   plain.range_area.reset();
   signal::FocusedImage axes = signal::image_of(echoes, plain);
   refine_azimuth(axes.azimuth, targets, options, axes.frame.speed_mps);
-  if (!options.spectrum) return axes;
-  signal::fit_axis(axes.azimuth, options.spectrum->azimuth);
-  signal::fit_axis(axes.range, options.spectrum->range);
+  if (options.spectrum) {
+    signal::fit_axis(axes.azimuth, options.spectrum->azimuth);
+    signal::fit_axis(axes.range, options.spectrum->range);
+  }
+  reach_targets(axes.range, targets);
   return axes;
 }
 

@@ -34,7 +34,7 @@ void expect_samples(const signal::FocusedImage& axes);
 /// the flight, where a part of the band was not flown, they do not fade as those of the other methods do. Or to an
 /// image of level ground. Throws core::Refused where the echoes need more memory than allowed or the ground is out of
 /// reach.
-/// @param axes  `back_projection_axes` of these echoes
+/// @param axes  `back_projection_axes` of these echoes, or those of a ground grid
 [[nodiscard]] signal::FocusedRows back_projected(const FocusInput& input, signal::FocusedImage axes,
                                                  const BackProjectionChoice& choice,
                                                  const signal::FocusOptions& options, const core::WorkControl& control,

@@ -16,13 +16,15 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/air_remarks.hpp"
 #include "workflow/focus/back_projection.hpp"
+#include "workflow/focus/flown_spectrum.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/focus_phase_history.hpp"
 #include "workflow/focus/image_collection.hpp"
-#include "workflow/focus/motion_residual.hpp"
+#include "workflow/focus/method_choice.hpp"
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/focus/scene_grid.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/focus/swath_remark.hpp"
 #include "workflow/image/image_output.hpp"
@@ -110,55 +112,40 @@ std::string name_of(const FocusRequest& request) {
   return request.output.empty() ? request.input.path : request.output.string();
 }
 
-// Samples of the image times pulses beyond which back projection is proposed, not chosen: some ten minutes of a core.
-constexpr double most_projections = 2e11;
-
-// Whether back projection is affordable where the user has not asked for it.
-bool affords_projection(const FocusRequest& request, const FocusWork& work) {
-  if (request.motion || request.autofocus || work.input.echoes.columns < 2) return false;
-  const signal::FocusedImage image = signal::image_of(work.input.echoes, work.options);
-  const double samples = static_cast<double>(image.azimuth.count) * static_cast<double>(image.range.count);
-  const auto pulses = static_cast<double>(work.input.echoes.track.size());
-  const double bytes = 8.0 * (samples + pulses * static_cast<double>(work.input.echoes.columns));
-  const auto memory = static_cast<double>(work.options.memory_bytes);
-  return samples * pulses <= most_projections && (memory == 0.0 || bytes <= memory);
+// Whether the image is a grid around the scene: the line that fits the flight says nothing of it.
+bool around_scene(const FocusRequest& request, const signal::EchoRows& echoes) {
+  return in_time(request) && request.grid == FocusGrid::ground && moves(echoes) && !flies_along_a_line(echoes);
 }
 
-// Remarks on compensation that leaves too much, or, if the algorithm is free, replaces it by back projection.
-void look_at_residual(FocusRequest& request, FocusWork& work, const core::WorkControl& control) {
-  const bool free = request.algorithm == FocusAlgorithm::automatic;
-  if (free) request.algorithm = FocusAlgorithm::omega_k;
-  if (work.motion == MotionOrder::none) return;
-  const signal::MotionCompensation how = compensation_of(work.input, work.motion, request.ground_m, work.options);
-  const auto residual = worst_motion_residual(*work.input.plan, work.input.echoes, how, control);
-  core::Problems problems = remarks_on_residual(residual);
-  if (!problems.empty() && free && affords_projection(request, work)) {
-    problems = {
-        core::problem_of(core::Severity::note,
-                         fmt::format("back-projection instead of omega-k: motion compensation would leave {:.2g} "
-                                     "rad rms in the echoes of target {}, more than {:.1f} rad",
-                                     residual->rms_rad, residual->target + 1, most_residual_rad),
-                         {}, {}, {})};
-    request.algorithm = FocusAlgorithm::back_projection;
-    work.motion = MotionOrder::none;
-    work.problems = problems_of_echoes(request, work.input.echoes, work.options);
-  }
-  std::ranges::move(problems, std::back_inserter(work.input.problems));
+core::Vec3 ground_of(const FocusRequest& request, const simulate::Plan& plan) {
+  core::Vec3 scene_m = scene_middle_m(plan);
+  if (request.ground_m) scene_m.z = *request.ground_m;
+  return scene_m;
+}
+
+// What the image has to hold.
+std::optional<signal::ImageSpectrum> spectrum_of_image(const FocusRequest& request, const FocusWork& work,
+                                                       const core::WorkControl& control) {
+  const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
+  const simulate::Plan& plan = *work.input.plan;
+  const signal::EchoRows& echoes = work.input.echoes;
+  if (!in_time(request) || !moves(echoes))
+    return seen_spectrum(plan, echoes, kept, in_time(request) ? SeenPulses::all : SeenPulses::sampled, control);
+  return flown_spectrum(plan, echoes, {}, ground_of(request, plan), kept, control);
 }
 
 // @param[in,out] request  its algorithm becomes the one that will be used
 FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkControl& control) {
   FocusWork work{.request = {}, .input = std::move(input), .options = options_of(request), .problems = {}};
-  if (request.algorithm == FocusAlgorithm::automatic && !work.input.echoes.carriers_hz.empty())
-    request.algorithm = FocusAlgorithm::back_projection;
-  work.options.doppler_centroid_hz = first_centroid_hz(request, work.input, control);
+  choose_beforehand(request, work.input);
+  const bool around = around_scene(request, work.input.echoes);
+  work.options.doppler_centroid_hz = around ? 0.0 : first_centroid_hz(request, work.input, control);
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
   work.motion = wanted_motion(request, work.input.echoes, work.problems);
   expect_focusable(work.input, work.problems, work.motion);
-  look_at_residual(request, work, control);
-  const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  work.options.spectrum = seen_spectrum(*work.input.plan, work.input.echoes, kept,
-                                        in_time(request) ? SeenPulses::all : SeenPulses::sampled, control);
+  choose_method(request, work, control);
+  work.problems = problems_of_echoes(request, work.input.echoes, work.options);
+  if (!around) work.options.spectrum = spectrum_of_image(request, work, control);
   return work;
 }
 
@@ -189,7 +176,9 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
 
 // Axes and frame of the image of slant range that is to be made. Adds remarks on a grid that differs from that of the
 // recording.
-signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, const std::vector<SarTarget>& targets) {
+signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, const std::vector<SarTarget>& targets,
+                                const core::WorkControl& control) {
+  if (around_scene(request, work.input.echoes)) return scene_grid_axes(work.input, request.ground_m, control);
   const auto axes_for = [&](const signal::FocusOptions& options) {
     return in_time(request) ? back_projection_axes(work.input.echoes, targets, options)
                             : signal::image_of(work.input.echoes, options);
@@ -330,7 +319,7 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
   std::vector<SarTarget> targets;
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
   if (request.autofocus || in_time(request)) look_at_targets();
-  const signal::FocusedImage axes = image_axes(work, request, targets);
+  const signal::FocusedImage axes = image_axes(work, request, targets, control);
   if (remarks == FocusRemarks::first) remark_on_movers(work, axes, control);
   if (request.autofocus) expect_autofocus(axes, work.input.echoes, targets, choice, work.options);
   if (work.motion != MotionOrder::none) {
@@ -344,7 +333,7 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
       .input = request.input,
       .simulation = work.input.simulation,
       .algorithm = request.algorithm,
-      .grid = request.grid,
+      .grid = request.grid.value_or(FocusGrid::slant),
       .options = work.options,
       .motion = work.motion,
       .strays_m = work.strays_m,

@@ -96,9 +96,11 @@ void add_area(OptionTable<FocusRequest>& table) {
 }
 
 void add_grid(OptionTable<FocusRequest>& table) {
-  table.choice<FocusGrid>("--grid", {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
-                          "columns are slant ranges (default), or places on level ground: of back-projection",
-                          &FocusRequest::grid);
+  table.choice<FocusGrid>(
+      "--grid", {{"slant", FocusGrid::slant}, {"ground", FocusGrid::ground}},
+      "columns are slant ranges, or places on level ground: of back-projection (default: slant; ground where the "
+      "antenna flies around, not along a line)",
+      &FocusRequest::grid);
   table.number("--height", "M",
                "height of the ground, of back-projection and motion compensation (default: the targets' mean)",
                &FocusRequest::ground_m);
@@ -163,7 +165,7 @@ OptionTable<FocusRequest> focus_option_table() {
        {"chirp-scaling", FocusAlgorithm::chirp_scaling},
        {"omega-k", FocusAlgorithm::omega_k},
        {"back-projection", FocusAlgorithm::back_projection}},
-      "auto (default): omega-k, or back-projection where motion compensation would leave more than 0.1 rad",
+      "auto (default): omega-k, or back-projection where the flight leaves that less error, if affordable",
       &FocusRequest::algorithm);
   add_band(table);
   add_area(table);

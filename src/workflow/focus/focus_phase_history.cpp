@@ -245,7 +245,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   FocusReport report;
   report.files = outputs_of(request);
   report.algorithm = request.algorithm;
-  report.grid = request.grid;
+  report.grid = *request.grid;
   const auto file = opened_history(request.input.path, report.problems);
   const raster::CphdDescription& d = file->description();
   const std::size_t channel = channel_named(*file, request.channel);

@@ -72,7 +72,6 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
                 const signal::FocusOptions& options, const core::WorkControl& control,
                 const core::ProgressReport& progress) {
   if (order == MotionOrder::none) return;
-  constexpr double most_uneven = 0.02;
   const signal::MotionCompensation how = compensation_of(input, order, ground_m, options);
   const double speed_mps = core::norm(how.reference.velocity_mps);
   const double uneven = speed_mps > 0.0 ? signal::unevenness(input.echoes.track, how.reference) : 0.0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <span>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +13,8 @@
 #include "core/maths/sinc.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/ground_sight.hpp"
+#include "signal/sar/sar_track.hpp"
+#include "workflow/focus/target_sights.hpp"
 
 namespace sarsim::workflow {
 
@@ -20,119 +23,258 @@ namespace {
 // Of one pulse.
 struct ResidualEcho {
   double weight = 0.0;
-  double phase_rad = 0.0;
+  double true_m = 0.0;        // distance, more than the method assumes before its phases are corrected
+  double left_m = 0.0;        // and after
   double cycles_per_m = 0.0;  // of azimuth: its place in the spectrum
 };
 
-class Residuals {
+// What a method takes the distances of a target for.
+class ResidualsOfFlight {
  public:
-  Residuals(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::MotionCompensation& how)
-      : plan_(plan), echoes_(echoes), how_(how), sight_(how.reference, how.scene_m, how.squint_rad) {}
+  ResidualsOfFlight(const signal::EchoRows& echoes, const TakenFlight& flight)
+      : echoes_(echoes),
+        flight_(flight),
+        straight_(signal::fit_straight(echoes.track)),
+        sight_(flight.how.reference, flight.how.scene_m,
+               flight.kind == TakenFlight::Kind::compensated ? flight.how.squint_rad : 0.0),
+        per_m_(radar::turns_per_m(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps)) {}
 
-  void set_pulse(simulate::PulseGeometry& geometry, std::size_t pulse) {
-    geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse));
-    antenna_m_ = echoes_.track[pulse].position_m;
-    foot_m_ = sight_.foot_of(antenna_m_);
-    scene_difference_m_ = difference_m(sight_.range_m());
+  [[nodiscard]] ResidualEcho of(const TargetSight& sight) const {
+    ResidualEcho echo = error_of(sight);
+    echo.weight = sight.amplitude;
+    return echo;
+  }
+  [[nodiscard]] double turns_per_m() const { return per_m_; }
+
+ private:
+  [[nodiscard]] ResidualEcho error_of(const TargetSight& sight) const {
+    switch (flight_.kind) {
+      case TakenFlight::Kind::even: return even(sight);
+      case TakenFlight::Kind::compensated: return compensated(sight);
+      case TakenFlight::Kind::flown: break;
+    }
+    return flown(sight);
   }
 
-  [[nodiscard]] ResidualEcho echo_of(const simulate::PulseGeometry& geometry, const radar::Pointing& pointing,
-                                     std::size_t target) const {
-    const simulate::Scatterer& scatterer = plan_.scene->scatterers[target];
-    const core::Vec3 point_m = radar::world_position_m(geometry.pose(scatterer.platform), scatterer.position_m);
-    const core::Vec3 from_foot_m = point_m - foot_m_;
+  [[nodiscard]] ResidualEcho even(const TargetSight& sight) const {
+    const double along_m = straight_.speed_mps * straight_.time_s(static_cast<double>(sight.pulse));
+    const core::Vec3 from_line_m = sight.point_m - (straight_.origin_m + along_m * straight_.along);
+    const double assumed_m = core::norm(from_line_m);
+    const double error_m = core::norm(sight.point_m - sight.antenna_m) - assumed_m;
+    return {0.0, error_m, error_m, per_m_ * core::dot(from_line_m, straight_.along) / assumed_m};
+  }
+
+  [[nodiscard]] ResidualEcho compensated(const TargetSight& sight) const {
+    const core::Vec3 foot_m = sight_.foot_of(sight.antenna_m);
+    const core::Vec3 from_foot_m = sight.point_m - foot_m;
     const double distance_m = core::norm(from_foot_m);
-    const double true_m = core::norm(point_m - antenna_m_) - distance_m;
-    const double taken_m = how_.second_order ? difference_m(distance_m) : scene_difference_m_;
-    const signal::SarWaveform& wave = echoes_.waveform;
-    const double per_m = radar::turns_per_m(wave.carrier_hz, wave.light_speed_mps);
-    // The pulse itself was moved by what the scene needs.
-    const double lag_s = radar::delay_of(true_m - scene_difference_m_, wave.light_speed_mps);
-    const double amplitude = std::abs(geometry.view(target, pointing).amplitude_sqrt_w);
-    return {amplitude * std::max(0.0, core::sinc(wave.bandwidth_hz * lag_s)),
-            -2.0 * core::pi * per_m * (true_m - taken_m), per_m * core::dot(from_foot_m, sight_.ahead()) / distance_m};
+    const double error_m = core::norm(sight.point_m - sight.antenna_m) - distance_m;
+    // The pulse itself is moved by what the scene needs.
+    const double moved_m = difference_m(sight.antenna_m, foot_m, sight_.range_m());
+    const double turned_m = flight_.how.second_order ? difference_m(sight.antenna_m, foot_m, distance_m) : moved_m;
+    return {0.0, error_m - moved_m, error_m - turned_m, per_m_ * core::dot(from_foot_m, sight_.ahead()) / distance_m};
+  }
+
+  // |P - X| - |Q - X| of the ground at a distance from Q.
+  [[nodiscard]] double difference_m(const core::Vec3& antenna_m, const core::Vec3& foot_m, double range_m) const {
+    const core::Vec3 ground_m = sight_.point_at(foot_m, range_m);
+    return core::norm(antenna_m - ground_m) - core::norm(foot_m - ground_m);
+  }
+
+  [[nodiscard]] ResidualEcho flown(const TargetSight& sight) const {
+    core::Vec3 point_m = sight.point_m;
+    if (flight_.on_grid) {
+      point_m.z = flight_.how.scene_m.z;
+    } else {
+      const core::Vec3 foot_m = sight_.foot_of(point_m);
+      point_m = sight_.point_at(foot_m, core::norm(point_m - foot_m));
+    }
+    const core::Vec3 taken_m = point_m - sight.antenna_m;
+    const double error_m = core::norm(sight.point_m - sight.antenna_m) - core::norm(taken_m);
+    return {0.0, error_m, error_m, per_m_ * core::dot(taken_m, sight_.ahead()) / core::norm(taken_m)};
+  }
+
+  const signal::EchoRows& echoes_;
+  const TakenFlight& flight_;
+  signal::StraightTrack straight_;
+  signal::GroundSight sight_;
+  double per_m_;
+};
+
+// The echoes of a target that are within 20 dB of the strongest and kept, and the sum of those that are to be kept.
+struct KeptEchoes {
+  std::vector<ResidualEcho> echoes;
+  double ideal = 0.0;
+};
+
+KeptEchoes kept_echoes(std::span<const TargetSight> sights, const ResidualsOfFlight& residuals,
+                       const TakenFlight& flight) {
+  double strongest = 0.0;
+  for (const TargetSight& sight : sights) strongest = std::max(strongest, sight.amplitude);
+  KeptEchoes kept;
+  for (const TargetSight& sight : sights) {
+    if (!(sight.amplitude > 0.0 && sight.amplitude >= 0.1 * strongest)) continue;
+    const ResidualEcho echo = residuals.of(sight);
+    const bool inside = echo.cycles_per_m >= flight.kept.least_per_m && echo.cycles_per_m <= flight.kept.most_per_m;
+    if (inside || flight.loses_others) kept.ideal += echo.weight;
+    if (inside) kept.echoes.push_back(echo);
+  }
+  return kept;
+}
+
+// An echo that lies beside the others in range adds less to their peak.
+void weigh_by_lag(std::vector<ResidualEcho>& echoes, const signal::SarWaveform& wave) {
+  double sum = 0.0;
+  double lag = 0.0;
+  for (const ResidualEcho& echo : echoes) {
+    sum += echo.weight;
+    lag += echo.weight * echo.true_m;
+  }
+  for (ResidualEcho& echo : echoes) {
+    const double lag_s = radar::delay_of(echo.true_m - lag / sum, wave.light_speed_mps);
+    echo.weight *= std::max(0.0, core::sinc(wave.bandwidth_hz * lag_s));
+  }
+}
+
+// Sums of the echoes with the phases that are left.
+class ResidualPeak {
+ public:
+  ResidualPeak(std::span<const ResidualEcho> echoes, double turns_per_m) : echoes_(echoes), per_m_(turns_per_m) {}
+
+  [[nodiscard]] std::complex<double> at(double azimuth_m) const {
+    std::complex<double> sum;
+    for (const ResidualEcho& echo : echoes_)
+      sum += std::polar(echo.weight, 2.0 * core::pi * (azimuth_m * echo.cycles_per_m - per_m_ * echo.left_m));
+    return sum;
+  }
+  /// The largest near a place: on a grid of eighths of a cell, then by thirds of what is left.
+  [[nodiscard]] double largest_near(double azimuth_m, double cell_m) const {
+    constexpr int steps = 24;
+    double best_m = azimuth_m;
+    double best = std::norm(at(azimuth_m));
+    for (int i = -steps; i <= steps; ++i) {
+      const double place_m = azimuth_m + 0.125 * cell_m * i;
+      if (const double power = std::norm(at(place_m)); power > best) {
+        best = power;
+        best_m = place_m;
+      }
+    }
+    for (double half_m = 0.125 * cell_m; half_m > 1e-5 * cell_m; half_m *= 2.0 / 3.0) {
+      const double third_m = half_m / 3.0;
+      best_m += std::norm(at(best_m - third_m)) < std::norm(at(best_m + third_m)) ? third_m : -third_m;
+    }
+    return best_m;
   }
 
  private:
-  // |P - X| - |Q - X| of the ground at a distance from Q.
-  [[nodiscard]] double difference_m(double range_m) const {
-    const core::Vec3 ground_m = sight_.point_at(foot_m_, range_m);
-    return core::norm(antenna_m_ - ground_m) - core::norm(foot_m_ - ground_m);
-  }
-
-  const simulate::Plan& plan_;
-  const signal::EchoRows& echoes_;
-  const signal::MotionCompensation& how_;
-  signal::GroundSight sight_;
-  core::Vec3 antenna_m_, foot_m_;
-  double scene_difference_m_ = 0.0;
+  std::span<const ResidualEcho> echoes_;
+  double per_m_;
 };
 
-// A straight line of the phase over the spectrum moves the peak; the rest lowers and turns it.
-std::optional<MotionResidual> residual_of(std::size_t target, const std::vector<ResidualEcho>& seen) {
-  double strongest = 0.0;
-  for (const ResidualEcho& echo : seen) strongest = std::max(strongest, echo.weight);
-  double sum = 0.0, phase = 0.0, square = 0.0, place = 0.0, place_square = 0.0, product = 0.0;
-  for (const ResidualEcho& echo : seen) {
-    if (!(echo.weight >= 0.1 * strongest)) continue;
+// Moments of the phase over the spectrum: its straight line moves the peak.
+struct ResidualLine {
+  double rms_rad = 0.0;
+  double slope_m = 0.0;  // turns for each cycle per metre
+  double cell_m = 0.0;
+};
+
+ResidualLine line_of(std::span<const ResidualEcho> echoes, double turns_per_m) {
+  double sum = 0.0, turns = 0.0, square = 0.0, place = 0.0, place_square = 0.0, product = 0.0;
+  double least = INFINITY, most = -INFINITY;
+  for (const ResidualEcho& echo : echoes) {
+    const double left = -turns_per_m * echo.left_m;
     sum += echo.weight;
-    phase += echo.weight * echo.phase_rad;
-    square += echo.weight * echo.phase_rad * echo.phase_rad;
+    turns += echo.weight * left;
+    square += echo.weight * left * left;
     place += echo.weight * echo.cycles_per_m;
     place_square += echo.weight * echo.cycles_per_m * echo.cycles_per_m;
-    product += echo.weight * echo.phase_rad * echo.cycles_per_m;
+    product += echo.weight * left * echo.cycles_per_m;
+    least = std::min(least, echo.cycles_per_m);
+    most = std::max(most, echo.cycles_per_m);
   }
-  if (!(sum > 0.0)) return std::nullopt;
+  ResidualLine line;
+  if (!(sum > 0.0)) return line;
   const double spread = place_square - place * place / sum;
-  const double slope = spread > 0.0 ? (product - phase * place / sum) / spread : 0.0;
-  std::complex<double> peak;
-  for (const ResidualEcho& echo : seen)
-    if (echo.weight >= 0.1 * strongest) peak += std::polar(echo.weight, echo.phase_rad - slope * echo.cycles_per_m);
-  return MotionResidual{.target = target,
-                        .rms_rad = std::sqrt(square / sum),
-                        .amplitude = std::abs(peak) / sum,
-                        .phase_rad = std::arg(peak),
-                        .azimuth_m = -slope / (2.0 * core::pi)};
+  line.rms_rad = 2.0 * core::pi * std::sqrt(square / sum);
+  line.slope_m = spread > 0.0 ? (product - turns * place / sum) / spread : 0.0;
+  line.cell_m = most > least ? 1.0 / (most - least) : 0.0;
+  return line;
+}
+
+std::optional<MotionResidual> residual_of(std::size_t target, KeptEchoes kept, const signal::SarWaveform& wave,
+                                          const TakenFlight& flight, double turns_per_m) {
+  std::vector<ResidualEcho>& echoes = kept.echoes;
+  if (echoes.empty()) return std::nullopt;
+  weigh_by_lag(echoes, wave);
+  const ResidualLine line = line_of(echoes, turns_per_m);
+  const ResidualPeak sums(echoes, turns_per_m);
+  MotionResidual residual{.target = target, .rms_rad = line.rms_rad, .azimuth_m = -line.slope_m, .cell_m = line.cell_m};
+  constexpr double nothing_rad = 1e-4;
+  if (line.rms_rad < nothing_rad)
+    residual.azimuth_m = 0.0;
+  else
+    residual.azimuth_m = sums.largest_near(-line.slope_m, line.cell_m);
+  const std::complex<double> peak = sums.at(residual.azimuth_m);
+  residual.amplitude = std::abs(peak) / kept.ideal;
+  residual.phase_rad =
+      std::remainder(std::arg(peak) - 2.0 * core::pi * flight.carrier_per_m * residual.azimuth_m, 2.0 * core::pi);
+  return residual;
 }
 
 }  // namespace
 
+double MotionResidual::lost_db() const { return -core::amplitude_db(amplitude); }
+
+double excess_of(const std::optional<MotionResidual>& residual) {
+  if (!residual) return 0.0;
+  const double moved = residual->cell_m > 0.0 ? std::abs(residual->azimuth_m) / residual->cell_m : 0.0;
+  return std::max({std::abs(residual->phase_rad) / most_residual_rad, residual->lost_db() / most_residual_db,
+                   moved / most_residual_cells});
+}
+
 std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                                    const signal::MotionCompensation& how,
-                                                    const core::WorkControl& control) {
-  constexpr std::size_t most_targets = 512;
-  constexpr std::size_t most_pulses = 512;
-  const std::size_t every = (plan.scene->scatterers.size() + most_targets - 1) / most_targets;
-  const std::size_t step = (echoes.track.size() + most_pulses - 1) / most_pulses;
-  if (every == 0 || step == 0) return std::nullopt;
-  std::vector<std::vector<ResidualEcho>> seen((plan.scene->scatterers.size() + every - 1) / every);
-  Residuals residuals(plan, echoes, how);
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  for (std::size_t pulse = 0; pulse < echoes.track.size(); pulse += step) {
-    if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
-    residuals.set_pulse(geometry, pulse);
-    const radar::Pointing pointing = geometry.pointing();
-    for (std::size_t t = 0; t < seen.size(); ++t) seen[t].push_back(residuals.echo_of(geometry, pointing, t * every));
-  }
+                                                    const TakenFlight& flight, const core::WorkControl& control) {
+  const SightLimits limits;
+  const std::size_t every = target_stride(plan, limits);
+  if (every == 0 || echoes.track.size() < 2) return std::nullopt;
+  const ResidualsOfFlight residuals(echoes, flight);
+  std::vector<std::optional<MotionResidual>> all((plan.scene->scatterers.size() + every - 1) / every);
+  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const TargetSight> sights) {
+    all[target / every] =
+        residual_of(target, kept_echoes(sights, residuals, flight), echoes.waveform, flight, residuals.turns_per_m());
+  });
   std::optional<MotionResidual> worst;
-  for (std::size_t t = 0; t < seen.size(); ++t)
-    if (const auto residual = residual_of(t * every, seen[t]);
-        residual && (!worst || residual->rms_rad > worst->rms_rad))
-      worst = residual;
+  for (const std::optional<MotionResidual>& residual : all)
+    if (residual && (!worst || excess_of(residual) > excess_of(worst))) worst = residual;
   return worst;
 }
 
-core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual) {
-  if (!residual || !(residual->rms_rad > most_residual_rad)) return {};
+std::string text_of(const std::optional<MotionResidual>& residual) {
+  if (!residual) return "nothing";
+  return fmt::format("{:.3f} rad and {:.2f} dB at target {}", std::abs(residual->phase_rad),
+                     std::abs(residual->lost_db()), residual->target + 1);
+}
+
+core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual, TakenFlight::Kind kind) {
+  if (!(excess_of(residual) > 1.0)) return {};
+  const char* what = "motion compensation, made for level ground in the middle of the beam,";
+  const char* hint = "use --algorithm back-projection, which follows the flown track";
+  if (kind == TakenFlight::Kind::even) {
+    what = "the flight, taken for the straight line at constant speed that fits it,";
+  } else if (kind == TakenFlight::Kind::flown) {
+    what = "back-projection, made for level ground,";
+    hint = "give the height of the ground at the target by --height";
+  }
   return {core::problem_of(
       core::Severity::warning,
-      fmt::format("motion compensation, made for level ground in the middle of the beam, leaves {:.2g} rad rms in the "
-                  "echoes of target {}: its peak loses {:.2g} dB, its phase is wrong by {:.2g} rad, and it is "
-                  "displaced by {:.2g} m along the track",
-                  residual->rms_rad, residual->target + 1, -core::amplitude_db(residual->amplitude),
+      fmt::format("{} leaves {:.2g} rad rms in the echoes of target {}: its peak loses {:.2g} dB, its phase is wrong "
+                  "by {:.2g} rad, and it is displaced by {:.2g} m along the track",
+                  what, residual->rms_rad, residual->target + 1, std::max(residual->lost_db(), 0.0),
                   residual->phase_rad, std::abs(residual->azimuth_m)),
-      {}, fmt::format("up to {:.1f} rad", most_residual_rad),
-      "use --algorithm back-projection, which follows the flown track")};
+      {},
+      fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", most_residual_rad, most_residual_db,
+                  most_residual_cells),
+      hint)};
 }
 
 }  // namespace sarsim::workflow

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "signal/sar/focusing.hpp"
+#include "simulate/plan/plan.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
+
+namespace sarsim::workflow {
+
+/// The wave numbers that the targets fill in an image of back-projection, from the places that the antenna really had:
+/// also of a flight that is not straight. As `seen_spectrum`: all but 0.3 % of each target's echoes at either end.
+/// @param image    its frame: in slant range the line that fits the track, with the points on level ground
+/// @param scene_m  world; a point that says on which side of the line, and how high, the ground is
+/// @param kept     directions from that line by their Doppler frequencies
+/// @throw  Interrupted
+[[nodiscard]] std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan,
+                                                                  const signal::EchoRows& echoes,
+                                                                  const signal::ImageFrame& image,
+                                                                  const core::Vec3& scene_m, const DopplerBand& kept,
+                                                                  const core::WorkControl& control = {});
+
+}  // namespace sarsim::workflow

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "core/task/parallel.hpp"
+#include "workflow/focus/focus.hpp"
+
+namespace sarsim::workflow {
+
+/// Takes back-projection where a request leaves the algorithm open and only it can focus: carriers that change, flights
+/// that turn back or around, pulses that are too unevenly spaced; a note says why. Decides what the columns of the
+/// image are where the request leaves it open: slant ranges, or, of a flight that goes around, places on level ground.
+/// @param[in,out] request  its algorithm may still be open; its grid is not
+/// @param[in,out] input    its problems
+void choose_beforehand(FocusRequest& request, FocusInput& input);
+
+/// Decides the rest: the algorithm, and what motion is compensated.
+///
+/// What the flight leaves counts: of omega-k on the line that fits the track, with and without motion compensation, and
+/// of back-projection on its grid, as phase and amplitude of the worst target (`worst_motion_residual`). Omega-k is
+/// taken where its image is right; else the better of both that is affordable. Both numbers are added to the input's
+/// problems as a note, and a warning where the image that is made is not right.
+/// @param[in,out] request  its algorithm becomes the one that will be used
+/// @param[in,out] work     its motion, at first that which the shape of the track asks for, becomes what is
+/// compensated;
+///                         its Doppler centroid is known
+/// @throw  core::Refused where the ground is out of the reach of motion compensation; Interrupted
+void choose_method(FocusRequest& request, FocusWork& work, const core::WorkControl& control);
+
+}  // namespace sarsim::workflow
