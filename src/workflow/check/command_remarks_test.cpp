@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
+#include <vector>
 
+#include "core/maths/constants.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
 #include "workflow/search/search_test_scene.hpp"
 #include "workflow/stepped/stepped_test_scene.hpp"
@@ -107,6 +110,19 @@ TEST(RemarksOfCommands, NameFocusWhereTheRadarFliesPastTargetsThatRest) {
   movers.platforms.push_back(simulate::moving("Car", {}, {5.0, 0.0, 0.0}));
   movers.targets.push_back(simulate::target_on("Car", {}));
   EXPECT_THAT(said(movers), HasSubstr("note: sarsim focus: 1 of 2 targets (2) move or turn with their platform"));
+}
+
+TEST(RemarksOfCommands, SayThatOnlyBackProjectionFocusesAFlightAroundTheScene) {
+  scene::Scene scene = sar_scene(600.0, {{}});
+  std::vector<core::Knot> x, y;
+  for (double t = -1.1; t < 1.1; t += 0.005) {
+    x.push_back({t, 200.0 * std::cos(core::pi * t)});
+    y.push_back({t, 200.0 * std::sin(core::pi * t)});
+  }
+  scene.platforms[1].trajectory_m.part = {simulate::lines(x), simulate::lines(y), simulate::lines({{0.0, 100.0}})};
+  scene.simulations[0].range_start_m = 150.0;
+  scene.simulations[0].range_end_m = 400.0;
+  EXPECT_THAT(said(scene), HasSubstr("sarsim focus: back-projection instead of omega-k: the antenna flies around"));
 }
 
 // Of 1200 pulses and 834 targets nothing is said.
