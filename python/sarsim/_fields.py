@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, Any, Dict, Generic, Iterable, List, Tuple, Typ
 
 import numpy as np
 
+from . import _convert
 from .problems import ProblemError, UnknownNameError
 
 if TYPE_CHECKING:
@@ -25,11 +26,11 @@ class Points:
     """
 
     def __init__(self, x: ArrayLike, y: ArrayLike, method: str = "linear") -> None:
-        self.x: NDArray[np.float64] = np.ascontiguousarray(x, dtype=np.float64)
-        values = np.asarray(y)
-        if np.iscomplexobj(values):
-            values = np.stack([values.real, values.imag], axis=-1)
-        self.y: NDArray[np.float64] = np.ascontiguousarray(values, dtype=np.float64)
+        self.x: NDArray[np.float64] = _convert.reals(x, "x")
+        if np.iscomplexobj(y):
+            values = _convert.complexes(y, "y")
+            y = np.stack([values.real, values.imag], axis=-1)
+        self.y: NDArray[np.float64] = _convert.reals(y, "y")
         self.method = method
         if self.x.ndim != 1 or self.y.ndim not in (1, 2) or len(self.y) != len(self.x):
             raise ValueError(f"x has the shape {self.x.shape} and y {self.y.shape}; expected (n,) and (n,) or (n, parts)")
@@ -123,7 +124,10 @@ class WholeField(Field):
         return self if part is None else int(part._scene.get(part._name(self.name)))
 
     def __set__(self, part: Part, value: "int | str") -> None:
-        super().__set__(part, str(value))
+        value = _convert.plain(value)
+        if not isinstance(value, str):
+            value = str(_convert.whole(value, part._name(self.name), -(2**63), 2**64 - 1))
+        super().__set__(part, value)
 
 
 class TextField(Field):
@@ -209,6 +213,8 @@ class VectorField(Field):
         return values
 
     def __set__(self, part: Part, value: "Iterable[Number]") -> None:
+        if isinstance(value, (str, bytes)):
+            raise TypeError(f"{part._name(self.name)} is a text; expected three values, x, y and z")
         values = list(value)
         if len(values) != 3:
             raise ValueError(f"{part._name(self.name)} has three values, x, y and z, not {len(values)}")

@@ -12,6 +12,7 @@ import weakref
 from ctypes import byref, c_void_p
 from typing import Any, Callable, Union
 
+from . import _convert
 from . import _declarations as c
 from .problems import FailedError, Problem, ProblemError, Problems, TryAgainError
 
@@ -86,14 +87,9 @@ class _Freeing(weakref.ref):  # type: ignore[type-arg]
         cls.alive = max(256, len(cls.kept))
 
 
-def text(value: "str | os.PathLike[str] | None") -> "bytes | None":
-    """A text or the name of a file for the library."""
-    return None if value is None else os.fsencode(value) if isinstance(value, os.PathLike) else value.encode()
-
-
 def texts(values: "list[str]") -> Any:
-    """An array of texts; keeps them alive."""
-    return (ctypes.c_char_p * max(1, len(values)))(*map(str.encode, values))
+    """An array of texts of `_convert`; keeps them alive."""
+    return (ctypes.c_char_p * max(1, len(values)))(*(_convert.text(value, "an option") for value in values))
 
 
 def _decoded(value: "bytes | None") -> str:
@@ -165,6 +161,9 @@ def work(function: Any, *arguments: Any, threads: int = 0, progress: Any = None)
     handlers there alone; whatever is raised while it waits (KeyboardInterrupt, SystemExit, the exception of a handler or
     of `progress`) stops the function and goes on from here once it has returned.
     """
+    threads = _convert.threads(threads)
+    if not (progress is None or isinstance(progress, bool) or callable(progress)):
+        raise TypeError(f"progress is {progress!r}; expected True, or a function of stage, done and total")
     found = Handle(lib.sarsim_problems_free)
     stop = made(lib.sarsim_stop_free, lib.sarsim_stop_new)
     seen: "list[tuple[str, int, int]]" = []

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Tuple, Union
 
 import numpy as np
 
+from . import _convert
 from . import _declarations as c
 from ._library import WORK, Handle, Progress, _decoded, call, lib, made, text_of, texts, work
 from .problems import Problems
@@ -63,10 +64,7 @@ class Raster(Samples):
                            ground_range_m, x_m of columns
         :param attributes: what a file says of them: script, radar, sample_rate_hz, bits, lsb_v
         """
-        given = np.asarray(samples)
-        whole = np.ascontiguousarray(given, np.complex64 if np.iscomplexobj(given) else np.float32)
-        if whole.ndim != 2:
-            raise ValueError(f"samples have the shape {whole.shape}; expected rows and columns")
+        whole = _convert.samples(samples, "samples")
         handle = made(
             lib.sarsim_raster_free,
             lib.sarsim_raster_of_floats,
@@ -75,10 +73,13 @@ class Raster(Samples):
             int(np.iscomplexobj(whole)),
         )
         for name, values in (axes or {}).items():
-            places = np.ascontiguousarray(values, np.float64)
-            call(lib.sarsim_raster_set_axis, handle, name.encode(), places.ctypes.data, places.size)
+            places = _convert.reals(values, f"axis {name}")
+            if places.ndim != 1:
+                raise ValueError(f"axis {name} has the shape {places.shape}; expected one dimension")
+            call(lib.sarsim_raster_set_axis, handle, _convert.text(name, "an axis"), places.ctypes.data, places.size)
         for name, value in (attributes or {}).items():
-            call(lib.sarsim_raster_set_attribute, handle, name.encode(), value.encode())
+            told = _convert.word(value, f"attribute {name}").encode("utf-8", "surrogateescape")
+            call(lib.sarsim_raster_set_attribute, handle, _convert.text(name, "an attribute"), told)
         raster = cls(handle)
         raster._whole = whole  # Which the handle looks at.
         return raster
@@ -102,7 +103,10 @@ class Raster(Samples):
 
     def window(self, rows: "slice | None" = None, columns: "slice | None" = None) -> np.ndarray:
         """Some rows and columns, read from the file: window(slice(0, 100), slice(None, None, 4))."""
-        places = [(part or slice(None)).indices(count) for part, count in zip((rows, columns), self._size)]
+        for part in (rows, columns):
+            if part is not None and not isinstance(part, slice):
+                raise TypeError(f"a window is made of slices, not of {part!r}")
+        places = [(slice(None) if part is None else part).indices(count) for part, count in zip((rows, columns), self._size)]
         counts = [len(range(*place)) for place in places]
         if any(step < 0 for _, _, step in places):
             raise ValueError("a window runs forwards")
@@ -123,7 +127,7 @@ class Raster(Samples):
         work(
             lib.sarsim_raster_write,
             self._handle,
-            os.fsencode(path),
+            _convert.path(path),
             texts(words),
             len(words),
             WORK,
@@ -161,27 +165,18 @@ def open(path: "Path", **options: Any) -> Raster:  # noqa: A001  (sarsim.open)
     """Opens a file of samples of any format that Sarsim reads: recordings, images, pictures. `sarsim.options("raster")`
     lists what can be said of a file that does not describe itself."""
     words = _words(options)
-    return Raster(made(lib.sarsim_raster_free, lib.sarsim_raster_open, os.fsencode(path), texts(words), len(words)))
+    return Raster(made(lib.sarsim_raster_free, lib.sarsim_raster_open, _convert.path(path), texts(words), len(words)))
 
 
 def options(work_name: str) -> str:
     """What options "focus", "profiles", "isar", "doppler", "search", "measure", "geometry", "theory", "export", "sweep",
     "raster" or "write" take. In Python a hyphen in a name is an underscore, and an option without a value is True."""
-    return text_of(lib.sarsim_options, work_name.encode(), c.SARSIM_WORDS)
+    return text_of(lib.sarsim_options, _convert.text(work_name, "the name of work"), c.SARSIM_WORDS)
 
 
 def _words(given: "Mapping[str, Any]") -> "List[str]":
     """Options as the command has them: NAME=VALUE."""
-    words = []
-    for name, value in given.items():
-        name = name.rstrip("_").replace("_", "-")
-        if value is True:
-            words.append(name)
-        elif isinstance(value, (list, tuple)):
-            words += [f"{name}={one}" for one in value]
-        elif value is not None and value is not False:
-            words.append(f"{name}={value}")
-    return words
+    return _convert.words(given.items())
 
 
 def _source(what: Source, number: "int | str | None") -> "Tuple[Handle, Any]":
@@ -195,10 +190,10 @@ def _source(what: Source, number: "int | str | None") -> "Tuple[Handle, Any]":
 
         which = 0 if number is None else _number_of(what, number)
         return made(lib.sarsim_source_free, lib.sarsim_source_scene, what._handle, which), what
-    path = what.path if isinstance(what, Raster) else os.fspath(what)
+    path = _convert.path(what.path if isinstance(what, Raster) else what, "the source of the echoes")
     if not path:
         raise ValueError("the samples are in memory alone; write them to a file first")
-    return made(lib.sarsim_source_free, lib.sarsim_source_file, os.fsencode(path)), None
+    return made(lib.sarsim_source_free, lib.sarsim_source_file, path), None
 
 
 class _Done:
@@ -244,7 +239,7 @@ def export(what: Source, path: Path, **options: Any) -> "Dict[str, Any]":
     export(scene, "flight.cphd", anchor="47.5,8.25,400", encoding="ci4"). `sarsim.options("export")` lists the options.
     Gives the numbers of vectors and samples.
     """
-    return _Done(lib.sarsim_export, what, {**options, "out": os.fspath(path)}).report
+    return _Done(lib.sarsim_export, what, {**options, "out": os.fsdecode(_convert.path(path))}).report
 
 
 def profiles(what: Source, **options: Any) -> Image:

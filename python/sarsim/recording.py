@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING, Any, Dict, Iterator, Tuple
 
 import numpy as np
 
+from . import _convert
 from . import _declarations as c
-from ._library import WORK, Handle, Progress, _decoded, call, lib, text, work
+from ._library import WORK, Handle, Progress, _decoded, call, lib, work
 from .problems import Problems
 from .samples import Axis, Samples
 
@@ -32,8 +33,9 @@ _BLOCK_BYTES = 8 << 20
 
 def _number_of(scene: "Scene", which: "int | str") -> int:
     """The number of a recording, from 1."""
-    if not isinstance(which, str):
-        return int(which)
+    if not isinstance(which, (str, os.PathLike)):
+        return _convert.whole(which, "the number of a recording", 1, 2**31)
+    which = _convert.text(which, "the file of a recording").decode("utf-8", "surrogateescape")
     files = [one.file for one in scene.recordings]
     if which not in files:
         raise KeyError(f"no recording has the file {which!r}; there is {', '.join(files) or 'none'}")
@@ -92,6 +94,8 @@ class Plan:
         kind = np.dtype(dtype)
         if kind not in _RECORDERS:
             raise ValueError(f"samples of {kind} are not computed; expected complex64 or complex128")
+        first = _convert.whole(first, "the first row", 0, self.rows)
+        count = _convert.whole(count, "the number of rows", 0, self.rows - first)
         samples = np.empty((count, self.columns), kind)
         recorder = getattr(lib, _RECORDERS[kind])
         work(recorder, self._handle, first, count, samples.ctypes.data, WORK, threads=threads, progress=progress)
@@ -156,6 +160,7 @@ def record(scene: "Scene", number: "int | str", *, dtype: Any, threads: int, pro
 def rows(
     scene: "Scene", number: "int | str", *, block: int, dtype: Any, threads: int
 ) -> "Iterator[Tuple[int, np.ndarray]]":
+    block = _convert.whole(block, "block")
     plan = Plan(scene, number, threads=threads)
     size = block or max(1, _BLOCK_BYTES // (max(1, plan.columns) * np.dtype(dtype).itemsize))
     for first in range(0, plan.rows, size):
@@ -197,13 +202,18 @@ def record_file(
 ) -> FileReport:
     plan = Plan(scene, number, threads=threads)
     options = c.sarsim_file_options(
-        ctypes.sizeof(c.sarsim_file_options), text(format), replace, counts, header, doubles
+        ctypes.sizeof(c.sarsim_file_options),
+        None if format is None else _convert.text(format, "the format"),
+        bool(replace),
+        bool(counts),
+        bool(header),
+        bool(doubles),
     )
     report = c.sarsim_file_report(ctypes.sizeof(c.sarsim_file_report))
     remarks = work(
         lib.sarsim_record_file,
         plan._handle,
-        os.fsencode(path),
+        _convert.path(path),
         byref(options),
         WORK,
         byref(report),

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import numbers
 import os
 import pathlib
 from ctypes import byref
@@ -11,9 +10,10 @@ from typing import TYPE_CHECKING, Any, Dict, Generic, Iterator, List, Mapping, S
 
 import numpy as np
 
+from . import _convert
 from . import _declarations as c
 from ._fields import Part, Points
-from ._library import WORK, Handle, Progress, call, lib, made, text, text_of, texts, work
+from ._library import WORK, Handle, Progress, call, lib, made, text_of, texts, work
 from .problems import ProblemError, Problems
 
 if TYPE_CHECKING:
@@ -121,9 +121,10 @@ class ObjectList(Sequence[T], Generic[T]):
         if isinstance(which, str):
             return self._kind(self._scene, self._called(which))
         count = len(self)
-        if not -count <= which < count:
-            raise IndexError(f"the scene has {count} of the kind {self._kind._kind}, and no number {which}")
-        return self._kind(self._scene, int(which) % count)
+        number = _convert.whole(which, f"the number of a {self._kind._kind}", -(2**63), 2**63)
+        if not -count <= number < count:
+            raise IndexError(f"the scene has {count} of the kind {self._kind._kind}, and no number {number}")
+        return self._kind(self._scene, number % count)
 
     def _called(self, name: str) -> int:
         names = self.names
@@ -151,7 +152,8 @@ class ObjectList(Sequence[T], Generic[T]):
         """
         changed = self._scene.copy()
         index = ctypes.c_size_t()
-        call(lib.sarsim_scene_add, changed._handle, self._kind._kind.encode(), text(name), byref(index))
+        told = None if name is None else _convert.text(name, "the name")
+        call(lib.sarsim_scene_add, changed._handle, self._kind._kind.encode(), told, byref(index))
         new = self._kind(changed, index.value)
         for field, value in fields.items():
             setattr(new, field, value)
@@ -160,6 +162,8 @@ class ObjectList(Sequence[T], Generic[T]):
 
     def remove(self, which: "T | int | str") -> None:
         """Removes an object. With a platform goes what stands on it, with a radar its recordings."""
+        if isinstance(which, SceneObject) and not (isinstance(which, self._kind) and which._of is self._scene):
+            raise ValueError(f"{which!r} is no {self._kind._kind} of this scene")
         index = which._index if isinstance(which, SceneObject) else self[which]._index
         call(lib.sarsim_scene_remove, self._scene._handle, self._kind._kind.encode(), index)
 
@@ -178,7 +182,7 @@ class TargetList(ObjectList["Target"]):
         call(
             lib.sarsim_scene_add_targets,
             self._scene._handle,
-            text(platform),
+            _convert.text(platform, "platform"),
             len(positions),
             positions.ctypes.data,
             None if sections is None else sections.ctypes.data,
@@ -203,12 +207,12 @@ class CloudList(ObjectList["Cloud"]):
                        free
         """
         positions, sections = _cloud_arrays(positions_m, rcs_m2)
-        name = file or f"cloud{len(self) + 1}.npy"
+        name = f"cloud{len(self) + 1}.npy" if file is None else _convert.text(file, "file").decode("utf-8", "surrogateescape")
         call(
             lib.sarsim_scene_add_cloud,
             self._scene._handle,
-            text(platform),
-            text(name),
+            _convert.text(platform, "platform"),
+            _convert.text(name, "file"),
             len(positions),
             positions.ctypes.data,
             None if sections is None else sections.ctypes.data,
@@ -219,12 +223,8 @@ class CloudList(ObjectList["Cloud"]):
 
 
 def _cloud_arrays(positions_m: ArrayLike, rcs_m2: "ArrayLike | None") -> "tuple[np.ndarray, np.ndarray | None]":
-    positions = np.ascontiguousarray(positions_m, dtype=np.float64)
-    if positions.ndim != 2 or positions.shape[1] != 3:
-        raise ValueError(f"positions have the shape {positions.shape}; expected (n, 3)")
-    if rcs_m2 is None:
-        return positions, None
-    return positions, np.ascontiguousarray(np.broadcast_to(np.asarray(rcs_m2, dtype=np.float64), len(positions)))
+    positions = _convert.points(positions_m, "positions")
+    return positions, None if rcs_m2 is None else _convert.one_for_each(rcs_m2, len(positions), "cross-sections")
 
 
 class Scene:
@@ -239,18 +239,21 @@ class Scene:
     """
 
     def __init__(self, text: "str | None" = None, *, name: str = "scene.toml", let: "Mapping[str, Any] | None" = None) -> None:
-        self._name = name
+        given_name = _convert.path(name, "the name of the scene")
+        self._name = os.fsdecode(given_name)
         self._points: "Dict[str, np.ndarray]" = {}
         self._handle = Handle(lib.sarsim_scene_free)
         self.remarks = Problems()
         """Warnings and notes of its text."""
         if text is None:
-            self.remarks = call(lib.sarsim_scene_new, name.encode(), self._handle.out)
+            self.remarks = call(lib.sarsim_scene_new, given_name, self._handle.out)
         else:
+            if not isinstance(text, str):
+                raise TypeError(f"the text of the scene is {type(text).__name__}; expected a text, or sarsim.read of a file")
             whole = text.encode("utf-8", "surrogateescape")
             options, kept = _let(let)
             self.remarks = call(
-                lib.sarsim_scene_read_text, whole, len(whole), name.encode(), options, self._handle.out
+                lib.sarsim_scene_read_text, whole, len(whole), given_name, options, self._handle.out
             )
             del kept
 
@@ -258,11 +261,12 @@ class Scene:
     def read(cls, path: Path, *, let: "Mapping[str, Any] | None" = None) -> "Scene":
         """Reads a scene file in either language, with the files that it includes and names."""
         scene = cls.__new__(cls)
-        scene._name = os.fspath(path)
+        name = _convert.path(path)
+        scene._name = os.fsdecode(name)
         scene._points = {}
         scene._handle = Handle(lib.sarsim_scene_free)
         options, kept = _let(let)
-        scene.remarks = call(lib.sarsim_scene_read_file, os.fsencode(path), options, scene._handle.out)
+        scene.remarks = call(lib.sarsim_scene_read_file, name, options, scene._handle.out)
         del kept
         return scene
 
@@ -330,17 +334,17 @@ class Scene:
 
     def get(self, field: str) -> str:
         """The value of a field as a text with its unit. `field` is a name as `sarsim run --set` takes it."""
-        return text_of(lib.sarsim_scene_get, self._handle, field.encode())
+        return text_of(lib.sarsim_scene_get, self._handle, _field(field))
 
     def number(self, field: str) -> float:
         """The value of a numeric field in the base unit of the language: SI, angles in degrees, ratios in dB."""
         value = ctypes.c_double()
-        call(lib.sarsim_scene_get_number, self._handle, field.encode(), byref(value))
+        call(lib.sarsim_scene_get_number, self._handle, _field(field), byref(value))
         return value.value
 
     def set(self, field: str, value: str) -> Problems:
         """Sets a field to a text as `sarsim run --set` does; "Target*.rcs" means all targets. Gives what is worth knowing."""
-        return call(lib.sarsim_scene_set, self._handle, field.encode(), value.encode())
+        return call(lib.sarsim_scene_set, self._handle, _field(field), _convert.text(value, str(field)))
 
     def set_points(self, field: str, points: Points) -> None:
         """Sets a function given by points: a pulse, a pattern, a track."""
@@ -348,12 +352,12 @@ class Scene:
         call(
             lib.sarsim_scene_set_points,
             self._handle,
-            field.encode(),
+            _field(field),
             len(points.x),
             len(values),
             points.x.ctypes.data,
             values.ctypes.data,
-            {"low-pass": "mfilter"}.get(points.method, points.method).encode(),
+            _convert.text({"low-pass": "mfilter"}.get(points.method, points.method), "the method"),
         )
 
     def __getitem__(self, field: str) -> "float | str":
@@ -365,16 +369,21 @@ class Scene:
 
     def __setitem__(self, field: str, value: Any) -> None:
         """Sets a field to a number in its base unit, a text, yes or no, or to points."""
+        value = _convert.plain(value)
         if isinstance(value, Points):
             self.set_points(field, value)
         elif isinstance(value, (bool, np.bool_)):
             self.set(field, "yes" if value else "no")
-        elif isinstance(value, numbers.Real):
-            call(lib.sarsim_scene_set_number, self._handle, field.encode(), float(value))
+        elif _convert.is_number(value):
+            call(lib.sarsim_scene_set_number, self._handle, _field(field), _convert.real(value, str(field)))
         elif isinstance(value, SceneObject):
             self.set(field, str(value["name"]))
+        elif isinstance(value, (str, os.PathLike)):
+            self.set(field, os.fspath(value))
         else:
-            self.set(field, value)
+            raise TypeError(
+                f"{field} cannot be set to {type(value).__name__}; expected a number, a text, yes or no, or sarsim.Points"
+            )
 
     def with_(self, fields: "Mapping[str, Any] | None" = None, **options: Any) -> "Scene":
         """A copy with other values: scene.with_({"Radar1.power": "2 kW"}, seed=3)."""
@@ -493,11 +502,15 @@ class Scene:
         return record_file(self, path, number, **options)
 
 
+def _field(name: str) -> bytes:
+    return _convert.text(name, "the name of a field")
+
+
 def _let(values: "Mapping[str, Any] | None") -> Any:
     """Options of reading, and what has to be kept while they are used."""
     if not values:
         return None, None
-    words = texts([f"{name}={value}" for name, value in values.items()])
+    words = texts([f"{name}={_convert.word(value, f'the value of {name}')}" for name, value in values.items()])
     options = c.sarsim_scene_options(ctypes.sizeof(c.sarsim_scene_options), ctypes.addressof(words), len(values))
     return byref(options), (options, words)
 
@@ -513,4 +526,4 @@ def read(path: Path, *, let: "Mapping[str, Any] | None" = None) -> Scene:
 
 def explain(word: str = "") -> str:
     """Explains a field, a choice, a kind of object or a word of format 2, as `sarsim explain` does."""
-    return text_of(lib.sarsim_explain, word.encode(), c.SARSIM_WORDS)
+    return text_of(lib.sarsim_explain, _convert.text(word, "the word"), c.SARSIM_WORDS)
