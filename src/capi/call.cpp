@@ -93,6 +93,18 @@ void hand_over(core::Problems found, sarsim_problems** problems) noexcept {
   }
 }
 
+sarsim_work work_of(const sarsim_work* work) {
+  constexpr unsigned most_threads = 65535;
+  const sarsim_work how = taken(work, "work");
+  static_cast<void>(told_count(how.threads, most_threads, "work->threads"));
+  return how;
+}
+
+std::size_t told_count(std::size_t count, std::size_t most, const char* name) {
+  if (count <= most) return count;
+  throw BadArgument(fmt::format("{} is {}; expected {} at most", name, count, most));
+}
+
 sarsim_text* text_handle(const std::string& text) { return new sarsim_text{core::valid_utf8(text)}; }
 
 core::Observer observer_of(const sarsim_work& work) {

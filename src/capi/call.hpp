@@ -85,6 +85,15 @@ Options taken(const Options* from, const char* name) {
   return options;
 }
 
+/// How work is wanted; BadArgument for more threads than any machine has, as a negative number becomes.
+[[nodiscard]] sarsim_work work_of(const sarsim_work* work);
+
+/// A number of things that a caller says it has; BadArgument above `most`, as a negative number becomes.
+std::size_t told_count(std::size_t count, std::size_t most, const char* name);
+
+/// Most options, and most values of [let], that anyone gives.
+inline constexpr std::size_t most_words = 1'000'000;
+
 /// Fills in a structure of results, of which the caller may know less, or more, which is then zero.
 template <class Results>
 void fill(const Results& results, Results* out, const char* name) {

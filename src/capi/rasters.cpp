@@ -84,7 +84,7 @@ sarsim_value value_of(raster::ImageValue value) {
 // How many of so many are wanted from one on.
 std::size_t wanted_of(std::uint64_t first, std::uint64_t count, std::uint64_t step, std::size_t all, const char* what) {
   const bool within = first < all || (first == all && count == 0);
-  const std::size_t rest = within ? static_cast<std::size_t>((all - first + step - 1) / step) : 0;
+  const std::size_t rest = within && first < all ? 1 + static_cast<std::size_t>((all - first - 1) / step) : 0;
   const std::size_t wanted = count == 0 ? rest : static_cast<std::size_t>(count);
   if (within && wanted <= rest) return wanted;
   throw capi::BadArgument(std::string("the window is not within the ") + std::to_string(all) + " " + what);
@@ -219,6 +219,8 @@ sarsim_status sarsim_raster_set_axis(sarsim_raster* raster, const char* name, co
   return capi::call(problems, [&](core::Problems&) {
     sarsim_raster& known = described(raster, "sarsim_raster_set_axis: raster");
     const std::string called = &capi::given(name, "sarsim_raster_set_axis: name");
+    static_cast<void>(capi::told_count(count, std::max(known.samples->rows(), known.samples->columns()),
+                                       "sarsim_raster_set_axis: count"));
     const double* const first = count > 0 ? &capi::given(values, "sarsim_raster_set_axis: values") : nullptr;
     sarsim_raster changed = known;
     std::erase_if(changed.axes, [&](const workflow::NamedAxis& axis) { return axis.name == called; });
@@ -312,7 +314,7 @@ sarsim_status sarsim_raster_read_float(const sarsim_raster* raster, const sarsim
   return capi::call(problems, [&](core::Problems&) {
     const raster::Raster& known = *capi::given(raster, "sarsim_raster_read_float: raster").samples;
     const raster::ImageWindow wanted = window_of(window, known);
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     if (wanted.samples() == 0) return;
     auto* const memory =
         reinterpret_cast<std::complex<float>*>(&capi::given(samples, "sarsim_raster_read_float: samples"));
@@ -326,7 +328,7 @@ sarsim_status sarsim_raster_read_double(const sarsim_raster* raster, const sarsi
   return capi::call(problems, [&](core::Problems&) {
     const raster::Raster& known = *capi::given(raster, "sarsim_raster_read_double: raster").samples;
     const raster::ImageWindow wanted = window_of(window, known);
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     if (wanted.samples() == 0) return;
     auto* const memory =
         reinterpret_cast<std::complex<double>*>(&capi::given(samples, "sarsim_raster_read_double: samples"));
@@ -344,7 +346,7 @@ sarsim_status sarsim_raster_write(const sarsim_raster* raster, const char* path,
         table.take_words(capi::words_of(table.options(), options, option_count), request);
     if (!mistakes.empty()) throw core::Refused(std::move(mistakes.early));
     request.output = &capi::given(path, "sarsim_raster_write: path");
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     core::Observer observer = capi::observer_of(how);
     observer.remark = [&found](const core::Problems& more) { found.insert(found.end(), more.begin(), more.end()); };
     write_raster(known, std::move(request), observer, found);

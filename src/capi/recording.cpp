@@ -37,7 +37,7 @@ template <class Real>
 void record(const sarsim_plan* plan, uint64_t first, uint64_t count, Real* samples, const sarsim_work* work) {
   const workflow::ScenePlan& planned = capi::given(plan, "plan").planned;
   const simulate::RowRange rows = range_of(first, count, planned.plan.rows, "rows");
-  const sarsim_work how = capi::taken(work, "work");
+  const sarsim_work how = capi::work_of(work);
   if (rows.count == 0) return;
   // An array of complex numbers is one of pairs of numbers, and the reverse is what every compiler makes of it.
   auto* const memory = reinterpret_cast<std::complex<Real>*>(&capi::given(samples, "samples"));
@@ -78,7 +78,7 @@ sarsim_status sarsim_plan_new(const sarsim_scene* scene, size_t number, const sa
   return capi::call(problems, [&](core::Problems& found) {
     sarsim_plan*& result = capi::cleared(plan, "sarsim_plan_new: plan");
     const workflow::SceneInput& input = capi::given(scene, "sarsim_plan_new: scene").input;
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     const core::Observer observer = capi::observer_of(how);
     if (number == 0) throw capi::BadArgument("sarsim_plan_new: recordings are counted from 1");
     auto made = std::make_unique<sarsim_plan>();
@@ -151,7 +151,7 @@ sarsim_status sarsim_record_rows(const sarsim_plan* plan, uint64_t first, uint64
   return capi::call(problems, [&](core::Problems&) {
     const workflow::ScenePlan& planned = capi::given(plan, "sarsim_record_rows: plan").planned;
     const simulate::RowRange wanted = range_of(first, count, planned.plan.rows, "rows");
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     if (rows == nullptr) throw capi::BadArgument("sarsim_record_rows: rows is NULL");
     const std::size_t columns = planned.plan.columns;
     const std::size_t at_once =
@@ -178,7 +178,7 @@ sarsim_status sarsim_record_file(const sarsim_plan* plan, const char* path, cons
     const workflow::ScenePlan& planned = capi::given(plan, "sarsim_record_file: plan").planned;
     const std::string file = &capi::given(path, "sarsim_record_file: path");
     const sarsim_file_options wanted = capi::taken(options, "options");
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     if (report != nullptr) static_cast<void>(capi::told_size(report, "sarsim_record_file: report"));
     const workflow::RecordingReport made = workflow::record_file(planned, file, format_of(wanted.format, file),
                                                                  {.replace = wanted.replace != 0,

@@ -1,5 +1,6 @@
 // The scenes of sarsim.h.
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ namespace {
 workflow::SceneOverrides overrides_of(const sarsim_scene_options* given) {
   const auto options = capi::taken(given, "options");
   workflow::SceneOverrides overrides;
-  for (std::size_t i = 0; i < options.let_count; ++i)
+  for (std::size_t i = 0; i < capi::told_count(options.let_count, capi::most_words, "options->let_count"); ++i)
     overrides.let.emplace_back(&capi::given((&capi::given(options.let, "options->let"))[i], "options->let"));
   return overrides;
 }
@@ -64,6 +65,7 @@ sarsim_status sarsim_scene_read_text(const char* text, size_t length, const char
                                      sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems& found) {
     sarsim_scene*& result = capi::cleared(scene, "sarsim_scene_read_text: scene");
+    static_cast<void>(capi::told_count(length, PTRDIFF_MAX, "sarsim_scene_read_text: length"));
     const std::string_view all(length > 0 ? &capi::given(text, "sarsim_scene_read_text: text") : "", length);
     const std::string file = name != nullptr ? name : "scene";
     const workflow::SceneOverrides overrides = overrides_of(options);
@@ -97,7 +99,7 @@ sarsim_status sarsim_scene_text(const sarsim_scene* scene, sarsim_language langu
 
 sarsim_status sarsim_scene_check(const sarsim_scene* scene, const sarsim_work* work, sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems& found) {
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     const core::Observer observer = capi::observer_of(how);
     const core::WorkControl control = observer.control(core::thread_count(how.threads));
     workflow::SceneInput input = workflow::check_again(capi::given(scene, "sarsim_scene_check: scene").input,

@@ -41,7 +41,7 @@ namespace sarsim::capi {
 workflow::GivenWords words_of(const std::vector<workflow::Option>& options, const char* const* words,
                               std::size_t count) {
   std::vector<std::string> typed;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < told_count(count, most_words, "option_count"); ++i) {
     const std::string word = &given((&given(words, "options"))[i], "options: a word");
     const bool flag = word.find('=') == std::string::npos;
     const std::string name = "--" + word.substr(0, word.find('='));
@@ -71,7 +71,7 @@ sarsim_status do_work(const char* name, const sarsim_work* work, sarsim_result**
                       const Body& body) noexcept {
   return capi::call(problems, [&](core::Problems& found) {
     sarsim_result*& place = capi::cleared(result, name);
-    const sarsim_work how = capi::taken(work, "work");
+    const sarsim_work how = capi::work_of(work);
     Job job{how, capi::observer_of(how), found};
     job.observer.remark = [&found](const core::Problems& more) { found.insert(found.end(), more.begin(), more.end()); };
     body(job);
@@ -201,7 +201,8 @@ void geometry(Job& job, const sarsim_source* source, const char* const* options,
   workflow::TakenProblems mistakes = table.take_words(capi::words_of(table.options(), options, count), request);
   if (!mistakes.empty()) throw core::Refused(std::move(mistakes.early));
   hold(request.input, input);
-  const workflow::GeometryTables made = workflow::geometry_tables(request);
+  workflow::GeometryTables made = workflow::geometry_tables(request);
+  std::ranges::move(made.remarks, std::back_inserter(job.found));
   for (const scene::GeometryTable& wanted : made.tables) {
     std::string csv;
     simulate::write_geometry_csv(

@@ -238,8 +238,17 @@ std::variant<OrbitState, core::Problem> Sgp4::state_at(double time_s) const {
   constexpr double longest_min = 100.0 * 365.25 * 1440.0;
   const double time_min = time_s / 60.0;
   const auto problem = [&](std::string_view why) {
+    constexpr double day_min = 1440.0;
+    // Within a day no other epoch of the same orbit helps.
+    const bool is_far = std::abs(time_min) > day_min && std::holds_alternative<OrbitState>(state_in_minutes(0.0));
+    const std::string hint =
+        is_far ? std::string("use elements of an epoch nearer to the recording")
+               : fmt::format(
+                     "the theory does not hold for this orbit, of eccentricity {:.4g} and {:.4g} revolutions a "
+                     "day: take states (OEM, SP3) instead of mean elements",
+                     epoch_.eccentricity, epoch_.motion * day_min / (2.0 * core::pi));
     return core::problem_of(Severity::error, fmt::format("SGP4 fails {:.6g} min after the epoch: {}", time_min, why),
-                            {}, {}, "use elements of an epoch nearer to the recording");
+                            {}, {}, hint);
   };
   if (!(std::abs(time_min) <= longest_min)) return problem("it is more than 100 years away");
   const std::variant<OrbitState, const char*> result = state_in_minutes(time_min);

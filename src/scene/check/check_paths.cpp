@@ -1,48 +1,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
-#include <vector>
 
-#include "core/maths/constants.hpp"
-#include "radar/path/path.hpp"
-#include "scene/check/carrier_span.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/path_error.hpp"
+#include "scene/check/path_looks.hpp"
 
 namespace sarsim::scene {
 
 namespace {
-
-constexpr double tolerated_wavelengths = 1.0 / 16.0;
-
-// A radar that looks: its shortest wavelength and the time of one of its recordings.
-struct Look {
-  std::string radar;
-  double wavelength_m = 0.0;
-  double from_s = 0.0;
-  double to_s = 0.0;
-};
-
-std::vector<Look> looks_of(const Scene& scene) {
-  std::vector<Look> looks;
-  for (const Simulation& simulation : scene.simulations) {
-    const std::size_t radar = find_radar(scene, simulation.radar);
-    if (radar == not_found) continue;
-    const auto carriers = carrier_span(scene.radars[radar]);
-    if (!carriers || !(carriers->highest_hz > 0.0) || !std::isfinite(carriers->highest_hz)) continue;
-    looks.push_back({scene.radars[radar].name, radar::wavelength_of(carriers->highest_hz, core::exact_light_speed_mps),
-                     simulation.time_start_s, simulation.time_end_s});
-  }
-  return looks;
-}
 
 bool sound(const core::SampledFunction& part) {
   const auto finite = [](const core::Knot& knot) { return std::isfinite(knot.x) && std::isfinite(knot.y); };
   const auto not_ascending = [](const core::Knot& a, const core::Knot& b) { return !(a.x < b.x); };
   return std::ranges::all_of(part.knots, finite) &&
          std::ranges::adjacent_find(part.knots, not_ascending) == part.knots.end();
+}
+
+// The parts that stand for a smooth path. Straight lines are what their points say, and so is what has no points.
+std::array<core::SampledFunction, 3> smooth_parts(const Platform& platform) {
+  std::array<core::SampledFunction, 3> parts;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (platform.trajectory_m.part[i].method != core::Interpolation::linear) parts[i] = platform.trajectory_m.part[i];
+  return parts;
 }
 
 std::string hint_of(const Platform& platform, const core::InterpolationRules& rules) {
@@ -53,8 +36,7 @@ std::string hint_of(const Platform& platform, const core::InterpolationRules& ru
   };
   const bool chords = rules.cubic_ends == core::CubicEnds::chords;
   const std::string ends = chords ? " and CUBIC_ENDS NOT_A_KNOT in $OPTIONS" : "";
-  if (takes(core::Interpolation::linear) || takes(core::Interpolation::low_pass))
-    return "Take CUBIC" + ends + ", or give more points.";
+  if (takes(core::Interpolation::low_pass)) return "Take CUBIC" + ends + ", or give more points.";
   if (chords) return "Set CUBIC_ENDS NOT_A_KNOT in $OPTIONS, or give more points.";
   return "Give more points.";
 }
@@ -70,10 +52,11 @@ void check_paths_between_points(Findings& findings, const Scene& scene) {
     const Platform& platform = scene.platforms[i];
     if (platform.path != Platform::Path::trajectory || !std::ranges::all_of(platform.trajectory_m.part, sound))
       continue;
+    const std::array<core::SampledFunction, 3> parts = smooth_parts(platform);
     PathError worst;
     const Look* at = nullptr;
     for (const Look& look : looks) {
-      const auto error = path_error(platform.trajectory_m.part, rules, look.from_s, look.to_s);
+      const auto error = path_error(parts, rules, look.from_s, look.to_s);
       if (!error || error->error_m <= tolerated_wavelengths * look.wavelength_m) continue;
       if (at != nullptr && error->error_m / look.wavelength_m <= worst.error_m / at->wavelength_m) continue;
       worst = *error;

@@ -90,9 +90,13 @@ TEST(CheckPaths, IsSilentWhereTheEndsAreFarOrNotAKnot) {
   EXPECT_TRUE(check(scene).empty());
 }
 
-TEST(CheckPaths, WarnsOfStraightLinesThroughABentPath) {
+TEST(CheckPaths, TakesStraightLinesForWhatTheyAre) {
+  EXPECT_TRUE(check(orbiting(1.0, 30.0, core::Interpolation::linear)).empty());
+}
+
+TEST(CheckPaths, WarnsOfALowPassThroughABentPath) {
   const core::Problem problem =
-      expect_warning(orbiting(1.0, 30.0, core::Interpolation::linear), {"platform", 1, "trajectory_m"});
+      expect_warning(orbiting(10.0, 30.0, core::Interpolation::low_pass), {"platform", 1, "trajectory_m"});
   EXPECT_THAT(problem.hint, HasSubstr("Take CUBIC and CUBIC_ENDS"));
 }
 

@@ -24,6 +24,8 @@ struct ReaderInput {
 /// As above.
 [[nodiscard]] EphemerisFile read_oem(const ReaderInput& input);
 /// As above.
+[[nodiscard]] EphemerisFile read_oem_xml(const ReaderInput& input);
+/// As above.
 [[nodiscard]] EphemerisFile read_sp3(const ReaderInput& input);
 /// As above.
 [[nodiscard]] EphemerisFile read_csv(const ReaderInput& input);

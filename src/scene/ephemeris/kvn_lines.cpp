@@ -82,16 +82,25 @@ std::string_view KvnBlock::required(std::string_view key, FileProblems& problems
   return read;
 }
 
+namespace {
+
+std::optional<radar::CivilTime> time_in(const KvnBlock& block, std::string_view key,
+                                        std::optional<radar::TimeScale> scale, FileProblems& problems) {
+  const std::string_view value = block.value(key);
+  radar::CivilTime time;
+  if (value.empty() || !read_time(value, key, scale, problems, time)) return std::nullopt;
+  return time;
+}
+
+}  // namespace
+
+SaidTimes read_said_times(const KvnBlock& block, std::optional<radar::TimeScale> scale, FileProblems& problems) {
+  return {{"START_TIME", time_in(block, "START_TIME", scale, problems), block.value("START_TIME")},
+          {"STOP_TIME", time_in(block, "STOP_TIME", scale, problems), block.value("STOP_TIME")}};
+}
+
 UsableRange read_usable(const KvnBlock& block, std::optional<radar::TimeScale> scale, FileProblems& problems) {
-  const auto time_of = [&](std::string_view key) -> std::optional<radar::CivilTime> {
-    const std::string_view value = block.value(key);
-    radar::CivilTime time;
-    if (value.empty() || !read_time(value, key, scale, problems, time)) return std::nullopt;
-    return time;
-  };
-  static_cast<void>(time_of("START_TIME"));
-  static_cast<void>(time_of("STOP_TIME"));
-  return {time_of("USEABLE_START_TIME"), time_of("USEABLE_STOP_TIME")};
+  return {time_in(block, "USEABLE_START_TIME", scale, problems), time_in(block, "USEABLE_STOP_TIME", scale, problems)};
 }
 
 InterpolationHint read_interpolation_hint(const KvnBlock& block, std::string_view method_key, FileProblems& problems) {

@@ -6,6 +6,7 @@
 
 #include "scene/ephemeris/ephemeris_file.hpp"
 #include "scene/ephemeris/file_problems.hpp"
+#include "scene/ephemeris/said_times.hpp"
 #include "scene/ephemeris/text_lines.hpp"
 
 namespace sarsim::scene::ephemeris {
@@ -55,7 +56,11 @@ class KvnBlock {
   std::string_view at_;
 };
 
-/// Reads USEABLE_START_TIME and USEABLE_STOP_TIME, and checks START_TIME and STOP_TIME.
+/// Reads START_TIME and STOP_TIME.
+[[nodiscard]] SaidTimes read_said_times(const KvnBlock& block, std::optional<radar::TimeScale> scale,
+                                        FileProblems& problems);
+
+/// Reads USEABLE_START_TIME and USEABLE_STOP_TIME.
 [[nodiscard]] UsableRange read_usable(const KvnBlock& block, std::optional<radar::TimeScale> scale,
                                       FileProblems& problems);
 

@@ -67,6 +67,12 @@ void OmmRecord::begin(std::string_view at) {
   empty_ = true;
 }
 
+void OmmRecord::miss_value(OmmKey key, std::string_view at, FileProblems& problems) {
+  if (key == OmmKey::none) return;
+  problems.error(at, {fmt::format("{} has no value", word_of(key).word), "", "a value, or no such keyword", ""});
+  empty_ = false;
+}
+
 void OmmRecord::set(OmmKey key, std::string value, std::string_view at, std::string_view unit, FileProblems& problems) {
   if (key == OmmKey::none || value.empty()) return;
   Value& kept = values_[static_cast<std::size_t>(key)];

@@ -136,6 +136,7 @@ class AemReader {
     file_.segments.emplace_back();
     read_type();
     read_frames();
+    said_.push_back(read_said_times(metadata_, file_.scale, problems_));
     file_.segments.back().usable = read_usable(metadata_, file_.scale, problems_);
     const bool old_key = metadata_.value("INTERPOLATION_METHOD").empty();
     file_.segments.back().interpolation =
@@ -243,6 +244,7 @@ class AemReader {
     }
     state.body_from_reference = {scale * q.w, turn * scale * q.x, turn * scale * q.y, turn * scale * q.z};
     states.push_back(state);
+    at_.push_back(time_at);
     if (++states_ > most_ephemeris_states)
       problems_.error(time_at, {"the file has too many attitudes", "", fmt::format("at most {}", most_ephemeris_states),
                                 "thin them out"});
@@ -251,9 +253,24 @@ class AemReader {
   void finish() {
     // What follows from other mistakes is not said.
     if (!problems_.has_errors()) check_segments(file_.segments, begins_, problems_);
+    const std::string_view* at = at_.data();
+    for (std::size_t i = 0; i < file_.segments.size() && !problems_.has_errors(); ++i) {
+      if (!file_.segments[i].states.empty()) examine(file_.segments[i].states, said_[i], at);
+      at += file_.segments[i].states.size();
+    }
     std::erase_if(file_.segments, [](const AttitudeSegment& segment) { return segment.states.empty(); });
     if (file_.segments.empty() && !problems_.has_errors())
       problems_.error(last_, {"the file holds no attitudes", "", "times with quaternions", ""});
+  }
+
+  void examine(const std::vector<AttitudeState>& states, const SaidTimes& said, const std::string_view* at) {
+    std::vector<double> time_s;
+    for (const AttitudeState& state : states) time_s.push_back(radar::seconds_between(states.front().time, state.time));
+    const SampleSteps steps = steps_of(time_s);
+    const auto time_text = [&](std::size_t i) { return radar::format_civil(states[i].time); };
+    report_gaps(steps, "attitude", time_text, at, problems_);
+    check_said_times(said, states.front().time, states.back().time, time_s.size() < 3 ? time_s.back() : steps.usual_s,
+                     problems_);
   }
 
   static constexpr double largest_error = 1e-3;
@@ -264,6 +281,8 @@ class AemReader {
   KvnBlock header_{aem_header_keys};
   KvnBlock metadata_{aem_keys};
   std::vector<std::string_view> begins_;  // of the segments
+  std::vector<SaidTimes> said_;           // of the segments
+  std::vector<std::string_view> at_;      // of the attitudes, all segments
   Part part_ = Part::version;
   int version_ = 0;
   std::string_view last_;

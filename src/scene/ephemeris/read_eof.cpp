@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -7,6 +8,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/earth/instant.hpp"
 #include "scene/ephemeris/formats.hpp"
 #include "scene/ephemeris/known_words.hpp"
 #include "scene/ephemeris/state_collector.hpp"
@@ -36,6 +38,7 @@ class EofReader {
     if (!frame_seen_ && !problems_.has_errors())
       problems_.warning({}, {"Ref_Frame is missing", "", "<Ref_Frame>EARTH_FIXED</Ref_Frame>",
                              "the positions are taken as fixed to the Earth"});
+    collector_.said_times(said_);
     collector_.finish(text_.substr(0, 0));
     return std::move(file_);
   }
@@ -61,8 +64,25 @@ class EofReader {
     if (count && *count >= 0) announced_ = static_cast<std::size_t>(*count);
   }
 
+  // Of "UTC=2024-04-01T22:59:42".
+  static std::string_view without_scale(std::string_view text, std::string_view scale) {
+    if (text.starts_with(scale)) text.remove_prefix(scale.size());
+    return text;
+  }
+
+  SaidTime said_time(std::string_view name, std::string_view text) {
+    SaidTime said{name, std::nullopt, text};
+    radar::CivilTime time;
+    if (read_time(without_scale(text, "UTC="), name, radar::TimeScale::utc, problems_, time)) said.time = time;
+    return said;
+  }
+
   void take_header(std::string_view name, std::string_view text) {
-    if (name == "Mission") {
+    if (name == "Validity_Start") {
+      said_.first = said_time(name, text);
+    } else if (name == "Validity_Stop") {
+      said_.last = said_time(name, text);
+    } else if (name == "Mission") {
       if (const auto plain = without_entities(text))
         file_.object_name = core::clipped(*plain);
       else
@@ -79,6 +99,7 @@ class EofReader {
     if (in_state_) problems_.error(scan_.name(), {"an OSV stands in another one", "", "one behind the other", ""});
     in_state_ = true;
     at_ = scan_.name();
+    tai_ = {};
     fields_.fill({});
   }
 
@@ -94,6 +115,7 @@ class EofReader {
     if (name == "Quality" && text != "NOMINAL" && !problems_.again(quality_))
       quality_ = problems_.warning(text, {"the quality of a state is not nominal", core::clipped(text), "NOMINAL",
                                           "the orbit may be coarse around this time"});
+    if (name == "TAI") tai_ = text;
     for (std::size_t i = 0; i < osv_names.size(); ++i) {
       if (name != osv_names[i]) continue;
       if (!fields_[i].empty())
@@ -114,8 +136,7 @@ class EofReader {
       problems_.error(at_, {missing + " is missing in an OSV", "", "UTC, X, Y, Z, VX, VY, VZ", ""});
       return;
     }
-    std::string_view time = fields_[0];
-    if (time.starts_with("UTC=")) time.remove_prefix(4);
+    const std::string_view time = without_scale(fields_[0], "UTC=");
     bool good = read_time(time, "UTC of an OSV", radar::TimeScale::utc, problems_, state.time);
     const std::array<double*, 6> values{&state.position_m.x, &state.position_m.y, &state.position_m.z,
                                         &velocity_mps.x,     &velocity_mps.y,     &velocity_mps.z};
@@ -123,7 +144,20 @@ class EofReader {
       good &= read_number(fields_[i + 1], osv_names[i + 1], i < 3 ? "m" : "m/s", 0, problems_, *values[i]);
     if (!good) return;
     state.velocity_mps = velocity_mps;
+    check_tai(state.time);
     collector_.add(state, time, fields_[1]);
+  }
+
+  // The same moment by another clock.
+  void check_tai(const radar::CivilTime& utc) {
+    constexpr double rounding_s = 1e-3;
+    const auto tai = radar::parse_instant(without_scale(tai_, "TAI="), radar::TimeScale::tai).instant;
+    const auto same = radar::instant_of(utc, radar::TimeScale::utc).instant;
+    if (!tai || !same || std::abs(radar::seconds_between(*same, *tai)) <= rounding_s || problems_.again(clocks_))
+      return;
+    clocks_ = problems_.warning(tai_, {"TAI and UTC of a state are not the same moment", core::clipped(tai_),
+                                       "TAI=" + radar::format_instant(*same, radar::TimeScale::tai, 6),
+                                       "UTC counts; is the file of one piece?"});
   }
 
   FileProblems& problems_;
@@ -138,6 +172,9 @@ class EofReader {
   bool in_state_ = false;
   bool frame_seen_ = false;
   FileProblems::Mark quality_ = 0;
+  FileProblems::Mark clocks_ = 0;
+  SaidTimes said_;
+  std::string_view tai_;
 };
 
 }  // namespace

@@ -23,7 +23,8 @@ OrbitFormat format_of_xml(std::string_view head) {
   const auto holds = [&](std::string_view tag) { return head.find(tag) != std::string_view::npos; };
   if (holds("<Earth_Explorer_File")) return OrbitFormat::eof;
   if (holds("<omm")) return OrbitFormat::omm_xml;
-  if (holds("<oem") || holds("<aem") || holds("<opm") || holds("<ocm") || holds("<ndm")) return OrbitFormat::other_ndm;
+  if (holds("<oem") || holds("<ndm:oem")) return OrbitFormat::oem_xml;
+  if (holds("<aem") || holds("<opm") || holds("<ocm") || holds("<ndm")) return OrbitFormat::other_ndm;
   if (holds("<OSV>") || holds("<List_of_OSVs")) return OrbitFormat::eof;
   return OrbitFormat::unknown;
 }
@@ -41,6 +42,17 @@ bool is_sp3(std::string_view line) {
 }
 
 bool is_first_tle_line(std::string_view line) { return line.size() > 40 && line.starts_with("1 "); }
+
+// Whether the two lines of a set of elements follow somewhere.
+bool holds_elements(TextLines lines) {
+  std::string_view line;
+  bool first = false;
+  while (lines.next_filled(line)) {
+    if (first && line.size() > 40 && line.starts_with("2 ")) return true;
+    first = is_first_tle_line(line);
+  }
+  return false;
+}
 
 // A line of numbers, or of the names of columns.
 bool is_table(std::string_view line) {
@@ -111,6 +123,7 @@ std::string_view name_of(OrbitFormat format) {
     case OrbitFormat::unknown: return "a file of an unknown format";
     case OrbitFormat::eof: return "a Sentinel-1 orbit file";
     case OrbitFormat::oem: return "a CCSDS OEM";
+    case OrbitFormat::oem_xml: return "a CCSDS OEM in XML";
     case OrbitFormat::sp3: return "an SP3 file";
     case OrbitFormat::csv: return "a table of times and positions";
     case OrbitFormat::tle: return "a file of two-line elements";
@@ -142,6 +155,7 @@ OrbitFormat orbit_format_of(std::string_view text) {
     // A name, perhaps, with two lines below it; it may look like anything.
     const std::string_view name = line;
     if (lines.next_filled(line) && is_first_tle_line(line)) return OrbitFormat::tle;
+    if (holds_elements(lines)) return OrbitFormat::tle;  // Below prose, which its reader reports.
     return is_table(name) ? OrbitFormat::csv : OrbitFormat::unknown;
   }
   return OrbitFormat::unknown;
@@ -153,9 +167,10 @@ EphemerisReading read_ephemeris(std::string_view text, const std::string& name, 
   reading.problems = read_as<EphemerisFile>(text, name, options,
                                             {{OrbitFormat::eof, &read_eof},
                                              {OrbitFormat::oem, &read_oem},
+                                             {OrbitFormat::oem_xml, &read_oem_xml},
                                              {OrbitFormat::sp3, &read_sp3},
                                              {OrbitFormat::csv, &read_csv}},
-                                            "positions: a Sentinel-1 orbit file, a CCSDS OEM (keyword = value), SP3, "
+                                            "positions: a Sentinel-1 orbit file, a CCSDS OEM, SP3, "
                                             "or a table of t, x, y, z",
                                             reading.file);
   return reading;

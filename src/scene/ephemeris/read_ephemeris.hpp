@@ -16,6 +16,7 @@ enum class OrbitFormat : std::uint8_t {
   unknown,
   eof,        ///< Sentinel-1 orbit file.
   oem,        ///< CCSDS orbit ephemeris message, keyword = value.
+  oem_xml,    ///< The same in XML.
   sp3,        ///< SP3-a to SP3-d; c and d are read.
   csv,        ///< Our own table of times and positions.
   tle,        ///< Two or three lines for each satellite.
@@ -38,9 +39,9 @@ inline constexpr std::size_t most_ephemeris_states = 10'000'000;
 /// The name of a format in a sentence: "a CCSDS OEM".
 [[nodiscard]] std::string_view name_of(OrbitFormat format);
 
-/// Reads positions of one object: Sentinel-1 EOF, CCSDS OEM (KVN, versions 1 to 3), SP3-c and SP3-d, or a CSV table.
-/// All problems that can be told are reported together, with their places; not more than 20 errors. Time is linear in
-/// the text. Any bytes may be given; nothing is thrown but std::bad_alloc.
+/// Reads positions of one object: Sentinel-1 EOF, CCSDS OEM (KVN and XML, versions 1 to 3), SP3-c and SP3-d, or a CSV
+/// table. All problems that can be told are reported together, with their places; not more than 20 errors. Time is
+/// linear in the text. Any bytes may be given; nothing is thrown but std::bad_alloc.
 ///
 /// A CSV table has the columns t, x, y, z and, where it likes, vx, vy, vz, in m and m/s. t is in seconds since the
 /// epoch of the scene or a time of ISO 8601. It cannot name its frame and scale; they are given as ITRF and UTC.

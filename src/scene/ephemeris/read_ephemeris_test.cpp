@@ -1,12 +1,15 @@
 #include "scene/ephemeris/read_ephemeris.hpp"
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "scene/ephemeris/ephemeris_test_support.hpp"
+#include "scene/ephemeris/sample_test_support.hpp"
 
 namespace sarsim::scene {
 
@@ -312,7 +315,8 @@ TEST(ReadEphemeris, RefusesFilesWithoutStates) {
 TEST(ReadEphemeris, RefusesFilesOfOtherFormats) {
   EXPECT_EQ(problem_in("$PLATFORM P TRAJ\n").message, "the format of the file is not known");
   EXPECT_EQ(problem_in(tle_text).message, "the file is a file of two-line elements, which cannot be used here");
-  EXPECT_EQ(problem_in("<?xml version='1.0'?><oem id=\"CCSDS_OEM_VERS\"></oem>").message,
+  EXPECT_EQ(problem_in("<?xml version='1.0'?><oem id=\"CCSDS_OEM_VERS\"></oem>").message, "the file holds no states");
+  EXPECT_EQ(problem_in("<?xml version='1.0'?><opm id=\"CCSDS_OPM_VERS\"></opm>").message,
             "the file is a CCSDS message of another kind or form, which cannot be used here");
   EXPECT_EQ(problem_in("CCSDS_OPM_VERS = 2.0\n").message,
             "the file is a CCSDS message of another kind or form, which cannot be used here");
@@ -347,7 +351,7 @@ TEST(ReadEphemeris, RefusesDamagedSp3Files) {
   EXPECT_EQ(problem_of_sp3("IGS14", "J2000").message, "the frame is not known");
   for (const char* cells :
        {"2024  4 31 23  0  2.00000000", "2024  4  1 24  0  2.00000000", "2024  4  1 23 60  2.00000000",
-        "2024  4  1 23 59 60.00000000", "2024  4  1 23  0 -2.00000000", "2024  4  1 23  0 2.0000000Z",
+        "2024  4  1 23 59 61.00000000", "2024  4  1 23  0 -2.00000000", "2024  4  1 23  0 2.0000000Z",
         "2024  4  1 23  0  2.000e0000", "24    4  1 23  0  2.00000000"})
     EXPECT_EQ(problem_of_sp3("2024  4  1 23  0  2.00000000", cells).message, "the line is not an epoch") << cells;
   EXPECT_EQ(problem_of_sp3("PL51   1955.843846", "PL51   1955.8x3846").message, "a position is not a finite number");
@@ -370,6 +374,166 @@ TEST(ReadEphemeris, TakesALeapSecondInUtcOnly) {
   EXPECT_EQ(sound(text).segments[0].states[1].time.second, 60);
   EXPECT_EQ(problem_of(text, "= UTC", "= GPS").message,
             "the time of a state is in a leap second, which GPS does not have");
+}
+
+// Hour 24 and second 60.0 stand in files of laser ranging and of Swarm.
+TEST(ReadEphemeris, ReadsEpochsAtTheEndOfADayAndOfAMinute) {
+  const auto epoch_of = [](std::string_view cells) {
+    return read_ephemeris(replaced(sp3_text, "2024  4  1 23  0  2.00000000", cells), "o.sp3", {"L51"})
+        .file.segments.at(0)
+        .states.at(2)
+        .time;
+  };
+  EXPECT_EQ(epoch_of("2024  4  1 24  0  0.00000000"), (radar::CivilTime{2024, 4, 2}));
+  EXPECT_EQ(epoch_of("2024 12 31 24  0  0.00000000"), (radar::CivilTime{2025, 1, 1}));
+  EXPECT_EQ(epoch_of("2024  4  1 22 59 60.00000000"), (radar::CivilTime{2024, 4, 1, 23, 0, 0}));
+  EXPECT_EQ(epoch_of("2024  4  1 23 59 60.25000000"), (radar::CivilTime{2024, 4, 2, 0, 0, 0, 0.25}));
+  // A leap second stays one.
+  const std::string utc =
+      replaced(replaced(sp3_text, "cc GPS", "cc UTC"), "2024  4  1 23  0  2.00000000", "2024 12 31 23 59 60.00000000");
+  EXPECT_EQ(read_ephemeris(utc, "o.sp3", {"L51"}).file.segments.at(0).states.at(2).time,
+            (radar::CivilTime{2025, 1, 1}));
+}
+
+TEST(ReadEphemeris, TakesEarthFixedFramesOfLaserRanging) {
+  for (const char* frame : {"ECF  ", "ITR20", "IGb14", "SLR08", "WGS84", "ecf  "})
+    EXPECT_EQ(sound(replaced(sp3_text, "IGS14", frame), "L51").frame, Frame::itrf) << frame;
+}
+
+TEST(ReadEphemeris, NamesASatelliteWithoutRecords) {
+  std::string text = replaced(sp3_text, "L51G07", "L52G07");
+  EXPECT_EQ(problem_in(text, "L52").message, "the file has no records of satellite L52");
+}
+
+// The states of one motion, 10 s apart, in every format that has velocities.
+struct OrbitTexts {
+  std::string eof, oem, oem_xml, sp3, csv;
+};
+
+OrbitTexts texts_of(const radar::StateSamples& samples) {
+  OrbitTexts texts;
+  texts.eof = fmt::format("<Earth_Explorer_File><Ref_Frame>EARTH_FIXED</Ref_Frame><List_of_OSVs count=\"{}\">\n",
+                          samples.time_s.size());
+  texts.oem =
+      "CCSDS_OEM_VERS = 2.0\nCREATION_DATE = 2024-04-02T00:00:00\nORIGINATOR = TEST\nMETA_START\nOBJECT_NAME = A\n"
+      "OBJECT_ID = 1\nCENTER_NAME = EARTH\nREF_FRAME = ITRF\nTIME_SYSTEM = UTC\nSTART_TIME = 2024-04-01T00:00:00\n"
+      "STOP_TIME = 2024-04-01T00:03:20\nMETA_STOP\n";
+  texts.oem_xml =
+      "<?xml version=\"1.0\"?>\n<oem id=\"CCSDS_OEM_VERS\" version=\"2.0\"><header><CREATION_DATE>2024-04-02T00:00:00"
+      "</CREATION_DATE></header><body><segment><metadata><OBJECT_NAME>A</OBJECT_NAME><OBJECT_ID>1</OBJECT_ID>"
+      "<CENTER_NAME>EARTH</CENTER_NAME><REF_FRAME>ITRF</REF_FRAME><TIME_SYSTEM>UTC</TIME_SYSTEM>"
+      "<START_TIME>2024-04-01T00:00:00</START_TIME><STOP_TIME>2024-04-01T00:03:20</STOP_TIME></metadata><data>\n";
+  texts.sp3 = fmt::format(
+      "#cV2024  4  1  0  0  0.00000000 {:7} ORBIT IGS14 FIT  TST\n## 2308  86400.00000000    10.00000000 60401 0.0\n"
+      "+    1   L51  0\n%c L  cc UTC ccc cccc cccc cccc cccc ccccc ccccc ccccc ccccc\n",
+      samples.time_s.size());
+  texts.csv = "t,x,y,z,vx,vy,vz\n";
+  for (std::size_t i = 0; i < samples.time_s.size(); ++i) {
+    const auto seconds = static_cast<int>(std::lround(samples.time_s[i]));
+    const std::string time = fmt::format("2024-04-01T00:{:02}:{:02}", seconds / 60, seconds % 60);
+    const core::Vec3 &p = samples.position_m[i], &v = samples.velocity_mps[i];
+    texts.eof += fmt::format(
+        "<OSV><TAI>TAI=2024-04-01T00:{:02}:{:02}</TAI><UTC>UTC={}</UTC><X>{:.6f}</X><Y>{:.6f}</Y><Z>{:.6f}</Z>"
+        "<VX>{:.6f}</VX><VY>{:.6f}</VY><VZ>{:.6f}</VZ><Quality>NOMINAL</Quality></OSV>\n",
+        (seconds + 37) / 60, (seconds + 37) % 60, time, p.x, p.y, p.z, v.x, v.y, v.z);
+    texts.oem += fmt::format("{} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f} {:.9f}\n", time, 1e-3 * p.x, 1e-3 * p.y, 1e-3 * p.z,
+                             1e-3 * v.x, 1e-3 * v.y, 1e-3 * v.z);
+    texts.oem_xml += fmt::format(
+        "<stateVector><EPOCH>{}</EPOCH><X units=\"km\">{:.9f}</X><Y units=\"km\">{:.9f}</Y><Z>{:.9f}</Z>"
+        "<X_DOT units=\"km/s\">{:.9f}</X_DOT><Y_DOT>{:.9f}</Y_DOT><Z_DOT>{:.9f}</Z_DOT></stateVector>\n",
+        time, 1e-3 * p.x, 1e-3 * p.y, 1e-3 * p.z, 1e-3 * v.x, 1e-3 * v.y, 1e-3 * v.z);
+    texts.sp3 += fmt::format("*  2024  4  1  0 {:2} {:11.8f}\nPL51{:14.6f}{:14.6f}{:14.6f}\n", seconds / 60,
+                             static_cast<double>(seconds % 60), 1e-3 * p.x, 1e-3 * p.y, 1e-3 * p.z);
+    texts.sp3 += fmt::format("VL51{:14.6f}{:14.6f}{:14.6f}\n", 10.0 * v.x, 10.0 * v.y, 10.0 * v.z);
+    texts.csv += fmt::format("{},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f},{:.6f}\n", seconds, p.x, p.y, p.z, v.x, v.y, v.z);
+  }
+  texts.eof += "</List_of_OSVs></Earth_Explorer_File>\n";
+  texts.oem_xml += "</data></segment></body></oem>\n";
+  texts.sp3 += "EOF\n";
+  return texts;
+}
+
+radar::StateSamples low_orbit() {
+  return sample_test::samples_of(sample_test::orbit({7078e3, 0.001, 1.71, 1.0, 2.0, 3.0}), 0.0, 10.0, 21, true);
+}
+
+TEST(ReadEphemeris, ReadsTheSameStatesFromEveryFormat) {
+  const radar::StateSamples samples = low_orbit();
+  const OrbitTexts texts = texts_of(samples);
+  for (const std::string& text : {texts.eof, texts.oem, texts.oem_xml, texts.sp3, texts.csv}) {
+    const EphemerisFile file = sound(text);
+    ASSERT_EQ(file.segments.size(), 1U) << text.substr(0, 40);
+    ASSERT_EQ(file.segments[0].states.size(), 21U);
+    EXPECT_FALSE(file.contradicts);
+    for (std::size_t i = 0; i < 21; ++i) {
+      const EphemerisState& state = file.segments[0].states[i];
+      EXPECT_LT(core::norm(state.position_m - samples.position_m[i]), 1e-3);
+      EXPECT_LT(core::norm(*state.velocity_mps - samples.velocity_mps[i]), 1e-5);
+    }
+  }
+  EXPECT_EQ(orbit_format_of(texts.oem_xml), OrbitFormat::oem_xml);
+  EXPECT_EQ(problem_in(replaced(texts.oem_xml, "units=\"km/s\"", "units=\"m/s\"")).message,
+            "X_DOT has another unit than it should");
+  EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<Y_DOT>", "<Y_DOTS>").replace(0, 0, "")).severity,
+            core::Severity::error);
+  EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<REF_FRAME>ITRF</REF_FRAME>", "")).message, "REF_FRAME is missing");
+}
+
+TEST(ReadEphemeris, NamesTheStateThatContradictsItsNeighbours) {
+  radar::StateSamples samples = low_orbit();
+  samples.position_m[6].x += 1000.0;
+  const OrbitTexts texts = texts_of(samples);
+  for (const std::string& text : {texts.eof, texts.oem, texts.oem_xml, texts.sp3, texts.csv}) {
+    const EphemerisReading reading = read_ephemeris(text, "o.txt");
+    const core::Problem problem = only_problem(reading.problems);
+    EXPECT_EQ(problem.severity, core::Severity::warning);
+    EXPECT_EQ(problem.message, "a state does not fit those around it");
+    EXPECT_EQ(problem.found.substr(0, 12), "1000 m off a") << problem.found;
+    EXPECT_NE(problem.found.find(text == texts.csv ? "60 s" : "2024-04-01T00:01:00"), std::string::npos);
+    EXPECT_GT(problem.place.line, 5U);
+    EXPECT_TRUE(reading.file.contradicts);
+  }
+}
+
+TEST(ReadEphemeris, TellsVelocitiesOfAnotherUnit) {
+  radar::StateSamples samples = low_orbit();
+  for (core::Vec3& v : samples.velocity_mps) v = 1e-3 * v;
+  const core::Problem problem = problem_in(texts_of(samples).csv);
+  EXPECT_EQ(problem.message, "velocities do not fit the positions");
+}
+
+TEST(ReadEphemeris, NamesGapsWithTimeAndLength) {
+  radar::StateSamples samples = low_orbit();
+  const auto erase = [&](auto& list) { list.erase(list.begin() + 8, list.begin() + 10); };
+  erase(samples.time_s), erase(samples.position_m), erase(samples.velocity_mps);
+  const core::Problem problem = problem_in(texts_of(samples).oem);
+  EXPECT_EQ(problem.message, "states are missing: the file has a gap");
+  EXPECT_EQ(problem.found, "30 s behind 2024-04-01T00:01:10");
+  EXPECT_EQ(problem.expected, "one every 10 s");
+}
+
+TEST(ReadEphemeris, ComparesWhatAHeadSaysWithTheStates) {
+  const OrbitTexts texts = texts_of(low_orbit());
+  core::Problem problem = problem_of(texts.oem, "START_TIME = 2024-04-01", "START_TIME = 2023-04-01");
+  EXPECT_EQ(problem.message, "START_TIME is not the time of the first sample");
+  EXPECT_EQ(problem.expected, "2024-04-01T00:00:00");
+  problem = problem_of(texts.oem_xml, "<STOP_TIME>2024-04-01T00:03:20", "<STOP_TIME>2024-04-01T00:33:20");
+  EXPECT_EQ(problem.message, "STOP_TIME is not the time of the last sample");
+  problem = problem_of(texts.eof, "<Ref_Frame>", "<Validity_Start>UTC=2024-03-01T00:00:00</Validity_Start><Ref_Frame>");
+  EXPECT_EQ(problem.message, "Validity_Start is not the time of the first sample");
+  sound(replaced(texts.eof, "<Ref_Frame>", "<Validity_Start>UTC=2024-04-01T00:00:00</Validity_Start><Ref_Frame>"));
+  problem = problem_of(texts.eof, "TAI=2024-04-01T00:00:57", "TAI=2024-04-01T00:00:58");
+  EXPECT_EQ(problem.message, "TAI and UTC of a state are not the same moment");
+  problem = problem_of(texts.sp3, "#cV2024  4  1  0", "#cV2024  4  1  3");
+  EXPECT_EQ(problem.message, "the time of the first line is not the time of the first sample");
+  problem = problem_of(texts.sp3, "   10.00000000 60401", "   30.00000000 60401");
+  EXPECT_EQ(problem.message, "the interval of the second line is not that of the epochs");
+}
+
+TEST(ReadEphemeris, RefusesPositionsThatDoublesDoNotTellApart) {
+  const auto told = [](const char* text) { return read_ephemeris(text, "o.csv", {"", true}).problems; };
+  EXPECT_TRUE(told("0,1e10,0,0\n1,1e10,0,0\n").empty());
+  EXPECT_EQ(only_problem(told("0,1e18,0,0\n1,1e18,0,0\n")).message, "a position is more than 1e11 m from the origin");
 }
 
 }  // namespace read_ephemeris_test

@@ -209,6 +209,27 @@ TEST(ReadMeanElements, RefusesDamagedMessages) {
   EXPECT_EQ(problem_in(oem_text).message, "the file is a CCSDS OEM, which cannot be used here");
 }
 
+TEST(ReadMeanElements, SaysThatDaysCountFromOne) {
+  EXPECT_EQ(problem_in(tle_with(1, 19, "24000")).expected,
+            "a day from 001 to 366: days count from 1, noon of January 1 is 001.5");
+}
+
+TEST(ReadMeanElements, NamesProseAboveTheLines) {
+  const std::string text =
+      "This file has the elements of today, and more.\nThey are from a catalogue.\n" + std::string(tle_text);
+  EXPECT_EQ(orbit_format_of(text), OrbitFormat::tle);
+  const core::Problem problem = problem_in(text, "39634");
+  EXPECT_EQ(problem.message, "the file has the lines of two-line elements, but this one is none of them");
+  EXPECT_EQ(problem.place.line, 1U);
+}
+
+TEST(ReadMeanElements, RefusesKeywordsWithoutAValue) {
+  EXPECT_EQ(problem_of(omm_kvn_text, "REF_FRAME = TEME", "REF_FRAME =").message, "REF_FRAME has no value");
+  EXPECT_EQ(problem_of(omm_xml_text, "<REF_FRAME>TEME</REF_FRAME>", "<REF_FRAME></REF_FRAME>").message,
+            "REF_FRAME has no value");
+  EXPECT_EQ(problem_of(omm_xml_text, "<REF_FRAME>TEME</REF_FRAME>", "<REF_FRAME/>").message, "REF_FRAME has no value");
+}
+
 }  // namespace read_mean_elements_test
 
 }  // namespace sarsim::scene

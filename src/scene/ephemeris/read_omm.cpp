@@ -62,6 +62,8 @@ MeanElementsFile read_omm_kvn(const ReaderInput& input) {
       static_cast<void>(read_version(line, 3, input.problems));
     } else if (line.key.empty() && line.line != "META_START" && line.line != "META_STOP") {
       input.problems.error(line.line, {"the line is none of an OMM", core::clipped(line.line), "KEYWORD = value", ""});
+    } else if (line.value.empty()) {
+      record.miss_value(omm_key_of(line.key), line.line, input.problems);
     } else {
       record.set(omm_key_of(line.key), std::string(line.value), line.line, line.unit, input.problems);
     }
@@ -76,22 +78,29 @@ MeanElementsFile read_omm_xml(const ReaderInput& input) {
   OmmRecord record;
   XmlScan scan(input.text, input.problems);
   std::string_view unit;
+  std::string_view opened;  // an element that nothing was seen in yet
   while (has_more_room(input, file)) {
     const XmlEvent event = scan.next();
     if (event == XmlEvent::end) break;
     if (event == XmlEvent::open) {
       if (scan.name() == "omm") record.begin(scan.name());
       unit = scan.attribute("units");
+      opened = scan.name();
     } else if (event == XmlEvent::close) {
+      if (!opened.empty() && scan.name() == opened) record.miss_value(omm_key_of(opened), scan.name(), input.problems);
+      opened = {};
       if (scan.name() == "omm") {
         record.finish(input, file);
         record.begin({});
       }
-    } else if (const auto plain = without_entities(scan.text())) {
-      record.set(omm_key_of(scan.name()), *plain, scan.text(), unit, input.problems);
     } else {
-      input.problems.error(scan.text(), {"an entity is not known", core::clipped(scan.text()),
-                                         "&amp;, &lt;, &gt;, &quot;, &apos; or the number of a character", ""});
+      opened = {};
+      const auto plain = without_entities(scan.text());
+      if (plain)
+        record.set(omm_key_of(scan.name()), *plain, scan.text(), unit, input.problems);
+      else
+        input.problems.error(scan.text(), {"an entity is not known", core::clipped(scan.text()),
+                                           "&amp;, &lt;, &gt;, &quot;, &apos; or the number of a character", ""});
     }
   }
   finish_elements(input, file);

@@ -1,12 +1,17 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/earth/instant.hpp"
 #include "scene/ephemeris/formats.hpp"
 #include "scene/ephemeris/state_collector.hpp"
 #include "scene/ephemeris/text_lines.hpp"
@@ -22,9 +27,9 @@ std::optional<int> small_number(std::string_view cell) {
   return static_cast<int>(*number);
 }
 
-// The frames of SP3 are all fixed to the Earth and named in five letters: "IGS20", "ITR08", "WGS84".
+// The frames of SP3 are all fixed to the Earth and named in five letters: "IGS20", "ITR08", "WGS84", "ECF".
 bool is_earth_fixed(std::string_view name) {
-  constexpr std::array<std::string_view, 5> beginnings{"ITR", "IGS", "IGB", "SLR", "WGS"};
+  constexpr std::array<std::string_view, 9> beginnings{"ITR", "IGS", "IGB", "SLR", "WGS", "ECF", "ECE", "PZ-", "GTR"};
   return std::ranges::any_of(
       beginnings, [&](std::string_view known) { return core::equal_ignoring_case(name.substr(0, 3), known); });
 }
@@ -56,8 +61,14 @@ class Sp3Reader {
     if (!input_.choice.report(problems_)) return std::move(file_);
     if (!ended && !collector_.full())
       problems_.warning(last_, {"the line EOF is missing at the end", "", "EOF", "the file may be cut off"});
-    report_counts();
+    if (file_.segments.empty() && !problems_.has_errors())
+      problems_.error(last_,
+                      {missing_ > 0 ? fmt::format("no record of satellite {} has a position", wanted_)
+                                    : fmt::format("the file has no records of satellite {}", wanted_),
+                       "", "lines that begin with P" + wanted_, "its head names the satellite; is the file cut off?"});
+    collector_.said_times({{"the time of the first line", first_, first_at_}, {}});
     collector_.finish(last_);
+    report_counts();
     return std::move(file_);
   }
 
@@ -73,9 +84,20 @@ class Sp3Reader {
     const std::string_view frame = core::trimmed(columns(line, 47, 51));
     if (!is_earth_fixed(frame))
       problems_.error(frame, {"the frame is not known", core::clipped(frame),
-                              "a frame fixed to the Earth: ITRxx, IGSxx, IGbxx, SLRxx, WGS84", ""});
+                              "a frame fixed to the Earth: ITRxx, IGSxx, IGbxx, SLRxx, WGS84, ECF", ""});
     file_.frame = Frame::itrf;
     last_ = line;
+    first_at_ = columns(line, 4, 31);
+    std::array<std::string_view, 7> cells;
+    if (split_words(first_at_, std::span(cells).subspan(1)) == 6) first_ = read_epoch(cells);
+  }
+
+  // "## week second interval day fraction"; the interval is that of the epochs.
+  void take_interval(std::string_view line) {
+    std::array<std::string_view, 6> cells;
+    if (split_words(line, cells) < 4) return;
+    interval_s_ = core::parse_number(cells[3]).value_or(0.0);
+    interval_at_ = cells[3];
   }
 
   void take(std::string_view line) {
@@ -85,8 +107,10 @@ class Sp3Reader {
       case '*': return take_epoch(line);
       case 'P': return take_position(line);
       case 'V': return take_velocity(line);
-      case ' ':
       case '#':
+        if (line.starts_with("##")) take_interval(line);
+        return;
+      case ' ':
       case '/':
       case 'E': return;
       default:
@@ -100,7 +124,7 @@ class Sp3Reader {
     if (line.starts_with("++")) return;
     for (std::size_t column = 10; column + 2 <= line.size() && column < 61; column += 3) {
       const std::string_view id = core::trimmed(columns(line, column, column + 2));
-      if (!id.empty() && id != "0") static_cast<void>(input_.choice.takes(id, {}));
+      if (!id.empty() && id != "0" && input_.choice.takes(id, {}) && wanted_.empty()) wanted_ = id;
     }
   }
 
@@ -134,11 +158,41 @@ class Sp3Reader {
                              "'*', then year, month, day, hour, minute and second", ""});
   }
 
-  static std::optional<radar::CivilTime> read_epoch(const std::array<std::string_view, 7>& cells) {
-    const char* const zero = std::min(cells[6].find('.'), cells[6].size()) < 2 ? "0" : "";
-    const radar::CivilReading reading = radar::parse_civil(fmt::format(
-        "{}-{:0>2}-{:0>2}T{:0>2}:{:0>2}:{}{}", cells[1], cells[2], cells[3], cells[4], cells[5], zero, cells[6]));
-    return reading.marked_utc || (reading.time && reading.time->second == 60) ? std::nullopt : reading.time;
+  // Hour 24 and second 60.0, which laser ranging and Swarm files have, are those of the next day and minute; second 60
+  // of a leap second stays.
+  std::optional<radar::CivilTime> read_epoch(const std::array<std::string_view, 7>& cells) const {
+    std::array<int, 6> value{};
+    if (cells[1].size() != 4) return std::nullopt;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      const auto number = small_number(cells[i + 1].substr(0, i == 5 ? cells[6].find('.') : std::string_view::npos));
+      if (!number) return std::nullopt;
+      value[i] = *number;
+    }
+    const auto& [year, month, day, hour, minute, second] = value;
+    const std::optional<double> fraction_s = fraction_of(cells[6]);
+    const auto mjd = radar::mjd_of_date(year, month, day);
+    const bool midnight = hour == 24 && minute == 0 && second == 0;
+    if (!mjd || !fraction_s || (hour > 23 && !midnight) || minute > 59 || second > 60) return std::nullopt;
+    if (second == 60 && file_.scale == radar::TimeScale::utc) {
+      const radar::CivilTime leap{year, month, day, hour, minute, second, *fraction_s};
+      if (radar::instant_of(leap, file_.scale).instant) return leap;
+    }
+    constexpr int day_s = 86400;
+    const int of_day_s = 3600 * hour + 60 * minute + second;
+    radar::CivilTime time = radar::date_of_mjd(*mjd + of_day_s / day_s);
+    time.hour = of_day_s % day_s / 3600;
+    time.minute = of_day_s % 3600 / 60;
+    time.second = of_day_s % 60;
+    time.fraction_s = *fraction_s;
+    return time;
+  }
+
+  // The decimals of a second as they are written, not what rounding leaves of a difference.
+  static std::optional<double> fraction_of(std::string_view cell) {
+    const std::size_t point = cell.find('.');
+    const std::string_view digits = point == std::string_view::npos ? std::string_view() : cell.substr(point + 1);
+    if (!std::ranges::all_of(digits, core::is_digit)) return std::nullopt;
+    return core::parse_number("0." + std::string(digits) + "0");
   }
 
   void take_position(std::string_view line) {
@@ -199,10 +253,15 @@ class Sp3Reader {
     if (announced_ != epochs_ && !collector_.full())
       problems_.warning({}, {"the number of epochs is not the one that the first line gives",
                              fmt::format("{}", epochs_), fmt::format("{}", announced_), "the file may be cut off"});
+    const double step_s = collector_.usual_step_s();
+    constexpr int fewest_epochs = 5;
+    if (epochs_ >= fewest_epochs && step_s > 0.0 && interval_s_ > 0.0 && std::abs(step_s / interval_s_ - 1.0) > 0.01)
+      problems_.warning(interval_at_, {"the interval of the second line is not that of the epochs",
+                                       fmt::format("{:.6g} s", interval_s_), fmt::format("{:.6g} s", step_s),
+                                       "the epochs count; were some left out?"});
     if (missing_ > 0)
       problems_.warning(missing_at_,
-                        {"epochs without a position are left out", fmt::format("{} of {}", missing_, epochs_), "",
-                         "the orbit is interpolated across these gaps"});
+                        {"epochs without a position are left out", fmt::format("{} of {}", missing_, epochs_), "", ""});
   }
 
   const ReaderInput& input_;
@@ -210,6 +269,11 @@ class Sp3Reader {
   EphemerisFile file_;
   StateCollector collector_{file_, problems_, "km"};
   std::string_view last_;
+  std::string wanted_;  // of those that the head names
+  std::string_view first_at_;
+  std::optional<radar::CivilTime> first_;
+  std::string_view interval_at_;
+  double interval_s_ = 0.0;
   int announced_ = 0;
   int epochs_ = 0;
   int missing_ = 0;

@@ -162,6 +162,9 @@ class TleSet {
     set.object_id = designator(columns(first_, 10, 17));
     if (const auto epoch = tle_epoch(columns(first_, 19, 32)))
       set.epoch = *epoch;
+    else if (core::parse_integer(core::trimmed(columns(first_, 21, 23))) == 0)
+      fail(columns(first_, 19, 32), "the epoch",
+           "a day from 001 to 366: days count from 1, noon of January 1 is 001.5");
     else
       fail(columns(first_, 19, 32), "the epoch", "year and day of the year, YYDDD.DDDDDDDD");
     set.mean_motion_dot_rev_per_day2 = number(first_, 34, 43, "the first derivative of the mean motion", -1.0, 1.0);
@@ -220,8 +223,17 @@ class TleReader {
     } else if (is_element_line(line, '2')) {
       problems_.error(line, {"a second line stands without a first one", core::clipped(line), "a line 1 above it", ""});
     } else {
+      expect_one_name(line);
       name_ = core::trimmed(line.starts_with("0 ") ? line.substr(2) : line);
     }
+  }
+
+  // A name stands alone above its two lines; what comes before it is something else.
+  void expect_one_name(std::string_view line) {
+    if (!name_.empty() && !problems_.again(prose_))
+      prose_ = problems_.error(name_, {"the file has the lines of two-line elements, but this one is none of them",
+                                       core::clipped(name_), "a name, or a line that begins with 1 or 2",
+                                       fmt::format("remove what stands above '{}'", core::clipped(line))});
   }
 
   void miss_second(std::string_view at) {
@@ -264,6 +276,7 @@ class TleReader {
   std::string_view name_;
   std::string_view first_;  // a first line that waits for its second
   FileProblems::Mark long_line_ = 0;
+  FileProblems::Mark prose_ = 0;
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "scene/ephemeris/state_collector.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/earth/instant.hpp"
 #include "scene/ephemeris/read_ephemeris.hpp"
 
 namespace sarsim::scene::ephemeris {
@@ -14,6 +16,8 @@ namespace sarsim::scene::ephemeris {
 namespace {
 
 constexpr double farthest_m = 1e9;
+// Doubles have steps of 1.5e-5 m there: beyond, no wavelength of a radar is told from the next.
+constexpr double farthest_without_earth_m = 1e11;
 // Half axes of WGS 84, less 1 km: no point of dry land is lower, and the axes of the frames differ by 100 m here.
 constexpr double equator_m = 6378137.0 - 1000.0;
 constexpr double pole_m = 6356752.3 - 1000.0;
@@ -40,6 +44,7 @@ std::optional<double> step_s(const EphemerisState& before, const EphemerisState&
 
 EphemerisSegment& StateCollector::begin_segment(std::string_view at) {
   begins_.push_back(at);
+  said_.emplace_back();
   return file_.segments.emplace_back();
 }
 
@@ -65,12 +70,19 @@ void StateCollector::add(const EphemerisState& state, std::string_view time_at, 
     if (ascends && states.size() == 1 && low_ == 0 && far_ == 0) check_velocity(states.back(), state, position_at);
   }
   states.push_back(state);
+  at_.push_back(time_at);
   ++states_;
 }
 
 void StateCollector::check_position(const core::Vec3& position_m, std::string_view at) {
   const double distance_m = core::norm(position_m);
-  if (without_earth_) return;
+  if (without_earth_) {
+    if (distance_m <= farthest_without_earth_m || problems_.again(far_)) return;
+    far_ =
+        problems_.error(at, {"a position is more than 1e11 m from the origin", fmt::format("{:.6g} m", distance_m),
+                             "at most 1e11 m", fmt::format("positions are in {} from the origin of the world", unit_)});
+    return;
+  }
   const bool low = is_below_surface(position_m);
   if (!low && distance_m <= farthest_m) return;
   FileProblems::Mark& mark = low ? low_ : far_;
@@ -124,10 +136,102 @@ void check_neighbours(const radar::CivilTime& end_before, const radar::CivilTime
                       "give the segments usable ranges that do not overlap, in the order of time"});
 }
 
+std::string StateCollector::time_text(const EphemerisState& state) const {
+  return file_.form == TimeForm::civil ? radar::format_civil(state.time)
+                                       : core::format_number(state.since_epoch_s) + " s";
+}
+
+void StateCollector::report_odd(const std::vector<OddState>& odd, const EphemerisSegment& segment,
+                                const std::string_view* at) {
+  if (odd.empty()) return;
+  const auto size = [](const OddState& one) { return one.position_off_m; };
+  const OddState& worst = *std::ranges::max_element(odd, {}, size);
+  std::string found = fmt::format("{:.4g} m off at {}", worst.position_off_m, time_text(segment.states[worst.index]));
+  if (worst.velocity_off_mps > 1e-3) found += fmt::format(", its velocity {:.4g} m/s", worst.velocity_off_mps);
+  if (odd.size() > 1) found += fmt::format("; {} such states", odd.size());
+  problems_.warning(at[worst.index], {"a state does not fit those around it", std::move(found),
+                                      "where the states before and behind it lead",
+                                      "correct it or leave it out: the path goes through it"});
+}
+
+void StateCollector::report_velocities(const VelocityMismatch& mismatch, std::string_view at) {
+  const double factor = mismatch.given_mps > 0.0 ? mismatch.moved_mps / mismatch.given_mps : 1.0;
+  const bool other_unit = std::abs(factor / 1e3 - 1.0) < 0.1 || std::abs(factor * 1e3 - 1.0) < 0.1;
+  wrong_speed_ =
+      problems_.warning(at, {"velocities do not fit the positions",
+                             fmt::format("a speed of {:.6g} m/s, {:.4g} m/s off", mismatch.given_mps, mismatch.off_mps),
+                             fmt::format("about {:.6g} m/s, by the positions around it", mismatch.moved_mps),
+                             fmt::format("are the velocities in {}/s{}", unit_ == "km" ? "km" : "m",
+                                         other_unit ? "?" : ", and relative to the same axes?")});
+}
+
+void StateCollector::report_gaps(const SampleSteps& steps, const EphemerisSegment& segment,
+                                 const std::string_view* at) {
+  gaps_ += steps.gaps.size();
+  ephemeris::report_gaps(
+      steps, "state", [&](std::size_t i) { return time_text(segment.states[i]); }, at, problems_);
+}
+
+void report_gaps(const SampleSteps& steps, std::string_view what,
+                 const std::function<std::string(std::size_t)>& time_text, const std::string_view* at,
+                 FileProblems& problems) {
+  if (steps.gaps.empty()) return;
+  const SampleGap& longest = *std::ranges::max_element(steps.gaps, {}, &SampleGap::length_s);
+  std::string found = fmt::format("{:.6g} s behind {}", longest.length_s, time_text(longest.before));
+  if (steps.gaps.size() > 1) found += fmt::format("; {} gaps", steps.gaps.size());
+  problems.warning(at[longest.before + 1], {fmt::format("{}s are missing: the file has a gap", what), std::move(found),
+                                            fmt::format("one every {:.6g} s", steps.usual_s),
+                                            "a recording within a gap is interpolated over more than a step"});
+}
+
+// What a segment says twice; at `at_` are the places of its states.
+void StateCollector::examine(std::size_t segment) {
+  const EphemerisSegment& one = file_.segments[segment];
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < segment; ++i) before += file_.segments[i].states.size();
+  const std::string_view* const at = &at_[before];
+  std::vector<double> time_s;
+  std::vector<core::Vec3> position_m, velocity_mps;
+  const EphemerisState& first = one.states.front();
+  const auto start = radar::instant_of(first.time, file_.scale).instant;
+  for (const EphemerisState& state : one.states) {
+    const auto now = start ? radar::instant_of(state.time, file_.scale).instant : start;
+    time_s.push_back(file_.form == TimeForm::since_epoch ? state.since_epoch_s - first.since_epoch_s
+                     : now                               ? radar::seconds_between(*start, *now)
+                                                         : radar::seconds_between(first.time, state.time));
+    position_m.push_back(state.position_m);
+    if (state.velocity_mps) velocity_mps.push_back(*state.velocity_mps);
+  }
+  if (velocity_mps.size() != position_m.size()) velocity_mps.clear();
+  const StateFindings findings = examine_states({time_s, position_m, velocity_mps});
+  file_.contradicts = file_.contradicts || findings.velocities || !findings.odd.empty();
+  if (usual_step_s_ == 0.0) usual_step_s_ = findings.steps.usual_s;
+  if (findings.velocities && wrong_speed_ == 0) report_velocities(*findings.velocities, at[findings.velocities->worst]);
+  report_odd(findings.odd, one, at);
+  report_gaps(findings.steps, one, at);
+  if (file_.form == TimeForm::civil)
+    check_said_times(said_[segment], first.time, one.states.back().time,
+                     time_s.size() < 3 ? time_s.back() : findings.steps.usual_s, problems_);
+}
+
+void check_said_times(const SaidTimes& said, const radar::CivilTime& first, const radar::CivilTime& last, double step_s,
+                      FileProblems& problems) {
+  const auto check = [&](const SaidTime& one, const radar::CivilTime& time, const char* which) {
+    if (!one.time || std::abs(radar::seconds_between(*one.time, time)) <= std::max(step_s, 1.0)) return;
+    problems.warning(
+        one.at, {fmt::format("{} is not the time of the {} sample", one.key, which), radar::format_civil(*one.time),
+                 radar::format_civil(time), "the samples count; is the file complete, and of one piece?"});
+  };
+  check(said.first, first, "first");
+  check(said.last, last, "last");
+}
+
 void StateCollector::finish(std::string_view at) {
   // What follows from other mistakes is not said.
   const bool comparable = file_.form == TimeForm::civil && !problems_.has_errors();
   if (comparable) check_segments(file_.segments, begins_, problems_);
+  for (std::size_t i = 0; i < file_.segments.size() && !problems_.has_errors(); ++i)
+    if (!file_.segments[i].states.empty()) examine(i);
   std::erase_if(file_.segments, [](const EphemerisSegment& segment) { return segment.states.empty(); });
   if (file_.segments.empty() && !problems_.has_errors())
     problems_.error(at, {"the file holds no states", "", "times with positions", ""});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -8,11 +9,15 @@
 
 #include "scene/ephemeris/ephemeris_file.hpp"
 #include "scene/ephemeris/file_problems.hpp"
+#include "scene/ephemeris/said_times.hpp"
+#include "scene/ephemeris/state_consistency.hpp"
 
 namespace sarsim::scene::ephemeris {
 
 /// Adds states to an ephemeris and reports what cannot be: times that do not ascend, positions below the surface of the
-/// Earth or beyond 1e9 m, too many states. Says each once, with a count.
+/// Earth or beyond 1e9 m (1e11 m in a world without an Earth), too many states; and what contradicts itself
+/// (`examine_states`): states that do not fit those around them, velocities that are not those of the positions, gaps,
+/// times of the head that are not those of the states. Says each once, with a count.
 class StateCollector {
  public:
   /// @param unit           of positions in the file, for messages: "km"
@@ -29,10 +34,20 @@ class StateCollector {
   /// @param position_at  where the position stands
   void add(const EphemerisState& state, std::string_view time_at, std::string_view position_at);
 
+  /// What the file says of the times of the last segment.
+  void said_times(const SaidTimes& said) {
+    if (!said_.empty()) said_.back() = said;
+  }
+
   /// Where the segments end: drops empty ones and reports that no states remain, and usable ranges that reach beyond
-  /// the states or overlap.
+  /// the states or overlap; compares what a file says twice.
   /// @param at  where the last line stands, or what else is to blame for missing states
   void finish(std::string_view at);
+
+  /// The usual step of the first segment with three states; 0 before `finish`.
+  [[nodiscard]] double usual_step_s() const { return usual_step_s_; }
+  /// Whether `finish` found gaps.
+  [[nodiscard]] bool has_gaps() const { return gaps_ != 0; }
 
   /// Whether nothing more should be read.
   [[nodiscard]] bool full() const { return problems_.full() || too_many_ != 0; }
@@ -40,19 +55,36 @@ class StateCollector {
  private:
   void check_position(const core::Vec3& position_m, std::string_view at);
   void check_velocity(const EphemerisState& before, const EphemerisState& state, std::string_view at);
+  void examine(std::size_t segment);
+  void report_odd(const std::vector<OddState>& odd, const EphemerisSegment& segment, const std::string_view* at);
+  void report_velocities(const VelocityMismatch& mismatch, std::string_view at);
+  void report_gaps(const SampleSteps& steps, const EphemerisSegment& segment, const std::string_view* at);
+  [[nodiscard]] std::string time_text(const EphemerisState& state) const;
 
   EphemerisFile& file_;
   FileProblems& problems_;
   std::string unit_;
   bool without_earth_;
   std::vector<std::string_view> begins_;  // of the segments
+  std::vector<SaidTimes> said_;           // of the segments
+  std::vector<std::string_view> at_;      // of the states, all segments
   std::size_t states_ = 0;
   FileProblems::Mark unordered_ = 0;
   FileProblems::Mark low_ = 0;
   FileProblems::Mark far_ = 0;
   FileProblems::Mark wrong_speed_ = 0;
   FileProblems::Mark too_many_ = 0;
+  std::size_t gaps_ = 0;
+  double usual_step_s_ = 0.0;
 };
+
+/// Reports the longest gap of a segment, with the number of gaps.
+/// @param what       a sample: "state"
+/// @param time_text  of a sample, for people
+/// @param at         where the samples of the segment stand
+void report_gaps(const SampleSteps& steps, std::string_view what,
+                 const std::function<std::string(std::size_t)>& time_text, const std::string_view* at,
+                 FileProblems& problems);
 
 /// Reports usable ranges whose ends are not in order or reach beyond the data, for one segment.
 /// @param first  time of the first state

@@ -4,13 +4,26 @@
 
 #include "core/report/refused.hpp"
 #include "radar/motion/motion_path.hpp"
+#include "radar/path/path.hpp"
 #include "scene/model/read_path.hpp"
+#include "workflow/focus/navigation_check.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/input/motion_input.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
+
+// A radar like that of the recording on the platform of the navigation, so that what is lost between its states counts.
+void add_radar(const scene::Scene& scene, std::size_t simulation, scene::Scene& believed) {
+  if (simulation >= scene.simulations.size()) return;
+  const std::size_t radar = scene::find_radar(scene, scene.simulations[simulation].radar);
+  if (radar == scene::not_found) return;
+  believed.platforms.front().name = "navigation";
+  scene::Radar& copy = believed.radars.emplace_back(scene.radars[radar]);
+  copy.platform = believed.platforms.front().name;
+  believed.geometries.front().radar = copy.name;
+}
 
 // The echoes seem to come from where the navigation says that the antenna was.
 void believe(const std::string& file, const scene::Scene& scene, FocusInput& focus) {
@@ -23,12 +36,21 @@ void believe(const std::string& file, const scene::Scene& scene, FocusInput& foc
   scene::GeometryTable& times = believed.geometries.emplace_back();
   times.time_start_s = focus.echoes.track.front().time_s;
   times.time_end_s = focus.echoes.track.back().time_s;
+  add_radar(scene, focus.simulation, believed);
   core::Problems problems = read_motions(believed, {});
   for (core::Problem& problem : problems) problem.subject = {};
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
   std::ranges::move(problems, std::back_inserter(focus.problems));
   const radar::MotionPath path = radar::StatePath{platform.read_path->states};
-  focus.echoes.track = track_along(*focus.plan, [&](double time_s) { return path.state(time_s).position_world_m; });
+  std::vector<signal::TrackPoint> track =
+      track_along(*focus.plan, [&](double time_s) { return path.state(time_s).position_world_m; });
+  const double farthest_m = radar::range_of(
+      focus.echoes.first_delay_s + static_cast<double>(focus.echoes.columns) / focus.echoes.waveform.sample_rate_hz,
+      focus.echoes.waveform.light_speed_mps);
+  core::Problems of_track = problems_of_navigation(file, focus.echoes.track, track, farthest_m);
+  if (core::has_errors(of_track)) throw core::Refused(core::ranked(std::move(of_track)));
+  std::ranges::move(of_track, std::back_inserter(focus.problems));
+  focus.echoes.track = std::move(track);
 }
 
 FocusInput of_script(const RecordingArguments& arguments, const core::WorkControl& control,

@@ -16,11 +16,13 @@
 #include "radar/orbit/kepler.hpp"
 #include "radar/orbit/sgp4.hpp"
 #include "scene/ephemeris/read_ephemeris.hpp"
+#include "scene/ephemeris/sample_accuracy.hpp"
 #include "scene/model/orbit.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/world_frame.hpp"
 #include "scene/script/reader.hpp"
 #include "workflow/input/cloud_input.hpp"
+#include "workflow/input/motion_accuracy.hpp"
 #include "workflow/input/world_axes.hpp"
 
 namespace sarsim::workflow {
@@ -36,6 +38,10 @@ constexpr double state_spacing_s = 10.0;
 constexpr double state_margin_s = 60.0;
 constexpr std::size_t most_states = 2'000'000;
 constexpr double farthest_from_state_s = 864e3;
+// A path that is less sure than this is none.
+constexpr double most_error_m = 2e3;
+// From one attitude to the next; a third of a turn. Which way around a larger turn goes is a guess.
+constexpr double most_turn_rad = 2.0 * core::pi / 3.0;
 
 core::Problem path_problem(std::string message, std::string found = {}, std::string expected = {},
                            std::string hint = {}) {
@@ -357,9 +363,45 @@ class PathMaker {
       const radar::StateVector given{state.position_m, state.velocity_mps.value_or(core::Vec3{})};
       add(samples, *time_s, axes_.from(file.frame, given, *time_s), interpolation.use_velocities);
     }
-    return made(samples, interpolation, usable,
-                fmt::format("{}, {} states, {}", scene::name_of(format), segment.states.size(),
-                            axes_.earth() ? std::string(scene::name_of(file.frame)) : std::string("world axes")));
+    if (auto fault = fault_of_step(samples)) return refuse(std::move(*fault));
+    auto path = made(samples, interpolation, usable,
+                     fmt::format("{}, {} states, {}", scene::name_of(format), segment.states.size(),
+                                 axes_.earth() ? std::string(scene::name_of(file.frame)) : std::string("world axes")));
+    const auto accuracy = path ? scene::accuracy_between(samples, interpolation, needed_) : std::nullopt;
+    if (!accuracy) return path;
+    if (accuracy->error > most_error_m)
+      return refuse(path_problem(fmt::format("{}: between its states the path is not known", platform_.ephemeris_file),
+                                 fmt::format("about {:.3g} km off near {:.6g} s, with a state every {:.6g} s",
+                                             1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s),
+                                 fmt::format("at most {:g} km", 1e-3 * most_error_m),
+                                 "take a file with closer states"));
+    if (file.contradicts) return path;  // What it is off is said already.
+    auto known = std::make_shared<scene::ReadPath>(*path);
+    known->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
+    return known;
+  }
+
+  // Positions that are taken once in a while of an orbit are those of many orbits.
+  [[nodiscard]] std::optional<core::Problem> fault_of_step(const radar::StateSamples& samples) const {
+    constexpr double states_per_turn = 3.0;
+    constexpr double least_height_m = 80e3;
+    if (!axes_.earth()) return std::nullopt;
+    for (std::size_t i = 1; i < samples.time_s.size(); ++i) {
+      if (samples.time_s[i] < needed_.first_s || samples.time_s[i - 1] > needed_.last_s) continue;
+      const core::Vec3 ecef_m = axes_.earth()->ecef_from_world(samples.position_m[i - 1]);
+      if (height_of(ecef_m) < least_height_m) continue;
+      const double radius_m = core::norm(ecef_m);
+      const double turn_s =
+          2.0 * core::pi * std::sqrt(radius_m * radius_m * radius_m / radar::EarthGravity{}.mu_m3_per_s2);
+      const double step_s = samples.time_s[i] - samples.time_s[i - 1];
+      if (step_s * states_per_turn <= turn_s) continue;
+      return path_problem(
+          fmt::format("{}: its states are too far apart to tell the orbit", platform_.ephemeris_file),
+          fmt::format("a state every {:.6g} s, at a height where a turn takes {:.4g} s", step_s, turn_s),
+          fmt::format("at most {:.4g} s, a third of a turn", turn_s / states_per_turn),
+          "take a file with closer states");
+    }
+    return std::nullopt;
   }
 
   // The set of elements nearest to time 0.
@@ -450,6 +492,28 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     if (usable.first_s > needed.first_s || usable.last_s < needed.last_s) continue;
     auto read = std::make_shared<scene::ReadAttitude>();
     read->usable = usable;
+    const auto turn = scene::largest_turn(samples, needed);
+    if (turn && turn->step > most_turn_rad)
+      return refuse(path_problem(
+          fmt::format("{}: an attitude is turned too far from the one before it", platform.attitude_file),
+          fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", turn->step * core::deg_per_rad, turn->spacing_s,
+                      turn->at_s),
+          fmt::format("at most {:g} deg", most_turn_rad * core::deg_per_rad),
+          "which way it turns is not known: take a file with closer attitudes, and look at the order of its numbers"));
+    // Elsewhere it says that something is wrong with the file.
+    const auto elsewhere = scene::largest_turn(samples, {times_s.front(), times_s.back()});
+    if (elsewhere && elsewhere->step > most_turn_rad) {
+      core::Problem jump = core::problem_of(
+          core::Severity::warning,
+          fmt::format("{}: an attitude beside the recordings is turned far from the one before it",
+                      platform.attitude_file),
+          fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", elsewhere->step * core::deg_per_rad,
+                      elsewhere->spacing_s, elsewhere->at_s),
+          fmt::format("at most {:g} deg", most_turn_rad * core::deg_per_rad), "look at the order of its numbers");
+      problems.push_back(std::move(jump));
+    }
+    if (const auto accuracy = scene::accuracy_between(samples, needed))
+      read->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
     auto table = radar::AttitudeTable::from(samples);
     if (auto* const problem = std::get_if<core::Problem>(&table)) return refuse(std::move(*problem));
     read->attitudes = std::make_shared<const radar::AttitudeTable>(std::get<radar::AttitudeTable>(std::move(table)));
@@ -491,7 +555,10 @@ void read_path(scene::Scene& scene, Platform& platform, const fs::path& folder, 
     return;
   }
   const std::string key = key_of_path(platform, world_key(scene));
-  if (platform.read_path && platform.read_path->made_of == key) return;
+  if (platform.read_path && platform.read_path->made_of == key) {
+    problems = platform.read_path->remarks;
+    return;
+  }
   platform.read_path = {};
   if (from_file && platform.ephemeris_file.empty()) return;  // `check` says it.
   std::optional<FileText> file;
@@ -503,6 +570,7 @@ void read_path(scene::Scene& scene, Platform& platform, const fs::path& folder, 
   if (!made) return;
   auto kept = std::make_shared<scene::ReadPath>(*made);
   kept->made_of = key;
+  kept->remarks = problems;
   platform.read_path = std::shared_ptr<const scene::ReadPath>(std::move(kept));
 }
 
@@ -512,7 +580,10 @@ void read_attitude(scene::Scene& scene, Platform& platform, const fs::path& fold
     return;
   }
   const std::string key = fmt::format("{}|{}|{}", world_key(scene), platform.attitude_file, platform.satellite);
-  if (platform.read_attitude && platform.read_attitude->made_of == key) return;
+  if (platform.read_attitude && platform.read_attitude->made_of == key) {
+    problems = platform.read_attitude->remarks;
+    return;
+  }
   platform.read_attitude = {};
   if (platform.attitude_file.empty()) return;
   const auto file = text_of_file(platform.attitude_file, folder, problems);
@@ -521,6 +592,7 @@ void read_attitude(scene::Scene& scene, Platform& platform, const fs::path& fold
   if (!made) return;
   auto kept = std::make_shared<scene::ReadAttitude>(*made);
   kept->made_of = key;
+  kept->remarks = problems;
   platform.read_attitude = std::shared_ptr<const scene::ReadAttitude>(std::move(kept));
 }
 
@@ -539,11 +611,19 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
     Platform& platform = scene.platforms[i];
     core::Problems of_path, of_attitude;
     read_path(scene, platform, folder, of_path);
+    std::ranges::move(problems_between_states(scene, i), std::back_inserter(of_path));
     add(std::move(of_path), platform.path == Platform::Path::ephemeris ? "ephemeris_file" : "path");
     read_attitude(scene, platform, folder, of_attitude);
+    std::ranges::move(problems_between_attitudes(scene, i), std::back_inserter(of_attitude));
     add(std::move(of_attitude), "attitude_file");
   }
   return all;
+}
+
+bool concerns_input_file(const core::Problem& problem) {
+  const std::string& field = problem.subject.field;
+  const bool of_motion = field == "ephemeris_file" || field == "attitude_file" || field == "satellite";
+  return (problem.subject.kind == "platform" && of_motion) || (problem.subject.kind == "cloud" && field == "file");
 }
 
 core::Problems read_files_of(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {

@@ -12,7 +12,9 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "radar/earth/ellipsoid.hpp"
+#include "radar/earth/turning_frame.hpp"
 #include "radar/orbit/kepler.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/world_frame.hpp"
@@ -192,6 +194,111 @@ TEST(MotionInput, SaysWhatIsMissing) {
   platform.path = scene::Platform::Path::orbit;
   scene.world.frame = scene::World::Frame::flat;
   EXPECT_THAT(messages(read_motions(scene, folder)), HasSubstr("the world is flat"));
+}
+
+// A circle of 120 s on a flat world, with a radar of 30 cm that flies it.
+scene::Scene circling(const std::filesystem::path& folder, double step_s, bool velocities) {
+  std::ofstream table(folder / "t.csv");
+  table << (velocities ? "t,x,y,z,vx,vy,vz\n" : "t,x,y,z\n");
+  const double rate = 2.0 * core::pi / 120.0;
+  for (double t = -240.0; t <= 240.0; t += step_s) {
+    table << fmt::format("{},{},{},500", t, 1000.0 * std::cos(rate * t), 1000.0 * std::sin(rate * t));
+    if (velocities)
+      table << fmt::format(",{},{},0", -1000.0 * rate * std::sin(rate * t), 1000.0 * rate * std::cos(rate * t));
+    table << "\n";
+  }
+  scene::Scene scene = earth_scene(-10.0, 10.0);
+  scene.world = {};
+  scene.platforms[0].name = "Plane";
+  scene.platforms[0].path = scene::Platform::Path::ephemeris;
+  scene.platforms[0].ephemeris_file = "t.csv";
+  scene.radars.resize(1);
+  scene.radars[0].platform = "Plane";
+  scene.geometries[0].radar = scene.radars[0].name;
+  return scene;
+}
+
+TEST(MotionInput, WarnsOfStatesThatAreTooFarApartForTheWavelength) {
+  const test::TestFolder own;
+  scene::Scene scene = circling(own.path(), 30.0, false);
+  const std::string told = messages(read_motions(scene, own.path()));
+  EXPECT_THAT(told, HasSubstr("warning: t.csv: its states are too far apart"));
+  EXPECT_THAT(told, HasSubstr("73.3 wavelengths of radar Radar1; a state every 30 s"));
+  EXPECT_THAT(told, HasSubstr("less than 1/16 of a wavelength, 18.7 mm"));
+  EXPECT_EQ(messages(read_motions(scene, own.path())), told);  // Also where nothing is read again.
+  scene.radars[0].carrier_hz = 1e5;
+  EXPECT_EQ(messages(read_motions(scene, own.path())), "");
+  scene = circling(own.path(), 5.0, false);
+  EXPECT_EQ(messages(read_motions(scene, own.path())), "");
+  scene = circling(own.path(), 10.0, true);
+  EXPECT_EQ(messages(read_motions(scene, own.path())), "");
+  scene = circling(own.path(), 30.0, false);
+  scene.radars[0].platform = "Earth";  // Nothing uses the platform.
+  EXPECT_EQ(messages(read_motions(scene, own.path())), "");
+}
+
+// An orbit by its state at time 0, sampled every so often.
+void write_orbit(const std::filesystem::path& file, double step_s, int reach) {
+  std::ofstream table(file);
+  table << "t,x,y,z,vx,vy,vz\n";
+  const radar::SecularOrbit orbit({6786e3, 0.0005, 0.9, 1.0, 2.0, 3.0});
+  for (int i = -reach; i <= reach; ++i) {
+    const double t = step_s * i;
+    const radar::OrbitMotion at = orbit.at(t);
+    const radar::StateVector turned =
+        radar::turning_about_z(radar::earth_rate_rad_per_s * t, radar::earth_rate_rad_per_s)
+            .to({at.position_m, at.velocity_mps});
+    const core::Vec3 &p = turned.position_m, &v = turned.velocity_mps;
+    table << fmt::format("{},{:.6f},{:.6f},{:.6f},{:.9f},{:.9f},{:.9f}\n", t, p.x, p.y, p.z, v.x, v.y, v.z);
+  }
+}
+
+TEST(MotionInput, RefusesStatesBetweenWhichNothingIsKnown) {
+  const test::TestFolder own;
+  const auto told = [&](double step_s) {
+    write_orbit(own.path() / "o.csv", step_s, 6);
+    scene::Scene scene = earth_scene(-1.0, 1.0);
+    scene.platforms[0].path = scene::Platform::Path::ephemeris;
+    scene.platforms[0].ephemeris_file = "o.csv";
+    const std::string said = messages(read_motions(scene, own.path()));
+    return said + (scene.platforms[0].read_path ? "path" : "none");
+  };
+  EXPECT_EQ(told(60.0), "path");
+  EXPECT_EQ(told(900.0), "path");  // 40 m off, and no radar whose wavelength it could be compared with
+  EXPECT_THAT(told(1800.0), testing::AllOf(HasSubstr("error: o.csv: between its states the path is not known"),
+                                           testing::EndsWith("none")));
+  EXPECT_THAT(told(5570.0), testing::AllOf(HasSubstr("error: o.csv: its states are too far apart to tell the orbit"),
+                                           testing::EndsWith("none")));
+}
+
+scene::Scene with_attitudes(const std::filesystem::path& folder, double flip_from_s) {
+  std::ofstream file(folder / "a.aem");
+  file << "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2024-04-02T00:00:00\nORIGINATOR = TEST\nMETA_START\nOBJECT_NAME = A\n"
+          "OBJECT_ID = 1\nREF_FRAME_A = ITRF\nREF_FRAME_B = SC_BODY_1\nATTITUDE_DIR = A2B\nTIME_SYSTEM = UTC\n"
+          "START_TIME = 2000-06-27T18:50:00\nSTOP_TIME = 2000-06-27T18:50:40\nATTITUDE_TYPE = QUATERNION\n"
+          "QUATERNION_TYPE = LAST\nMETA_STOP\nDATA_START\n";
+  for (int i = 0; i <= 40; ++i)
+    file << fmt::format("2000-06-27T18:50:{:02} {}\n", i, i < flip_from_s ? "0 0 0 1" : "1 0 0 0");
+  file << "DATA_STOP\n";
+  scene::Scene scene = earth_scene(-1.0, 1.0);
+  scene.platforms[0].rotation_kind = scene::Platform::Rotation::quaternions;
+  scene.platforms[0].attitude_file = "a.aem";
+  return scene;
+}
+
+TEST(MotionInput, RefusesAttitudesThatJump) {
+  const test::TestFolder own;
+  scene::Scene scene = with_attitudes(own.path(), 100);
+  EXPECT_EQ(messages(read_motions(scene, own.path())), "");
+  scene = with_attitudes(own.path(), 20);
+  EXPECT_THAT(
+      messages(read_motions(scene, own.path())),
+      testing::AllOf(HasSubstr("error: a.aem: an attitude is turned too far"), HasSubstr("180 deg within 1 s")));
+  EXPECT_FALSE(scene.platforms[0].read_attitude);
+  scene = with_attitudes(own.path(), 35);
+  EXPECT_THAT(messages(read_motions(scene, own.path())),
+              HasSubstr("warning: a.aem: an attitude beside the recordings"));
+  EXPECT_TRUE(scene.platforms[0].read_attitude);
 }
 
 }  // namespace motion_input_test

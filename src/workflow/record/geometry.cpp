@@ -22,6 +22,7 @@ struct GeometrySource {
   scene::Scene scene;
   std::optional<std::size_t> simulation;
   std::vector<std::filesystem::path> files;
+  core::Problems remarks;  // about these files
 
   /// Where the data files of the script are looked for.
   [[nodiscard]] std::filesystem::path folder() const {
@@ -38,11 +39,13 @@ GeometrySource source_of(const GeometryRequest& request) {
                            ? check_again(arguments.held->input, Scrutiny::values, {}, {}, arguments.overrides)
                            : read_scene(arguments.path, arguments.overrides, Scrutiny::values);
     expect_usable(input);
-    return {std::move(input.scene), {}, std::move(input.sources)};
+    std::erase_if(input.problems, [](const core::Problem& problem) { return !concerns_input_file(problem); });
+    return {std::move(input.scene), {}, std::move(input.sources), std::move(input.problems)};
   }
   StoredRecording recording =
       open_recording(arguments, records_pulses, [](const simulate::Plan&) { return core::Problems(); });
-  return {std::move(recording.scene), recording.simulation, std::move(recording.sources)};
+  return {std::move(recording.scene), recording.simulation, std::move(recording.sources),
+          std::move(recording.problems)};
 }
 
 // Every target, wherever it is.
@@ -101,14 +104,18 @@ void remove_targets(scene::Scene& scene) {
 }
 
 // What the script does not say has not been checked with it: whether pulses leave at these times.
-void expect_pulses(const scene::GeometryTable& table, scene::Scene& scene, const std::filesystem::path& folder) {
+// @returns  warnings about the files of its motions
+core::Problems expect_pulses(const scene::GeometryTable& table, scene::Scene& scene,
+                             const std::filesystem::path& folder) {
   scene.geometries = {table};
   scene.geometries[0].file = "table";
   scene.geometries[0].range_end_m = 1.0;
-  core::Problems problems = read_motions(scene, folder);  // which may be needed for other times now
+  core::Problems remarks = read_motions(scene, folder);  // which may be needed for other times now
+  core::Problems problems = remarks;
   std::ranges::move(scene::check(scene), std::back_inserter(problems));
   std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   if (!problems.empty()) throw core::Refused(std::move(problems));
+  return remarks;
 }
 
 }  // namespace
@@ -135,10 +142,10 @@ GeometryTables geometry_tables(const GeometryRequest& request) {
   GeometrySource source = source_of(request);
   if (request.no_targets) remove_targets(source.scene);
   std::vector<scene::GeometryTable> tables = chosen_tables(request, source);
-  if (!request.radar.empty()) expect_pulses(tables.front(), source.scene, source.folder());
+  if (!request.radar.empty()) source.remarks = expect_pulses(tables.front(), source.scene, source.folder());
   if (request.columns)
     for (scene::GeometryTable& table : tables) table.columns = *request.columns;
-  return {std::move(source.scene), std::move(tables), std::move(source.files)};
+  return {std::move(source.scene), std::move(tables), std::move(source.files), core::ranked(std::move(source.remarks))};
 }
 
 }  // namespace sarsim::workflow

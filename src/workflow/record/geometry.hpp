@@ -35,6 +35,7 @@ struct GeometryTables {
   scene::Scene scene;
   std::vector<scene::GeometryTable> tables;
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
+  core::Problems remarks;                      ///< Warnings about these files.
 };
 
 /// Finds the tables of a request; throws core::Refused where it cannot be met.

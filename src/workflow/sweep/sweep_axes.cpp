@@ -405,7 +405,10 @@ scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core:
     const std::string failure = scene::set_named_field(scene, axes_[i].field, axes_[i].values[value], load);
     if (!failure.empty()) problems.push_back(mistake_of(axes_[i], value, failure));
   }
-  if (problems.empty()) std::ranges::move(read_files_of(scene, folder_, {1}), std::back_inserter(problems));
+  if (!problems.empty()) return scene;
+  // Warnings about files are those of the scene, said before the sweep.
+  problems = read_files_of(scene, folder_, {1});
+  std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   return scene;
 }
 

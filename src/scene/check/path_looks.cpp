@@ -1,0 +1,107 @@
+#include "scene/check/path_looks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/maths/constants.hpp"
+#include "radar/path/path.hpp"
+#include "scene/check/carrier_span.hpp"
+#include "scene/model/scene_index.hpp"
+
+namespace sarsim::scene {
+
+namespace {
+
+constexpr double isotropic_rad = std::numeric_limits<double>::infinity();
+constexpr int longest_chain = 64;
+
+// Between the nearest points on both sides of the peak that are 3 dB below it.
+double width_of(const core::SampledFunction& cut) {
+  if (cut.knots.empty()) return isotropic_rad;
+  const core::Knot& peak = *std::ranges::max_element(cut.knots, {}, &core::Knot::y);
+  double nearest_deg = isotropic_rad;
+  for (const core::Knot& knot : cut.knots)
+    if (knot.y <= peak.y - 3.0) nearest_deg = std::min(nearest_deg, std::abs(knot.x - peak.x));
+  return 2.0 * nearest_deg * core::rad_per_deg;
+}
+
+double beamwidth_of(const Antenna& antenna) {
+  switch (antenna.pattern) {
+    case Antenna::Pattern::isotropic: break;
+    case Antenna::Pattern::sinx: return std::min(antenna.elevation_beamwidth.rad(), antenna.azimuth_beamwidth.rad());
+    case Antenna::Pattern::user: return std::min(width_of(antenna.gain_db.part[0]), width_of(antenna.gain_db.part[1]));
+  }
+  return isotropic_rad;
+}
+
+double beamwidth_of(const Radar& radar) {
+  const double sent = beamwidth_of(radar.transmit_antenna);
+  return radar.same_antenna ? sent : std::min(sent, beamwidth_of(radar.receive_antenna));
+}
+
+// @param tables  those of geometry tables, too
+template <class Wanted>
+std::vector<Look> looks_if(const Scene& scene, bool tables, const Wanted& wanted) {
+  std::vector<Look> looks;
+  SceneIndex names(scene);
+  const auto add = [&](const auto& products) {
+    for (const auto& product : products) {
+      const std::size_t at = names.radar(product.radar);
+      if (at == not_found || !wanted(scene.radars[at])) continue;
+      const Radar& radar = scene.radars[at];
+      const auto carriers = carrier_span(radar);
+      if (!carriers || !(carriers->highest_hz > 0.0) || !std::isfinite(carriers->highest_hz)) continue;
+      looks.push_back({radar.name, radar::wavelength_of(carriers->highest_hz, core::exact_light_speed_mps),
+                       beamwidth_of(radar), product.time_start_s, product.time_end_s});
+    }
+  };
+  add(scene.simulations);
+  if (tables) add(scene.geometries);
+  return looks;
+}
+
+// Whether a platform is carried or led by another one, or is that one.
+bool depends(SceneIndex& names, const Scene& scene, const std::string& name, std::size_t on, int depth) {
+  const std::size_t at = names.platform(name);
+  if (at == on) return true;
+  if (at == not_found || depth > longest_chain) return false;
+  const Platform& platform = scene.platforms[at];
+  if (!platform.parent.empty() && depends(names, scene, platform.parent, on, depth + 1)) return true;
+  return platform.path == Platform::Path::relative && depends(names, scene, platform.leader, on, depth + 1);
+}
+
+}  // namespace
+
+std::vector<Look> looks_of(const Scene& scene) {
+  return looks_if(scene, false, [](const Radar&) { return true; });
+}
+
+std::vector<Look> looks_of(const Scene& scene, std::size_t platform) {
+  SceneIndex names(scene);
+  const auto carries = [&](const std::string& name) { return depends(names, scene, name, platform, 0); };
+  // Millions of targets share the names of few platforms.
+  const std::string* known = nullptr;
+  const auto is_carried = [&](const std::string& name) {
+    if (&name == known) return false;
+    known = &name;
+    return carries(name);
+  };
+  const bool reflecting =
+      std::ranges::any_of(scene.targets, [&](const Target& one) { return is_carried(*one.platform); }) ||
+      std::ranges::any_of(scene.clouds, [&](const Cloud& one) { return is_carried(one.platform); }) ||
+      std::ranges::any_of(scene.surfaces, [&](const Surface& one) { return is_carried(one.platform); });
+  return looks_if(scene, true, [&](const Radar& radar) { return reflecting || carries(radar.platform); });
+}
+
+double arm_m(const Scene& scene, std::size_t platform) {
+  const std::string& name = scene.platforms[platform].name;
+  double arm = 0.0;
+  for (const Target& target : scene.targets)
+    if (*target.platform == name) arm = std::max(arm, core::norm(target.position_m));
+  for (const Platform& one : scene.platforms)
+    if (one.parent == name && one.path == Platform::Path::stationary) arm = std::max(arm, core::norm(one.position_m));
+  return arm;
+}
+
+}  // namespace sarsim::scene
