@@ -146,8 +146,10 @@ void StateCollector::report_odd(const std::vector<OddState>& odd, const Ephemeri
   if (odd.empty()) return;
   const auto size = [](const OddState& one) { return one.position_off_m; };
   const OddState& worst = *std::ranges::max_element(odd, {}, size);
-  std::string found = fmt::format("{:.4g} m off at {}", worst.position_off_m, time_text(segment.states[worst.index]));
-  if (worst.velocity_off_mps > 1e-3) found += fmt::format(", its velocity {:.4g} m/s", worst.velocity_off_mps);
+  const bool of_velocity = worst.velocity_off_mps > 1e-3;
+  std::string found = fmt::format("{:.4g} m{} off at {}", worst.position_off_m,
+                                  of_velocity ? fmt::format(", {:.4g} m/s", worst.velocity_off_mps) : "",
+                                  time_text(segment.states[worst.index]));
   if (odd.size() > 1) found += fmt::format("; {} such states", odd.size());
   problems_.warning(at[worst.index], {"a state does not fit those around it", std::move(found),
                                       "where the states before and behind it lead",

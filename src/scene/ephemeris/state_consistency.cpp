@@ -69,7 +69,11 @@ class Comparer {
       if (worst == no_state) break;
       const LeftOut culprit = culprit_around(worst);
       for (std::size_t i = low(worst); i < high(worst); ++i) unexplained[i] = culprit.count == 0 ? 1 : unexplained[i];
-      if (culprit.count == 0) continue;
+      if (culprit.count == 0) {
+        const Residual& r = all[worst];
+        if (!could_be_flown(worst, r)) found.push_back({worst, r.position_m, r.velocity_mps});
+        continue;
+      }
       for (std::size_t i = culprit.first; i < culprit.first + culprit.count; ++i) odd_[i] = 1;
       for (std::size_t i = culprit.first; i < culprit.first + culprit.count; ++i) {
         const Residual r = residual(i, {&odd_});
@@ -265,7 +269,8 @@ StateFindings examine_states(const StateView& states) {
   StateFindings findings;
   findings.steps = steps_of(states.time_s);
   findings.velocities = mismatch_of(states);
-  if (!findings.velocities) findings.odd = Comparer(states).odd_states();
+  if (findings.velocities) return findings;
+  findings.odd = Comparer(states).odd_states();
   return findings;
 }
 

@@ -54,8 +54,9 @@ struct StateFindings {
 /// more than 5 times what polynomials of different orders differ, 8 times the median of all states and 5 mm, or by as
 /// much as a wrong velocity moves the path within a step, and where without it, or without up to three in a row, all
 /// states around fit again. So neither wide spacing, noise, nor a turn that begins between two states makes a state
-/// odd. Velocities do not fit where they differ from the slope of polynomials through the positions alone in one
-/// direction from state to state, by 1e-3 of the speed and 5 mm within an eighth of a step on the average.
+/// odd. Where no such run is found, as at a jump, the worst of them is. Velocities do not fit where they
+/// differ from the slope of polynomials through the positions alone in one direction from state to state, by 1e-3 of
+/// the speed and 5 mm within an eighth of a step on the average.
 ///
 /// Vehicles bend their paths between two samples; below 3 km/s a state is odd only where that would take more than 1 g,
 /// and one of the first or last three where it is off by 5 steps of the way.

@@ -57,6 +57,19 @@ TEST(StateConsistency, SoundMotionsWithWideSpacingAreNotSuspected) {
   }
 }
 
+TEST(StateConsistency, NamesAJump) {
+  Draw draw(12);
+  radar::StateSamples samples = samples_of(orbit(7078e3, 0.001, draw), 0.0, 30.0, 21, true);
+  for (std::size_t i = 11; i < 21; ++i) samples.position_m[i].x += 100.0;
+  const StateFindings found = findings_of(samples);
+  ASSERT_FALSE(found.odd.empty());
+  for (const OddState& odd : found.odd) {
+    EXPECT_GT(odd.index, 8U);
+    EXPECT_LT(odd.index, 13U);
+    EXPECT_GT(odd.position_off_m, 30.0);
+  }
+}
+
 // Turns that begin between two states, noise, uneven spacing: at most 1 % are suspected.
 TEST(StateConsistency, FlightsAreNotSuspected) {
   Draw draw(5);
