@@ -75,6 +75,7 @@ class sarsim_scene_options(Structure):
         ("struct_size", c_size_t),
         ("let", c_void_p),
         ("let_count", c_size_t),
+        ("work", c_void_p),
     ]
 
 

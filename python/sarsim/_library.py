@@ -150,6 +150,15 @@ def text_of(function: Any, *arguments: Any) -> str:
 
 
 WORK = object()  # Stands for the sarsim_work in the arguments of `work`.
+
+
+class WithWork:
+    """An argument of `work` that is made of the sarsim_work."""
+
+    def __init__(self, make: "Callable[[Any], Any]") -> None:
+        self.make = make
+
+
 _GLANCE_S = 0.05  # Between two looks at the progress.
 _START_S = 1.0  # After which a thread that has not begun never will: the interrupt came before it was started.
 
@@ -173,7 +182,10 @@ def work(function: Any, *arguments: Any, threads: int = 0, progress: Any = None)
 
     callback = c.sarsim_progress(look) if progress else c.sarsim_progress()
     how = c.sarsim_work(ctypes.sizeof(c.sarsim_work), threads, stop._as_parameter_, callback, None)
-    whole = [byref(how) if argument is WORK else argument for argument in arguments]
+    whole = [
+        byref(how) if argument is WORK else argument.make(how) if isinstance(argument, WithWork) else argument
+        for argument in arguments
+    ]
     if threading.current_thread() is not threading.main_thread() and not progress:
         return _finished(function(*whole, found.out), found)
 

@@ -13,7 +13,7 @@ import numpy as np
 from . import _convert
 from . import _declarations as c
 from ._fields import Part, Points
-from ._library import WORK, Handle, Progress, call, lib, made, text_of, texts, work
+from ._library import WORK, Handle, Progress, WithWork, call, lib, made, text_of, texts, work
 from .problems import ProblemError, Problems
 
 if TYPE_CHECKING:
@@ -251,11 +251,11 @@ class Scene:
             if not isinstance(text, str):
                 raise TypeError(f"the text of the scene is {type(text).__name__}; expected a text, or sarsim.read of a file")
             whole = text.encode("utf-8", "surrogateescape")
-            options, kept = _let(let)
-            self.remarks = call(
-                lib.sarsim_scene_read_text, whole, len(whole), given_name, options, self._handle.out
-            )
-            del kept
+            arguments = (lib.sarsim_scene_read_text, whole, len(whole), given_name)
+            if len(whole) > _LONG_TEXT:
+                self.remarks = work(*arguments, WithWork(lambda how: _reading(let, how)), self._handle.out)
+            else:
+                self.remarks = call(*arguments, _reading(let, None), self._handle.out)
 
     @classmethod
     def read(cls, path: Path, *, let: "Mapping[str, Any] | None" = None) -> "Scene":
@@ -265,9 +265,8 @@ class Scene:
         scene._name = os.fsdecode(name)
         scene._points = {}
         scene._handle = Handle(lib.sarsim_scene_free)
-        options, kept = _let(let)
-        scene.remarks = call(lib.sarsim_scene_read_file, name, options, scene._handle.out)
-        del kept
+        options = WithWork(lambda how: _reading(let, how))
+        scene.remarks = work(lib.sarsim_scene_read_file, name, options, scene._handle.out)
         return scene
 
     # Objects
@@ -506,13 +505,20 @@ def _field(name: str) -> bytes:
     return _convert.text(name, "the name of a field")
 
 
-def _let(values: "Mapping[str, Any] | None") -> Any:
-    """Options of reading, and what has to be kept while they are used."""
-    if not values:
-        return None, None
-    words = texts([f"{name}={_convert.word(value, f'the value of {name}')}" for name, value in values.items()])
-    options = c.sarsim_scene_options(ctypes.sizeof(c.sarsim_scene_options), ctypes.addressof(words), len(values))
-    return byref(options), (options, words)
+_LONG_TEXT = 1 << 20  # Bytes whose reading somebody may want to interrupt.
+
+
+def _reading(values: "Mapping[str, Any] | None", how: Any) -> Any:
+    """Options of reading, which keep alive what they point at."""
+    if not values and how is None:
+        return None
+    words = texts([f"{name}={_convert.word(value, f'the value of {name}')}" for name, value in (values or {}).items()])
+    size = ctypes.sizeof(c.sarsim_scene_options)
+    options = c.sarsim_scene_options(
+        size, ctypes.addressof(words), len(values or {}), None if how is None else ctypes.addressof(how)
+    )
+    options.kept = (words, how)
+    return byref(options)
 
 
 def _scene_of(whole: str, name: str) -> Scene:

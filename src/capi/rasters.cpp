@@ -12,6 +12,7 @@
 #include "capi/words.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
+#include "core/text/json.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/computed_raster.hpp"
@@ -127,7 +128,9 @@ void write_raster(const sarsim_raster& known, workflow::ConvertRequest request, 
                   core::Problems& found) {
   if (known.image && !request.to && !request.counts && !request.header) {
     workflow::expect_no_picture(request.output, "the file");
-    workflow::expect_free_outputs(workflow::files_of_image(request.output), {{}, request.force, "the file"});
+    workflow::InputList sources = workflow::InputList::named({known.path});
+    if (known.image->input) sources.add(workflow::InputList::named(workflow::named_sources(*known.image->input)));
+    workflow::expect_free_outputs(workflow::files_of_image(request.output), {sources, request.force, "the file"});
     workflow::write_image(*known.image, request.output, request.force, observer.stop);
     return;
   }

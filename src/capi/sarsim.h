@@ -161,6 +161,7 @@ typedef struct sarsim_scene_options {
   size_t struct_size;
   const char* const* let; /* "NAME=VALUE": numbers or expressions in place of those in [let] of format 2. */
   size_t let_count;
+  const sarsim_work* work; /* How it is done; NULL: nothing stops it, and a pipe, which may never end, is refused. */
 } sarsim_scene_options;
 
 /* Reads a scene, in either language, with the files that it includes and names. SARSIM_BAD_INPUT with all mistakes of the

@@ -1,9 +1,11 @@
 // The scenes of sarsim.h.
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "capi/call.hpp"
@@ -26,6 +28,25 @@ workflow::SceneOverrides overrides_of(const sarsim_scene_options* given) {
   for (std::size_t i = 0; i < capi::told_count(options.let_count, capi::most_words, "options->let_count"); ++i)
     overrides.let.emplace_back(&capi::given((&capi::given(options.let, "options->let"))[i], "options->let"));
   return overrides;
+}
+
+// By all threads, unless the caller says how.
+core::WorkControl control_of(const sarsim_scene_options* given) {
+  const auto options = capi::taken(given, "options");
+  if (options.work == nullptr) return {core::thread_count(0), nullptr};
+  const sarsim_work how = capi::taken(options.work, "options->work");
+  return capi::observer_of(how).control(core::thread_count(how.threads));
+}
+
+// Nothing could end the work that waits for one.
+void expect_no_pipe(const std::string& file) {
+  std::error_code ignored;
+  if (!std::filesystem::is_fifo(file, ignored)) return;
+  core::Problem problem =
+      core::problem_of(core::Severity::error, "the file is a pipe, which may never end", {}, {},
+                       "read it and give its text to sarsim_scene_read_text, or say with options->work how to stop");
+  problem.place.file = file;
+  throw core::Refused({std::move(problem)});
 }
 
 // A scene whose text holds no mistake; else all of them, those of the values of sound objects too.
@@ -53,8 +74,10 @@ sarsim_status sarsim_scene_read_file(const char* path, const sarsim_scene_option
     sarsim_scene*& result = capi::cleared(scene, "sarsim_scene_read_file: scene");
     const std::string file = &capi::given(path, "sarsim_scene_read_file: path");
     const workflow::SceneOverrides overrides = overrides_of(options);
+    const core::WorkControl control = control_of(options);
+    if (control.stop == nullptr) expect_no_pipe(file);
     const auto read = [&](workflow::Scrutiny scrutiny) {
-      return workflow::read_scene(file, overrides, scrutiny, {core::thread_count(0), nullptr});
+      return workflow::read_scene(file, overrides, scrutiny, control);
     };
     result = sound_scene(read, found).release();
   });
@@ -69,8 +92,9 @@ sarsim_status sarsim_scene_read_text(const char* text, size_t length, const char
     const std::string_view all(length > 0 ? &capi::given(text, "sarsim_scene_read_text: text") : "", length);
     const std::string file = name != nullptr ? name : "scene";
     const workflow::SceneOverrides overrides = overrides_of(options);
+    const core::WorkControl control = control_of(options);
     const auto read = [&](workflow::Scrutiny scrutiny) {
-      return workflow::read_scene_text(all, file, overrides, scrutiny, {core::thread_count(0), nullptr});
+      return workflow::read_scene_text(all, file, overrides, scrutiny, control);
     };
     result = sound_scene(read, found).release();
   });

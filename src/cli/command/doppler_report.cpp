@@ -68,7 +68,7 @@ std::string summary_text(const workflow::PulseReport& report, const std::string&
 
 void print_report(Streams& streams, const RequestArguments& arguments, const workflow::PulseReport& report,
                   const std::string& image, const std::string& json) {
-  if (!arguments.quiet) streams.err << summary_text(report, image);
+  if (!arguments.quiet) write_err(streams, summary_text(report, image));
   if (!arguments.json) return;
   write_out(streams, json);
   flush_out(streams);

@@ -42,11 +42,11 @@ ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {
   const workflow::FocusReport report = workflow::focus(request, watch.observer());
   watch.close();
   if (!arguments.quiet) {
-    streams.err << text_of_image(request.output.string(), report);
+    write_err(streams, text_of_image(request.output.string(), report));
     if (report.motion != workflow::MotionOrder::none)
-      streams.err << fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
-                                 to_string(report.motion), report.strays_m);
-    if (report.autofocus) streams.err << text_of_autofocus(*report.autofocus);
+      write_err(streams, fmt::format("  motion compensation of {} order: the antenna strays by up to {:.3g} m\n",
+                                     to_string(report.motion), report.strays_m));
+    if (report.autofocus) write_err(streams, text_of_autofocus(*report.autofocus));
   }
   if (!arguments.json) return exit_done;
   write_out(streams, workflow::json_of(arguments.input, report));

@@ -52,7 +52,7 @@ ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   else if (!arguments.output.empty())
     write_file(arguments.output, arguments.force, text);
   else
-    write_out(streams, text);
+    write_data(streams, text);
   return exit_done;
 }
 

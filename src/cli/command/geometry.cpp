@@ -38,7 +38,7 @@ ExitStatus print_geometry(GeometryArguments arguments, Streams& streams) {
   const workflow::GeometryTables geometry = workflow::geometry_tables(arguments.request);
   print_problems(streams, geometry.remarks);
   if (arguments.output.empty()) {
-    const auto write = [&](std::string_view piece) { write_out(streams, piece); };
+    const auto write = [&](std::string_view piece) { write_data(streams, piece); };
     write_tables(arguments, geometry, write, streams.stop);
     return exit_done;
   }

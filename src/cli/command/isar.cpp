@@ -58,8 +58,8 @@ ExitStatus run_isar(const RequestArguments& arguments, Streams& streams) {
       workflow::isar(workflow::isar_request(arguments.input, arguments.given()), watch.observer());
   watch.close();
   if (!arguments.quiet) {
-    for (const workflow::WrittenIsarImage& image : report.images) streams.err << summary_text(image);
-    streams.err << fmt::format("done in {}\n", core::duration_text(report.seconds));
+    for (const workflow::WrittenIsarImage& image : report.images) write_err(streams, summary_text(image));
+    write_err(streams, fmt::format("done in {}\n", core::duration_text(report.seconds)));
   }
   if (arguments.json)
     write_out(streams, workflow::json_of(report));

@@ -42,7 +42,7 @@ ExitStatus run_merge(const MergeArguments& arguments, Streams& streams) {
   if (!arguments.quiet) {
     workflow::RecordingReport shown = report.recording;
     shown.file = shown_name(shown.file);
-    streams.err << report_text(shown);
+    write_err(streams, report_text(shown));
   }
   if (arguments.json) write_out(streams, merge_json(report));
   return exit_done;

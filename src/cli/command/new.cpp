@@ -83,8 +83,9 @@ ExitStatus write_scene(const NewArguments& arguments, Streams& streams) {
   file.write(std::as_bytes(std::span(text)));
   file.commit();
   const std::string word = shown_name(command_word(path));
-  streams.err << fmt::format("{}: {}\n    sarsim check {}    what it asks for\n    sarsim run {}      its recordings\n",
-                             shown_name(path.string()), scene.meaning, word, word);
+  write_err(streams,
+            fmt::format("{}: {}\n    sarsim check {}    what it asks for\n    sarsim run {}      its recordings\n",
+                        shown_name(path.string()), scene.meaning, word, word));
   return exit_done;
 }
 

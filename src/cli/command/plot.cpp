@@ -49,6 +49,15 @@ void write_table(const PlotArguments& a, const std::string& table) {
 
 bool is_script(const PlotArguments& a) { return workflow::language_of_name(a.input).has_value(); }
 
+workflow::InputList files_read(const PlotArguments& a) {
+  std::vector<fs::path> files{a.input, a.samples.script};
+  files.insert(files.end(), a.others.begin(), a.others.end());
+  workflow::SceneOverrides overrides = a.overrides;
+  overrides.settings.insert(overrides.settings.end(), a.variations.begin(), a.variations.end());
+  std::ranges::move(workflow::files_of(overrides, fs::path(a.input).parent_path()), std::back_inserter(files));
+  return workflow::InputList::named(std::move(files));
+}
+
 void expect_names(const PlotArguments& a) {
   if (a.out.empty() && a.csv.empty())
     throw core::Refused("nothing is to be written", "name a picture with -o, or a table with --csv");
@@ -59,13 +68,7 @@ void expect_names(const PlotArguments& a) {
   for (const std::string& path : {a.out, a.csv})
     if (!path.empty() && !(a.frames && path == a.out))
       paths.emplace_back(path);  // Pictures of a film have names of their own.
-  workflow::OutputCare care{{a.input}, a.force, "-o or --csv"};
-  care.sources.insert(care.sources.end(), a.others.begin(), a.others.end());
-  std::ranges::move(workflow::files_of(a.overrides, fs::path(a.input).parent_path()), std::back_inserter(care.sources));
-  if (a.force)
-    std::ranges::move(workflow::sources_of_script(is_script(a) ? a.input : a.samples.script),
-                      std::back_inserter(care.sources));
-  workflow::expect_free_outputs(paths, care);
+  workflow::expect_free_outputs(paths, {files_read(a), a.force, "-o or --csv"});
   for (const fs::path& path : paths)
     if (path.has_parent_path() && !fs::is_directory(path.parent_path()))
       throw core::Refused(fmt::format("there is no folder '{}'", path.parent_path().string()),

@@ -99,7 +99,7 @@ void plot_view(const PlotArguments& a, Streams& streams) {
   workflow::expect_usable(input);
   const std::vector<double> times_s = times_of(a, input.scene);
   const std::vector<fs::path> paths = paths_of(a, times_s.size());
-  if (a.frames) workflow::expect_free_outputs(paths, {{a.input}, a.force, "-o"});
+  if (a.frames) workflow::expect_free_outputs(paths, {input.sources, a.force, "-o"});
   const picture::PictureStyle style{static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0),
                                     a.dark};
   picture::SceneView view(input.scene, look_of(a, input.scene), style, {times_s.front(), times_s.back()});

@@ -86,7 +86,7 @@ ExitStatus run_profiles(const RequestArguments& arguments, Streams& streams) {
   const workflow::ProfilesReport report =
       workflow::profiles(workflow::profiles_request(arguments.input, arguments.given()), watch.observer());
   watch.close();
-  if (!arguments.quiet) streams.err << summary_text(report);
+  if (!arguments.quiet) write_err(streams, summary_text(report));
   if (arguments.json)
     write_out(streams, workflow::json_of(report));
   else if (!arguments.quiet)

@@ -59,13 +59,13 @@ class RunPrinter {
     events.made = [this](const workflow::ProductReport& product) { print(product); };
     events.rejected = [this](const std::filesystem::path& file, std::size_t rows) {
       watch_.close();
-      streams_.err << fmt::format("{}: {} pulses are not as the journal says; they are computed again\n", file.string(),
-                                  rows);
+      write_err(streams_, fmt::format("{}: {} pulses are not as the journal says; they are computed again\n",
+                                      file.string(), rows));
     };
     events.kept = [this](const std::filesystem::path& file, const std::filesystem::path& folder) {
       watch_.close();
-      streams_.err << fmt::format("{}: what is done is kept in {}; go on with --resume\n", file.string(),
-                                  folder.string());
+      write_err(streams_,
+                fmt::format("{}: what is done is kept in {}; go on with --resume\n", file.string(), folder.string()));
     };
     return events;
   }
@@ -100,11 +100,11 @@ class RunPrinter {
     if (product.recording) cli::write_json(json_, *product.recording);
     if (product.table) cli::write_json(json_, *product.table);
     if (arguments_.quiet) return;
-    if (product.part) streams_.err << part_text(*product.part);
-    if (product.recording) streams_.err << report_text(*product.recording);
+    if (product.part) write_err(streams_, part_text(*product.part));
+    if (product.recording) write_err(streams_, report_text(*product.recording));
     if (product.table)
-      streams_.err << fmt::format("{}: geometry table of {}, {}\n", product.path.string(), product.table->radar,
-                                  core::bytes_text(product.table->bytes));
+      write_err(streams_, fmt::format("{}: geometry table of {}, {}\n", product.path.string(), product.table->radar,
+                                      core::bytes_text(product.table->bytes)));
   }
 
   const RunArguments& arguments_;

@@ -97,7 +97,7 @@ std::string plan_text(const SweepPlan& plan) {
 ExitStatus print_plan(const SweepArguments& arguments, const SweepRequest& request, const SweepPlan& plan,
                       Streams& streams) {
   write_out(streams, arguments.json ? plan_json(request, plan) : plan_text(plan));
-  if (!arguments.quiet) streams.err << announcement(request, plan) << "\n";
+  if (!arguments.quiet) write_err(streams, announcement(request, plan) + "\n");
   return exit_done;
 }
 
@@ -106,8 +106,9 @@ ExitStatus print_report(const SweepArguments& arguments, const SweepRequest& req
   const SweepPlan& plan = report.plan;
   if (arguments.json) write_out(streams, sweep_json(frame_of(request, plan, report.status()), plan.rows));
   if (!arguments.quiet)
-    streams.err << fmt::format("{}: {} in {}\n", report.table.string(),
-                               core::counted(plan.variations.size(), "variation"), core::duration_text(report.seconds));
+    write_err(streams,
+              fmt::format("{}: {} in {}\n", report.table.string(), core::counted(plan.variations.size(), "variation"),
+                          core::duration_text(report.seconds)));
   if (report.failures.empty()) return exit_done;
   print_problems(streams, workflow::shortened(report.failures));
   return exit_bad_input;

@@ -273,8 +273,8 @@ void write_failure(Streams& streams, const char* status, const core::Problems& p
 int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
   const bool json = asks_for_json(words);
   const auto fail = [&](ExitStatus status, const std::string& text, const std::string& hint = {}) {
-    streams.err << "sarsim: error: " << text << '\n';
-    if (!hint.empty()) streams.err << "    " << hint << '\n';
+    write_err(streams, "sarsim: error: " + text + "\n");
+    if (!hint.empty()) write_err(streams, "    " + hint + "\n");
     if (json) write_failure(streams, word_of(status), {core::problem_of(core::Severity::error, text, {}, {}, hint)});
     return status;
   };
@@ -292,10 +292,10 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
   } catch (const core::Interrupted& interrupted) {
     const int number = received_signal();
     const auto* kept = dynamic_cast<const core::KeptInterruption*>(&interrupted);
-    streams.err << "sarsim: interrupted; "
-                << (kept == nullptr ? "nothing unfinished was left behind"
-                                    : "what is done is kept in " + kept->kept_in + "; go on with --resume")
-                << '\n';
+    write_err(streams,
+              fmt::format("sarsim: interrupted; {}\n",
+                          kept == nullptr ? "nothing unfinished was left behind"
+                                          : "what is done is kept in " + kept->kept_in + "; go on with --resume"));
     if (json) write_failure(streams, "interrupted", {});
     return 128 + (number != 0 ? number : SIGINT);
   } catch (const std::bad_alloc&) {
@@ -319,7 +319,8 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 int main_program(int argc, const char* const* argv) {
   core::reserve_standard_streams();
   const core::StopFlag& stop = handle_signals();
-  return run_command_line(argc, argv, {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop});
+  return run_command_line(argc, argv,
+                          {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop, false, isatty(STDOUT_FILENO) == 1});
 }
 
 int team_program(int argc, const char* const* argv, workflow::Team* team) {

@@ -16,6 +16,13 @@ void expect_good(const std::ostream& out) {
   throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(), "cannot write to standard output");
 }
 
+void write_bytes(Streams& streams, std::string_view bytes) {
+  errno = 0;
+  streams.written = true;
+  streams.out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  expect_good(streams.out);
+}
+
 }  // namespace
 
 ExitStatus status_of(const core::Refused& refused) { return core::may_pass(refused) ? exit_try_again : exit_bad_input; }
@@ -32,12 +39,13 @@ const char* word_of(ExitStatus status) {
   return "failed";
 }
 
-void write_out(Streams& streams, std::string_view text) {
-  errno = 0;
-  streams.written = true;
-  streams.out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  expect_good(streams.out);
+void write_out(Streams& streams, std::string_view text) { write_bytes(streams, core::printable(text)); }
+
+void write_data(Streams& streams, std::string_view data) {
+  streams.out_terminal ? write_out(streams, data) : write_bytes(streams, data);
 }
+
+void write_err(Streams& streams, std::string_view text) { streams.err << core::printable(text); }
 
 void flush_out(Streams& streams) {
   errno = 0;
@@ -46,7 +54,7 @@ void flush_out(Streams& streams) {
 }
 
 void print_problems(Streams& streams, const core::Problems& problems) {
-  for (const core::Problem& problem : problems) streams.err << core::to_string(problem) << '\n';
+  for (const core::Problem& problem : problems) write_err(streams, core::to_string(problem) + '\n');
 }
 
 }  // namespace sarsim::cli

@@ -32,7 +32,8 @@ struct Streams {
   std::ostream& err;      ///< Everything else.
   bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
   const core::StopFlag* stop = nullptr;
-  bool written = false;  ///< Something went to `out`.
+  bool written = false;       ///< Something went to `out`.
+  bool out_terminal = false;  ///< `out` is a terminal: it is given no control characters, whatever is written.
 };
 
 /// Thrown where nobody reads standard output any more; ends the command without a message.
@@ -40,10 +41,17 @@ struct OutputClosed : std::runtime_error {
   OutputClosed() : std::runtime_error("nobody reads the output") {}
 };
 
-/// Writes to standard output. Throws OutputClosed where the reader has gone and std::system_error for other failures.
+/// Writes a text for people, or JSON, to standard output: control characters of names that stand in it are spelled out
+/// (`core::printable`), here and in no other place. Throws OutputClosed where the reader has gone and std::system_error
+/// for other failures.
 void write_out(Streams& streams, std::string_view text);
+/// Writes what programs read (scenes, tables) byte for byte, unless a terminal reads it; throws like `write_out`.
+void write_data(Streams& streams, std::string_view data);
 /// Brings what was written to its reader; throws like `write_out`.
 void flush_out(Streams& streams);
+
+/// Writes to standard error what is no data, with control characters spelled out as by `write_out`.
+void write_err(Streams& streams, std::string_view text);
 
 /// Prints every problem, one paragraph each, to stderr.
 void print_problems(Streams& streams, const core::Problems& problems);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/report/problem.hpp"
 #include "core/text/number_text.hpp"
 
 namespace sarsim::cli {
@@ -37,7 +38,7 @@ std::string figures_text(const core::Progress& progress, double elapsed_s) {
 }  // namespace
 
 ProgressDisplay::ProgressDisplay(std::ostream& out, Style style, std::string label, std::function<double()> now_s)
-    : out_(out), style_(style), label_(std::move(label)), now_s_(now_s ? std::move(now_s) : machine_time_s) {
+    : out_(out), style_(style), label_(core::printable(label)), now_s_(now_s ? std::move(now_s) : machine_time_s) {
   begin_s_ = now_s_();
 }
 

@@ -17,7 +17,7 @@ core::Observer Watch::observer() {
   };
   observer.announce = [this](const std::string& line) {
     close();
-    streams_.err << line << "\n";
+    write_err(streams_, line + "\n");
   };
   return observer;
 }

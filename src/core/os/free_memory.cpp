@@ -1,5 +1,7 @@
 #include "core/os/free_memory.hpp"
 
+#include <sys/mman.h>
+
 #include <fstream>
 #include <string>
 
@@ -15,6 +17,14 @@ std::optional<std::size_t> free_memory_bytes() {
     if (name == "MemAvailable:") return kilobytes * 1024;
   }
   return std::nullopt;
+}
+
+bool can_map(std::uint64_t bytes) noexcept {
+  void* const place =
+      ::mmap(nullptr, static_cast<std::size_t>(bytes), PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (place == MAP_FAILED) return false;
+  ::munmap(place, static_cast<std::size_t>(bytes));
+  return true;
 }
 
 }  // namespace sarsim::core

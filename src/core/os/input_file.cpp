@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
@@ -67,6 +68,17 @@ std::size_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> bytes)
 void InputFile::read_all_at(std::uint64_t offset, std::span<std::byte> bytes) const {
   if (read_at(offset, bytes) != bytes.size())
     throw std::runtime_error("cannot read " + path_.string() + ": it has become shorter");
+}
+
+std::string beginning_of(const std::filesystem::path& path, std::size_t most) try {
+  const auto opened = InputFile::open(path);
+  const auto* const file = std::get_if<InputFile>(&opened);
+  if (file == nullptr) return {};
+  std::string text(static_cast<std::size_t>(std::min<std::uint64_t>(most, file->size())), '\0');
+  text.resize(file->read_at(0, std::as_writable_bytes(std::span(text))));
+  return text;
+} catch (const std::system_error&) {
+  return {};
 }
 
 }  // namespace sarsim::core

@@ -58,8 +58,8 @@ using Problems = std::vector<Problem>;
 /// True where at least one problem is an error.
 [[nodiscard]] bool has_errors(const Problems& problems);
 
-/// A text whose control characters, which could give orders to a terminal, stand as "\x1b" or "\u009b"; line feeds and
-/// tabs stay.
+/// A text whose control characters, which could give orders to a terminal or turn around what is read, stand as "\x1b"
+/// or "\u009b"; line feeds and tabs stay. What is no UTF-8 stays, too, but for the bytes that are such characters.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// One printable paragraph: "file:line:column: error: message; found 'x', expected y" and a second,
@@ -68,7 +68,8 @@ using Problems = std::vector<Problem>;
 
 /// Sorts errors before warnings before notes, keeping the order within each, and merges repetitions
 /// of one cause (same severity, message, field and kind) into the first of them with a count,
-/// except errors with a place, each of which stands for itself.
+/// except errors with a place, each of which stands for itself as long as there are no more than 100 of them.
+/// Takes time n log n.
 [[nodiscard]] Problems ranked(Problems problems);
 
 }  // namespace sarsim::core

@@ -31,7 +31,7 @@ TEST(Problem, GivesNoOrdersToATerminal) {
 
 TEST(Problem, ShowsWhatEndsOrTurnsALineUnseen) {
   EXPECT_EQ(printable("a\xE2\x80\xA8z\xE2\x80\xAE\xE2\x81\xA9"), "a\\u2028z\\u202e\\u2069");
-  EXPECT_EQ(printable("5 \xE2\x80\x93 6 \xE2\x82\xAC\xE2\x80"), "5 \xE2\x80\x93 6 \xE2\x82\xAC\xE2\x80");
+  EXPECT_EQ(printable("5 \xE2\x80\x93 6 \xE2\x82\xAC\xE2\x80"), "5 \xE2\x80\x93 6 \xE2\x82\xAC\xE2\\x80");
 }
 
 TEST(Problem, PrintsOnlyWhatItKnows) {
@@ -108,6 +108,47 @@ TEST(Ranked, LeavesErrorsWithAPlaceAlone) {
       ranked({problem(Severity::warning, "w", {}, {"a", 1, 1}), problem(Severity::warning, "w", {}, {"a", 2, 1})});
   ASSERT_EQ(warnings.size(), 1U);
   EXPECT_EQ(warnings[0].place.line, 1U);
+}
+
+TEST(Ranked, TellsACauseThatIsMetTooOftenOnce) {
+  Problems many;
+  for (std::size_t line = 1; line <= 65'536; ++line) many.push_back(problem(Severity::error, "e", {}, {"a", line, 1}));
+  many.push_back(problem(Severity::error, "other", {}, {"a", 7, 1}));
+  const Problems told = ranked(many);
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].count, 65'536U);
+  EXPECT_EQ(told[0].place.line, 1U);
+  EXPECT_EQ(told[1].message, "other");
+  many.resize(100);
+  EXPECT_EQ(ranked(many).size(), 100U);
+}
+
+// Compared each with each, as many different causes would take minutes.
+TEST(Ranked, TakesManyCauses) {
+  Problems many;
+  for (std::size_t i = 0; i < 200'000; ++i) many.push_back(problem(Severity::warning, "w" + std::to_string(i)));
+  EXPECT_EQ(ranked(many).size(), 200'000U);
+}
+
+TEST(Printable, SpellsOutWhatGivesOrdersToATerminal) {
+  EXPECT_EQ(printable("a\x1b[31m\x7f\n\t"), "a\\x1b[31m\\x7f\n\t");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m"),
+            "\\u009b31m");  // CSI in UTF-8
+  EXPECT_EQ(printable("\x9b"
+                      "31m"),
+            "\\x9b31m");                            // and in 8 bits
+  EXPECT_EQ(printable("\xe2\x80\xae"), "\\u202e");  // turns the direction
+  EXPECT_EQ(printable("\xd8\x9c\xe2\x80\x8f"), "\\u061c\\u200f");
+  EXPECT_EQ(printable("\xe2\x80\xa8"), "\\u2028");  // ends a line
+  EXPECT_EQ(printable("\xc3\xbc \xe2\x82\xac \xf0\x9f\x9b\xb0"), "\xc3\xbc \xe2\x82\xac \xf0\x9f\x9b\xb0");
+  EXPECT_EQ(printable("\xfc"), "\xfc");  // Latin-1 that is no order
+}
+
+TEST(Problem, IsPrintedWithinBounds) {
+  Problem p = problem(Severity::error, std::string(1'000'000, 'm'));
+  p.found = std::string(1'000'000, '1');
+  EXPECT_LT(to_string(p).size(), 5000U);
 }
 
 }  // namespace problem_test

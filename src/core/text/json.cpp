@@ -27,9 +27,29 @@ std::size_t sequence_length(std::string_view text, std::size_t i) {
   return overlong || surrogate || beyond ? 0 : length;
 }
 
+// A character of two or three bytes that gives a terminal orders (C1) or turns the direction of what follows; 0 for any
+// other.
+unsigned order_to_terminal(std::string_view text, std::size_t i) {
+  const unsigned char lead = byte_at(text, i);
+  if (lead == 0xC2 && byte_at(text, i + 1) < 0xA0) return byte_at(text, i + 1);
+  if (lead == 0xD8 && byte_at(text, i + 1) == 0x9C) return 0x061C;
+  if (lead != 0xE2) return 0;
+  const unsigned code = 0x2000U + ((byte_at(text, i + 1) & 0x3FU) << 6U) + (byte_at(text, i + 2) & 0x3FU);
+  const bool orders =
+      code == 0x200E || code == 0x200F || (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+  return orders ? code : 0;
+}
+
 std::string quoted(std::string_view text) {
   std::string result = "\"";
-  for (const char c : valid_utf8(text)) {
+  const std::string valid = valid_utf8(text);
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const char c = valid[i];
+    if (const unsigned order = order_to_terminal(valid, i); order != 0) {
+      result += fmt::format("\\u{:04x}", order);
+      i += order < 0x800 ? 1 : 2;
+      continue;
+    }
     switch (c) {
       case '"': result += "\\\""; break;
       case '\\': result += "\\\\"; break;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/text/letters.hpp"
+#include "core/text/quoted_word.hpp"
 #include "core/toml/lines.hpp"
 #include "core/toml/names.hpp"
 #include "core/toml/scalars.hpp"
@@ -223,8 +224,7 @@ void Parser::note(const Fault& fault) {
   if (mistakes.size() >= most_mistakes) return;
   const auto& [message, expected, hint] = fault.complaint;
   if (!mistakes.empty() && mistakes.back().at.begin >= line_begin_ && mistakes.back().message == message) return;
-  std::string found = clipped(piece(text_, fault.at).substr(0, 100));
-  found.erase(std::min(found.find_first_of("\r\n"), found.size()));
+  std::string found = quoted_word(piece(text_, fault.at).substr(0, 100));
   mistakes.push_back({fault.at, message, std::move(found), expected, hint});
 }
 

@@ -4,10 +4,9 @@
 #include <QWidget>
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <string>
 
+#include "core/os/input_file.hpp"
 #include "gui/common/screen_size.hpp"
 #include "gui/image/image_viewer.hpp"
 #include "gui/image/open_image_dialog.hpp"
@@ -22,10 +21,8 @@ bool is_data_file(const std::filesystem::path& path) {
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending == ".scr" || ending == ".toml" || ending == ".json" || ending == ".txt") return false;
   if (raster::row_from_path(path) != nullptr) return true;
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 4096> begin{};
-  file.read(begin.data(), begin.size());
-  return std::find(begin.begin(), begin.begin() + file.gcount(), '\0') != begin.begin() + file.gcount();
+  constexpr std::size_t enough = 4096;
+  return core::beginning_of(path, enough).find('\0') != std::string::npos;
 }
 
 ImageViewers::ImageViewers(Session& session, QWidget* owner) : QObject(owner), session_(session), owner_(owner) {}

@@ -3,11 +3,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdint>
 #include <span>
+#include <stdexcept>
 #include <utility>
 
+#include <fmt/format.h>
+
+#include "core/os/free_memory.hpp"
 #include "core/os/output_file.hpp"
 #include "core/report/expect.hpp"
+#include "core/text/number_text.hpp"
 #include "picture/figure/load_drawing.hpp"
 
 namespace sarsim::picture {
@@ -21,15 +27,32 @@ std::optional<PictureKind> picture_kind_of(const std::filesystem::path& path) {
   return std::nullopt;
 }
 
+namespace {
+
+// The libraries that draw end the process where they get no memory for a thread or a font.
+void expect_memory(PictureKind kind, const PictureStyle& style) {
+  constexpr std::uint64_t of_libraries = std::uint64_t{80} << 20U;
+  constexpr double bytes_a_dot = 8.0;
+  const double dots = style.width_px * style.scale * style.height_px * style.scale;
+  const std::uint64_t of_dots = kind == PictureKind::png ? static_cast<std::uint64_t>(bytes_a_dot * dots) : 0;
+  if (core::can_map(of_libraries + of_dots)) return;
+  throw std::runtime_error(fmt::format("no picture can be drawn: {} of memory cannot be had",
+                                       core::bytes_text(static_cast<double>(of_libraries + of_dots))));
+}
+
+}  // namespace
+
 std::string draw_picture(const Figure& figure, PictureKind kind, const PictureStyle& style) {
   CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
   CORE_EXPECT(style.scale > 0.0);
+  expect_memory(kind, style);
   return drawing_module().draw(figure, kind, style);
 }
 
 std::string draw_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style) {
   CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
   CORE_EXPECT(style.scale > 0.0);
+  expect_memory(kind, style);
   return drawing_module().draw_sheet(sheet, kind, style);
 }
 

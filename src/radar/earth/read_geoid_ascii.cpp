@@ -9,6 +9,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "radar/earth/geoid_problem.hpp"
 #include "radar/earth/read_geoid.hpp"
 
@@ -72,14 +73,15 @@ class AsciiGrid {
       std::size_t known = 0;
       while (known < entries && !core::equal_ignoring_case(key, keys[known])) ++known;
       if (known == entries)
-        return fault("the word is not known in the header of an ASCII grid", core::clipped(key),
+        return fault("the word is not known in the header of an ASCII grid", core::quoted_word(key),
                      "ncols, nrows, xllcorner or xllcenter, yllcorner or yllcenter, cellsize, NODATA_value",
                      "cells must have one size in latitude and longitude");
-      if (entry_[known]) return fault(fmt::format("{} stands twice", keys[known]), core::clipped(key), "one of each");
+      if (entry_[known])
+        return fault(fmt::format("{} stands twice", keys[known]), core::quoted_word(key), "one of each");
       const std::string_view value = word();
       entry_[known] = core::parse_number(value);
       if (!entry_[known])
-        return fault(fmt::format("{} is not a number", keys[known]), core::clipped(value), "a finite number");
+        return fault(fmt::format("{} is not a number", keys[known]), core::quoted_word(value), "a finite number");
     }
   }
 
@@ -118,15 +120,15 @@ class AsciiGrid {
                      fmt::format("{} rows of {}", count(rows), count(columns)), "the file may be cut off");
       const std::optional<double> value = core::parse_number(text);
       if (!value)
-        return fault("a value is not a number", core::clipped(text), "a finite number in m",
+        return fault("a value is not a number", core::quoted_word(text), "a finite number in m",
                      text.find(',') == std::string_view::npos ? "" : "write a point, not a comma");
       // A float holds no larger ones; `GeoidGrid` refuses much smaller ones.
       if (*value != none && !(std::abs(*value) <= 1e30))
-        return fault("a value is too large", core::clipped(text), "an undulation in m");
+        return fault("a value is too large", core::quoted_word(text), "an undulation in m");
       values_.push_back(*value == none ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(*value));
     }
     if (const std::string_view rest = word(); !rest.empty())
-      return fault("there is more in the file than its values", core::clipped(rest),
+      return fault("there is more in the file than its values", core::quoted_word(rest),
                    fmt::format("an end after {} values", all), "correct ncols and nrows");
     return std::nullopt;
   }

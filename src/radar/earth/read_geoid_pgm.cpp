@@ -6,6 +6,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "radar/earth/geoid_problem.hpp"
 #include "radar/earth/read_geoid.hpp"
 
@@ -53,7 +54,7 @@ class PgmHeader {
   core::Problem fault(std::string message, std::string found, std::string expected, std::string hint = {}) const {
     return file_problem(name_, line_, std::move(message), std::move(found), std::move(expected), std::move(hint));
   }
-  [[nodiscard]] std::string clipped_word() const { return core::clipped(word_); }
+  [[nodiscard]] std::string clipped_word() const { return core::quoted_word(word_); }
 
   // The next word; empty at the end and where a comment is at fault.
   std::string_view word() {
@@ -82,18 +83,18 @@ class PgmHeader {
     if (key == "Offset") return take_number(key, value, offset_m);
     if (key == "Scale") return take_number(key, value, scale_m);
     if (key == "Origin" && value != "90N 0E")
-      problem_ = fault("the picture begins at another place", core::clipped(value), "Origin 90N 0E");
+      problem_ = fault("the picture begins at another place", core::quoted_word(value), "Origin 90N 0E");
     if (key == "AREA_OR_POINT" && value != "Point")
-      problem_ = fault("the pixels are not points", core::clipped(value), "AREA_OR_POINT Point");
+      problem_ = fault("the pixels are not points", core::quoted_word(value), "AREA_OR_POINT Point");
   }
 
   void take_number(std::string_view key, std::string_view value, std::optional<double>& number) {
     if (number) {
-      problem_ = fault(fmt::format("{} stands twice in the header", key), core::clipped(value), "one value");
+      problem_ = fault(fmt::format("{} stands twice in the header", key), core::quoted_word(value), "one value");
       return;
     }
     number = core::parse_number(value);
-    if (!number) problem_ = fault(fmt::format("{} is not a number", key), core::clipped(value), "a number in m");
+    if (!number) problem_ = fault(fmt::format("{} is not a number", key), core::quoted_word(value), "a number in m");
   }
 
   std::optional<core::Problem> fault_of_content() const {

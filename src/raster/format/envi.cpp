@@ -105,6 +105,8 @@ class NumberTaker {
 // As much as a header may have: of any other file no more is read.
 std::string header_text(const std::filesystem::path& path) {
   constexpr std::size_t longest_header = std::size_t{1} << 20U;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};  // What a pipe says would be waited for.
   std::ifstream stream(path, std::ios::binary);
   std::string text(longest_header, '\0');
   if (!stream) throw std::system_error(errno, std::generic_category(), "cannot read '" + path.string() + "'");
@@ -126,6 +128,8 @@ std::filesystem::path header_path(std::filesystem::path data) { return data.repl
 
 // What a NumPy array file says of itself; nothing for other files.
 std::optional<NpyHeader> array_header(const std::filesystem::path& data) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(data, ignored)) return std::nullopt;
   std::ifstream stream(data, std::ios::binary);
   std::string bytes(12, '\0');
   if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -65,6 +66,12 @@ std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest) {
   return std::nullopt;
 }
 
+struct AttributeWalk {
+  std::uint64_t longest;
+  hsize_t met;
+  AttributeTexts texts;
+};
+
 std::string name_of(hid_t attribute) {
   const ssize_t size = H5Aget_name(attribute, 0, nullptr);
   if (size <= 0 || static_cast<std::size_t>(size) > longest_attribute_name) return {};
@@ -74,18 +81,29 @@ std::string name_of(hid_t attribute) {
   return name;
 }
 
+// Of H5Aiterate2: 0 goes on, 1 ends the walk.
+herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* /*info*/, void* state) {
+  auto& walk = *static_cast<AttributeWalk*>(state);
+  if (walk.met++ == most_attributes) return 1;
+  try {
+    const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
+    if (!attribute) return 1;
+    if (auto value = read_text(attribute.get(), walk.longest))
+      walk.texts.emplace_back(name_of(attribute.get()), std::move(*value));
+    return 0;
+  } catch (const std::bad_alloc&) {
+    return 1;
+  }
+}
+
 }  // namespace
 
 AttributeTexts read_attributes(hid_t object, std::uint64_t longest) {
-  AttributeTexts result;
-  for (hsize_t i = 0; i < most_attributes; ++i) {
-    const Hdf5Handle attribute(H5Aopen_by_idx(object, ".", H5_INDEX_NAME, H5_ITER_INC, i, H5P_DEFAULT, H5P_DEFAULT),
-                               H5Aclose);
-    if (!attribute) break;  // The end of the list, or a damaged one.
-    auto value = read_text(attribute.get(), longest);
-    if (value) result.emplace_back(name_of(attribute.get()), std::move(*value));
-  }
-  return result;
+  // One walk over all of them: to open the one of a number, the library sorts them all.
+  AttributeWalk walk{longest, 0, {}};
+  hsize_t first = 0;
+  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &first, take_attribute, &walk);  // A damaged list ends early.
+  return std::move(walk.texts);
 }
 
 std::optional<std::string> find_attribute(const AttributeTexts& attributes, std::string_view name) {

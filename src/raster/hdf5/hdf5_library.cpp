@@ -2,6 +2,8 @@
 
 #include <vector>
 
+#include <fmt/format.h>
+
 namespace sarsim::raster {
 
 namespace {
@@ -31,6 +33,12 @@ bool hdf5_lacked_memory() {
   bool lacked = false;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_lack, &lacked);
   return lacked;
+}
+
+core::Problem too_much_hdf5_work() {
+  return core::problem_of(core::Severity::error, "opening the file is too much work for the HDF5 library",
+                          fmt::format("more than {} s of processor time", hdf5_trial_s), {},
+                          "copy the dataset alone into a new file: h5copy -i OLD -o NEW -s /samples -d /samples");
 }
 
 }  // namespace sarsim::raster

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/report/problem.hpp"
+
 namespace sarsim::raster {
 
 /// The lock that a thread holds while it is inside the HDF5 library. The library has one of its own, but a process
@@ -75,5 +77,11 @@ class Hdf5Handle {
 
 /// Whether that failure was that of getting memory or another resource of the system.
 [[nodiscard]] bool hdf5_lacked_memory();
+
+/// Processor time in seconds that a trial of a file may take (core/os/trial.hpp).
+inline constexpr unsigned hdf5_trial_s = 20;
+
+/// What is said of a file whose trial takes more: it may be sound.
+[[nodiscard]] core::Problem too_much_hdf5_work();
 
 }  // namespace sarsim::raster

@@ -84,14 +84,12 @@ std::string tried_points(const std::filesystem::path& path, std::uint64_t file_b
 }
 
 std::optional<core::Problem> trial_of_points(const std::filesystem::path& path, std::uint64_t file_bytes) {
-  constexpr unsigned patience_s = 20;
   const core::TrialReport trial =
-      core::run_trial([&] { return tried_points(path, file_bytes); }, patience_s, &hdf5_lock());
+      core::run_trial([&] { return tried_points(path, file_bytes); }, hdf5_trial_s, &hdf5_lock());
   if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
   if (trial.result == core::TrialResult::passed && trial.text == points_sound) return std::nullopt;
-  const char* const what = trial.result == core::TrialResult::crashed     ? "crashes on it"
-                           : trial.result == core::TrialResult::timed_out ? "hangs on it"
-                                                                          : "cannot read all of it";
+  if (trial.result == core::TrialResult::too_much_work) return too_much_hdf5_work();
+  const char* const what = trial.result == core::TrialResult::crashed ? "crashes on it" : "cannot read all of it";
   return file_problem({}, fmt::format("the file is damaged: the HDF5 library {}", what));
 }
 

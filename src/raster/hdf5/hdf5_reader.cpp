@@ -240,11 +240,23 @@ void take_old_attributes(RasterInfo& info) {
   info.sample_rate_hz = number_attribute(info.attributes, prefix + "(GHz)_Sample_frequency", 9);
 }
 
-std::string link_name(hid_t group, hsize_t index) {
-  std::array<char, 256> name{};
-  const ssize_t size =
-      H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, index, name.data(), name.size(), H5P_DEFAULT);
-  return size <= 0 ? std::string() : std::string(name.data());
+// Of H5Literate: 0 goes on, 1 ends the walk.
+herr_t take_link_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* state) {
+  auto& names = *static_cast<std::vector<std::string>*>(state);
+  if (names.size() == most_details) return 1;
+  try {
+    names.emplace_back(name);
+    return 0;
+  } catch (const std::bad_alloc&) {
+    return 1;
+  }
+}
+
+// One walk over all of them: to name the one of a number, the library sorts them all.
+std::vector<std::string> link_names(hid_t group) {
+  std::vector<std::string> names;
+  H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, take_link_name, &names);
+  return names;
 }
 
 // Scripts with the line ends of DOS left a carriage return at the end of names.
@@ -257,9 +269,8 @@ AttributeTexts read_details(hid_t file, std::uint64_t longest) {
   AttributeTexts result;
   if (!has_object(file, "/Details")) return result;
   const Hdf5Handle group(H5Gopen2(file, "/Details", H5P_DEFAULT), H5Gclose);
-  for (hsize_t i = 0; group && i < most_details; ++i) {
-    const std::string name = link_name(group.get(), i);
-    if (name.empty()) break;
+  if (!group) return result;
+  for (const std::string& name : link_names(group.get())) {
     if (!has_object(group.get(), name)) continue;
     const Hdf5Handle object(H5Dopen2(group.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!object) continue;
@@ -392,14 +403,12 @@ std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, c
 OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
-  constexpr unsigned patience_s = 20;
   const core::TrialReport trial =
-      core::run_trial([&] { return tried(path, file_bytes, hints); }, patience_s, &hdf5_lock());
+      core::run_trial([&] { return tried(path, file_bytes, hints); }, hdf5_trial_s, &hdf5_lock());
   if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
+  if (trial.result == core::TrialResult::too_much_work) return refused(path.string(), too_much_hdf5_work());
   if (trial.result != core::TrialResult::passed)
-    return refused(path.string(),
-                   file_problem({}, fmt::format("the file is damaged: the HDF5 library {} on it",
-                                                trial.result == core::TrialResult::crashed ? "crashes" : "hangs")));
+    return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library crashes on it"));
   if (trial.text.empty())
     return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library cannot read all of it"));
   if (trial.text != good) return refused(path.string(), unpacked(trial.text));

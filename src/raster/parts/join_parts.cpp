@@ -30,6 +30,9 @@ namespace {
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
 constexpr std::string_view finished_name = "finished";
+constexpr const char* door_name = "lock";
+constexpr const char* joined_name = "joined";
+constexpr const char* frame_name = "frame";
 
 fs::path file_of(const Journal& journal) {
   return journal.head.store == RowStore::placed ? shared_rows_of(journal.path.parent_path())
@@ -168,8 +171,8 @@ class Joiner {
     return joined;
   }
 
-  [[nodiscard]] fs::path joined_path() const { return folder_ / "joined"; }
-  [[nodiscard]] fs::path frame_path() const { return folder_ / "frame"; }
+  [[nodiscard]] fs::path joined_path() const { return folder_ / joined_name; }
+  [[nodiscard]] fs::path frame_path() const { return folder_ / frame_name; }
 
   [[nodiscard]] bool in_place() const {
     return std::ranges::all_of(pieces_, [&](const Piece& piece) {
@@ -373,6 +376,42 @@ fs::path receipt_of(const fs::path& output) {
 fs::path shared_rows_of(const fs::path& folder) { return folder / "samples"; }
 fs::path product_file_of(const fs::path& folder) { return folder / "product"; }
 
+core::RawFile open_door(const fs::path& folder) {
+  for (;;) {
+    fs::create_directories(folder);
+    try {
+      core::RawFile door(folder / door_name, core::RawFile::Mode::write);
+      door.lock();
+      if (door.still_there()) return door;
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::no_such_file_or_directory) throw;
+    }
+  }
+}
+
+bool is_left_by_join(const std::string& name) {
+  return name == joined_name || name == frame_name || name.starts_with(fmt::format(".{}.partial-", joined_name)) ||
+         name.starts_with(fmt::format(".{}.partial-", frame_name));
+}
+
+void remove_joins(const fs::path& folder) noexcept {
+  std::error_code ignored;
+  std::vector<fs::path> left;
+  bool parts = false;
+  for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (is_left_by_join(name))
+      left.push_back(entry->path());
+    else
+      parts = parts || name != door_name;
+  }
+  if (ignored) return;
+  for (const fs::path& path : left) core::remove_folder(path);
+  if (parts) return;
+  core::remove_folder(folder / door_name);
+  fs::remove(folder, ignored);
+}
+
 std::vector<Journal> read_journals(const fs::path& folder) {
   std::vector<fs::path> paths;
   for (const auto& entry : fs::directory_iterator(folder))
@@ -393,7 +432,8 @@ std::vector<Journal> read_journals(const fs::path& folder) {
 
 void remove_parts(const fs::path& folder) noexcept {
   std::error_code ignored;
-  std::vector<fs::path> paths{shared_rows_of(folder), product_file_of(folder), folder / "frame", folder / "joined"};
+  std::vector<fs::path> paths{shared_rows_of(folder), product_file_of(folder), folder / frame_name,
+                              folder / joined_name};
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
     const std::string name = entry->path().filename().string();
     const bool ours = name.ends_with(".journal") || name.ends_with(".rows") ||
@@ -401,7 +441,7 @@ void remove_parts(const fs::path& folder) noexcept {
     if (ours) paths.push_back(entry->path());
   }
   // Last what tells a folder of parts.
-  paths.push_back(folder / "lock");
+  paths.push_back(folder / door_name);
   for (const fs::path& path : paths) core::remove_folder(path);
   fs::remove(folder, ignored);
 }
@@ -441,6 +481,21 @@ core::Problems join_problems(const std::vector<Journal>& journals, std::size_t r
         file_problem({}, fmt::format("parts are missing: no part holds {} of {}", rows_text(missing), rows));
     problem.hint = owner_text(journals, missing);
     problems.push_back(std::move(problem));
+  }
+  return problems;
+}
+
+core::Problems product_problems(const StoredProduct& product, const fs::path& file,
+                                const std::vector<Journal>& journals) {
+  core::Problems problems;
+  for (const Journal& journal : journals) {
+    for (const std::string& difference :
+         differences(product.identity, "in the description", journal.head.identity, "in part " + journal.head.part)) {
+      problems.push_back(
+          file_problem(file.string(), "the description of the recording is of another run: " + difference));
+      problems.back().hint = "bring the file 'product' of the folder of these parts";
+    }
+    if (!problems.empty()) return problems;
   }
   return problems;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/os/raw_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/parts/journal.hpp"
@@ -25,17 +26,32 @@ namespace sarsim::raster {
 [[nodiscard]] std::filesystem::path shared_rows_of(const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path product_file_of(const std::filesystem::path& folder);
 
+/// The door of a folder of parts, locked: whoever holds it is alone in changing what is there as a whole. The folder is
+/// made where it is missing; it may vanish while one waits, because whoever completes a recording removes it.
+[[nodiscard]] core::RawFile open_door(const std::filesystem::path& folder);
+
+/// Whether a name in such a folder is that of what a join was making when its process ended.
+[[nodiscard]] bool is_left_by_join(const std::string& name);
+
 /// All journals of a folder, by name. @throws core::Refused with everything that is damaged
 [[nodiscard]] std::vector<Journal> read_journals(const std::filesystem::path& folder);
 
 /// Removes what parts have left in a folder, and the folder where it is empty then.
 void remove_parts(const std::filesystem::path& folder) noexcept;
 
+/// Removes what joins have left in a folder, and the folder where no parts are in it. Its door must be held.
+void remove_joins(const std::filesystem::path& folder) noexcept;
+
 /// Rows of a range for which no journal vouches, in order.
 [[nodiscard]] std::vector<simulate::RowRange> missing_rows(simulate::RowRange range, std::span<const Journal> journals);
 
 /// What keeps journals from being joined: rows that are missing, rows that two vouch for, other identities.
 [[nodiscard]] core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
+
+/// What keeps a description from being that of the journals: another run's, found by what decides the bytes of both.
+/// @param file  of the description
+[[nodiscard]] core::Problems product_problems(const StoredProduct& product, const std::filesystem::path& file,
+                                              const std::vector<Journal>& journals);
 
 /// Whether the bytes that a claim speaks of are what it says.
 /// @param places  of rows that stand at their places

@@ -39,20 +39,6 @@ bool meets(const Journal& journal, simulate::RowRange range) {
          std::ranges::any_of(journal.claims, [&](const Claim& claim) { return meet(claim.rows, range); });
 }
 
-// The door of a folder, which may vanish while one waits for it: the part that completes a recording removes it.
-core::RawFile open_door(const fs::path& folder) {
-  for (;;) {
-    fs::create_directories(folder);
-    try {
-      core::RawFile door(folder / "lock", core::RawFile::Mode::write);
-      door.lock();
-      if (door.still_there()) return door;
-    } catch (const std::system_error& error) {
-      if (error.code() != std::errc::no_such_file_or_directory) throw;
-    }
-  }
-}
-
 std::uint64_t rows_end(const Journal& journal) {
   std::uint64_t end = 0;
   for (const Claim& claim : journal.claims) end = std::max(end, claim.offset + claim.bytes);
@@ -63,6 +49,13 @@ std::string journal_text(const Journal& journal) {
   std::string text = text_of(journal.head);
   for (const Claim& claim : journal.claims) text += text_of(claim);
   return text;
+}
+
+// Whether the description in a folder is that of a run; one that is damaged is not.
+bool describes(const fs::path& product, const Identity& identity) try {
+  return fs::exists(product) && differences(identity, "", load_product(product).identity, "").empty();
+} catch (const core::Refused&) {
+  return false;
 }
 
 // Who is dealt rows must find the journal of the one who deals them.
@@ -117,7 +110,9 @@ void PartRun::enter() {
   else if (!places || task_.apart)
     store_ = RowStore::encoded;
   if (store_ == RowStore::placed) places_ = *places;
-  if (first || !fs::exists(product_file_of(folder_))) store_product(product_file_of(folder_), task_.product);
+  task_.product.identity = task_.identity;
+  if (first || !describes(product_file_of(folder_), task_.identity))
+    store_product(product_file_of(folder_), task_.product);
   begin_rows(first);
   begin_journal();
 }

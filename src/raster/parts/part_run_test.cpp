@@ -327,6 +327,58 @@ TEST(StoredProduct, ComesBackWhole) {
   EXPECT_EQ(back.engine_reason, "because");
 }
 
+TEST(StoredProduct, IsThatOfItsRunAlone) {
+  const TestFolder folder;
+  StoredProduct stored = stored_as(scene::FileFormat::binary);
+  stored.identity = {{"seed", "1"}, {"LSB", "2.5e-09 V"}};
+  store_product(folder / "product", stored);
+  const StoredProduct back = load_product(folder / "product");
+  EXPECT_EQ(back.identity, stored.identity);
+  Journal journal;
+  journal.head.identity = stored.identity;
+  journal.head.part = "1/2";
+  EXPECT_TRUE(product_problems(back, folder / "product", {journal, journal}).empty());
+  Journal other = journal;
+  other.head.identity[1].second = "1e-05 V";
+  const core::Problems problems = product_problems(back, folder / "product", {journal, other});
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].message, HasSubstr("LSB is 2.5e-09 V in the description, 1e-05 V in part 1/2"));
+  EXPECT_EQ(problems[0].place.file, (folder / "product").string());
+}
+
+TEST(Part, WritesTheDescriptionOfItsRunInPlaceOfAnother) {
+  const TestFolder folder;
+  const StoredProduct stored = stored_as(scene::FileFormat::binary);
+  { PartRun first(task_for(folder / "out", stored, "part-1", {0, 4}), {}); }
+  StoredProduct other = stored;
+  other.identity = {{"seed", "2"}};
+  store_product(folder / "out.parts/product", other);
+  PartRun second(task_for(folder / "out", stored, "part-2", {4, 4}), {});
+  EXPECT_EQ(load_product(folder / "out.parts/product").identity, (Identity{{"seed", "1"}}));
+}
+
+TEST(Joins, LeaveNothingThatKeepsTheNextOneOut) {
+  const TestFolder folder;
+  fs::create_directories(folder / "m.parts");
+  data_test::put(folder / "m.parts/.joined.partial-4711-0", "half");
+  fs::create_directories(folder / "m.parts/.frame.partial-4711-1");
+  EXPECT_TRUE(is_left_by_join(".joined.partial-4711-0"));
+  EXPECT_FALSE(is_left_by_join("samples"));
+  EXPECT_FALSE(is_left_by_join("mine.joined.partial-1"));
+  {
+    const core::RawFile door = open_door(folder / "m.parts");
+    remove_joins(folder / "m.parts");
+  }
+  EXPECT_FALSE(fs::exists(folder / "m.parts"));
+  // Parts, and what is somebody else's, stay.
+  fs::create_directories(folder / "n.parts");
+  data_test::put(folder / "n.parts/mine", "text");
+  data_test::put(folder / "n.parts/joined", "half");
+  remove_joins(folder / "n.parts");
+  EXPECT_TRUE(fs::exists(folder / "n.parts/mine"));
+  EXPECT_FALSE(fs::exists(folder / "n.parts/joined"));
+}
+
 std::string refusal_of(const fs::path& product) {
   try {
     static_cast<void>(load_product(product));

@@ -22,7 +22,7 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'03U;
+constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'04U;
 // The mark and the checksum are there; more than 180 million pulses with their times, carriers and poses are not.
 constexpr std::uint64_t least_bytes = 2 * sizeof(std::uint64_t);
 constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34U;
@@ -185,6 +185,11 @@ void store_product(const std::filesystem::path& path, const StoredProduct& store
   packer.put(static_cast<std::uint64_t>(stored.options.doubles));
   packer.put(static_cast<std::uint64_t>(stored.estimate_lsb));
   packer.put_text(stored.engine_reason);
+  packer.put(stored.identity.size());
+  for (const auto& [name, value] : stored.identity) {
+    packer.put_text(name);
+    packer.put_text(value);
+  }
   packer.put_axis(axes ? product.row_time_s : Axis(), product.rows);
   packer.put_axis(axes ? product.row_carrier_hz : Axis(), product.rows);
   packer.put_axis(axes ? product.column_range_m : Axis(), product.columns);
@@ -217,6 +222,10 @@ StoredProduct load_product(const std::filesystem::path& path) {
   stored.options.doubles = from.word() != 0;
   stored.estimate_lsb = from.word() != 0;
   stored.engine_reason = from.text();
+  for (std::uint64_t left = from.word(); left > 0; --left) {
+    std::string name = from.text();
+    stored.identity.emplace_back(std::move(name), from.text());
+  }
   product.row_time_s = from.axis();
   product.row_carrier_hz = from.axis();
   product.column_range_m = from.axis();

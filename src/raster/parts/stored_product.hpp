@@ -4,6 +4,7 @@
 #include <string>
 
 #include "raster/format/sinks.hpp"
+#include "raster/parts/journal.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
@@ -15,6 +16,7 @@ struct StoredProduct {
   SinkOptions options;
   bool estimate_lsb = false;  ///< The rows are volts until the largest of all of them is known.
   std::string engine_reason;
+  Identity identity{};  ///< Of the run that it describes, as its journals have it.
 };
 
 /// Writes it to a file, all or nothing. The axes are only stored for HDF5, the one format that holds them.

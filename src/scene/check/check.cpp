@@ -73,9 +73,10 @@ core::Problems check(const Scene& scene, const core::WorkControl& control) {
   platforms.check_definitions(findings);
   findings.about("world", 0);
   check_world(findings, scene);
+  const PlatformChains chains(scene);
   check_each(findings, "platform", scene.platforms, [&](const Platform& p) {
     check_platform(findings, p);
-    check_motion(findings, scene, static_cast<std::size_t>(&p - scene.platforms.data()));
+    check_motion(findings, scene, chains, static_cast<std::size_t>(&p - scene.platforms.data()));
   });
   check_each(findings, "surface", scene.surfaces, [&](const Surface& s) { check_surface(findings, platforms, s); });
   check_surfaces_together(findings, scene.surfaces);

@@ -14,6 +14,7 @@
 #include "scene/model/orbit.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/route.hpp"
+#include "scene/model/scene_index.hpp"
 #include "scene/model/world_frame.hpp"
 
 namespace sarsim::scene {
@@ -22,6 +23,37 @@ namespace {
 
 // Nothing flies lower; the lowest land is 430 m below the sea.
 constexpr double lowest_height_m = -500.0;
+
+core::Vec3 turning_rate(const Platform& platform) {
+  const auto& rate = platform.rotation_rate;
+  return {rate[0].rad(), rate[1].rad(), rate[2].rad()};
+}
+
+// The platform that each one names; `not_found` for none.
+std::vector<std::size_t> links_of(const Scene& scene, SceneIndex& names, std::string Platform::*name) {
+  std::vector<std::size_t> next;
+  next.reserve(scene.platforms.size());
+  for (const Platform& platform : scene.platforms)
+    next.push_back((platform.*name).empty() ? not_found : names.platform(platform.*name));
+  return next;
+}
+
+// Which of them lie on a circle: each link is followed once.
+std::vector<char> loops_of(const std::vector<std::size_t>& next) {
+  constexpr std::size_t nobody = not_found;
+  std::vector<char> loops(next.size(), 0);
+  std::vector<std::size_t> met_by(next.size(), nobody);
+  for (std::size_t start = 0; start < next.size(); ++start) {
+    std::size_t at = start;
+    while (at != not_found && met_by[at] == nobody) {
+      met_by[at] = start;
+      at = next[at];
+    }
+    if (at == not_found || met_by[at] != start) continue;
+    for (std::size_t on = at; loops[on] == 0; on = next[on]) loops[on] = 1;
+  }
+  return loops;
+}
 
 void check_epoch(Findings& findings, const Scene& scene) {
   const radar::InstantReading epoch = epoch_of(scene.world);
@@ -182,26 +214,14 @@ void check_route(Findings& findings, const Platform& platform) {
                       .hint = legs ? "Give climbs a rounding." : "Give an acceleration, or points of one height."});
 }
 
-// Follows leaders or parents until they end.
-void check_chain(Findings& findings, const Scene& scene, std::size_t index, std::string Platform::*next,
-                 std::string_view field) {
-  std::set<std::size_t> seen{index};
-  for (std::size_t at = index;;) {
-    const std::string& name = scene.platforms[at].*next;
-    if (name.empty()) return;
-    at = find_platform(scene, name);
-    if (at == not_found) return;
-    if (seen.insert(at).second) continue;
-    if (at == index)
-      findings.error(field, {.message = fmt::format("the {}s of the platform come back to itself", field),
-                             .found = name,
-                             .expected = "another platform",
-                             .hint = {}});
-    return;
-  }
+void report_loop(Findings& findings, std::string_view field, const std::string& name) {
+  findings.error(field, {.message = fmt::format("the {}s of the platform come back to itself", field),
+                         .found = name,
+                         .expected = "another platform",
+                         .hint = {}});
 }
 
-void check_leader(Findings& findings, const Scene& scene, std::size_t index) {
+void check_leader(Findings& findings, const Scene& scene, const PlatformChains& chains, std::size_t index) {
   const Platform& platform = scene.platforms[index];
   if (platform.path != Platform::Path::relative) return;
   if (platform.leader.empty())
@@ -209,8 +229,8 @@ void check_leader(Findings& findings, const Scene& scene, std::size_t index) {
                                      .found = {},
                                      .expected = "leader = the name of a platform",
                                      .hint = {}});
-  check_chain(findings, scene, index, &Platform::leader, "leader");
-  const std::size_t leader = find_platform(scene, platform.leader);
+  if (chains.leaders_loop(index)) report_loop(findings, "leader", platform.leader);
+  const std::size_t leader = chains.leader(index);
   const auto parent_of = [](const Platform& of) { return of.parent == "Earth" ? std::string() : of.parent; };
   if (leader == not_found || parent_of(scene.platforms[leader]) == parent_of(platform)) return;
   const std::string parent = parent_of(scene.platforms[leader]);
@@ -222,26 +242,12 @@ void check_leader(Findings& findings, const Scene& scene, std::size_t index) {
        .hint = parent.empty() ? "Remove the parent." : fmt::format("Write parent = \"{}\".", parent)});
 }
 
-// Of a target on the platform, or on one that is mounted on it.
-double farthest_tip_mps(const Scene& scene, const Platform& platform, const core::Vec3& rate_rad_per_s) {
-  std::map<std::string_view, core::Vec3> mounts{{platform.name, {}}};
-  for (const Platform& other : scene.platforms)
-    if (other.parent == platform.name && other.path == Platform::Path::stationary)
-      mounts.emplace(other.name, other.position_m);
-  double fastest_mps = 0.0;
-  for (const Target& target : scene.targets)
-    if (const auto mount = mounts.find(*target.platform); mount != mounts.end())
-      fastest_mps = std::max(fastest_mps, core::norm(core::cross(rate_rad_per_s, mount->second + target.position_m)));
-  return fastest_mps;
-}
-
 // A rate in turns a minute that was taken for something else shows in the speed of the tips.
-void check_tips(Findings& findings, const Scene& scene, const Platform& platform) {
+void check_tips(Findings& findings, const PlatformChains& chains, const Platform& platform, std::size_t index) {
   constexpr double fastest_mps = 1000.0;
-  const auto& rate = platform.rotation_rate;
-  const core::Vec3 rate_rad_per_s{rate[0].rad(), rate[1].rad(), rate[2].rad()};
+  const core::Vec3 rate_rad_per_s = turning_rate(platform);
   if (core::norm(rate_rad_per_s) == 0.0) return;
-  const double tip_mps = farthest_tip_mps(scene, platform, rate_rad_per_s);
+  const double tip_mps = chains.fastest_tip_mps(index, rate_rad_per_s);
   if (!(tip_mps > fastest_mps)) return;
   findings.warning(Consequence::surprise, "rotation_rate",
                    {.message = "the rotation carries a target faster than blades and wheels turn",
@@ -281,16 +287,55 @@ void check_world(Findings& findings, const Scene& scene) {
                              .hint = {}});
 }
 
-void check_motion(Findings& findings, const Scene& scene, std::size_t index) {
+PlatformChains::PlatformChains(const Scene& scene) : scene_(scene) {
+  SceneIndex names(scene);
+  leaders_ = {links_of(scene, names, &Platform::leader), {}};
+  leaders_.loops = loops_of(leaders_.next);
+  parents_ = {links_of(scene, names, &Platform::parent), {}};
+  parents_.loops = loops_of(parents_.next);
+  const auto turns = [](const Platform& platform) { return core::norm(turning_rate(platform)) != 0.0; };
+  if (std::ranges::any_of(scene.platforms, turns)) gather_targets();
+}
+
+void PlatformChains::gather_targets() {
+  for (std::size_t i = 0; i < scene_.platforms.size(); ++i) {
+    const Platform& platform = scene_.platforms[i];
+    targets_.try_emplace(platform.name);
+    if (!platform.parent.empty() && platform.path == Platform::Path::stationary) mounted_[platform.parent].push_back(i);
+  }
+  for (std::size_t i = 0; i < scene_.targets.size(); ++i)
+    if (const auto carrier = targets_.find(*scene_.targets[i].platform); carrier != targets_.end())
+      carrier->second.push_back(i);
+}
+
+double PlatformChains::fastest_tip_mps(std::size_t platform, const core::Vec3& rate_rad_per_s) const {
+  double fastest_mps = 0.0;
+  const auto look_at = [&](const std::string& carrier, const core::Vec3& mount_m) {
+    const auto carried = targets_.find(carrier);
+    if (carried == targets_.end()) return;
+    for (const std::size_t target : carried->second)
+      fastest_mps =
+          std::max(fastest_mps, core::norm(core::cross(rate_rad_per_s, mount_m + scene_.targets[target].position_m)));
+  };
+  const std::string& name = scene_.platforms[platform].name;
+  look_at(name, {});
+  if (const auto mounted = mounted_.find(name); mounted != mounted_.end())
+    for (const std::size_t other : mounted->second)
+      if (scene_.platforms[other].name != name)
+        look_at(scene_.platforms[other].name, scene_.platforms[other].position_m);
+  return fastest_mps;
+}
+
+void check_motion(Findings& findings, const Scene& scene, const PlatformChains& chains, std::size_t index) {
   const Platform& platform = scene.platforms[index];
   check_laws(findings, scene.world, platform);
   // Without a sound epoch, which is said, nothing is read.
   if (epoch_of(scene.world).failure.empty()) check_files(findings, platform);
   check_route(findings, platform);
-  check_leader(findings, scene, index);
-  check_chain(findings, scene, index, &Platform::parent, "parent");
+  check_leader(findings, scene, chains, index);
+  if (chains.parents_loop(index)) report_loop(findings, "parent", platform.parent);
   check_height(findings, scene, platform);
-  check_tips(findings, scene, platform);
+  check_tips(findings, chains, platform, index);
 }
 
 }  // namespace sarsim::scene

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 #include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "scene/check/check_findings.hpp"
 #include "scene/model/scene.hpp"
@@ -14,8 +16,39 @@ inline constexpr std::string_view unread_motion = "the motion of the platform is
 /// Checks the world itself: epoch, anchor, leap seconds.
 void check_world(Findings& findings, const Scene& scene);
 
+/// What platforms are to each other, looked up once for all of them in time n log n: a scene may have thousands that
+/// are mounted on each other.
+class PlatformChains {
+ public:
+  /// @param scene  must outlive it
+  explicit PlatformChains(const Scene& scene);
+
+  /// The platform that another one follows; `not_found` for none.
+  [[nodiscard]] std::size_t leader(std::size_t platform) const { return leaders_.next[platform]; }
+  /// Whether the leaders, or the parents, of a platform come back to it.
+  [[nodiscard]] bool leaders_loop(std::size_t platform) const { return leaders_.loops[platform] != 0; }
+  [[nodiscard]] bool parents_loop(std::size_t platform) const { return parents_.loops[platform] != 0; }
+  /// Speed of the fastest target on a platform that turns, or on one that is mounted on it at rest.
+  [[nodiscard]] double fastest_tip_mps(std::size_t platform, const core::Vec3& rate_rad_per_s) const;
+
+ private:
+  struct Links {
+    std::vector<std::size_t> next;
+    std::vector<char> loops;
+  };
+
+  void gather_targets();
+
+  const Scene& scene_;
+  Links leaders_;
+  Links parents_;
+  // By the exact names of the platforms.
+  std::unordered_map<std::string_view, std::vector<std::size_t>> mounted_;
+  std::unordered_map<std::string_view, std::vector<std::size_t>> targets_;
+};
+
 /// Checks what moves a platform beyond the script language: files, routes, leaders and parents, laws that need the
 /// Earth. The findings must be about that platform.
-void check_motion(Findings& findings, const Scene& scene, std::size_t platform);
+void check_motion(Findings& findings, const Scene& scene, const PlatformChains& chains, std::size_t platform);
 
 }  // namespace sarsim::scene

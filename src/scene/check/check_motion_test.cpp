@@ -116,5 +116,33 @@ TEST(CheckMotion, WantsTheEarthBelowASatellite) {
       "error: an orbit needs the Earth, but the world is flat; expected [world] with frame = \"earth\" and an anchor");
 }
 
+Scene scene_with_chain(std::size_t links) {
+  Scene scene = sound_scene();
+  for (std::size_t i = 0; i < links; ++i) {
+    Platform platform;
+    platform.name = "Q" + std::to_string(i);
+    if (i > 0) platform.parent = "Q" + std::to_string(i - 1);
+    scene.platforms.push_back(platform);
+  }
+  return scene;
+}
+
+// Followed from each platform by searching for each name, so many parents would take hours.
+TEST(CheckMotion, FollowsLongChainsOfParents) {
+  const Scene scene = scene_with_chain(30'000);
+  EXPECT_FALSE(core::has_errors(check(scene)));
+}
+
+TEST(CheckMotion, NamesThePlatformsOfACircleAndNotThoseThatLeadThere) {
+  Scene scene = scene_with_chain(10);
+  const std::size_t first = scene.platforms.size() - 10;
+  scene.platforms[first + 3].parent = "Q6";  // 3 -> 6 -> 5 -> 4 -> 3; 7, 8 and 9 lead there.
+  std::vector<std::size_t> named;
+  for (const core::Problem& problem : check(scene))
+    if (problem.severity == core::Severity::error && problem.subject.field == "parent")
+      named.push_back(problem.subject.index - first);
+  EXPECT_EQ(named, (std::vector<std::size_t>{3, 4, 5, 6}));
+}
+
 }  // namespace check_motion_test
 }  // namespace sarsim::scene

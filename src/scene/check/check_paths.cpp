@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "scene/check/check_objects.hpp"
 #include "scene/check/path_error.hpp"

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <tuple>
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
@@ -43,6 +45,8 @@ double beamwidth_of(const Radar& radar) {
 // @param tables  those of geometry tables, too
 template <class Wanted>
 std::vector<Look> looks_if(const Scene& scene, bool tables, const Wanted& wanted) {
+  // Of those that look at one time with one beamwidth the one with the shortest wavelength speaks for all.
+  std::map<std::tuple<double, double, double>, std::size_t> of_times;
   std::vector<Look> looks;
   SceneIndex names(scene);
   const auto add = [&](const auto& products) {
@@ -52,8 +56,13 @@ std::vector<Look> looks_if(const Scene& scene, bool tables, const Wanted& wanted
       const Radar& radar = scene.radars[at];
       const auto carriers = carrier_span(radar);
       if (!carriers || !(carriers->highest_hz > 0.0) || !std::isfinite(carriers->highest_hz)) continue;
-      looks.push_back({radar.name, radar::wavelength_of(carriers->highest_hz, core::exact_light_speed_mps),
-                       beamwidth_of(radar), product.time_start_s, product.time_end_s});
+      const Look look{radar.name, radar::wavelength_of(carriers->highest_hz, core::exact_light_speed_mps),
+                      beamwidth_of(radar), product.time_start_s, product.time_end_s};
+      const auto [known, is_new] = of_times.try_emplace({look.from_s, look.to_s, look.beamwidth_rad}, looks.size());
+      if (is_new)
+        looks.push_back(look);
+      else if (look.wavelength_m < looks[known->second].wavelength_m)
+        looks[known->second] = look;
     }
   };
   add(scene.simulations);

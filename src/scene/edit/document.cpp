@@ -63,6 +63,15 @@ Document::Document() {
 
 Document Document::open(const fs::path& path) {
   Document document;
+  // Whoever has the document on a screen cannot wait for the other end of a pipe.
+  std::error_code ignored;
+  if (fs::is_fifo(path, ignored)) {
+    core::Problem problem = core::problem_of(core::Severity::error, "cannot read the script: it is a pipe", {}, {},
+                                             "write what comes out of it into a file");
+    problem.place.file = path.string();
+    document.findings_ = {{std::move(problem)}, document.places(), {}};
+    return document;
+  }
   std::optional<std::string> bytes = read_text_file(path);
   const bool json = bytes && language::is_json(*bytes);
   if (!bytes || json || script::find_control_byte(*bytes) != std::string_view::npos) {

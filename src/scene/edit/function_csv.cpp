@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "scene/edit/function_model.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/schema/function_table.hpp"
@@ -60,7 +61,7 @@ class CsvReader {
     core::Problem problem;
     problem.severity = severity;
     problem.message = std::move(message);
-    problem.found = found.substr(0, 80);
+    problem.found = core::quoted_word(found);
     problem.expected = std::move(expected_text);
     problem.place = {file_name_, line.number, 0};
     problems_.push_back(std::move(problem));

@@ -10,6 +10,7 @@
 #include "core/maths/constants.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/model/world_frame.hpp"
 #include "scene/schema/table_text.hpp"
@@ -229,7 +230,7 @@ TargetLine read_target_line(const TableLine& line, const TargetColumns& columns)
     if (empty && kind == 3) continue;
     if (empty) {
       read.message = fmt::format("{} is missing", meant[kind].words);
-      read.found = line.text;
+      read.found = core::quoted_word(line.text);
       break;
     }
     const QuantityReading reading = read_cell(line.cells[*at], meant[kind].quantity, columns.unit[kind]);
@@ -239,7 +240,7 @@ TargetLine read_target_line(const TableLine& line, const TargetColumns& columns)
       read.message = fmt::format("{} is too large to compute with", meant[kind].words);
     else if (columns.geodetic && kind == 0 && !(std::abs(*reading.value) <= 90.0))
       read.message = "latitude is beyond a pole";
-    if (!read.message.empty()) read.found = line.cells[*at];
+    if (!read.message.empty()) read.found = core::quoted_word(line.cells[*at]);
     read.values[kind] = reading.value.value_or(0.0);
   }
   return read;

@@ -9,6 +9,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 
 namespace sarsim::scene::ephemeris {
 
@@ -16,12 +17,27 @@ namespace {
 
 constexpr FileProblems::Mark unlisted = static_cast<FileProblems::Mark>(-1);
 
+// Of what stands in the file no more than a word is told; what was made of it ("1 of 3") is told as it is.
+// @param quoted  whether a word of it was told before, which is then enough
+std::string shown(std::string_view text, std::string_view at, std::string_view found, bool& quoted) {
+  std::string_view quote = found;
+  if (quote.ends_with("...")) quote.remove_suffix(3);
+  const char* const begin = text.data();
+  const bool within = !std::less<>{}(at.data(), begin) && !std::less<>{}(begin + text.size(), at.data());
+  if (quote.empty() || at.data() == nullptr || !within) return core::clipped(found);
+  const auto offset = static_cast<std::size_t>(at.data() - begin);
+  const std::size_t line = offset == 0 ? 0 : text.rfind('\n', offset - 1) + 1;
+  const std::size_t end = std::min(text.find('\n', offset), text.size());
+  if (text.substr(line, end - line).find(quote) == std::string_view::npos) return core::clipped(found);
+  return std::exchange(quoted, true) ? std::string() : core::quoted_word(found);
+}
+
 }  // namespace
 
 FileProblems::Mark FileProblems::add(core::Severity severity, std::string_view at, ProblemWords words) {
   std::size_t& count = severity == core::Severity::error ? errors_ : warnings_;
   if (count++ >= limit) return unlisted;
-  core::Problem problem = core::problem_of(severity, std::move(words.message), core::clipped(words.found),
+  core::Problem problem = core::problem_of(severity, std::move(words.message), shown(text_, at, words.found, quoted_),
                                            std::move(words.expected), std::move(words.hint));
   problem.place = place_of(at);
   problems_.push_back(std::move(problem));

@@ -90,6 +90,11 @@ class Taking {
   void take(std::string_view text, const std::string& file, const std::string& name) {
     Source source = source_of(text, file, name);
     SourceReader reader(source, reading_);
+    // What an included file that is no scene says is not told: it may never have been meant to be read.
+    if (!name.empty() && reader.root_entry("format") == nullptr) {
+      reading_.names_lost = true;
+      return check_mark(reader);
+    }
     reader.report_mistakes();
     const auto is_broken = [](const toml::Table& table) { return table.broken; };
     reading_.names_lost = reading_.names_lost || std::ranges::any_of(source.document.tables, is_broken);
@@ -232,6 +237,19 @@ class NamesReader {
 };
 
 }  // namespace
+
+bool includes_files(std::string_view text) {
+  if (text.find("include") == std::string_view::npos) return false;
+  std::string other;
+  if (is_json(text)) text = other = read_json(text).toml;
+  const toml::Document document = toml::parse(text);
+  const toml::Table& root = document.tables.front();
+  for (std::size_t i = 0; i < root.entries; ++i) {
+    const std::vector<std::string> key = toml::key_parts(text, document.entries[root.first_entry + i].key);
+    if (!key.empty() && key.front() == "include") return true;
+  }
+  return false;
+}
 
 void take_apart(std::string_view text, const std::string& file, Reading& reading, Sources& sources) {
   Taking(reading, sources).take_first(text, file);

@@ -17,6 +17,9 @@ struct Sources {
   std::deque<Source> sources;
 };
 
+/// Whether a text of format 2 includes files.
+[[nodiscard]] bool includes_files(std::string_view text);
+
 /// Takes a text apart and everything that it includes, each file once; reports what is wrong with them.
 void take_apart(std::string_view text, const std::string& file, Reading& reading, Sources& sources);
 

@@ -4,12 +4,14 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 
 namespace sarsim::scene {
 
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
+constexpr std::size_t most_cells = std::size_t{1} << 16U;  // No table has more columns; what follows is one cell.
 
 std::string_view unquoted(std::string_view cell) {
   cell = core::trimmed(cell);
@@ -23,7 +25,8 @@ void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
   for (const char separator : {'\t', ';', ','}) {
     if (line.find(separator) == std::string_view::npos) continue;
     std::size_t start = 0;
-    for (std::size_t end = line.find(separator); end != std::string_view::npos; end = line.find(separator, start)) {
+    for (std::size_t end = line.find(separator); end != std::string_view::npos && cells.size() < most_cells;
+         end = line.find(separator, start)) {
       cells.push_back(unquoted(line.substr(start, end - start)));
       start = end + 1;
     }
@@ -31,7 +34,8 @@ void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
     while (!cells.empty() && cells.back().empty()) cells.pop_back();
     return;
   }
-  for (std::size_t start = line.find_first_not_of(blanks); start != std::string_view::npos;) {
+  for (std::size_t start = line.find_first_not_of(blanks);
+       start != std::string_view::npos && cells.size() < most_cells;) {
     const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
     cells.push_back(unquoted(line.substr(start, end - start)));
     start = line.find_first_not_of(blanks, end);
@@ -96,7 +100,13 @@ QuantityReading read_cell(std::string_view cell, Quantity quantity, const std::s
     if (column_unit.empty()) return {*plain, {}};
     return read_quantity(std::string(cell) + " " + column_unit, quantity);
   }
-  return read_quantity(cell, quantity);
+  QuantityReading reading = read_quantity(cell, quantity);
+  // No more of it is told than a word: the table may be a file of another kind.
+  const std::string whole = core::clipped(core::trimmed(cell));
+  const std::string word = core::quoted_word(cell);
+  if (const std::size_t at = reading.failure.find(whole); at != std::string::npos && !whole.empty() && word != whole)
+    reading.failure.replace(at, whole.size(), word);
+  return reading;
 }
 
 }  // namespace sarsim::scene

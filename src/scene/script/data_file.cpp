@@ -163,6 +163,8 @@ DataFileReading read_data_file(std::string_view text, const std::string& file_na
     reporter.warning(rest, "", {"numbers after the last function are ignored", shown(rest.text)});
     for (core::Problem& problem : log.take()) reading.problems.push_back(std::move(problem));
   }
+  // One word of the file is enough to see that it is another kind of file.
+  for (std::size_t i = 1; i < reading.problems.size(); ++i) reading.problems[i].found.clear();
   return reading;
 }
 

@@ -1,10 +1,11 @@
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <span>
@@ -44,31 +45,81 @@ std::string refusal(const fs::path& path) {
 
 std::string too_large() { return fmt::format("is larger than {}", core::bytes_text(double{largest_script_bytes})); }
 
-FileBytes read_bytes(const fs::path& path) {
+std::string failure_text(int error) {
+  return std::error_code(error != 0 ? error : EIO, std::generic_category()).message();
+}
+
+// A file that is read from its begin to its end, whatever it is: the work that waits for a pipe can be stopped.
+class Stream {
+ public:
+  // Without O_NONBLOCK the opening of a pipe would wait for somebody to write.
+  Stream(const fs::path& path, const core::StopFlag* stop)
+      : stop_(stop), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
+    if (descriptor_ < 0) failure_ = errno;
+  }
+  Stream(const Stream&) = delete;
+  Stream& operator=(const Stream&) = delete;
+  ~Stream() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+
+  // Bytes that were read; 0 at the end, and where there is a `failure`.
+  std::size_t read(std::span<char> bytes) {
+    while (failure_ == 0) {
+      if (stop_ != nullptr && stop_->requested()) throw core::Interrupted();
+      const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
+      if (got > 0) return begun_ = true, static_cast<std::size_t>(got);
+      if (got < 0 && errno == EINTR) continue;
+      if (got < 0 && errno != EAGAIN) return failure_ = errno, 0;
+      // A pipe that nobody has opened yet to write into ends like one that somebody has left.
+      if (got == 0 && (begun_ || !waits())) return 0;
+      if (got < 0) static_cast<void>(waits());
+    }
+    return 0;
+  }
+  // Why it cannot be read, as errno has it; 0 for none.
+  [[nodiscard]] int failure() const { return failure_; }
+
+ private:
+  // Waits a little for more; false where nothing more can come.
+  bool waits() const {
+    constexpr int patience_ms = 20;
+    pollfd wanted{.fd = descriptor_, .events = POLLIN, .revents = 0};
+    static_cast<void>(::poll(&wanted, 1, patience_ms));
+    struct stat status {};
+    const bool pipe = ::fstat(descriptor_, &status) == 0 && S_ISFIFO(status.st_mode);
+    return pipe && (wanted.revents & (POLLHUP | POLLERR)) == 0;
+  }
+
+  const core::StopFlag* stop_;
+  int descriptor_;
+  int failure_ = 0;
+  bool begun_ = false;
+};
+
+FileBytes read_bytes(const fs::path& path, const core::StopFlag* stop) {
   FileBytes bytes;
   bytes.failure = refusal(path);
   if (!bytes.failure.empty()) return bytes;
   std::error_code unknown_size;
   const std::uintmax_t size = fs::file_size(path, unknown_size);
   if (!unknown_size && size > largest_script_bytes) return {{}, too_large()};
-  errno = 0;
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) return {{}, std::error_code(errno != 0 ? errno : EIO, std::generic_category()).message()};
+  Stream stream(path, stop);
   constexpr std::size_t piece = std::size_t{1} << 20;
   if (!unknown_size) bytes.text.reserve(static_cast<std::size_t>(size));
   std::vector<char> buffer(piece);
-  while (stream.read(buffer.data(), static_cast<std::streamsize>(piece)), stream.gcount() > 0) {
-    bytes.text.append(buffer.data(), static_cast<std::size_t>(stream.gcount()));
+  while (const std::size_t got = stream.read(buffer)) {
+    bytes.text.append(buffer.data(), got);
     if (bytes.text.size() > largest_script_bytes) return {{}, too_large()};
   }
-  if (stream.bad()) return {{}, "cannot be read to its end"};
+  if (stream.failure() != 0) return {{}, failure_text(stream.failure())};
   return bytes;
 }
 
 // A file that all threads read at once, each at its own place, also where it is replaced meanwhile.
 class SharedFile {
  public:
-  explicit SharedFile(const fs::path& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  explicit SharedFile(const fs::path& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
   SharedFile(const SharedFile&) = delete;
   SharedFile& operator=(const SharedFile&) = delete;
   ~SharedFile() {
@@ -144,7 +195,7 @@ DataFileText load(const fs::path& script_folder, const std::string& name) {
   }
   // Nobody stands at the other end of a pipe that a script names, and one would wait for ever.
   std::error_code ignored;
-  FileBytes bytes = fs::is_fifo(place, ignored) ? FileBytes{{}, "is not a file"} : read_bytes(place);
+  FileBytes bytes = fs::is_fifo(place, ignored) ? FileBytes{{}, "is not a file"} : read_bytes(place, nullptr);
   if (bytes.failure.empty()) return {place.string(), std::move(bytes.text), {}};
   return {place.string(), {}, fmt::format("data file {}: {}", place.string(), bytes.failure)};
 }
@@ -193,7 +244,7 @@ ScriptReading read_script_file(const fs::path& path, const ReadControl& control)
 ScriptReading read_text_of_file(const fs::path& path, const ReadControl& control, TextReader& read) {
   if (const std::optional<LargeText> text = read_large(path, control.work))
     return read({text->bytes.get(), text->size}, path.string(), disk_loader(path.parent_path()), control);
-  const FileBytes bytes = read_bytes(path);
+  const FileBytes bytes = read_bytes(path, control.work.stop);
   if (bytes.failure.empty()) return read(bytes.text, path.string(), disk_loader(path.parent_path()), control);
   ScriptReading result;
   core::Problem problem;

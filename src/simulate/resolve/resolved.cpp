@@ -126,9 +126,8 @@ signal::WindowFunction window_of(const scene::Radar& radar, core::InterpolationR
 }
 
 // Positions in ResolvedScene::platforms, of which the last is the world itself.
-std::uint32_t platform_number(scene::SceneIndex& names, const scene::Scene& scene, const std::string& name) {
-  if (const std::size_t found = names.platform(name); found != scene::not_found)
-    return static_cast<std::uint32_t>(found);
+std::uint32_t platform_number(std::size_t found, const scene::Scene& scene, const std::string& name) {
+  if (found != scene::not_found) return static_cast<std::uint32_t>(found);
   if (core::equal_ignoring_case(name, "Earth")) return static_cast<std::uint32_t>(scene.platforms.size());
   throw std::invalid_argument("platform '" + name + "' is not defined");
 }
@@ -184,7 +183,7 @@ void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedSc
       throw core::Interrupted();
     if (&*target.traits != traits) s = scatterer_of(*target.traits, resolved);
     traits = &*target.traits;
-    s.platform = platform_number(names, scene, *target.platform);
+    s.platform = platform_number(names.platform(*target.platform), scene, *target.platform);
     s.position_m = target.position_m;
     s.rcs_m2 = target.rcs_m2;
     resolved.scatterers.push_back(s);
@@ -193,7 +192,7 @@ void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedSc
     if (!cloud.points || cloud.points->file != cloud.file)
       throw std::invalid_argument("the points of cloud '" + cloud.file + "' are not read");
     Scatterer common = scatterer_of(cloud.traits, resolved);
-    common.platform = platform_number(names, scene, cloud.platform);
+    common.platform = platform_number(names.platform(cloud.platform), scene, cloud.platform);
     resolved.scatterers.add_cloud({common, arrays_of(cloud), cloud.points->least_m, cloud.points->most_m});
   }
 }
@@ -254,7 +253,8 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   add_targets(scene, names, resolved, control);
   resolved.sheets.resize(scene.surfaces.size());
   for (std::size_t i = 0; i < scene.surfaces.size(); ++i)
-    resolved.sheets[i].platform = platform_number(names, scene, scene.surfaces[i].platform);
+    resolved.sheets[i].platform =
+        platform_number(names.platform(scene.surfaces[i].platform), scene, scene.surfaces[i].platform);
   core::parallel_ranges(scene.surfaces.size(), 1, control, [&](std::size_t i, std::size_t) {
     radar::SurfaceLattice lattice = radar::fill_triangle(scene.surfaces[i].corner_m, surface_points_per_m2);
     ScattererSheet& sheet = resolved.sheets[i];
@@ -288,8 +288,8 @@ ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& reso
   const core::InterpolationRules rule = interpolation_rules(resolved.options);
   ResolvedRadar r;
   r.name = radar.name;
-  scene::SceneIndex names(scene);
-  r.platform = platform_number(names, scene, radar.platform);
+  // A table of all names, for this one, would be made for each radar of a scene that has thousands.
+  r.platform = platform_number(scene::find_platform(scene, radar.platform), scene, radar.platform);
   r.pulse = scene::pulse_of(radar, rule);
   r.repetition = radar.repetition == scene::Radar::Repetition::constant
                      ? radar::Repetition::constant(radar.prf_hz)

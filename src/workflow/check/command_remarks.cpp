@@ -4,13 +4,16 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "core/report/refused.hpp"
 #include "radar/path/path.hpp"
+#include "scene/model/scene_index.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "workflow/focus/focus.hpp"
@@ -59,12 +62,8 @@ Movement movement_of(const simulate::Plan& plan) {
   geometry.set_pulse(plan.pulses.first);
   const core::Vec3 first_m = geometry.radar_pose().position_world_m;
   geometry.set_pulse(plan.pulses.last);
-  core::Vec3 flown_m = geometry.radar_pose().position_world_m - first_m;
+  const core::Vec3 flown_m = geometry.radar_pose().position_world_m - first_m;
   geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
-  // A flight around the scene ends where it began.
-  if (const core::Vec3 half_m = geometry.radar_pose().position_world_m - first_m;
-      core::norm(half_m) > core::norm(flown_m))
-    flown_m = half_m;
   movement.radar = core::norm(geometry.radar_pose().velocity_world_mps) > rest_mps;
   const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), plan.scene->conventions.light_speed_mps);
   for (const simulate::Scatterer& s : plan.scene->scatterers) {
@@ -98,7 +97,6 @@ core::Problems remarks_on_pulses(const simulate::Plan& plan, std::size_t pulses,
 scene::Scene without_reflectors(const scene::Scene& scene) {
   scene::Scene some;
   some.platforms = scene.platforms;
-  some.radars = scene.radars;
   some.simulations = scene.simulations;
   some.options = scene.options;
   return some;
@@ -109,7 +107,7 @@ class Asking {
  public:
   Asking(const scene::Scene& scene, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
          const core::WorkControl& control)
-      : scene_(without_reflectors(scene)), resolved_(resolved), control_(control) {}
+      : scene_(without_reflectors(scene)), all_(scene), names_(scene), resolved_(resolved), control_(control) {}
 
   core::Problems all() {
     for (std::size_t i = 0; i < scene_.simulations.size(); ++i) ask(i);
@@ -132,6 +130,8 @@ class Asking {
 
   void ask(std::size_t index) {
     const scene::Simulation asked = scene_.simulations[index];
+    // Alone: each question looks for it by its name.
+    scene_.radars.assign(1, all_.radars.at(names_.radar(asked.radar)));
     const simulate::Plan plan =
         simulate::make_plan(scene_, index, resolved_, simulate::Engine::reference, control_.stop);
     const Movement movement = movement_of(plan);
@@ -172,14 +172,11 @@ class Asking {
     }
     for (core::Problem& remark : remarks) {
       remark.subject = {"simulation", index, ""};
-      const auto same = std::ranges::find_if(said_, [&](const Said& other) {
-        return other.remark.subject == remark.subject && other.remark.message == remark.message &&
-               other.remark.found == remark.found;
-      });
-      if (same == said_.end())
+      const auto [same, is_new] = places_.try_emplace({index, remark.message, remark.found}, said_.size());
+      if (is_new)
         said_.push_back({command, std::move(remark)});
       else
-        same->commands += std::string(" and ") + command;
+        said_[same->second].commands += std::string(" and ") + command;
     }
   }
 
@@ -219,11 +216,14 @@ class Asking {
     return core::has_errors(input.problems) ? input.problems : remarks_of_focus(std::move(input), control_);
   }
 
-  scene::Scene scene_;
+  scene::Scene scene_;  // With the radar that is asked about, and no other.
+  const scene::Scene& all_;
+  scene::SceneIndex names_;
   const std::shared_ptr<const simulate::ResolvedScene>& resolved_;
   const core::WorkControl& control_;
   std::set<std::pair<std::string, std::string>> asked_;  // command, radar
   std::vector<Said> said_;
+  std::map<std::tuple<std::size_t, std::string, std::string>, std::size_t> places_;  // In `said_`.
 };
 
 }  // namespace

@@ -281,12 +281,9 @@ ConvertReport convert(const ConvertRequest& request, const core::Observer& obser
   const std::shared_ptr<const raster::Raster> file =
       request.held ? request.held : open_samples(request.input, hints, observer);
   Conversion conversion(*file, hints, request, observer);
-  OutputCare care{sources_of_script(request.sample.script), request.force, "OUT"};
-  if (!request.held) {
-    care.sources.emplace_back(request.input);
-    care.sources.emplace_back(raster::envi_header_of(request.input));
-  }
-  expect_free_outputs(conversion.outputs(), care);
+  std::vector<std::filesystem::path> named{request.sample.script};
+  if (!request.held) named.emplace_back(request.input);
+  expect_free_outputs(conversion.outputs(), {InputList::named(std::move(named)), request.force, "OUT"});
   return conversion.carry_out();
 }
 

@@ -240,7 +240,8 @@ void write_references(const ReferencesRequest& request, const core::Observer& ob
     const simulate::Plan plan = plan_of_file(request.input, request.sample.script);
     if (plan.rows == raster->rows() && plan.columns == raster->columns()) add_axes(arrays, plan);
   }
-  expect_free_outputs({request.output}, {{request.input}, request.force, "--references"});
+  expect_free_outputs({request.output},
+                      {InputList::named({request.input, request.sample.script}), request.force, "--references"});
   core::OutputFile output(request.output, request.force);
   const std::string text = ReferenceWriter(*raster, file).text(arrays);
   output.write(std::as_bytes(std::span(text)));

@@ -79,9 +79,11 @@ ConvertReport convert_to_sicd(const ConvertRequest& request, const core::Observe
                         "leave them out");
   const core::WorkControl control = observer.control(core::thread_count(0));
   const CopiedImage opened = opened_image(request, observer);
-  OutputCare care{{request.input, raster::envi_header_of(request.input)}, request.force, "OUT"};
+  OutputCare care{{request.input}, request.force, "OUT"};
   expect_free_outputs({request.output}, care);
   const FocusInput input = recorded(opened, request, observer, control);
+  care.sources.add(input.sources);
+  expect_free_outputs({request.output}, care);
   const EarthPlace place = earth_place(input.world, request.anchor, "SICD");
   const ImageMaking making{opened.image, opened.origin.options, opened.origin.algorithm == "back-projection"};
   ImageOrigin origin = opened.origin;

@@ -86,12 +86,14 @@ OpenedPlan plan_of_scene(RecordingArguments arguments, const core::WorkControl& 
   return {plan, rows_of_plan(plan), input.scene.world, simulation, std::move(input.sources)};
 }
 
-OpenedPlan plan_of_file(const RecordingArguments& arguments, core::Problems& remarks) {
-  StoredRecording stored = open_recording(arguments, records_pulses, [](const simulate::Plan& plan) {
+OpenedPlan plan_of_file(const RecordingArguments& arguments, const core::WorkControl& control,
+                        core::Problems& remarks) {
+  const auto problems_of = [](const simulate::Plan& plan) {
     core::Problems problems;
     expect_exchangeable(plan, problems);
     return problems;
-  });
+  };
+  StoredRecording stored = open_recording(arguments, records_pulses, problems_of, control);
   std::ranges::move(stored.problems, std::back_inserter(remarks));
   return {stored.plan, std::move(stored.rows), stored.scene.world, stored.simulation, std::move(stored.sources)};
 }
@@ -117,7 +119,7 @@ std::string Collection::start_text() const { return radar::format_instant(start,
 Collection open_collection(const CollectionArguments& arguments, const core::WorkControl& control,
                            core::Problems& remarks) {
   OpenedPlan opened = names_script(arguments.input) ? plan_of_scene(arguments.input, control, remarks)
-                                                    : plan_of_file(arguments.input, remarks);
+                                                    : plan_of_file(arguments.input, control, remarks);
   core::Problems problems = problems_of_sar(*opened.plan, true);
   expect_exchangeable(*opened.plan, problems);
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));

@@ -144,14 +144,14 @@ bool is_exchange_file(const std::filesystem::path& path) {
 ExportReport export_recording(const ExportRequest& request, const core::Observer& observer) {
   const unsigned threads = core::thread_count(request.threads);
   const core::WorkControl control = observer.control(threads);
-  OutputCare care{named_sources(request.input), request.force, "OUT"};
+  OutputCare care{InputList::named(named_sources(request.input)), request.force, "OUT"};
   expect_free_outputs({request.output}, care);
   core::Problems remarks;
   Collection collection = open_collection({request.input, is_crsd(request.output) ? "CRSD" : "CPHD",
                                            request.reference.value_or(ReferencePoint{}), request.anchor},
                                           control, remarks);
   collection.name = request.output.stem().string();
-  care.sources = collection.sources;
+  care.sources.add(collection.sources);
   expect_free_outputs({request.output}, care);
   const CollectionExtent extent = extent_of(collection, control);
   if (is_crsd(request.output)) {

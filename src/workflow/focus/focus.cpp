@@ -28,6 +28,7 @@
 #include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/focus/swath_remark.hpp"
 #include "workflow/image/image_output.hpp"
+#include "workflow/input/output_names.hpp"
 #include "workflow/input/override_words.hpp"
 
 namespace sarsim::workflow {
@@ -285,6 +286,7 @@ std::vector<TargetTheory> theory_of_focus(const FocusRequest& asked, const core:
 
 FocusWork begin_focus(FocusInput input, const FocusRequest& asked, const core::WorkControl& control) {
   expect_sense(asked);
+  expect_free_outputs(outputs_of(asked), {input.sources, asked.force, "--out"});
   FocusRequest request = asked;
   auto place = wanted_place(request, input);
   FocusWork work = work_on(std::move(input), request, control);

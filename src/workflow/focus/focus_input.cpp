@@ -60,15 +60,18 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
   std::ranges::move(input.problems, std::back_inserter(focus.problems));
   if (core::has_errors(focus.problems)) throw core::Refused(core::ranked(std::move(focus.problems)));
   believe(navigation, input.scene, focus);
+  focus.sources = std::move(input.sources);
   return focus;
 }
 
-FocusInput of_file(const RecordingArguments& arguments, const std::string& navigation) {
-  StoredRecording stored =
-      open_recording(arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); });
+FocusInput of_file(const RecordingArguments& arguments, const core::WorkControl& control,
+                   const std::string& navigation) {
+  StoredRecording stored = open_recording(
+      arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); }, control);
   FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems), stored.scene.world};
   focus.echoes = sar_rows_of_recording(focus.plan, stored.rows);
   believe(navigation, stored.scene, focus);
+  focus.sources = std::move(stored.sources);
   return focus;
 }
 
@@ -93,7 +96,7 @@ FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
 FocusInput open_focus_input(const RecordingArguments& arguments, const core::WorkControl& control,
                             const std::string& navigation) {
   FocusInput focus =
-      names_script(arguments) ? of_script(arguments, control, navigation) : of_file(arguments, navigation);
+      names_script(arguments) ? of_script(arguments, control, navigation) : of_file(arguments, control, navigation);
   focus.problems = core::ranked(std::move(focus.problems));
   return focus;
 }

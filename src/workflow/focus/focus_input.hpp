@@ -1,6 +1,8 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "signal/sar/focusing.hpp"
 #include "simulate/plan/plan.hpp"
@@ -12,9 +14,10 @@ namespace sarsim::workflow {
 struct FocusInput {
   std::shared_ptr<const simulate::Plan> plan;
   signal::EchoRows echoes;
-  std::size_t simulation = 0;  ///< Position in the script's list.
-  core::Problems problems;     ///< Warnings about script and file.
-  scene::World world;          ///< Where and when the scene is.
+  std::size_t simulation = 0;                    ///< Position in the script's list.
+  core::Problems problems;                       ///< Warnings about script and file.
+  scene::World world;                            ///< Where and when the scene is.
+  std::vector<std::filesystem::path> sources{};  ///< Files that the echoes are made from.
 };
 
 /// Simulation number `simulation` of a sound scene, which becomes what focusing wants recorded (`recorded_for_sar`).

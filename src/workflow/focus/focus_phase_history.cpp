@@ -1,10 +1,8 @@
 #include "workflow/focus/focus_phase_history.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <memory>
 #include <tuple>
@@ -14,6 +12,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/os/free_memory.hpp"
+#include "core/os/input_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
@@ -229,9 +228,8 @@ void sum_up(const PhaseHistoryRows& rows, const signal::PointGrid& grid, const s
 bool is_phase_history(const std::string& path) {
   const raster::Format* const row = raster::row_from_path(path);
   if (row != nullptr && row->signature == "CPHD/") return true;
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 5> begin{};
-  return file.read(begin.data(), begin.size()) && std::string_view(begin.data(), begin.size()) == "CPHD/";
+  constexpr std::string_view signature = "CPHD/";
+  return core::beginning_of(path, signature.size()) == signature;
 }
 
 FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer& observer) {

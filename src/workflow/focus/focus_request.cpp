@@ -37,12 +37,6 @@ void expect_options_that_agree(const FocusRequest& request) {
     throw core::Refused("--autofocus-piece must be above 0", "give metres along the track");
 }
 
-std::string script_of(const RecordingArguments& input) {
-  if (input.held) return {};  // Its sources are known.
-  if (!input.script.empty()) return input.script;
-  return holds_script(input.path) ? input.path : std::string();
-}
-
 // A folder, or else the nearest one above it.
 fs::path first_that_exists(fs::path folder) {
   std::error_code ignored;
@@ -55,10 +49,9 @@ void expect_outputs_to_be_free(const FocusRequest& request) {
     throw core::Refused("--magnitude makes ENVI images", "name the output .img");
   const std::vector<fs::path> paths = outputs_of(request);
   for (const fs::path& path : paths) expect_no_picture(path, "--out");
-  OutputCare care{named_sources(request.input), request.force, "--out"};
-  if (request.force)  // Otherwise nothing that exists is replaced.
-    std::ranges::move(sources_of_script(script_of(request.input)), std::back_inserter(care.sources));
-  expect_free_outputs(paths, care);
+  std::vector<fs::path> named = named_sources(request.input);
+  if (!request.navigation.empty()) named.emplace_back(request.navigation);
+  expect_free_outputs(paths, {InputList::named(std::move(named)), request.force, "--out"});
   for (const fs::path& path : paths) {
     const fs::path folder = first_that_exists(path.parent_path());
     std::error_code ignored;

@@ -159,11 +159,10 @@ void expect_free_pictures(const MeasureRequest& request, const std::vector<Targe
                           std::vector<fs::path> sources) {
   if (request.pictures.empty()) return;
   sources.push_back(request.image);
-  sources.push_back(raster::envi_header_of(request.image.string()));
   std::vector<fs::path> pictures;
   for (const TargetTheory& theory : theories)
     if (is_asked_for(request, theory)) pictures.push_back(picture_of(request, theory));
-  expect_free_outputs(pictures, {std::move(sources), request.force, "--cuts", request.pictures});
+  expect_free_outputs(pictures, {InputList::named(std::move(sources)), request.force, "--cuts", request.pictures});
 }
 
 // Of a peak, carried from where it was found to a place near it.

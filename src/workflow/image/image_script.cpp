@@ -10,6 +10,7 @@
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "scene/language/scene_reader.hpp"
+#include "scene/language/sources.hpp"
 #include "workflow/input/motion_input.hpp"
 #include "workflow/input/recording_input.hpp"
 #include "workflow/input/script_sum.hpp"
@@ -40,6 +41,7 @@ std::optional<std::string> checksum_of(const std::string& source, const std::str
     if (!opened.raster) return std::nullopt;
     const std::string text = raster::attribute_of(opened.raster->info().attributes, "script");
     if (text.empty()) return std::nullopt;
+    if (scene::language::includes_files(text)) return std::nullopt;
     reading = scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path()));
   }
   if (core::has_errors(reading.problems)) return std::nullopt;

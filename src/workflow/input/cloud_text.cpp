@@ -11,6 +11,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "scene/edit/import_targets.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/model/world_frame.hpp"
@@ -24,6 +25,7 @@ using scene::TargetColumns;
 
 constexpr std::size_t piece_bytes = std::size_t{1} << 22;
 constexpr std::size_t heading_bytes = std::size_t{1} << 16;
+constexpr std::size_t longest_line = std::size_t{1} << 16;  // of a point: anything longer is another kind of file
 constexpr std::size_t rcs_quantity = 3;
 
 // The points of some lines.
@@ -62,6 +64,13 @@ class LineReader {
   }
 
   void read(std::string_view line, TextPiece& piece) const {
+    if (line.size() > longest_line) {
+      if (piece.fault) return;
+      piece.fault_line = piece.lines;
+      piece.fault = TableFault{"the line is too long for a point", fmt::format("over {} bytes", longest_line),
+                               columns_.words(), "Write each point into a line of its own."};
+      return;
+    }
     line = trimmed(line);
     if (line.empty() || line.front() == '#' || line.front() == '!') return;
     std::array<double, TargetColumns::quantities> values{0.0, 0.0, 0.0, 1.0};
@@ -136,7 +145,9 @@ std::string lines_of(const core::InputFile& file, std::size_t number) {
     if (end == std::string::npos) return {};
     text.erase(0, end + 1);
   }
-  for (std::uint64_t at = begin + piece_bytes; at < file.size() && !text.ends_with('\n');) {
+  // Of a line that is too long no more than shows it.
+  for (std::uint64_t at = begin + piece_bytes;
+       at < file.size() && at <= begin + piece_bytes + 2 * longest_line && !text.ends_with('\n');) {
     std::string more(static_cast<std::size_t>(std::min<std::uint64_t>(4096, file.size() - at)), '\0');
     file.read_all_at(at, std::as_writable_bytes(std::span(more)));
     at += more.size();
@@ -195,7 +206,8 @@ Heading heading_of(const core::InputFile& file, const PointTable& table) {
   core::Problems problems;
   heading.columns = scene::target_columns(lines.front(), problems);
   if (!problems.empty()) {
-    heading.fault = TableFault{problems.front().message, problems.front().found, problems.front().expected, {}};
+    heading.fault =
+        TableFault{problems.front().message, core::quoted_word(problems.front().found), problems.front().expected, {}};
     return heading;
   }
   if (auto problem = scene::problem_of_places(heading.columns, lines.front(), table.world, table.platform)) {
@@ -206,7 +218,7 @@ Heading heading_of(const core::InputFile& file, const PointTable& table) {
     heading.lines = lines.front().number;
     if (names_phase(lines.front()))
       heading.fault = TableFault{"the table has a column of phases, which echoes cannot have yet",
-                                 std::string(lines.front().text), "x, y, z and, where there is one, rcs",
+                                 core::quoted_word(lines.front().text), "x, y, z and, where there is one, rcs",
                                  "Leave the column out, or give it another name to have it ignored."};
   } else {
     heading.columns.at[rcs_quantity] =

@@ -96,11 +96,12 @@ bool is_linked_out_of(const fs::path& folder, const fs::path& path) {
   return !failure && std::ranges::mismatch(inside, end).in1 != inside.end();
 }
 
-// The file that an output will be: links that stand at its name lead to another.
-fs::path file_of(const fs::path& path) {
-  std::error_code failure;
-  const fs::path end = fs::weakly_canonical(fs::absolute(core::end_of_links(path)), failure);
-  return failure ? fs::absolute(path).lexically_normal() : end;
+// The Zarr store of this program that a file is a part of; empty where there is none.
+fs::path store_around(const fs::path& path) {
+  fs::path folder = file_place(path).parent_path();
+  for (int depth = 0; depth < 2 && folder.has_relative_path(); ++depth, folder = folder.parent_path())
+    if (raster::is_own_zarr_store(folder)) return folder;
+  return {};
 }
 
 // What to do where an output cannot have the name that an option or a word of the command line gave it.
@@ -114,7 +115,7 @@ core::Problems problems_of_header(const fs::path& path, const std::vector<fs::pa
   if (path.extension() != ".hdr") return problems;
   for (const fs::path& image : raster::images_of_header(path)) {
     const bool replaced =
-        std::ranges::any_of(outputs, [&](const fs::path& output) { return file_of(output) == file_of(image); });
+        std::ranges::any_of(outputs, [&](const fs::path& output) { return file_place(output) == file_place(image); });
     if (replaced) continue;
     core::Problem problem;
     problem.message = fmt::format(
@@ -180,7 +181,7 @@ void expect_free_outputs(const std::vector<fs::path>& paths, const OutputCare& c
   for (const fs::path& path : paths) {
     std::ranges::move(problems_of_output(path, care), std::back_inserter(problems));
     std::ranges::move(problems_of_header(path, paths), std::back_inserter(problems));
-    const auto [known, is_new] = taken.emplace(file_of(path), path);
+    const auto [known, is_new] = taken.emplace(file_place(path), path);
     if (is_new) continue;
     problems.push_back({});
     if (known->second.lexically_normal() != path.lexically_normal()) {
@@ -209,12 +210,17 @@ core::Problems problems_of_output(const fs::path& path, const OutputCare& care) 
     problem.hint = "remove the link, or choose with --out the folder that it leads to";
     return {problem};
   }
+  const std::string another =
+      care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);
   const fs::file_status status = fs::status(path, ignored);
+  if (auto harm = care.sources.harm_of(path, care.force)) {
+    harm->hint = another;
+    return {*std::move(harm)};
+  }
   if (!fs::exists(status)) return {};
   core::Problem problem;
   problem.found = path.string();
-  problem.hint =
-      care.option.empty() ? "give the output another name, or another folder with --out" : another_file(care.option);
+  problem.hint = another;
   const auto format = raster::format_from_path(path);
   const bool to_folder = format && raster::format_of(*format).folder;
   if (fs::is_directory(status) && !raster::is_own_zarr_store(path)) {
@@ -222,8 +228,8 @@ core::Problems problems_of_output(const fs::path& path, const OutputCare& care) 
                                 : "the output's name belongs to a folder";
   } else if (to_folder && !fs::is_directory(status)) {
     problem.message = "the output's name belongs to a file, and a Zarr store is a folder";
-  } else if (std::ranges::any_of(care.sources, [&](const fs::path& s) { return fs::equivalent(path, s, ignored); })) {
-    problem.message = "the output would replace the file that it is made from";
+  } else if (const fs::path store = store_around(path); !store.empty()) {
+    problem.message = fmt::format("the output would replace a part of the Zarr store '{}'", store.string());
   } else if (!care.force) {
     problem.message = "the output exists already";
     problem.hint = "replace it with --force, or " +

@@ -7,6 +7,7 @@
 
 #include "core/report/problem.hpp"
 #include "scene/model/scene.hpp"
+#include "workflow/input/input_list.hpp"
 
 namespace sarsim::workflow {
 
@@ -39,8 +40,8 @@ struct OutputNames {
 
 /// What the outputs of a command may not replace, and how its user gives them other names.
 struct OutputCare {
-  std::vector<std::filesystem::path> sources;  ///< What they are made from: input, script, data files of the script.
-  bool force = false;                          ///< Other files that exist are replaced.
+  InputList sources;   ///< What they are made from: input, script, data files of the script.
+  bool force = false;  ///< Other files that exist are replaced.
   /// What names the outputs on the command line, as "--out", "-o or --csv" or "OUT"; empty where the script names them
   /// and --out their folder.
   std::string option = {};
@@ -61,8 +62,8 @@ void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const 
 void expect_free_outputs(const std::vector<std::filesystem::path>& paths, const std::filesystem::path& source,
                          bool force);
 
-/// Problems that keep a file from being made there: a file that exists (unless `force`), a folder of that name, a file
-/// that it is made from.
+/// Problems that keep a file from being made there: a file that exists (unless `force`), a folder of that name, what it
+/// is made from (`InputList::harm_of`), the inside of a Zarr store.
 [[nodiscard]] core::Problems problems_of_output(const std::filesystem::path& path, const OutputCare& care);
 /// The same of an output that is made from one file and named by --out.
 [[nodiscard]] core::Problems problems_of_output(const std::filesystem::path& path, const std::filesystem::path& source,

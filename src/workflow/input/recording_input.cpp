@@ -5,13 +5,13 @@
 #include <cmath>
 #include <complex>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <span>
 
 #include <fmt/format.h>
 
+#include "core/os/input_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/envi.hpp"
@@ -21,6 +21,7 @@
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
+#include "scene/language/sources.hpp"
 #include "workflow/input/motion_input.hpp"
 #include "workflow/input/output_names.hpp"
 
@@ -34,6 +35,23 @@ void take(core::Problems& all, core::Problems more) { std::ranges::move(more, st
 
 void expect_sound(core::Problems problems) {
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
+}
+
+// Nobody asked for the files that a script in a file names: what they hold is not told.
+void drop_quotes(core::Problem& problem) {
+  problem.found.clear();
+  std::string& text = problem.message;
+  for (std::size_t begin = text.find('\''); begin != std::string::npos;) {
+    const std::size_t end = text.find('\'', begin + 1);
+    if (end == std::string::npos) break;
+    text.replace(begin, end + 1 - begin, "'...'");
+    begin = text.find('\'', begin + 5);
+  }
+}
+
+core::Problems without_quotes(core::Problems problems) {
+  std::ranges::for_each(problems, drop_quotes);
+  return problems;
 }
 
 // The simulation that is named, or else the first that suits, or else the first.
@@ -69,8 +87,9 @@ std::size_t simulation_of_file(const scene::Scene& scene, const RecordingArgumen
   return simulation_of_scene(scene, script, arguments.simulation, suits);
 }
 
-scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording) {
-  SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values);
+scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecording& recording,
+                             const core::WorkControl& control) {
+  SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values, control);
   expect_usable(input);
   take(recording.problems, std::move(input.problems));
   std::ranges::move(input.sources, std::back_inserter(recording.sources));
@@ -83,10 +102,10 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
   if (script == info.attributes.end() || script->second.empty())
     throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
                         "give the script that wrote it with --script");
-  scene::ScriptReading reading =
-      scene::read_scene_text(script->second, path + " (its script)", scene::disk_loader(fs::path(path).parent_path()));
+  scene::ScriptReading reading = read_carried_script(script->second, path);
   expect_sound(std::move(reading.problems));
-  core::Problems of_clouds = read_files_of(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)});
+  core::Problems of_clouds =
+      without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)}));
   expect_sound(of_clouds);
   take(recording.problems, std::move(of_clouds));
   expect_sound(scene::check(reading.scene));
@@ -254,12 +273,7 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
 
 // Whether the beginning of a file is format 2, or holds a command of the script language at the start of a line.
 bool begins_like_script(const std::string& path) {
-  std::error_code failure;
-  if (!fs::is_regular_file(path, failure)) return false;
-  std::ifstream file(path, std::ios::binary);
-  std::string text(1U << 16U, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string text = core::beginning_of(path, std::size_t{1} << 16U);
   if (text.find('\0') != std::string::npos) return false;
   if (scene::is_format_2(text) || scene::language::is_json(text)) return true;
   for (std::size_t i = text.find('$'); i != std::string::npos; i = text.find('$', i + 1)) {
@@ -271,6 +285,21 @@ bool begins_like_script(const std::string& path) {
 }
 
 }  // namespace
+
+scene::ScriptReading read_carried_script(const std::string& script, const std::string& path) {
+  const std::string name = path + " (its script)";
+  if (scene::language::includes_files(script)) {
+    core::Problem problem = core::problem_of(
+        core::Severity::error, "the script in the file includes other files", {}, "a script that is complete",
+        "record it again: what is recorded holds all that was included; or give its scene with --script");
+    problem.place.file = name;
+    throw core::Refused({std::move(problem)});
+  }
+  scene::ScriptReading reading = scene::read_scene_text(script, name, scene::disk_loader(fs::path(path).parent_path()));
+  for (core::Problem& problem : reading.problems)
+    if (problem.place.file != name) drop_quotes(problem);
+  return reading;
+}
 
 std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
   if (arguments.held) return arguments.held->input.sources;
@@ -310,7 +339,8 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
 }
 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                               const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
+                               const std::function<core::Problems(const simulate::Plan&)>& problems_of,
+                               const core::WorkControl& control) {
   if (arguments.held) return held_recording(arguments, suits, problems_of);
   StoredRecording recording;
   recording.sources = {arguments.path};
@@ -321,7 +351,7 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
     file = opened(arguments.path, {}, recording.problems);
   }
   recording.scene =
-      file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording);
+      file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording, control);
   recording.simulation = simulation_of_file(recording.scene, arguments, suits);
   recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));

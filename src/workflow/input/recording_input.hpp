@@ -33,6 +33,11 @@ struct RecordingArguments {
 /// opened.
 [[nodiscard]] std::vector<std::filesystem::path> named_sources(const RecordingArguments& arguments);
 
+/// Reads the script that a file of samples carries. It includes nothing, or core::Refused; the data files that it names
+/// are read as ever, but nothing of what they say stands in a problem: whoever made the file chose them.
+/// @param path  of the file, beside which data files are looked for
+[[nodiscard]] scene::ScriptReading read_carried_script(const std::string& script, const std::string& path);
+
 /// Whether the arguments name a script rather than a file of samples.
 [[nodiscard]] bool names_script(const RecordingArguments& arguments);
 
@@ -70,6 +75,7 @@ struct StoredRecording {
 /// that they name or that writes a file of that name. Throws core::Refused where script and file do not fit each other.
 /// @param problems_of  what prevents the plan, asked before the samples are opened; errors end it
 [[nodiscard]] StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                                             const std::function<core::Problems(const simulate::Plan&)>& problems_of);
+                                             const std::function<core::Problems(const simulate::Plan&)>& problems_of,
+                                             const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

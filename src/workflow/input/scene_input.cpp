@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/words.hpp"
 #include "scene/model/cloud_points.hpp"
+#include "scene/model/scene_index.hpp"
 #include "scene/schema/field_names.hpp"
 #include "simulate/survey/survey.hpp"
 #include "workflow/input/bare_number.hpp"
@@ -22,6 +24,8 @@
 #include "workflow/input/target_tables.hpp"
 
 namespace sarsim::workflow {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -44,9 +48,11 @@ core::Problems without_objects_of(core::Problems found, const core::Problems& re
     lost = lost || problem.subject.kind.empty() || problem.subject.field == "name" ||
            problem.subject.index >= objects_of(scene, problem.subject.kind);
   }
+  if (broken.empty()) return found;
+  scene::SceneIndex names(scene);
   const auto add_users = [&](const char* kind, const auto& products) {
     for (std::size_t i = 0; i < products.size(); ++i)
-      if (broken.contains({"radar", scene::find_radar(scene, products[i].radar)})) broken.insert({kind, i});
+      if (broken.contains({"radar", names.radar(products[i].radar)})) broken.insert({kind, i});
   };
   add_users("simulation", scene.simulations);
   add_users("geometry", scene.geometries);
@@ -59,10 +65,13 @@ core::Problems without_objects_of(core::Problems found, const core::Problems& re
 
 // Where check refuses a field, what the reader had to remark about it is said already.
 void drop_warnings_of(const core::Problems& found, core::Problems& reading) {
+  using Key = std::tuple<std::string, std::size_t, std::string>;
+  const auto key_of = [](const core::Subject& subject) { return Key(subject.kind, subject.index, subject.field); };
+  std::set<Key> refused;
+  for (const core::Problem& problem : found)
+    if (problem.severity == core::Severity::error) refused.insert(key_of(problem.subject));
   std::erase_if(reading, [&](const core::Problem& remark) {
-    return remark.severity == core::Severity::warning && std::ranges::any_of(found, [&](const core::Problem& p) {
-             return p.severity == core::Severity::error && p.subject == remark.subject;
-           });
+    return remark.severity == core::Severity::warning && refused.contains(key_of(remark.subject));
   });
 }
 
@@ -349,10 +358,17 @@ std::vector<std::filesystem::path> files_of(const SceneOverrides& overrides,
   std::vector<std::filesystem::path> files;
   const auto add = [&](const std::string& word) {
     const std::string value = word.substr(word.find('=') + 1);
-    for (const std::string& name : {word, value}) {
+    std::vector<std::string> names{word, value};
+    for (std::size_t begin = 0; begin < value.size();) {  // Several values may vary.
+      const std::size_t end = std::min(value.find(',', begin), value.size());
+      names.push_back(value.substr(begin, end - begin));
+      begin = end + 1;
+    }
+    for (const std::string& name : names) {
       if (name.empty()) continue;
-      files.emplace_back(name);
-      files.push_back(script_folder / name);
+      std::error_code none;
+      for (fs::path& file : std::vector<fs::path>{name, script_folder / name})
+        if (fs::is_regular_file(file, none)) files.push_back(std::move(file));
     }
   };
   for (const std::string& table : overrides.targets) add(table);

@@ -85,6 +85,11 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
                                                "lines of x, y, z and, where there is one, the cross-section", {}));
     import.problems.back().place.file = table.file.string();
   }
+  // Not one line of a table: the first of them says so, and the others are not told.
+  if (import.targets.empty() && import.problems.size() > 1) {
+    import.problems.front().count = import.problems.size();
+    import.problems.resize(1);
+  }
   std::ranges::move(import.targets, std::back_inserter(scene.targets));
   return std::move(import.problems);
 }

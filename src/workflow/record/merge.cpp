@@ -33,11 +33,16 @@ class Merger {
     task.output = output();
     task.replace = request_.force;
     for (const std::string& folder : request_.folders) expect_outside(task.output, folder);
-    expect_free_outputs({task.output}, {{}, request_.force, "-o"});
+    if (auto before = joined_before(task)) return {*std::move(before)};
+    const std::vector<fs::path> folders(request_.folders.begin(), request_.folders.end());
+    expect_free_outputs({task.output}, {folders, request_.force, "-o"});
     if (core::Problems problems = problems_of_side_files(task.output); !problems.empty())
       throw core::Refused(std::move(problems));
     for (const std::string& folder : request_.folders) collect(folder, task.journals);
-    task.product = raster::load_product(raster::product_file_of(request_.folders.front()));
+    const fs::path product = raster::product_file_of(request_.folders.front());
+    task.product = raster::load_product(product);
+    if (core::Problems problems = raster::product_problems(task.product, product, task.journals); !problems.empty())
+      throw core::Refused(std::move(problems));
     if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
       throw core::Refused(std::move(problems));
     return {joined(task)};
@@ -102,12 +107,46 @@ class Merger {
     doors_.back().lock();
   }
 
-  [[nodiscard]] RecordingReport joined(const raster::JoinTask& task) {
-    RecordingReport report;
-    report.run = raster::join_parts(task, {core::thread_count(request_.threads), observer_.stop,
-                                           observer_.stage(task.output.string())})
-                     .report;
+  // A process that was killed after it gave the output its name has left the parts, whose rows stand in the output now.
+  [[nodiscard]] std::optional<RecordingReport> joined_before(raster::JoinTask task) {
+    const fs::path folder = raster::parts_folder_of(task.output);
+    std::error_code ignored;
+    if (request_.folders.size() != 1 || !fs::equivalent(folder, request_.folders.front(), ignored)) return std::nullopt;
+    if (fs::exists(raster::shared_rows_of(folder)) || !fs::exists(raster::product_file_of(folder))) return std::nullopt;
+    task.product = raster::load_product(raster::product_file_of(folder));
+    const auto receipt = raster::read_receipt(task.output, task.product);
+    if (!receipt || !raster::differences(receipt->identity, "", task.product.identity, "").empty()) return std::nullopt;
+    task.journals = raster::read_journals(folder);
+    if (!placed(task)) return std::nullopt;
+    task.journals.clear();
+    collect(folder.string(), task.journals);
     clear(task);
+    return report_of(task, receipt->report);
+  }
+
+  [[nodiscard]] RecordingReport joined(const raster::JoinTask& task) {
+    // Whatever a process leaves that is killed from here on stands in a folder that has a door.
+    const fs::path own = raster::parts_folder_of(task.output);
+    const bool entered = std::ranges::any_of(closed_, [&](const fs::path& folder) {
+      std::error_code missing;
+      return fs::equivalent(own, folder, missing);
+    });
+    try {
+      if (!entered) doors_.push_back(raster::open_door(own));
+      const simulate::RunReport run = raster::join_parts(task, {core::thread_count(request_.threads), observer_.stop,
+                                                                observer_.stage(task.output.string())})
+                                          .report;
+      clear(task);
+      return report_of(task, run);
+    } catch (...) {
+      raster::remove_joins(own);
+      throw;
+    }
+  }
+
+  [[nodiscard]] RecordingReport report_of(const raster::JoinTask& task, const simulate::RunReport& run) const {
+    RecordingReport report;
+    report.run = run;
     const simulate::Product& product = task.product.product;
     report.file = task.output.string();
     report.simulation.format = task.product.options.format;
@@ -127,24 +166,19 @@ class Merger {
 
   // Rows that stood at their places have become the output: what is left of their folder is of no use.
   void clear(const raster::JoinTask& task) {
-    doors_.clear();
     const fs::path own = raster::parts_folder_of(task.output);
+    raster::remove_joins(own);
+    doors_.clear();
     for (const std::string& folder : request_.folders)
       if (request_.remove ||
           (fs::equivalent(folder, own) && !fs::exists(raster::shared_rows_of(folder)) && placed(task)))
         raster::remove_parts(folder);
-    remove_if_empty(own);
   }
 
   static bool placed(const raster::JoinTask& task) {
     for (const raster::Journal& journal : task.journals)
       if (journal.head.store == raster::RowStore::placed) return true;
     return false;
-  }
-
-  static void remove_if_empty(const fs::path& folder) {
-    std::error_code ignored;
-    fs::remove(folder, ignored);
   }
 
   const MergeRequest& request_;

@@ -193,6 +193,7 @@ class Recorder {
   void expect_free_files() const {
     core::Problems problems;
     std::vector<fs::path> files;
+    const InputList sources = input_.sources;
     // Whether a recording that is made in parts is finished is looked at when its turn comes.
     for (const ProductJob& job : jobs_) {
       const bool later = journaled_ && (!job.table || request_.part.resume || !makes_tables());
@@ -200,7 +201,7 @@ class Recorder {
           job.table ? nullptr : &raster::format_of(input_.scene.simulations[job.index].format);
       for (const fs::path& file : raster::files_of(format, job.path)) {
         std::ranges::move(
-            problems_of_output(file, {input_.sources, request_.force || later, "", chosen_folder(request_.folder)}),
+            problems_of_output(file, {sources, request_.force || later, "", chosen_folder(request_.folder)}),
             std::back_inserter(problems));
         files.push_back(file);
       }
@@ -210,7 +211,10 @@ class Recorder {
                                             "record HDF5 in this way, and convert it: sarsim convert"));
       if (!journaled_ || job.table) continue;
       std::ranges::move(problems_of_side_files(job.path), std::back_inserter(problems));
-      std::ranges::move(side_files_of(job.path), std::back_inserter(files));
+      for (const fs::path& file : side_files_of(job.path)) {
+        if (auto harm = sources.harm_of(file, true)) problems.push_back(*std::move(harm));
+        files.push_back(file);
+      }
     }
     if (!request_.discard) std::ranges::move(problems_of_same_files(files), std::back_inserter(problems));
     expect_output_folder(request_.folder);

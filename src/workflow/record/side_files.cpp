@@ -1,13 +1,13 @@
 #include "workflow/record/side_files.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <string>
 #include <system_error>
 
 #include <fmt/format.h>
 
+#include "core/os/input_file.hpp"
 #include "core/os/journal_file.hpp"
 #include "core/os/output_file.hpp"
 #include "raster/parts/join_parts.hpp"
@@ -29,10 +29,7 @@ core::Problem problem_of_file(const fs::path& file, std::string message, std::st
 // Whose whole first line is that of a journal, with its checksum.
 bool is_journal(const fs::path& file) {
   const std::string signature = core::sealed_line(raster::journal_signature);
-  std::string begin(signature.size(), '\0');
-  std::ifstream stream(file, std::ios::binary);
-  stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-  return stream && begin == signature;
+  return core::beginning_of(file, signature.size()) == signature;
 }
 
 core::Problems problems_of_receipt(const fs::path& receipt) {
@@ -53,6 +50,14 @@ bool holds_parts(const fs::path& folder) {
   return false;
 }
 
+// Whether a process that was joining parts, and was killed, left everything that is there.
+bool holds_joins_alone(const fs::path& folder) {
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure))
+    if (!raster::is_left_by_join(entry->path().filename().string())) return false;
+  return !failure;
+}
+
 core::Problems problems_of_parts_folder(const fs::path& folder) {
   std::error_code ignored;
   const fs::file_status status = fs::symlink_status(folder, ignored);
@@ -61,7 +66,7 @@ core::Problems problems_of_parts_folder(const fs::path& folder) {
   if (!fs::is_directory(status))
     return {problem_of_file(
         folder, "the folder for the recording's parts has the name of something that is not a folder", hint)};
-  if (fs::is_empty(folder, ignored) || holds_parts(folder)) return {};
+  if (holds_joins_alone(folder) || holds_parts(folder)) return {};
   return {problem_of_file(folder, "the folder for the recording's parts holds files that are not parts", hint)};
 }
 

@@ -20,11 +20,12 @@ PulseInput of_script(const RecordingArguments& arguments, const core::WorkContro
   return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
 }
 
-PulseInput of_file(const RecordingArguments& arguments) {
-  StoredRecording stored = open_recording(arguments, records_pulses, [](const simulate::Plan& plan) {
+PulseInput of_file(const RecordingArguments& arguments, const core::WorkControl& control) {
+  const auto problems_of = [](const simulate::Plan& plan) {
     expect_pulses(plan.simulation);
     return core::Problems();
-  });
+  };
+  StoredRecording stored = open_recording(arguments, records_pulses, problems_of, control);
   return {pulse_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
@@ -40,7 +41,7 @@ std::shared_ptr<const simulate::Plan> plan_of_pulses(scene::Scene& scene, std::s
 }
 
 PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control) {
-  PulseInput input = names_script(arguments) ? of_script(arguments, control) : of_file(arguments);
+  PulseInput input = names_script(arguments) ? of_script(arguments, control) : of_file(arguments, control);
   input.problems = core::ranked(std::move(input.problems));
   return input;
 }

@@ -53,7 +53,7 @@ std::vector<fs::path> PulseWork::files() const {
   return paths;
 }
 
-void PulseWork::expect_free_files(const std::vector<fs::path>& sources) const {
+void PulseWork::expect_free_files(const InputList& sources) const {
   const std::vector<fs::path> paths = files();
   if (request_.image) {
     expect_no_picture(output(), "--out");
@@ -67,7 +67,7 @@ void PulseWork::expect_free_files(const std::vector<fs::path>& sources) const {
 void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,
                      const std::function<double(const PulseRows&)>& more_bytes) {
   options_.detect = request_.detect;
-  expect_free_files(named_sources(request_.input));
+  expect_free_files(InputList::named(named_sources(request_.input)));
   input_ = open_pulse_input(request_.input, control_);
   expect_free_files(input_.sources);
   options_ = search_options(request_, plan(), usual_pulses(plan()));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/task/observer.hpp"
+#include "workflow/input/input_list.hpp"
 #include "workflow/search/detection_table.hpp"
 #include "workflow/search/pulse_input.hpp"
 #include "workflow/search/pulse_report.hpp"
@@ -58,7 +59,7 @@ class PulseWork {
   [[nodiscard]] std::filesystem::path table() const;
   [[nodiscard]] bool keeps_table() const { return request_.keep && request_.table.empty(); }
   [[nodiscard]] std::vector<std::filesystem::path> files() const;
-  void expect_free_files(const std::vector<std::filesystem::path>& sources) const;
+  void expect_free_files(const InputList& sources) const;
   void find_problems(double more_bytes);
   void each(const std::string& stage, const SearchOptions& options,
             const std::function<void(const SearchInterval&)>& consume);

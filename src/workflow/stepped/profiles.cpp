@@ -145,11 +145,11 @@ std::optional<KeptImage> made_set(const ProfileSeries& series, const SteppedInpu
 
 SteppedInput input_of_profiles(const ProfilesRequest& request, const fs::path& output,
                                const core::WorkControl& control) {
-  const auto expect_free = [&](const std::vector<fs::path>& sources) {
+  const auto expect_free = [&](const InputList& sources) {
     if (keeps(request)) return;
     expect_free_outputs(files_of_profiles(output), {sources, request.replace, "--out"});
   };
-  expect_free(named_sources(request.input));
+  expect_free(InputList::named(named_sources(request.input)));
   SteppedInput input = open_stepped_input(request.input, SteppedUse::profiles, control);
   expect_free(input.sources);
   return input;

@@ -20,9 +20,10 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
   return stepped;
 }
 
-SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use) {
+SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
   StoredRecording stored = open_recording(
-      arguments, suits_use(use), [use](const simulate::Plan& plan) { return problems_of_stepped(plan, use, true); });
+      arguments, suits_use(use), [use](const simulate::Plan& plan) { return problems_of_stepped(plan, use, true); },
+      control);
   return {stepped_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
@@ -57,7 +58,8 @@ SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
 }
 
 SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
-  SteppedInput stepped = names_script(arguments) ? of_script(arguments, use, control) : of_file(arguments, use);
+  SteppedInput stepped =
+      names_script(arguments) ? of_script(arguments, use, control) : of_file(arguments, use, control);
   stepped.problems = core::ranked(std::move(stepped.problems));
   return stepped;
 }

@@ -178,6 +178,14 @@ std::string mark_of(const FollowUp& follow_up) {
   return fmt::format("{}-{:016x}", word_of(follow_up.kind), hash);
 }
 
+std::vector<fs::path> files_read_by(const FollowUp& follow_up) {
+  std::vector<fs::path> files;
+  const GivenWords words = words_of(follow_up);
+  const auto [first, last] = words.equal_range("--navigation");
+  for (auto word = first; word != last; ++word) files.emplace_back(word->second);
+  return files;
+}
+
 const char* word_of(FollowUp::Kind kind) {
   switch (kind) {
     case FollowUp::Kind::focus: return "focus";

@@ -133,6 +133,7 @@ class SweepRunner {
         rules_(variation_rules(request)),
         journal_(journal_of(request)) {
     rules_.threads = plan.threads;
+    rules_.begin = [this](const SweepRow& row) { journal_.add_begun(row); };
     rules_.jobs = plan.jobs;
     if (request.discard && request.follow_up) {
       scratch_.emplace();

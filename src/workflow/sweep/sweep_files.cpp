@@ -3,7 +3,6 @@
 #include <sys/stat.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
@@ -12,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/input_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/counted.hpp"
 #include "workflow/input/output_names.hpp"
@@ -42,10 +42,7 @@ bool is_own_table(const fs::path& path) {
   std::error_code none;
   if (!fs::exists(path, none)) return true;
   constexpr std::size_t enough = 1'000'000;
-  std::string beginning(enough, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(beginning.data(), static_cast<std::streamsize>(beginning.size()));
-  beginning.resize(static_cast<std::size_t>(file.gcount()));
+  const std::string beginning = core::beginning_of(path, enough);
   if (beginning.empty()) return fs::is_regular_file(path, none) && fs::is_empty(path, none);
   return path.extension() == ".json" ? begins_as_sweep_json(beginning) : begins_as_sweep_csv(beginning);
 }
@@ -53,8 +50,7 @@ bool is_own_table(const fs::path& path) {
 // Looks at outputs; the first of all problems stands for the others.
 class OutputWatch {
  public:
-  OutputWatch(const SweepRequest& request, std::vector<fs::path> sources)
-      : request_(request), sources_(std::move(sources)) {}
+  OutputWatch(const SweepRequest& request, InputList sources) : request_(request), sources_(std::move(sources)) {}
 
   // A file that is made; `replace`: it may be there already.
   void look_at(const fs::path& path, bool replace) {
@@ -113,7 +109,7 @@ class OutputWatch {
   }
 
   const SweepRequest& request_;
-  std::vector<fs::path> sources_;
+  InputList sources_;
   std::map<FileIdentity, fs::path> taken_;
   core::Problems problems_;
   std::size_t more_ = 0;
@@ -124,7 +120,7 @@ void look_at_row(const SweepRequest& request, const SweepFiles& files, const Swe
   if (row.done || row.recorded)
     watch.keep(files.beside(row.file));
   else
-    watch.look_at(files.beside(row.file), request.force);
+    watch.look_at(files.beside(row.file), request.force || row.begun);
   if (row.done || row.table) return;
   // What a follow-up left of a recording that is kept is made anew.
   for (const fs::path& path : files_of(request.follow_up, files.beside(fs::path(row.file).stem().string())))
@@ -142,8 +138,9 @@ SweepFiles::SweepFiles(const SweepRequest& request)
 void expect_free_files(const SweepRequest& request, const Sweep& sweep, const std::vector<SweepRow>& rows) {
   expect_output_folder(request.folder);
   const SweepFiles files(request);
-  std::vector<fs::path> sources = request.sources;
-  std::ranges::move(sweep.sources(), std::back_inserter(sources));
+  InputList sources = request.sources;
+  sources.add(sweep.sources());
+  sources.add(files_read_by(request.follow_up));
   OutputWatch watch(request, std::move(sources));
   if (!request.discard)
     for (const SweepRow& row : rows) look_at_row(request, files, row, watch);

@@ -5,7 +5,6 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <limits>
 #include <numeric>
 #include <string_view>
@@ -14,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/input_file.hpp"
 #include "core/os/raw_file.hpp"
 #include "core/report/for_now.hpp"
 #include "core/text/number_text.hpp"
@@ -27,6 +27,8 @@ namespace {
 constexpr const char* heading =
     "sarsim sweep 2: stamp, file, bytes, written, seconds, engine, lsb_estimated, rows, columns, "
     "maximum_v, lsb_v, best_lsb_v, range_used, saturated, zero, figures, end\n";
+
+constexpr const char* begun_word = "begun";
 
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells(1);
@@ -98,6 +100,18 @@ bool read_figures(std::string_view text, SweepRow& row) {
         {std::string(one.substr(0, equals)), number.value_or(std::numeric_limits<double>::quiet_NaN())});
   }
   return true;
+}
+
+// A row whose file was begun; nothing where the line says something else.
+std::optional<SweepRow> read_begun_line(std::string_view line) {
+  const std::vector<std::string> cells = cells_of(std::string(line));
+  if (cells.size() != 3 || cells.back() != begun_word) return std::nullopt;
+  CellReader reader(cells);
+  SweepRow row;
+  row.stamp = reader.whole(16);
+  row.file = reader.word();
+  row.begun = true;
+  return reader.good() && !row.file.empty() ? std::optional(row) : std::nullopt;
 }
 
 // Empty where the file cannot be read: then everything is made again.
@@ -201,6 +215,12 @@ void SweepJournal::add(const SweepRow& row) {
   file_.add(line);
 }
 
+void SweepJournal::add_begun(const SweepRow& row) {
+  const std::string line = fmt::format("{:016x}\t{}\t{}\n", row.stamp, row.file, begun_word);
+  const std::scoped_lock hold(lock_);
+  file_.add(line);
+}
+
 bool takes_journal_lines(const fs::path& path) {
   std::error_code none;
   const fs::file_status status = fs::status(path, none);
@@ -208,10 +228,7 @@ bool takes_journal_lines(const fs::path& path) {
   if (!fs::is_regular_file(status)) return false;
   if (fs::file_size(path, none) == 0) return true;
   constexpr std::size_t longest_heading = 1000;
-  std::string line(longest_heading, '\0');
-  std::ifstream file(path, std::ios::binary);
-  file.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(static_cast<std::size_t>(file.gcount()));
+  std::string line = core::beginning_of(path, longest_heading);
   // Of any version: a heading is as good as the next, and lines of another are passed over.
   line.resize(std::min(line.find('\n'), line.size()));
   const std::string_view name = "sarsim sweep ";
@@ -243,6 +260,12 @@ std::map<std::string, SweepRow> read_journals(const fs::path& folder, const std:
   std::ranges::sort(journals);
   const auto take = [&](std::string_view line) {
     SweepRow row;
+    if (const auto begun = read_begun_line(line)) {
+      SweepRow& known = rows.try_emplace(begun->file, *begun).first->second;
+      if (known.stamp != begun->stamp) known = *begun;
+      known.begun = true;
+      return;
+    }
     if (!read_journal_line(std::string(line), row)) return;
     const auto known = rows.find(row.file);
     const bool poorer = known != rows.end() && known->second.stamp == row.stamp && known->second.written;

@@ -179,5 +179,29 @@ TEST_F(SweepJournals, AreKnownByTheirFirstLine) {
   EXPECT_FALSE(takes_journal_lines(folder_));
 }
 
+TEST_F(SweepJournals, RememberWhatWasBegun) {
+  SweepRow row;
+  row.file = "a.bin";
+  row.stamp = 7;
+  {
+    SweepJournal journal(folder_ / "sweep.journal", false);
+    journal.add_begun(row);
+  }
+  auto rows = read_journals(folder_, "sweep");
+  ASSERT_TRUE(rows.contains("a.bin"));
+  EXPECT_TRUE(rows.at("a.bin").begun);
+  EXPECT_FALSE(rows.at("a.bin").done);
+  EXPECT_EQ(rows.at("a.bin").stamp, 7U);
+  // What is done has its own line; begun anew, it may be there again.
+  { SweepJournal(folder_ / "sweep.journal", true).add(example("a.bin", 7)); }
+  rows = read_journals(folder_, "sweep");
+  EXPECT_TRUE(rows.at("a.bin").done);
+  EXPECT_FALSE(rows.at("a.bin").begun);
+  { SweepJournal(folder_ / "sweep.journal", true).add_begun(row); }
+  rows = read_journals(folder_, "sweep");
+  EXPECT_TRUE(rows.at("a.bin").done);
+  EXPECT_TRUE(rows.at("a.bin").begun);
+}
+
 }  // namespace sweep_journal_test
 }  // namespace sarsim::workflow

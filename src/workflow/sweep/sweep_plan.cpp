@@ -94,6 +94,8 @@ void take_finished(const SweepRequest& request, std::vector<SweepRow>& rows) {
   for (SweepRow& row : rows) {
     const auto found = known.find(row.file);
     if (found == known.end() || found->second.stamp != row.stamp) continue;
+    row.begun = found->second.begun && !request.discard;
+    if (!found->second.done) continue;
     if (!request.discard && !holds(fs::path(request.folder) / row.file, found->second)) continue;
     SweepRow done = found->second;
     done.variation = row.variation;

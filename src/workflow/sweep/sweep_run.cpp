@@ -1,6 +1,7 @@
 #include "workflow/sweep/sweep_run.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <span>
@@ -12,6 +13,8 @@
 #include "core/build/version.hpp"
 #include "core/hash/fnv1a.hpp"
 #include "core/os/output_file.hpp"
+#include "core/os/raw_file.hpp"
+#include "core/os/temporary_files.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
@@ -33,6 +36,67 @@ namespace {
 
 constexpr std::size_t no_axis = static_cast<std::size_t>(-1);
 
+// A folder for files that are made again to be compared; gone with the object.
+class AgainFolder {
+ public:
+  AgainFolder(const fs::path& folder, const std::string& file)
+      : path_(core::temporary_name(folder / file)), name_(path_) {
+    fs::create_directories(path_);
+  }
+  AgainFolder(const AgainFolder&) = delete;
+  AgainFolder& operator=(const AgainFolder&) = delete;
+  ~AgainFolder() { core::remove_folder(path_); }
+  [[nodiscard]] const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+  core::TemporaryName name_;
+};
+
+bool same_content(const fs::path& a, const fs::path& b) {
+  constexpr std::size_t piece = std::size_t{1} << 20U;
+  const core::RawFile left(a, core::RawFile::Mode::read);
+  const core::RawFile right(b, core::RawFile::Mode::read);
+  const std::uint64_t size = left.size();
+  if (right.size() != size) return false;
+  std::vector<std::byte> of_left(piece);
+  std::vector<std::byte> of_right(piece);
+  for (std::uint64_t at = 0; at < size; at += piece) {
+    const std::size_t count = static_cast<std::size_t>(std::min<std::uint64_t>(piece, size - at));
+    const auto first = std::span(of_left).first(count);
+    const auto second = std::span(of_right).first(count);
+    if (!left.read_at(at, first) || !right.read_at(at, second) || !std::ranges::equal(first, second)) return false;
+  }
+  return true;
+}
+
+bool same_files(const fs::path& a, const fs::path& b) {
+  std::error_code none;
+  if (!fs::is_directory(a)) return fs::is_regular_file(b, none) && same_content(a, b);
+  if (!fs::is_directory(b, none)) return false;
+  std::size_t count = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(a)) {
+    if (!same_files(entry.path(), b / entry.path().filename())) return false;
+    ++count;
+  }
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(b), fs::directory_iterator())) == count;
+}
+
+// Moves files to a folder where they are missing there. Returns the first that differs from what is there.
+fs::path move_new_files(const fs::path& from, const fs::path& to) {
+  std::vector<fs::path> missing;
+  for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+    const fs::path there = to / entry.path().filename();
+    if (!fs::exists(there))
+      missing.push_back(entry.path());
+    else if (!same_files(entry.path(), there))
+      return there;
+  }
+  for (const fs::path& file : missing) fs::rename(file, to / file.filename());
+  core::sync_folder_of(to / "any");
+  return {};
+}
+
 // One variation at work.
 class VariationRunner {
  public:
@@ -43,10 +107,7 @@ class VariationRunner {
   void make(const ProductJob& job, SweepRow& row, const std::function<void(const SweepRow&)>& done) {
     const double begin_s = core::now_s();
     try {
-      if (job.table)
-        make_table(scene_.geometries.at(job.index), row);
-      else if (!row.recorded)
-        make_recording(job.index, row);
+      if (!row.recorded) make_file(job, row);
       if (!rules_.discard) row.written = modification_time(rules_.folder / row.file);
       if (rules_.follow_up && !job.table) {
         if (!rules_.discard && !row.recorded) tell_recorded(row, done);
@@ -66,7 +127,26 @@ class VariationRunner {
   [[nodiscard]] core::Problems take_remarks() { return std::move(remarks_); }
 
  private:
-  void make_recording(std::size_t simulation, SweepRow& row) {
+  void make_file(const ProductJob& job, SweepRow& row) {
+    if (!rules_.discard && rules_.begin) rules_.begin(row);
+    if (!row.begun || rules_.replace || rules_.discard) return make_file_in(rules_.folder, job, row);
+    // What an earlier process was making may have got its name before it was known to be done: it is kept where it is
+    // the same, byte for byte.
+    const AgainFolder again(rules_.folder, row.file);
+    make_file_in(again.path(), job, row);
+    if (const fs::path other = move_new_files(again.path(), rules_.folder); !other.empty())
+      throw core::Refused(fmt::format("'{}' is not what this sweep makes", other.string()),
+                          "it was changed since; move it away, or replace with --force");
+  }
+
+  void make_file_in(const fs::path& folder, const ProductJob& job, SweepRow& row) {
+    if (job.table)
+      make_table(scene_.geometries.at(job.index), folder, row);
+    else
+      make_recording(job.index, folder, row);
+  }
+
+  void make_recording(std::size_t simulation, const fs::path& folder, SweepRow& row) {
     if (!resolved_)
       resolved_ = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene_, {rules_.threads, stop_}));
     const simulate::Plan plan = simulate::make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
@@ -74,7 +154,7 @@ class VariationRunner {
     core::Observer alone;  // Of a sweep whole variations are told.
     alone.stop = stop_;
     const RecordingReport report = workflow::make_recording(
-        {plan, rules_.folder / row.file, raster::SinkOptions{format, rules_.replace, rules_.counts, rules_.header},
+        {plan, folder / row.file, raster::SinkOptions{format, rules_.replace, rules_.counts, rules_.header},
          raster::format_of(format).carries_script ? scene::recorded_text(scene_) : std::string(), rules_.discard},
         rules_.threads, alone);
     row.run = report.run;
@@ -108,13 +188,13 @@ class VariationRunner {
     std::ranges::move(followed.remarks, std::back_inserter(remarks_));
   }
 
-  void make_table(const scene::GeometryTable& table, SweepRow& row) const {
+  void make_table(const scene::GeometryTable& table, const fs::path& folder, SweepRow& row) const {
     const auto count = [&](std::string_view piece) { row.bytes += static_cast<double>(piece.size()); };
     if (rules_.discard) {
       simulate::write_geometry_text(scene_, table, count, stop_);
       return;
     }
-    core::OutputFile file(rules_.folder / row.file, rules_.replace);
+    core::OutputFile file(folder / row.file, rules_.replace);
     const auto write = [&](std::string_view piece) {
       file.write(std::as_bytes(std::span(piece)));
       count(piece);

@@ -26,6 +26,8 @@ struct VariationRules {
   FollowUp follow_up{};                      ///< What is made of each recording besides.
   std::filesystem::path follow_up_folder{};  ///< Of its files.
   std::size_t jobs = 1;                      ///< Variations beside each other.
+  /// Told each row before its file is begun, where one is written; none where nobody asks.
+  std::function<void(const SweepRow&)> begin{};
 };
 
 /// A variation's scene, and how a follow-up finds it.

@@ -7,6 +7,7 @@
 
 #include "core/text/counted.hpp"
 #include "core/text/letters.hpp"
+#include "core/text/quoted_word.hpp"
 #include "scene/schema/table_text.hpp"
 #include "workflow/input/target_tables.hpp"
 
@@ -60,15 +61,22 @@ class TableReader {
       axis.name = column.written;
       name(axis, column.unit.empty() ? "" : "0");
       if (axis.name.empty())
-        tell(line.number, "a column has no name", std::string(core::clipped(line.text)),
+        tell(line.number, "a column has no name", std::string(core::quoted_word(line.text)),
              "names as in Radar1.bandwidth or seed");
       else if (axis.field.field == nullptr)
-        tell(line.number, "a column is not named after a field: " + axis.field.failure, core::clipped(column.written),
-             "names as in Radar1.bandwidth or seed", "leave other columns out of the table");
+        tell(line.number, "a column is not named after a field: " + axis.field.failure,
+             core::quoted_word(column.written), "names as in Radar1.bandwidth or seed",
+             "leave other columns out of the table");
       else if (!column.unit.empty())
         expect_unit(axis, column.unit);
       units_.push_back(column.unit);
       axes.push_back(std::move(axis));
+    }
+    const auto known = [](const SweepAxis& axis) { return axis.field.field != nullptr; };
+    // Not one column of a table: what the others are called is no news, and perhaps nobody's business.
+    if (!axes.empty() && std::ranges::none_of(axes, known) && problems_.size() > 1) {
+      problems_.front().count = problems_.size();
+      problems_.resize(1);
     }
     if (!problems_.empty()) axes.clear();
     return axes;
@@ -90,12 +98,12 @@ class TableReader {
       tell(line.number,
            close == std::string_view::npos ? "the bracket of a unit is not closed"
                                            : "something follows a unit's bracket",
-           core::clipped(cell), "a name and its unit, as in Target1.x [m]");
+           core::quoted_word(cell), "a name and its unit, as in Target1.x [m]");
     }
   }
 
   void expect_unit(const SweepAxis& axis, const std::string& unit) {
-    const std::string found = core::clipped(fmt::format("{} [{}]", axis.name, unit));
+    const std::string found = core::quoted_word(fmt::format("{} [{}]", axis.name, unit));
     if (!axis.is_number() || axis.is_seed())
       return tell(heading_line_, fmt::format("{} has no unit", axis.name), found, axis.name + " alone");
     if (const scene::QuantityReading one = scene::read_quantity("1 " + unit, axis.field.field->quantity); !one.value)
@@ -121,7 +129,7 @@ class TableReader {
       if (scene::number_length(cell) == cell.size()) cell += unit;
       failure = scene::read_quantity(cell, axis.field.field->quantity).failure;
     } else if (failure.empty() && !unit.empty()) {
-      failure = fmt::format("'{}' is not a number in {}", core::clipped(cell), unit);
+      failure = fmt::format("'{}' is not a number in {}", core::quoted_word(cell), unit);
     }
     if (!failure.empty() && problems_.size() < most_told)
       tell(line.number, fmt::format("{}: {}", axis.name, failure), {}, {});
