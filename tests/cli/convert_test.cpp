@@ -67,7 +67,7 @@ TEST_F(Convert, OnlyOwnZarrStoresAreReplaced) {
   EXPECT_EQ(again.status, 2);
   EXPECT_THAT(again.err, HasSubstr("exists already"));
   EXPECT_EQ(sarsim({"convert", "sim.h5", "sim.zarr", "--force"}).status, 0);
-  EXPECT_THAT(sarsim({"convert", "sim.zarr", "sim.zarr", "--force"}).err, HasSubstr("would replace the file"));
+  EXPECT_THAT(sarsim({"convert", "sim.zarr", "sim.zarr", "--force"}).err, HasSubstr("would replace the folder"));
   std::ofstream(folder_ / "sim.zarr" / "notes.txt") << "mine";
   const std::string before = text_of(folder_ / "sim.zarr");
   const Finished theirs = sarsim({"convert", "sim.h5", "sim.zarr", "--force"});

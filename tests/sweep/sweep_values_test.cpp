@@ -102,7 +102,8 @@ TEST_F(SweepValuesCommand, TheNamesOfColumnsAreWholeAndTheirUnitsFit) {
     write_text(folder_ / "cases.csv", "# a study\n" + heading + "\n1,2\n");
     expect_refusal({"--values", "cases.csv", "--dry-run"}, "cases.csv:2: error: " + message);
   };
-  refused("Target1.x [,seed", "the bracket of a unit is not closed; found 'Target1.x [', expected a name and its unit");
+  refused("Target1.x [,seed",
+          "the bracket of a unit is not closed; found 'Target1.x...', expected a name and its unit");
   refused("Target1.x [m,seed", "the bracket of a unit is not closed");
   refused("Target1.x [m],seed (", "the bracket of a unit is not closed");
   refused("Target1.x [m] km,seed", "something follows a unit's bracket");

@@ -485,18 +485,12 @@ core::Problems join_problems(const std::vector<Journal>& journals, std::size_t r
   return problems;
 }
 
-core::Problems product_problems(const StoredProduct& product, const fs::path& file,
-                                const std::vector<Journal>& journals) {
+core::Problems product_problems(const StoredProduct& product, const fs::path& file, const Journal& journal) {
   core::Problems problems;
-  for (const Journal& journal : journals) {
-    for (const std::string& difference :
-         differences(product.identity, "in the description", journal.head.identity, "in part " + journal.head.part)) {
-      problems.push_back(
-          file_problem(file.string(), "the description of the recording is of another run: " + difference));
-      problems.back().hint = "bring the file 'product' of the folder of these parts";
-    }
-    if (!problems.empty()) return problems;
-  }
+  for (const std::string& difference :
+       differences(product.identity, "in the description", journal.head.identity, "in part " + journal.head.part))
+    problems.push_back(file_problem(file.string(), "the description of the recording is of another run: " + difference,
+                                    {}, {}, "bring the file 'product' of the folder of these parts"));
   return problems;
 }
 

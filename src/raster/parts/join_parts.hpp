@@ -48,10 +48,11 @@ void remove_joins(const std::filesystem::path& folder) noexcept;
 /// What keeps journals from being joined: rows that are missing, rows that two vouch for, other identities.
 [[nodiscard]] core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
 
-/// What keeps a description from being that of the journals: another run's, found by what decides the bytes of both.
+/// What keeps a description from being that of a journal's run, found by what decides the bytes of both; whether
+/// several journals are of one run, `join_problems` says.
 /// @param file  of the description
 [[nodiscard]] core::Problems product_problems(const StoredProduct& product, const std::filesystem::path& file,
-                                              const std::vector<Journal>& journals);
+                                              const Journal& journal);
 
 /// Whether the bytes that a claim speaks of are what it says.
 /// @param places  of rows that stand at their places

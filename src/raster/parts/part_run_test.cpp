@@ -337,10 +337,10 @@ TEST(StoredProduct, IsThatOfItsRunAlone) {
   Journal journal;
   journal.head.identity = stored.identity;
   journal.head.part = "1/2";
-  EXPECT_TRUE(product_problems(back, folder / "product", {journal, journal}).empty());
+  EXPECT_TRUE(product_problems(back, folder / "product", journal).empty());
   Journal other = journal;
   other.head.identity[1].second = "1e-05 V";
-  const core::Problems problems = product_problems(back, folder / "product", {journal, other});
+  const core::Problems problems = product_problems(back, folder / "product", other);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_THAT(problems[0].message, HasSubstr("LSB is 2.5e-09 V in the description, 1e-05 V in part 1/2"));
   EXPECT_EQ(problems[0].place.file, (folder / "product").string());

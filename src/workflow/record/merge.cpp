@@ -41,7 +41,8 @@ class Merger {
     for (const std::string& folder : request_.folders) collect(folder, task.journals);
     const fs::path product = raster::product_file_of(request_.folders.front());
     task.product = raster::load_product(product);
-    if (core::Problems problems = raster::product_problems(task.product, product, task.journals); !problems.empty())
+    if (core::Problems problems = raster::product_problems(task.product, product, task.journals.front());
+        !problems.empty())
       throw core::Refused(std::move(problems));
     if (core::Problems problems = raster::join_problems(task.journals, task.product.product.rows); !problems.empty())
       throw core::Refused(std::move(problems));
@@ -112,7 +113,9 @@ class Merger {
     const fs::path folder = raster::parts_folder_of(task.output);
     std::error_code ignored;
     if (request_.folders.size() != 1 || !fs::equivalent(folder, request_.folders.front(), ignored)) return std::nullopt;
-    if (fs::exists(raster::shared_rows_of(folder)) || !fs::exists(raster::product_file_of(folder))) return std::nullopt;
+    if (fs::exists(raster::shared_rows_of(folder)) || !fs::exists(raster::product_file_of(folder)) ||
+        !fs::exists(task.output) || !fs::exists(raster::receipt_of(task.output)))
+      return std::nullopt;
     task.product = raster::load_product(raster::product_file_of(folder));
     const auto receipt = raster::read_receipt(task.output, task.product);
     if (!receipt || !raster::differences(receipt->identity, "", task.product.identity, "").empty()) return std::nullopt;

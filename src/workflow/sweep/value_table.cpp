@@ -103,7 +103,7 @@ class TableReader {
   }
 
   void expect_unit(const SweepAxis& axis, const std::string& unit) {
-    const std::string found = core::quoted_word(fmt::format("{} [{}]", axis.name, unit));
+    const std::string found = core::clipped(fmt::format("{} [{}]", axis.name, unit));
     if (!axis.is_number() || axis.is_seed())
       return tell(heading_line_, fmt::format("{} has no unit", axis.name), found, axis.name + " alone");
     if (const scene::QuantityReading one = scene::read_quantity("1 " + unit, axis.field.field->quantity); !one.value)
