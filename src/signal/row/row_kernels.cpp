@@ -155,12 +155,14 @@ HWY_INLINE RowVec risen(RowVec x) {
   return hn::Min(hn::Mul(s, s), hn::Set(d, 1.0F));
 }
 
-HWY_INLINE RowVec weight_of_rows(RowVec sine, RowVec fall, RowVec weight, const DopplerWeights& w) {
+HWY_INLINE RowVec weight_of_rows(RowVec sine, RowVec weight, const DopplerWeights& w) {
+  constexpr float least_edge = 1e-30F;
   const RowTag d;
-  const RowVec within = hn::Min(hn::Sub(sine, hn::Set(d, w.low)), hn::Sub(hn::Set(d, w.high), sine));
-  const RowVec width = hn::Max(hn::Mul(fall, hn::Set(d, w.edge)), hn::Set(d, 1e-30F));
-  const RowVec x = hn::Min(hn::Max(hn::Div(within, width), hn::Zero(d)), hn::Set(d, 1.0F));
-  const auto all = hn::Ge(within, width);
+  const RowVec above = hn::Mul(hn::Sub(sine, hn::Set(d, w.low)), hn::Set(d, 1.0F / std::max(w.low_edge, least_edge)));
+  const RowVec below = hn::Mul(hn::Sub(hn::Set(d, w.high), sine), hn::Set(d, 1.0F / std::max(w.high_edge, least_edge)));
+  const RowVec within = hn::Min(above, below);
+  const RowVec x = hn::Min(hn::Max(within, hn::Zero(d)), hn::Set(d, 1.0F));
+  const auto all = hn::Ge(within, hn::Set(d, 1.0F));
   const RowVec share = hn::IfThenElse(all, hn::Set(d, 1.0F), risen(x));
   return hn::Mul(share, hn::Mul(weight, hn::Set(d, w.scale)));
 }
@@ -171,16 +173,14 @@ void weigh_column_on_target(float* HWY_RESTRICT column, const float* HWY_RESTRIC
   each_vector(
       count,
       [&](std::size_t k) {
-        const RowVec factor = weight_of_rows(hn::LoadU(d, w.sine.data() + k), hn::LoadU(d, w.fall.data() + k),
-                                             hn::LoadU(d, w.weight.data() + k), w);
+        const RowVec factor = weight_of_rows(hn::LoadU(d, w.sine.data() + k), hn::LoadU(d, w.weight.data() + k), w);
         turn_at(column + 2 * k, hn::LoadU(d, turns + k), factor);
       },
       [&](std::size_t k, std::size_t left) {
         HWY_ALIGN float copy[2 * 16] = {};
         std::copy_n(column + 2 * k, 2 * left, copy);
         const RowVec factor =
-            weight_of_rows(load_some(d, w.sine.data() + k, left), load_some(d, w.fall.data() + k, left),
-                           load_some(d, w.weight.data() + k, left), w);
+            weight_of_rows(load_some(d, w.sine.data() + k, left), load_some(d, w.weight.data() + k, left), w);
         turn_at(copy, load_some(d, turns + k, left), factor);
         std::copy_n(copy, 2 * left, column + 2 * k);
       });
@@ -344,7 +344,6 @@ void scale_row(std::span<std::complex<float>> row, std::span<const float> factor
 void weigh_column(std::span<std::complex<float>> column, std::span<const float> turns, const DopplerWeights& weights) {
   CORE_EXPECT(turns.size() == column.size());
   CORE_EXPECT(weights.sine.size() == column.size());
-  CORE_EXPECT(weights.fall.size() == column.size());
   CORE_EXPECT(weights.weight.size() == column.size());
   HWY_DYNAMIC_DISPATCH(weigh_column_on_target)(floats_in(column), turns.data(), weights, column.size());
 }

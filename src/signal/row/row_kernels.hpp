@@ -20,16 +20,16 @@ void scale_row(std::span<std::complex<float>> row, std::span<const float> factor
 /// What a column of Doppler frequencies is weighted with.
 struct DopplerWeights {
   std::span<const float> sine;    ///< Of the direction of each row.
-  std::span<const float> fall;    ///< Third power of its cosine: the width of the edges, in `edge`.
   std::span<const float> weight;  ///< Of each row.
   float low = -1.0F;              ///< Sine below which nothing is seen.
   float high = 1.0F;              ///< Sine above which nothing is.
-  float edge = 0.0F;              ///< Of the sines between them, over which weights rise from 0 to 1 as sin^2.
+  float low_edge = 0.0F;          ///< Of the sines above `low`, over which weights rise from 0 to 1 as sin^2.
+  float high_edge = 0.0F;         ///< Of those below `high`.
   float scale = 1.0F;
 };
 
-/// column[k] = scale share weight[k] column[k] exp(2 pi j turns[k]), share 1 between `low` and `high` and 0 beyond
-/// them.
+/// column[k] = scale share weight[k] column[k] exp(2 pi j turns[k]), share 0 beyond `low` and `high`, and exactly 1
+/// where both are farther away than their edges.
 void weigh_column(std::span<std::complex<float>> column, std::span<const float> turns, const DopplerWeights& weights);
 
 /// c0 + c1 x + c2 x^2 + c3 x^3.

@@ -53,14 +53,15 @@ TEST(RowKernels, MultiplyAndScaleSampleBySample) {
 TEST(RowKernels, WeighAColumnWithinTheDirectionsThatAreSeen) {
   constexpr std::size_t count = 101;
   Row column(count, {1.0F, 0.0F});
-  std::vector<float> sine(count), fall(count, 0.5F), weight(count, 2.0F);
+  std::vector<float> sine(count), weight(count, 2.0F);
   const std::vector<float> turns(count, 0.25F);
   for (std::size_t k = 0; k < count; ++k) sine[k] = -0.5F + 0.01F * static_cast<float>(k);
-  weigh_column(column, turns,
-               {.sine = sine, .fall = fall, .weight = weight, .low = -0.4F, .high = 0.3F, .edge = 0.2F, .scale = 3.0F});
+  weigh_column(
+      column, turns,
+      {.sine = sine, .weight = weight, .low = -0.4F, .high = 0.3F, .low_edge = 0.1F, .high_edge = 0.2F, .scale = 3.0F});
   for (std::size_t k = 0; k < count; ++k) {
-    const double within = std::min(static_cast<double>(sine[k]) + 0.4, 0.3 - static_cast<double>(sine[k]));
-    const double part = std::clamp(within / 0.1, 0.0, 1.0);
+    const double at = static_cast<double>(sine[k]);
+    const double part = std::clamp(std::min((at + 0.4) / 0.1, (0.3 - at) / 0.2), 0.0, 1.0);
     const double share = 0.5 - 0.5 * std::cos(std::numbers::pi * part);
     EXPECT_NEAR(column[k].imag(), 6.0 * share, 6e-6) << sine[k];
     EXPECT_NEAR(column[k].real(), 0.0, 3e-6) << sine[k];

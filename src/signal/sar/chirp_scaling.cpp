@@ -32,6 +32,7 @@ class ChirpScaling : public RowFocuser {
                  0.5 * hz * hz / rate_hzps_;
         },
         room.turns);
+    weigh_by_frequency(frame_, sine, bins, runs_, room.factors);
     fft_.inverse(bins);
     scale(bins, cosine, room);
     fft_.forward(bins);

@@ -14,9 +14,9 @@ namespace {
 
 // Samples of a range row with what each method needs beyond those recorded.
 std::size_t padded_samples(const FocusFrame& frame) {
-  const double samples = static_cast<double>(frame.samples);
   switch (frame.options.method) {
-    case FocusMethod::omega_k: return static_cast<std::size_t>(std::ceil(samples * 4.0 / 3.0)) + core::SincTable::taps;
+    case FocusMethod::omega_k:
+      return static_cast<std::size_t>(std::ceil(frame.row_samples * 4.0 / 3.0)) + core::SincTable::taps;
     case FocusMethod::chirp_scaling:
       return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_samples(frame.waveform))) +
              core::SincTable::taps;
@@ -71,15 +71,19 @@ double farthest_tangent(const FocusFrame& frame) {
 }
 
 // What a target's echoes reach beyond the Doppler frequencies of the directions it is seen in: four Fresnel zones and
-// three cells of resolution, and what the direction of a Doppler frequency changes over the sampled band.
+// three cells of resolution.
 double blurred_pulses(const FocusFrame& frame) {
   const double rate_hzps = far_rate_hzps(frame);
   const double flight_s = static_cast<double>(frame.pulses) * frame.track.interval_s;
+  return (4.0 / std::sqrt(rate_hzps) + 3.0 / (rate_hzps * flight_s)) * frame.prf_hz();
+}
+
+// And what the direction of a Doppler frequency changes over the band moves them by.
+double turned_pulses(const FocusFrame& frame) {
   const double tangent = farthest_tangent(frame);
   const double far_m = frame.range.at(static_cast<double>(frame.range.count));
   const double turned_m = frame.half_band_share() * tangent * (1.0 + tangent * tangent) * far_m;
-  return (4.0 / std::sqrt(rate_hzps) + 3.0 / (rate_hzps * flight_s) + turned_m / frame.track.speed_mps) *
-         frame.prf_hz();
+  return turned_m / frame.track.speed_mps * frame.prf_hz();
 }
 
 // Adds rows so that the image covers an area.
@@ -107,7 +111,8 @@ void set_azimuth_axis(FocusFrame& frame) {
   frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
   // What lies beyond the image and one flight and a blur more is kept out of it.
   const double blurred = blurred_pulses(frame);
-  const double beyond = std::min(half_band_pulses(frame), static_cast<double>(frame.pulses) + blurred);
+  const double reach = static_cast<double>(frame.pulses) + blurred + turned_pulses(frame);
+  const double beyond = std::min(half_band_pulses(frame), reach);
   frame.azimuth_size = core::fast_fft_size(frame.azimuth.count + static_cast<std::size_t>(std::ceil(beyond)));
   frame.blur_m = blurred * frame.track.speed_mps * frame.track.interval_s;
   frame.doppler_middle_hz = frame.options.doppler_centroid_hz;
@@ -158,6 +163,54 @@ ImageAxis part_of(const ImageAxis& axis, const std::optional<AxisInterval>& area
   return part;
 }
 
+// Closest distances that are shown and recorded where the line of sight has this cosine.
+struct StoltSpan {
+  double cosine = 1.0;
+  double least_m = 0.0;
+  double most_m = 0.0;
+
+  // Of the echoes of the nearest from those of a reference, and of the farthest.
+  [[nodiscard]] double below_m(double reference_m) const { return (reference_m - least_m) / cosine; }
+  [[nodiscard]] double above_m(double reference_m) const { return (most_m - reference_m) / cosine; }
+};
+
+// Those of one Doppler frequency at the lowest, the middle and the highest frequency of the pulse: an echo of the
+// closest distance R stands (R - Rr)/D behind that of the reference Rr, D the cosine there.
+struct StoltSpans {
+  static constexpr double spare = 1.02;  // by which the span of a row may be wider than its samples
+  std::vector<StoltSpan> spans;
+
+  [[nodiscard]] const StoltSpan& lowest(double reference_m) const {
+    return *std::ranges::max_element(spans, {}, [&](const StoltSpan& span) { return span.below_m(reference_m); });
+  }
+  [[nodiscard]] const StoltSpan& highest(double reference_m) const {
+    return *std::ranges::max_element(spans, {}, [&](const StoltSpan& span) { return span.above_m(reference_m); });
+  }
+  [[nodiscard]] double half_span_m(double reference_m) const {
+    if (spans.empty()) return 0.0;
+    return std::max(lowest(reference_m).below_m(reference_m), highest(reference_m).above_m(reference_m));
+  }
+};
+
+StoltSpans spans_of(const FocusFrame& frame, double doppler_hz) {
+  constexpr double least_cosine = 1e-3;
+  const SarWaveform& wave = frame.waveform;
+  const double near_m = radar::range_of(frame.first_delay_s, wave.light_speed_mps);
+  const double far_m =
+      near_m + radar::range_of(static_cast<double>(frame.samples) / wave.sample_rate_hz, wave.light_speed_mps);
+  StoltSpans spans;
+  for (const double part : {-1.0, 0.0, 1.0}) {
+    const double sine = frame.sine(doppler_hz) / (1.0 + part * frame.half_band_share());
+    if (!(std::abs(sine) < 1.0)) continue;
+    const StoltSpan span{.cosine = std::sqrt(1.0 - sine * sine),
+                         .least_m = std::max(near_m * std::sqrt(1.0 - sine * sine), frame.range.at(0.0)),
+                         .most_m = std::min(far_m * std::sqrt(1.0 - sine * sine),
+                                            frame.range.at(static_cast<double>(frame.range.count)))};
+    if (span.cosine > least_cosine && span.most_m > span.least_m) spans.spans.push_back(span);
+  }
+  return spans;
+}
+
 // The two halves of a transform's bins, in steps.
 FrequencyRuns halves(std::size_t size, double step_hz) {
   const std::size_t positive = (size + 1) / 2;
@@ -190,12 +243,36 @@ FocusFrame::Sines FocusFrame::sines_at(double range_m) const {
   CORE_EXPECT(range_m > 0.0);
   const double first_m = track.speed_mps * track.time_s(0.0);
   const double last_m = track.speed_mps * track.time_s(static_cast<double>(pulses) - 1.0);
-  const double low = (azimuth.first_m - last_m - blur_m) / range_m;
-  const double high = (azimuth.at(static_cast<double>(azimuth.count)) - first_m + blur_m) / range_m;
-  const double low_sine = low / std::hypot(1.0, low);
-  const double high_sine = high / std::hypot(1.0, high);
+  const double behind_m = azimuth.first_m - last_m;
+  const double ahead_m = azimuth.at(static_cast<double>(azimuth.count)) - first_m;
+  // A Doppler frequency is that of the direction sin a at the carrier, and of sin a (f0 + f)/f0 at another frequency.
   const double share = half_band_share();
-  return {low_sine - share * std::abs(low_sine), high_sine + share * std::abs(high_sine)};
+  const auto sine = [&](double along_m, double way) {
+    const double of_direction = along_m / std::hypot(range_m, along_m);
+    return of_direction + way * share * std::abs(of_direction);
+  };
+  Sines seen{
+      .low = sine(behind_m - blur_m, -1.0), .high = sine(ahead_m + blur_m, 1.0), .low_edge = 0.0, .high_edge = 0.0};
+  seen.low_edge = sine(behind_m - 0.5 * blur_m, -1.0) - seen.low;
+  seen.high_edge = seen.high - sine(ahead_m + 0.5 * blur_m, 1.0);
+  return seen;
+}
+
+FocusFrame::RowReference FocusFrame::row_reference(double doppler_hz) const {
+  const StoltSpans spans = spans_of(*this, doppler_hz);
+  const double recorded_m =
+      radar::range_of(static_cast<double>(samples) / waveform.sample_rate_hz, waveform.light_speed_mps);
+  RowReference found{reference_range_m, spans.half_span_m(reference_range_m)};
+  // Where the middle of the swath does, it is the reference of all rows.
+  if (found.half_span_m <= StoltSpans::spare * 0.5 * recorded_m) return found;
+  constexpr int rounds = 4;
+  for (int i = 0; i < rounds; ++i) {
+    const StoltSpan& low = spans.lowest(found.range_m);
+    const StoltSpan& high = spans.highest(found.range_m);
+    found.range_m = (high.most_m * low.cosine + low.least_m * high.cosine) / (low.cosine + high.cosine);
+  }
+  found.half_span_m = spans.half_span_m(found.range_m);
+  return found;
 }
 
 double FocusFrame::sine(double doppler_hz) const {
@@ -240,6 +317,31 @@ RowRoom::RowRoom(const FocusFrame& frame)
       step(frame.row_length()),
       padded(frame.range_size + 2 * SincRow::margin) {}
 
+namespace {
+
+// The widest span of echoes that a row is interpolated for, in samples: that of those recorded, and more where one
+// Doppler frequency has directions of very different cosines over the band. Bounded: what does not fit is lost.
+double widest_row_samples(const FocusFrame& frame) {
+  constexpr int steps = 64;
+  constexpr double most_times = 4.0;
+  const double recorded = static_cast<double>(frame.samples);
+  const SarWaveform& wave = frame.waveform;
+  const double spectrum_hz =
+      frame.options.spectrum ? frame.options.spectrum->azimuth.width_per_m() * frame.track.speed_mps : 0.0;
+  const double width_hz = std::max(frame.prf_hz(), spectrum_hz);
+  const FocusFrame::Sines shown = frame.sines_at(std::max(frame.range.at(0.0), frame.range.step_m));
+  double widest = recorded;
+  for (int i = 0; i <= steps; ++i) {
+    const double doppler_hz = frame.doppler_middle_hz + width_hz * (static_cast<double>(i) / steps - 0.5);
+    if (const double sine = frame.sine(doppler_hz); sine < shown.low || sine > shown.high) continue;
+    const double half_s = radar::delay_of(frame.row_reference(doppler_hz).half_span_m, wave.light_speed_mps);
+    widest = std::max(widest, 2.0 * half_s * wave.sample_rate_hz);
+  }
+  return widest <= StoltSpans::spare * recorded ? recorded : std::min(widest, most_times * recorded);
+}
+
+}  // namespace
+
 FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   CORE_EXPECT(echoes.track.size() >= 2);
   CORE_EXPECT(echoes.waveform.sample_rate_hz > 0.0);
@@ -262,6 +364,8 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.centroid_cosine = std::sqrt(1.0 - sine * sine);
   set_range_axis(frame);
   set_azimuth_axis(frame);
+  frame.row_samples =
+      options.method == FocusMethod::omega_k ? widest_row_samples(frame) : static_cast<double>(frame.samples);
   frame.range_size = core::fast_fft_size(padded_samples(frame));
   frame.image_rows = frame.azimuth_size;
   frame.image_bins = frame.range_size;
@@ -270,6 +374,26 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.shown_azimuth = part_of(frame.azimuth, frame.options.azimuth_area, frame.hidden_rows);
   frame.shown_range = part_of(frame.range, options.range_area, frame.hidden_columns);
   return frame;
+}
+
+void weigh_by_frequency(const FocusFrame& frame, double sine, std::span<std::complex<float>> bins,
+                        const FrequencyRuns& runs, std::span<float> factors) {
+  const double f0 = frame.waveform.carrier_hz;
+  const double cosine_squared = 1.0 - sine * sine;
+  // The factor is (F/f0)^-q for small f, q = 1/2 + 3/2 tan^2 a; its mean over the band 1 + q (q + 1)/6 (B/2 f0)^2.
+  const double power = 0.5 + 1.5 * sine * sine / cosine_squared;
+  constexpr double least = 1e-3;
+  if (power * (power + 1.0) / 6.0 * std::pow(frame.half_band_share(), 2) < least) return;
+  const auto factor_at = [&](double hz) {
+    const double stretch = 1.0 + hz / f0;
+    const double there = stretch > 0.0 ? 1.0 - std::pow(sine / stretch, 2) : 0.0;
+    if (!(there > 1.0 - most_sine * most_sine)) return 0.0;
+    return std::pow(cosine_squared / there, 0.75) / std::sqrt(stretch);
+  };
+  for (const FrequencyRun& run : runs)
+    for (std::size_t k = 0; k < run.count; ++k)
+      factors[run.begin + k] = static_cast<float>(factor_at(run.hz(static_cast<double>(k))));
+  scale_row(bins, factors.first(bins.size()), 1.0F);
 }
 
 double dispersed_samples(const SarWaveform& waveform) {

@@ -54,33 +54,47 @@ std::vector<float> range_weights(const FocusFrame& frame) {
 
 // What a row of the azimuth spectrum is multiplied by, apart from what depends on range.
 struct DopplerRow {
-  double sine = 0.0;    ///< Of the direction.
-  double cosine = 1.0;  ///< D.
+  double hz = 0.0;
+  double sine = 0.0;    ///< Of the direction at the carrier; beyond 1 if the Doppler frequency is that of higher ones.
+  double cosine = 1.0;  ///< D there.
+  double kept = 0.0;    ///< By the window over the Doppler band.
   float weight = 0.0F;  ///< 0 for frequencies that no direction has.
 };
-
-// Frequencies whose direction is within 2.6 degrees of the track count as those of none: the weight grows beyond all
-// bounds there, and so would the noise of a platform so slow that its pulses sample more than all directions.
-constexpr double most_sine = 0.999;
 
 std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   const double band_hz = frame.options.doppler_bandwidth_hz;
   const auto weight = weight_of(frame.options.azimuth_window);
+  // Omega-k weighs the frequencies of a row each by its own direction.
+  const bool by_frequency = frame.options.method == FocusMethod::omega_k;
+  const double most = by_frequency ? most_sine * (1.0 + frame.half_band_share()) : most_sine;
   std::vector<DopplerRow> rows(frame.image_rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const double hz = frame.doppler_hz(k);
-    const double sine = frame.sine(hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
-    if (!(std::abs(sine) < most_sine)) continue;
-    rows[k].sine = sine;
-    rows[k].cosine = std::sqrt(1.0 - sine * sine);
-    const double kept = band_hz > 0.0 ? weight((hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
-    rows[k].weight = static_cast<float>(kept / std::pow(rows[k].cosine, 1.5));
+    DopplerRow& row = rows[k];
+    row.hz = frame.doppler_hz(k);
+    row.sine = frame.sine(row.hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
+    if (!(std::abs(row.sine) < most)) continue;
+    row.cosine = std::sqrt(std::max(1.0 - row.sine * row.sine, 1.0 - most_sine * most_sine));
+    row.kept = band_hz > 0.0 ? weight((row.hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
+    row.weight = static_cast<float>(by_frequency ? row.kept : row.kept / std::pow(row.cosine, 1.5));
   }
   return rows;
 }
 
 // 1/sqrt(rate of the Doppler frequency) of a target at 1 m, without the power of D.
 double unit_chirp(const FocusFrame& frame) { return std::sqrt(0.5 * frame.wavelength_m()) / frame.track.speed_mps; }
+
+// Time in which a Doppler frequency is passed, relative to that at the carrier in the plane across track: the mean of
+// (f0/F) D^-3 over the frequencies F of the pulse, each with its own direction.
+double swept(const FocusFrame& frame, double sine) {
+  constexpr int steps = 16;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double stretch = 1.0 + frame.half_band_share() * ((2.0 * i + 1.0) / steps - 1.0);
+    const double there = std::min(std::abs(sine) / stretch, most_sine);
+    sum += 1.0 / (stretch * std::pow(1.0 - there * there, 1.5));
+  }
+  return sum / steps;
+}
 
 // What makes the peak of a target at 1 m the weighted mean of its echoes, times the inverse of the transform's size: by
 // stationary phase the spectrum of echoes a(t) is prf a/sqrt(rate), and df = rate dt.
@@ -91,7 +105,8 @@ double amplitude_scale(const FocusFrame& frame, const std::vector<float>& pulses
     return unit_chirp(frame) / (size * aperture_s);
   }
   double sum = 0.0;
-  for (const DopplerRow& row : rows) sum += static_cast<double>(row.weight) / std::pow(row.cosine, 1.5);
+  for (const DopplerRow& row : rows)
+    if (row.kept > 0.0) sum += row.kept * swept(frame, row.sine);
   return 1.0 / (sum * frame.prf_hz() * unit_chirp(frame));
 }
 
@@ -191,7 +206,7 @@ class Focuser {
   struct ColumnTables {
     FrequencyRuns runs;
     std::array<std::vector<double>, 2> cosine_at_knots;
-    std::vector<float> sine, fall, weight;
+    std::vector<float> sine, weight;
   };
 
   // D at a Doppler frequency; that of the last direction beyond it.
@@ -201,13 +216,12 @@ class Focuser {
   }
 
   [[nodiscard]] ColumnTables column_tables(const std::vector<DopplerRow>& rows) const {
-    ColumnTables tables{.runs = frame_.doppler_runs(), .cosine_at_knots = {}, .sine = {}, .fall = {}, .weight = {}};
+    ColumnTables tables{.runs = frame_.doppler_runs(), .cosine_at_knots = {}, .sine = {}, .weight = {}};
     for (std::size_t i = 0; i < tables.runs.size(); ++i)
       tables.cosine_at_knots[i] =
           knots_of(tables.runs[i].count, [&](double row) { return cosine_at(tables.runs[i].hz(row)); });
     for (const DopplerRow& row : rows) {
       tables.sine.push_back(static_cast<float>(row.sine));
-      tables.fall.push_back(static_cast<float>(row.cosine * row.cosine * row.cosine));
       tables.weight.push_back(row.weight);
     }
     return tables;
@@ -232,11 +246,11 @@ class Focuser {
     const FocusFrame::Sines seen = frame_.sines_at(range_m);
     weigh_column(column, turns,
                  {.sine = tables.sine,
-                  .fall = tables.fall,
                   .weight = tables.weight,
                   .low = static_cast<float>(seen.low),
                   .high = static_cast<float>(seen.high),
-                  .edge = static_cast<float>(0.5 * frame_.blur_m / range_m),
+                  .low_edge = static_cast<float>(seen.low_edge),
+                  .high_edge = static_cast<float>(seen.high_edge),
                   .scale = static_cast<float>(size)});
   }
 

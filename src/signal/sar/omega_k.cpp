@@ -22,12 +22,12 @@ class OmegaK : public RowFocuser {
         fft_(frame.image_bins),
         runs_(frame.range_runs()),
         image_runs_(frame.image_runs()),
-        interpolation_(static_cast<double>(frame.samples) / static_cast<double>(frame.range_size)) {
-    const double first_s =
-        radar::delay_of(frame.range.first_m - frame.reference_range_m, frame.waveform.light_speed_mps);
+        interpolation_(frame.row_samples / static_cast<double>(frame.range_size)) {
     for (std::size_t k = 0; k < frame.image_bins; ++k) {
-      const double turns = (frame.range_middle_hz + frame.image_hz(k)) * first_s;
-      to_begin_.emplace_back(core::turned_exactly(turns - frame.waveform.carrier_hz * reference_delay_s()));
+      const double hz = frame.range_middle_hz + frame.image_hz(k);
+      const double across = frame.waveform.carrier_hz + hz;
+      const double weight = across > 0.0 ? std::sqrt(frame.waveform.carrier_hz / across) : 0.0;
+      to_begin_.emplace_back(weight * core::turned_exactly(turns_to_begin(hz, frame.reference_range_m)));
     }
     constexpr double least_turns = 1e-6;
     const double turns = frame.range.spectrum_centre_per_m * frame.range.step_m;
@@ -38,8 +38,10 @@ class OmegaK : public RowFocuser {
 
   void focus(double doppler_hz, std::span<std::complex<float>> row, RowRoom& room) const override {
     const double a = radar::range_of(doppler_hz, frame_.waveform.light_speed_mps) / frame_.track.speed_mps;
-    refer_to_middle(row.first(frame_.range_size), doppler_hz, a, room);
+    const double reference_m = frame_.row_reference(doppler_hz).range_m;
+    refer(row.first(frame_.range_size), reference_m, doppler_hz, a, room);
     change_variable(row, a, room);
+    to_begin(row.first(frame_.image_bins), reference_m, room);
     fft_.inverse(row.first(frame_.image_bins));
     // The image's band lies about f0 (Dc - 1), not about 0.
     if (!to_centre_.empty()) multiply_row(row.first(frame_.range.count), to_centre_);
@@ -48,21 +50,21 @@ class OmegaK : public RowFocuser {
   double azimuth_turns(double /*range_m*/, double /*cosine*/) const override { return 0.0; }
 
  private:
-  [[nodiscard]] double motion() const { return frame_.track.speed_mps / frame_.waveform.light_speed_mps; }
-  [[nodiscard]] double reference_delay_s() const {
-    return radar::delay_of(frame_.reference_range_m, frame_.waveform.light_speed_mps);
-  }
+  // Of the directions that are not along the track.
+  inline static const double least_cosine = std::sqrt(1.0 - most_sine * most_sine);
 
+  [[nodiscard]] double motion() const { return frame_.track.speed_mps / frame_.waveform.light_speed_mps; }
   // Takes the phase of the reference away: what remains is smooth enough to interpolate.
-  void refer_to_middle(std::span<std::complex<float>> row, double doppler_hz, double a, RowRoom& room) const {
+  void refer(std::span<std::complex<float>> row, double reference_m, double doppler_hz, double a, RowRoom& room) const {
     const double f0 = frame_.waveform.carrier_hz;
+    const double reference_s = radar::delay_of(reference_m, frame_.waveform.light_speed_mps);
     const double early_s = frame_.early_s(doppler_hz);
     turn_spectrum(
         row, runs_,
         [&](double hz) {
           const double across = a + motion() * (f0 + hz);
           const double square = (f0 + hz) * (f0 + hz) - across * across;
-          return reference_delay_s() * std::sqrt(std::max(square, 0.0)) - hz * frame_.first_delay_s +
+          return reference_s * std::sqrt(std::max(square, 0.0)) - hz * frame_.first_delay_s +
                  turns_of_pulse(doppler_hz, hz, early_s);
         },
         room.turns);
@@ -77,7 +79,25 @@ class OmegaK : public RowFocuser {
     std::copy_n(out, SincRow::margin, padded.end() - SincRow::margin);
   }
 
-  // From f to f' and to where the image begins.
+  // What a frequency f' that is referred to a distance is to be turned by to where the image begins.
+  [[nodiscard]] double turns_to_begin(double hz, double reference_m) const {
+    const double c = frame_.waveform.light_speed_mps;
+    return hz * radar::delay_of(frame_.range.first_m - reference_m, c) -
+           frame_.waveform.carrier_hz * radar::delay_of(reference_m, c);
+  }
+
+  // The weight sqrt(f0/F'), F' = f0 + f', makes that of stationary phase with the change of the variable, D sqrt(f0/F)
+  // D^-1.5, the same for all directions: F' = F D.
+  void to_begin(std::span<std::complex<float>> row, double reference_m, RowRoom& room) const {
+    multiply_row(row, to_begin_);
+    if (reference_m == frame_.reference_range_m) return;
+    const double moved_turns = turns_to_begin(0.0, reference_m) - turns_to_begin(0.0, frame_.reference_range_m);
+    const double moved_s = radar::delay_of(frame_.reference_range_m - reference_m, frame_.waveform.light_speed_mps);
+    turn_spectrum(
+        row, image_runs_, [&](double hz) { return (frame_.range_middle_hz + hz) * moved_s + moved_turns; }, room.turns);
+  }
+
+  // From f to f'. No wave has an F' of 0 and less, and those along the track count as none.
   void change_variable(std::span<std::complex<float>> row, double a, RowRoom& room) const {
     const double f0 = frame_.waveform.carrier_hz;
     const double b = motion();
@@ -93,14 +113,19 @@ class OmegaK : public RowFocuser {
                                 std::span(room.step).subspan(run.begin, run.count)};
       sample_places([&](double bin) { return (true_hz(across(bin)) - f0) * bins_per_hz + negative; }, SincRow::steps,
                     places);
-      sample_values([&](double bin) { return across(bin) / true_hz(across(bin)); },
-                    std::span(room.factors).subspan(run.begin, run.count));
+      const auto least = [&](double hz) { return std::max(least_cosine * true_hz(hz), 0.0); };
+      const auto factors = std::span(room.factors).subspan(run.begin, run.count);
+      std::ranges::fill(factors, 1.0F);
+      for (std::size_t k = 0; k < run.count; ++k) {
+        const double hz = across(static_cast<double>(k));
+        if (hz > least(hz)) break;
+        factors[k] = 0.0F;
+      }
     }
     const std::size_t count = frame_.image_bins;
     interpolation_.interpolate(room.padded.span(), std::span(room.whole).first(count),
                                std::span(room.step).first(count), std::span(room.factors).first(count), 0,
                                static_cast<std::ptrdiff_t>(frame_.range_size), row.first(count));
-    multiply_row(row.first(count), to_begin_);
   }
 
   FocusFrame frame_;

@@ -29,6 +29,7 @@ class RangeDoppler : public RowFocuser {
         bins, runs_,
         [&](double hz) { return secondary_turns(frame_, hz, sine, cosine) + turns_of_pulse(doppler_hz, hz, early_s); },
         room.turns);
+    weigh_by_frequency(frame_, sine, bins, runs_, room.factors);
     fft_.inverse(bins);
     straighten(row.first(frame_.range.count), cosine, room);
   }

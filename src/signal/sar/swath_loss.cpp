@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "core/maths/constants.hpp"
@@ -13,53 +14,118 @@ namespace sarsim::signal {
 
 namespace {
 
-// A piece of the spectrum of a point: its wave numbers, and the error of its phase in turns.
+// A piece of the spectrum of a point: its wave numbers, its part of the mean and the error of its phase in turns.
 struct SpectrumPiece {
   double azimuth_per_m = 0.0;
   double range_per_m = 0.0;
+  double weight = 0.0;
   double turns = 0.0;
 };
 
-std::vector<SpectrumPiece> pieces_of(const FocusFrame& frame, double range_m, double lowest_hz, double highest_hz) {
-  constexpr int count = 33;
-  const SarWaveform& wave = frame.waveform;
-  const double share = (range_m - frame.reference_range_m) / frame.reference_range_m;
-  std::vector<SpectrumPiece> pieces;
-  for (int d = 0; d < count; ++d) {
-    const double doppler_hz = lowest_hz + (highest_hz - lowest_hz) * (static_cast<double>(d) + 0.5) / count;
-    const double sine = std::clamp(frame.sine(doppler_hz), -0.999, 0.999);
-    const double cosine = std::sqrt(1.0 - sine * sine);
+struct PointSpectrum {
+  std::vector<SpectrumPiece> pieces;  // those that the method keeps
+  double whole = 0.0;                 // weights of all
+};
+
+class SpectrumMaker {
+ public:
+  SpectrumMaker(const FocusFrame& frame, double range_m)
+      : frame_(frame),
+        range_m_(range_m),
+        in_range_(weight_of(frame.options.range_window)),
+        in_azimuth_(weight_of(frame.options.azimuth_window)) {}
+
+  // Adds what a pulse sees in a direction. Pulses count from -1/2 to 1/2 over the record.
+  void add(PointSpectrum& spectrum, const SeenDirection& seen, double pulse) const {
+    constexpr int count = 33;
     for (int k = 0; k < count; ++k) {
-      const double hz = std::abs(wave.bandwidth_hz) * ((static_cast<double>(k) + 0.5) / count - 0.5);
-      pieces.push_back({doppler_hz / frame.track.speed_mps,
-                        radar::turns_per_m(wave.carrier_hz * (cosine - 1.0) + hz / cosine, wave.light_speed_mps),
-                        -share * secondary_turns(frame, hz, sine, cosine)});
+      const double part = (static_cast<double>(k) + 0.5) / count - 0.5;
+      const double hz = std::abs(frame_.waveform.bandwidth_hz) * part;
+      const double doppler_hz = doppler_of(seen.sine, hz);
+      const double weight = seen.weight * in_range_(part) * azimuth_weight(doppler_hz, pulse);
+      spectrum.whole += weight;
+      if (keeps(hz, doppler_hz)) spectrum.pieces.push_back(piece_of(hz, doppler_hz, weight));
     }
   }
-  return pieces;
+
+ private:
+  [[nodiscard]] bool omega_k() const { return frame_.options.method == FocusMethod::omega_k; }
+
+  [[nodiscard]] double doppler_of(double sine, double hz) const {
+    return radar::turns_of(frame_.track.speed_mps * sine, frame_.waveform.carrier_hz + hz,
+                           frame_.waveform.light_speed_mps);
+  }
+
+  [[nodiscard]] double azimuth_weight(double doppler_hz, double pulse) const {
+    const double band_hz = frame_.options.doppler_bandwidth_hz;
+    return in_azimuth_(band_hz > 0.0 ? (doppler_hz - frame_.options.doppler_centroid_hz) / band_hz : pulse);
+  }
+
+  [[nodiscard]] bool keeps(double hz, double doppler_hz) const {
+    const double stretch = 1.0 + hz / frame_.waveform.carrier_hz;
+    const double centroid_hz = frame_.unfolds ? stretch * frame_.options.doppler_centroid_hz : frame_.doppler_middle_hz;
+    if (!(std::abs(doppler_hz - centroid_hz) <= 0.5 * frame_.prf_hz())) return false;
+    const double sine = frame_.sine(doppler_hz);
+    if (!omega_k()) return std::abs(sine) < most_sine;
+    const double there = std::abs(sine) / stretch;
+    if (!(there < most_sine)) return false;
+    constexpr double spare = 1.1;
+    const double from_reference_m = range_m_ - frame_.row_reference(doppler_hz).range_m;
+    const double row_m =
+        radar::range_of(frame_.row_samples / frame_.waveform.sample_rate_hz, frame_.waveform.light_speed_mps);
+    return std::abs(from_reference_m) / std::sqrt(1.0 - there * there) <= spare * 0.5 * row_m;
+  }
+
+  [[nodiscard]] SpectrumPiece piece_of(double hz, double doppler_hz, double weight) const {
+    SpectrumPiece piece{.azimuth_per_m = doppler_hz / frame_.track.speed_mps, .weight = weight};
+    if (omega_k()) return piece;
+    const SarWaveform& wave = frame_.waveform;
+    const double share = (range_m_ - frame_.reference_range_m) / frame_.reference_range_m;
+    const double sine = frame_.sine(doppler_hz);
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    piece.range_per_m = radar::turns_per_m(wave.carrier_hz * (cosine - 1.0) + hz / cosine, wave.light_speed_mps);
+    piece.turns = -share * secondary_turns(frame_, hz, sine, cosine);
+    return piece;
+  }
+
+  const FocusFrame& frame_;
+  double range_m_;
+  std::function<double(double)> in_range_;
+  std::function<double(double)> in_azimuth_;
+};
+
+PointSpectrum spectrum_of_point(const FocusFrame& frame, double range_m, std::span<const SeenDirection> seen) {
+  constexpr std::size_t most = 129;
+  const std::size_t step = (seen.size() + most - 1) / most;
+  const SpectrumMaker maker(frame, range_m);
+  PointSpectrum spectrum;
+  for (std::size_t i = step / 2; i < seen.size(); i += step)
+    if (seen[i].weight > 0.0)
+      maker.add(spectrum, seen[i], (static_cast<double>(i) + 0.5) / static_cast<double>(seen.size()) - 0.5);
+  return spectrum;
 }
 
-std::complex<double> mean_at(const std::vector<SpectrumPiece>& pieces, const ImagePlace& place) {
+std::complex<double> sum_at(const std::vector<SpectrumPiece>& pieces, const ImagePlace& place) {
   std::complex<double> sum;
-  for (const SpectrumPiece& piece : pieces)
-    sum +=
-        std::polar(1.0, 2.0 * core::pi *
-                            (piece.turns + piece.azimuth_per_m * place.azimuth_m + piece.range_per_m * place.range_m));
-  return sum / static_cast<double>(pieces.size());
+  for (const SpectrumPiece& piece : pieces) {
+    const double turns = piece.turns + piece.azimuth_per_m * place.azimuth_m + piece.range_per_m * place.range_m;
+    sum += std::polar(piece.weight, 2.0 * core::pi * (turns - std::round(turns)));
+  }
+  return sum;
 }
 
 // Climbs from the ideal place, in steps that are halved when none of them leads higher.
 ImagePlace peak_of_pieces(const std::vector<SpectrumPiece>& pieces, double azimuth_step_m, double range_step_m) {
   constexpr int halvings = 8;
   ImagePlace peak;
-  double height = std::abs(mean_at(pieces, peak));
+  double height = std::abs(sum_at(pieces, peak));
   for (int i = 0; i < halvings; ++i, azimuth_step_m *= 0.5, range_step_m *= 0.5) {
     for (bool higher = true; higher;) {
       higher = false;
       for (const auto& [da, dr] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1),
                                    std::pair(1, 1), std::pair(-1, -1), std::pair(1, -1), std::pair(-1, 1)}) {
         const ImagePlace next{peak.azimuth_m + da * azimuth_step_m, peak.range_m + dr * range_step_m};
-        const double there = std::abs(mean_at(pieces, next));
+        const double there = std::abs(sum_at(pieces, next));
         if (!(there > height)) continue;
         height = there;
         peak = next;
@@ -72,22 +138,47 @@ ImagePlace peak_of_pieces(const std::vector<SpectrumPiece>& pieces, double azimu
 
 }  // namespace
 
-SwathLoss loss_off_mid_swath(const EchoRows& echoes, const FocusOptions& options, double range_m,
-                             double lowest_doppler_hz, double highest_doppler_hz) {
-  CORE_EXPECT(options.method != FocusMethod::omega_k);
-  CORE_EXPECT(highest_doppler_hz >= lowest_doppler_hz);
-  const FocusFrame frame = focus_frame(echoes, options);
-  const std::vector<SpectrumPiece> pieces = pieces_of(frame, range_m, lowest_doppler_hz, highest_doppler_hz);
-  const double cell_m = radar::range_of_cycle(std::abs(frame.waveform.bandwidth_hz), frame.waveform.light_speed_mps);
-  const double line_m = highest_doppler_hz > lowest_doppler_hz
-                            ? frame.track.speed_mps / (highest_doppler_hz - lowest_doppler_hz)
-                            : cell_m;
+PointLosses::PointLosses(const EchoRows& echoes, const FocusOptions& options)
+    : frame_(std::make_shared<const FocusFrame>(focus_frame(echoes, options))) {}
+
+double PointLosses::middle_m() const { return frame_->reference_range_m; }
+
+SwathLoss PointLosses::of(double range_m, std::span<const SeenDirection> seen) const {
+  const FocusFrame& frame = *frame_;
+  const PointSpectrum spectrum = spectrum_of_point(frame, range_m, seen);
   SwathLoss loss{.from_middle_m = range_m - frame.reference_range_m};
-  loss.shift = peak_of_pieces(pieces, 0.25 * line_m, 0.25 * cell_m);
-  const std::complex<double> peak = mean_at(pieces, loss.shift);
-  loss.amplitude = std::abs(peak);
-  loss.phase_rad = std::arg(peak);
+  if (!(spectrum.whole > 0.0)) return loss;
+  if (spectrum.pieces.empty()) {
+    loss.amplitude = 0.0;
+    return loss;
+  }
+  if (frame.options.method != FocusMethod::omega_k) {
+    const double cell_m = radar::range_of_cycle(std::abs(frame.waveform.bandwidth_hz), frame.waveform.light_speed_mps);
+    const auto [low, high] = std::ranges::minmax(spectrum.pieces, {}, &SpectrumPiece::azimuth_per_m);
+    const double width_per_m = high.azimuth_per_m - low.azimuth_per_m;
+    loss.shift =
+        peak_of_pieces(spectrum.pieces, 0.25 * (width_per_m > 0.0 ? 1.0 / width_per_m : cell_m), 0.25 * cell_m);
+  }
+  const std::complex<double> peak = sum_at(spectrum.pieces, loss.shift);
+  const double carried = frame.azimuth.spectrum_centre_per_m * loss.shift.azimuth_m +
+                         frame.range.spectrum_centre_per_m * loss.shift.range_m;
+  loss.amplitude = std::abs(peak) / spectrum.whole;
+  loss.phase_rad = std::remainder(std::arg(peak) - 2.0 * core::pi * carried, 2.0 * core::pi);
   return loss;
+}
+
+double PointLosses::left_turns(double range_m, double low_sine, double high_sine) const {
+  const FocusFrame& frame = *frame_;
+  if (frame.options.method == FocusMethod::omega_k) return 0.0;
+  const double share = (range_m - frame.reference_range_m) / frame.reference_range_m;
+  double most = 0.0;
+  for (const double part : {-0.5, 0.5})
+    for (const double direction : {low_sine, high_sine}) {
+      const double hz = part * std::abs(frame.waveform.bandwidth_hz);
+      const double sine = std::clamp(direction * (1.0 + hz / frame.waveform.carrier_hz), -most_sine, most_sine);
+      most = std::max(most, std::abs(share * secondary_turns(frame, hz, sine, std::sqrt(1.0 - sine * sine))));
+    }
+  return most;
 }
 
 }  // namespace sarsim::signal

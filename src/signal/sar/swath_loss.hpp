@@ -1,27 +1,52 @@
 #pragma once
 
+#include <memory>
+#include <span>
+
 #include "signal/sar/focusing.hpp"
+#include "signal/sar/image_spectrum.hpp"
 
 namespace sarsim::signal {
 
-/// What range-Doppler and chirp scaling do to a point off the middle of the swath.
+struct FocusFrame;
+
+/// What a method in the frequency domain makes of a point, against the weighted mean of its echoes, each at its true
+/// phase, which is what back projection takes.
 struct SwathLoss {
   double from_middle_m = 0.0;  ///< Of its closest distance, from that of the middle of the swath.
-  double amplitude = 1.0;      ///< Of its peak, relative to that of a point in the middle.
-  double phase_rad = 0.0;      ///< Error of the peak's phase, in (-pi, pi].
-  ImagePlace shift{};          ///< Displacement of the peak.
+  double amplitude = 1.0;      ///< Of its peak, relative to that mean.
+  double phase_rad = 0.0;  ///< Error of the peak's phase, carried to the true place by the image's spectral centre, as
+                           ///< `measure` does; in (-pi, pi].
+  ImagePlace shift{};      ///< Displacement of the peak.
 };
 
-/// The loss of a point at a closest distance R, from the phase that these methods leave in its spectrum: they take out
-/// the secondary range compression of the middle of the swath, Rm, for all ranges, and
+/// Losses of points, each at a closest distance R, from the phase that the method leaves in its spectrum. Range-Doppler
+/// and chirp scaling take out the secondary range compression of the middle of the swath, Rm, for all ranges, and
 ///
 ///     -2 pi (2 (R - Rm)/c) (sqrt((f0 + f)^2 - (f0 sin a)^2) - f0 cos a - f/cos a)
 ///
-/// remains at each range frequency f and angle a. The sum of the spectrum, filled evenly over the pulse's band and
-/// between two Doppler frequencies, is taken where it is largest. Omega-k has none of it.
-/// @param echoes  their track, waveform and window; no rows are read
-/// @param options range_doppler or chirp_scaling
-[[nodiscard]] SwathLoss loss_off_mid_swath(const EchoRows& echoes, const FocusOptions& options, double range_m,
-                                           double lowest_doppler_hz, double highest_doppler_hz);
+/// remains at each range frequency f and each Doppler frequency 2 V f0 sin a/c. Omega-k leaves no phase. All lose the
+/// frequencies that no direction has for them, those which the pulses alias at the upper end of a wide band, and, of
+/// omega-k, those whose echoes are farther from the others than its rows are interpolated for. The spectrum is that of
+/// the pulses' echoes, with the windows of range and azimuth, filled evenly over the pulse's band; the peak is where
+/// its sum is largest.
+class PointLosses {
+ public:
+  /// @param echoes  their track, waveform and window; no rows are read
+  PointLosses(const EchoRows& echoes, const FocusOptions& options);
+
+  /// Closest distance of the middle of the swath.
+  [[nodiscard]] double middle_m() const;
+  /// @param range_m  closest distance
+  /// @param seen     directions of the point and the amplitudes of its echoes, of some evenly spaced pulses of all:
+  ///                 sines in (-1, 1). The window over the pulses is not in them
+  [[nodiscard]] SwathLoss of(double range_m, std::span<const SeenDirection> seen) const;
+  /// The most that range-Doppler and chirp scaling leave of a phase in the spectrum of a point between two sines, in
+  /// cycles: to tell which of many points may lose most. 0 for omega-k.
+  [[nodiscard]] double left_turns(double range_m, double low_sine, double high_sine) const;
+
+ private:
+  std::shared_ptr<const FocusFrame> frame_;
+};
 
 }  // namespace sarsim::signal

@@ -29,7 +29,7 @@ Setting wide_band(double squint_deg) {
 
 struct Found {
   SwathLoss loss;
-  std::complex<double> value;  // at the place of the peak that the loss predicts, relative to the ideal one
+  std::complex<double> value;  // at the place of the peak that the loss predicts, carried to the true one
 };
 
 Found found_at(double squint_deg, FocusMethod method, double from_middle_m) {
@@ -38,19 +38,20 @@ Found found_at(double squint_deg, FocusMethod method, double from_middle_m) {
   const SarEchoes echoes = make_echoes(setting, {{point, 1.0, {}}});
   FocusOptions options{.method = method};
   options.doppler_centroid_hz = doppler_centroid_hz(setting.waveform, setting.speed_mps, setting.squint_rad);
-  const auto doppler_hz = [&](const TrackPoint& antenna) {
+  std::vector<SeenDirection> seen;
+  for (const TrackPoint& antenna : echoes.track) {
     const core::Vec3 sight = point - antenna.position_m;
-    return 2.0 * setting.speed_mps / setting.wavelength_m() * sight.y / core::norm(sight);
-  };
-  Found found{loss_off_mid_swath(rows_of(echoes), options, setting.closest_m() + from_middle_m,
-                                 doppler_hz(echoes.track.back()), doppler_hz(echoes.track.front())),
-              {}};
+    seen.push_back({sight.y / core::norm(sight), 1.0});
+  }
+  Found found{PointLosses(rows_of(echoes), options).of(setting.closest_m() + from_middle_m, seen), {}};
   const FocusedImage image = focus(echoes, options, {.threads = 2});
   ImagePlace place = place_of(image.frame, point);
   const double turns = 2.0 * place.range_m / setting.wavelength_m();
   place.azimuth_m += found.loss.shift.azimuth_m;
   place.range_m += found.loss.shift.range_m;
-  found.value = test::value_at(image, place) * std::polar(1.0, 2.0 * core::pi * turns);
+  const double carried = image.azimuth.spectrum_centre_per_m * found.loss.shift.azimuth_m +
+                         image.range.spectrum_centre_per_m * found.loss.shift.range_m;
+  found.value = test::value_at(image, place) * std::polar(1.0, 2.0 * core::pi * (turns - carried));
   return found;
 }
 

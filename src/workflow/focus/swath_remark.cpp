@@ -2,89 +2,159 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "core/maths/decibels.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/sar_track.hpp"
-#include "signal/sar/swath_loss.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/sar_looks.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
 
-struct PlaceOfLoss {
-  std::string name;
+// What an image that is right may lose.
+constexpr double most_loss_db = 0.1;
+constexpr double most_loss_rad = 0.02;
+
+// Where a target is, and between which sines of directions most of its echoes are.
+struct Candidate {
+  std::size_t target = 0;
   double range_m = 0.0;
-  double lowest_hz = 0.0;
-  double highest_hz = 0.0;
+  double low_sine = 0.0;
+  double high_sine = 0.0;
+  bool in_swath = false;
 };
 
-// The target farthest from the middle of the swath.
-std::optional<PlaceOfLoss> farthest_target(const simulate::Plan& plan, const signal::EchoRows& echoes, double middle_m,
-                                           const core::WorkControl& control) {
-  std::optional<PlaceOfLoss> farthest;
-  for (const SarTarget& target : targets_from_line(plan, echoes, control)) {
-    if (!(target.amplitude > 0.0) || !target.in_swath) continue;
-    if (farthest && std::abs(target.place.range_m - middle_m) <= std::abs(farthest->range_m - middle_m)) continue;
-    farthest = {fmt::format("target {}", target.target + 1), target.place.range_m, target.lowest_doppler_hz,
-                target.highest_doppler_hz};
+// Those of pulses whose Doppler frequency the pulses tell; the others have no weight.
+std::vector<signal::SeenDirection> directions_of(const SarLooks& looks, std::span<const SarLook> seen,
+                                                 const signal::EchoRows& echoes, double centroid_hz) {
+  const double per_hz =
+      radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / looks.track().speed_mps;
+  const double half_hz = 0.5 / looks.track().interval_s;
+  std::vector<signal::SeenDirection> directions;
+  for (const SarLook& look : seen) {
+    const double sine = per_hz * look.doppler_hz;
+    const bool told = std::abs(sine) < 1.0 && std::abs(look.doppler_hz - centroid_hz) <= half_hz;
+    directions.push_back({told ? sine : 0.0, told ? look.amplitude * look.share : 0.0});
   }
-  return farthest;
+  return directions;
 }
 
-PlaceOfLoss edge_of_swath(const signal::FocusedImage& axes, const signal::FocusOptions& options) {
-  PlaceOfLoss edge{"a point at the edge of the swath", axes.range.at(static_cast<double>(axes.range.count) - 1.0),
-                   options.doppler_centroid_hz, options.doppler_centroid_hz};
-  if (!options.spectrum) return edge;
-  edge.lowest_hz = options.spectrum->azimuth.least_per_m * axes.frame.speed_mps;
-  edge.highest_hz = options.spectrum->azimuth.most_per_m * axes.frame.speed_mps;
-  return edge;
+Candidate candidate_of(const SarLooks& looks, std::size_t target, std::span<const SarLook> seen,
+                       std::span<const signal::SeenDirection> directions) {
+  Candidate candidate{.target = target, .low_sine = 1.0, .high_sine = -1.0};
+  double strongest = 0.0;
+  for (const signal::SeenDirection& direction : directions) strongest = std::max(strongest, direction.weight);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    if (!(strongest > 0.0) || directions[i].weight < 0.1 * strongest) continue;
+    candidate.in_swath = true;
+    candidate.low_sine = std::min(candidate.low_sine, directions[i].sine);
+    candidate.high_sine = std::max(candidate.high_sine, directions[i].sine);
+    candidate.range_m = looks.place(seen[i], seen[i].doppler_hz).range_m;
+  }
+  return candidate;
 }
 
-// Restricts a place to the Doppler frequencies that focusing does not fold.
-void keep_band(PlaceOfLoss& place, const signal::FocusOptions& options, double prf_hz) {
-  const double half_hz = 0.5 * (options.doppler_bandwidth_hz > 0.0 ? options.doppler_bandwidth_hz : prf_hz);
-  const double centroid_hz = options.doppler_centroid_hz;
-  place.lowest_hz = std::clamp(place.lowest_hz, centroid_hz - half_hz, centroid_hz + half_hz);
-  place.highest_hz = std::clamp(place.highest_hz, centroid_hz - half_hz, centroid_hz + half_hz);
+// The few that may lose most: of which most phase is left, and those seen under the widest angle, nearest and farthest.
+std::vector<std::size_t> likely_worst(const std::vector<Candidate>& candidates, const signal::PointLosses& losses) {
+  std::vector<std::size_t> likely;
+  const auto add_most = [&](const auto& measure) {
+    std::optional<std::size_t> most;
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+      if (candidates[i].in_swath && (!most || measure(candidates[i]) > measure(candidates[*most]))) most = i;
+    if (most && std::ranges::find(likely, *most) == likely.end()) likely.push_back(*most);
+  };
+  add_most([&](const Candidate& c) { return losses.left_turns(c.range_m, c.low_sine, c.high_sine); });
+  add_most([](const Candidate& c) { return std::max(std::abs(c.low_sine), std::abs(c.high_sine)); });
+  add_most([](const Candidate& c) { return c.range_m; });
+  add_most([](const Candidate& c) { return -c.range_m; });
+  return likely;
+}
+
+// Of two losses the one that is farther beyond what is right.
+double grade_of(const signal::SwathLoss& loss) {
+  return std::max(-core::amplitude_db(loss.amplitude) / most_loss_db, std::abs(loss.phase_rad) / most_loss_rad);
+}
+
+MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptions& options,
+                        const signal::PointLosses& losses) {
+  constexpr int count = 65;
+  const signal::FocusedImage axes = signal::image_of(echoes, options);
+  const double per_hz = radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
+  const double middle = per_hz * options.doppler_centroid_hz / axes.frame.speed_mps;
+  double low = middle, high = middle;
+  if (options.spectrum) {
+    low = per_hz * options.spectrum->azimuth.least_per_m;
+    high = per_hz * options.spectrum->azimuth.most_per_m;
+  }
+  const double half = 0.5 * per_hz / (signal::fit_straight(echoes.track).interval_s * axes.frame.speed_mps);
+  std::vector<signal::SeenDirection> directions;
+  for (int i = 0; i < count; ++i) {
+    const double sine = low + (high - low) * (i + 0.5) / count;
+    directions.push_back({std::clamp(sine, std::max(middle - half, -0.99), std::min(middle + half, 0.99)), 1.0});
+  }
+  const double edge_m = axes.range.at(static_cast<double>(axes.range.count) - 1.0);
+  return {std::nullopt, losses.middle_m(), losses.of(edge_m, directions)};
 }
 
 }  // namespace
 
+std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                            const signal::FocusOptions& options, const core::WorkControl& control) {
+  constexpr std::size_t most_looks = 129;
+  const signal::PointLosses losses(echoes, options);
+  if (plan.scene->scatterers.size() > most_examined_targets) return loss_at_edge(echoes, options, losses);
+  signal::EchoRows from_line = echoes;
+  from_line.compensated = true;
+  const SarLooks looks(plan, from_line, {}, most_looks);
+  std::vector<Candidate> candidates(looks.targets());
+  std::vector<std::vector<signal::SeenDirection>> directions(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    directions[t] = directions_of(looks, seen, echoes, options.doppler_centroid_hz);
+    candidates[t] = candidate_of(looks, t, seen, directions[t]);
+  });
+  std::optional<MethodLoss> worst;
+  for (const std::size_t i : likely_worst(candidates, losses)) {
+    const signal::SwathLoss loss = losses.of(candidates[i].range_m, directions[i]);
+    if (!worst || grade_of(loss) > grade_of(worst->loss)) worst = {candidates[i].target, losses.middle_m(), loss};
+  }
+  return worst;
+}
+
 core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                      const signal::FocusOptions& options, const core::WorkControl& control) {
-  constexpr double most_db = 0.1;
-  constexpr double most_rad = 0.1;
-  if (options.method == signal::FocusMethod::omega_k) return {};
-  const signal::FocusedImage axes = signal::image_of(echoes, options);
-  const double middle_m = axes.range.at(0.5 * static_cast<double>(axes.range.count));
-  std::optional<PlaceOfLoss> place;
-  if (plan.scene->scatterers.size() <= most_examined_targets)
-    place = farthest_target(plan, echoes, middle_m, control);
-  else
-    place = edge_of_swath(axes, options);
-  if (!place) return {};
-  keep_band(*place, options, 1.0 / signal::fit_straight(echoes.track).interval_s);
-  const signal::SwathLoss loss =
-      signal::loss_off_mid_swath(echoes, options, place->range_m, place->lowest_hz, place->highest_hz);
+  const std::optional<MethodLoss> worst = worst_method_loss(plan, echoes, options, control);
+  if (!worst) return {};
+  const double grade = grade_of(worst->loss);
+  if (grade < 0.1) return {};
+  const signal::SwathLoss& loss = worst->loss;
+  const std::string name =
+      worst->target ? fmt::format("target {}", *worst->target + 1) : "a point at the edge of the swath";
   const double lost_db = -core::amplitude_db(loss.amplitude);
-  const double worst = std::max(lost_db / most_db, std::abs(loss.phase_rad) / most_rad);
-  if (worst < 0.1) return {};
+  const bool warns = grade >= 1.0;
+  const core::Severity severity = warns ? core::Severity::warning : core::Severity::note;
+  const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", most_loss_db, most_loss_rad) : "";
+  if (options.method == signal::FocusMethod::omega_k)
+    return {core::problem_of(severity,
+                             fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "
+                                         "frequencies at the upper end of the band, or see it along the track",
+                                         lost_db, name),
+                             {}, expected, "use --algorithm back-projection, or send more pulses per second")};
   const bool scaled = options.method == signal::FocusMethod::chirp_scaling;
   return {core::problem_of(
-      worst < 1.0 ? core::Severity::note : core::Severity::warning,
+      severity,
       fmt::format(
           "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
           "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
-          scaled ? "chirp scaling" : "range-Doppler", middle_m, place->name, std::abs(loss.from_middle_m), lost_db,
+          scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name, std::abs(loss.from_middle_m), lost_db,
           loss.phase_rad, std::abs(loss.shift.range_m)),
-      {}, worst < 1.0 ? "" : fmt::format("below {:.1f} dB and {:.1f} rad", most_db, most_rad),
-      "use --algorithm omega-k, which compresses each range correctly")};
+      {}, expected, "use --algorithm omega-k, which compresses each range correctly")};
 }
 
 core::Problems remarks_on_area(const signal::EchoRows& echoes, const signal::FocusOptions& options) {

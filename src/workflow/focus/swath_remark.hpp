@@ -1,14 +1,32 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
+
 #include "core/report/problem.hpp"
 #include "signal/sar/focusing.hpp"
+#include "signal/sar/swath_loss.hpp"
 #include "simulate/plan/plan.hpp"
 
 namespace sarsim::workflow {
 
-/// What range-Doppler and chirp scaling lose off the middle of the swath, at the target that loses most; of more than
-/// `most_examined_targets`, at the farther edge of the swath. A warning from 0.1 dB or 0.1 rad on, a note from a tenth
-/// of that on. None for omega-k.
+/// The target of which a method in the frequency domain loses most.
+struct MethodLoss {
+  std::optional<std::size_t> target;  ///< Counted from 0; nothing for a point at the farther edge of the swath.
+  double middle_m = 0.0;              ///< Closest distance of the middle of the swath.
+  signal::SwathLoss loss;
+};
+
+/// What the method of `options` makes of the echoes as they come from the straight line, of all targets that are in the
+/// swath at the one that loses most; of more than `most_examined_targets`, at the farther edge of the swath. What
+/// compensation of motion leaves is not in it. Nothing where there is no such target.
+/// @param echoes  their track, waveform and window; no rows are read
+/// @throw  Interrupted
+[[nodiscard]] std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                                          const signal::FocusOptions& options,
+                                                          const core::WorkControl& control = {});
+
+/// What it says of that loss: a warning from 0.1 dB or 0.02 rad on, a note from a tenth of that on.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
