@@ -61,6 +61,14 @@ struct DopplerRow {
   float weight = 0.0F;  ///< 0 for frequencies that no direction has.
 };
 
+// What compression keeps of a chirp whose Doppler frequency the filter does not know: the part in which both overlap
+// once the peak has moved by fd/K.
+double overlap_of(const SarWaveform& waveform, double doppler_hz) {
+  constexpr double least = 0.5;
+  if (!(waveform.pulse_width_s > 0.0)) return 1.0;
+  return std::max(1.0 - std::abs(doppler_hz / waveform.bandwidth_hz), least);
+}
+
 std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   const double band_hz = frame.options.doppler_bandwidth_hz;
   const auto weight = weight_of(frame.options.azimuth_window);
@@ -75,7 +83,8 @@ std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
     if (!(std::abs(row.sine) < most)) continue;
     row.cosine = std::sqrt(std::max(1.0 - row.sine * row.sine, 1.0 - most_sine * most_sine));
     row.kept = band_hz > 0.0 ? weight((row.hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
-    row.weight = static_cast<float>(by_frequency ? row.kept : row.kept / std::pow(row.cosine, 1.5));
+    const double whole = row.kept / overlap_of(frame.waveform, row.hz);
+    row.weight = static_cast<float>(by_frequency ? whole : whole / std::pow(row.cosine, 1.5));
   }
   return rows;
 }

@@ -12,6 +12,7 @@
 #include "core/os/free_memory.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
+#include "radar/path/path.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/air_remarks.hpp"
@@ -23,6 +24,7 @@
 #include "workflow/focus/method_choice.hpp"
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
+#include "workflow/focus/sar_looks.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/scene_grid.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
@@ -71,11 +73,20 @@ double measured_centroid_hz(const FocusRequest& request, const signal::EchoRows&
   return signal::measured_doppler_centroid_hz(echoes, otherwise_hz, control);
 }
 
+// From the line where compensation of motion moves the echoes there, else as it is flown.
+double geometric_centroid_hz(const FocusInput& input, const core::WorkControl& control) {
+  const signal::SarWaveform& wave = input.echoes.waveform;
+  const double limit_m = radar::wavelength_of(wave.carrier_hz, wave.light_speed_mps) / 16.0;
+  if (signal::fit_straight(input.echoes.track).worst_position_m > limit_m)
+    if (const auto of_line = line_doppler_centroid_hz(*input.plan, input.echoes, control)) return *of_line;
+  return geometric_doppler_centroid_hz(*input.plan);
+}
+
 // As it is known before motion is compensated; measured, it is that of the echoes as they came.
 double first_centroid_hz(const FocusRequest& request, const FocusInput& input, const core::WorkControl& control) {
   if (request.centroid == CentroidSource::given) return request.given_centroid_hz;
   if (!moves(input.echoes)) return 0.0;
-  return measured_centroid_hz(request, input.echoes, geometric_doppler_centroid_hz(*input.plan), control);
+  return measured_centroid_hz(request, input.echoes, geometric_centroid_hz(input, control), control);
 }
 
 core::Problems problems_of_echoes(const FocusRequest& request, const signal::EchoRows& echoes,

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/decibels.hpp"
 #include "radar/path/path.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
@@ -124,8 +125,15 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
   double nearest_m = INFINITY;
   double farthest_m = -INFINITY;
   double largest = 0.0;
+  double missing = 0.0;  // From the peak of a target: all of its ghosts.
+  double most_missing = 0.0;
   for (const SarGhost& ghost : ghosts) {
-    if (wrapped.empty() || wrapped.back() != ghost.target) wrapped.push_back(ghost.target);
+    if (wrapped.empty() || wrapped.back() != ghost.target) {
+      wrapped.push_back(ghost.target);
+      missing = 0.0;
+    }
+    missing += ghost.share;
+    most_missing = std::max(most_missing, missing);
     nearest_m = std::min(nearest_m, ghost.place.azimuth_m);
     farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
     largest = std::max(largest, ghost.share);
@@ -135,9 +143,9 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
       fmt::format(
           "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
           "{:.6g} Hz: they show as smeared ghosts of up to {:.0f} % of their echoes, at azimuths from {:.0f} to {:.0f} "
-          "m",
+          "m, and peaks lose up to {:.2g} dB, except by back-projection",
           wrapped.size(), looks.targets(), target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest,
-          nearest_m, farthest_m),
+          nearest_m, farthest_m, -core::amplitude_db(std::max(1.0 - most_missing, 1e-6))),
       {}, {}, "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
 }
 

@@ -111,4 +111,30 @@ signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const
   return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
 }
 
+std::optional<double> line_doppler_centroid_hz(const simulate::Plan& plan, signal::EchoRows echoes,
+                                               const core::WorkControl& control) {
+  constexpr std::size_t most_looks = 65;
+  echoes.compensated = true;
+  const SarLooks looks(plan, echoes, {}, most_looks);
+  struct Sums {
+    double power = 0.0;
+    double moment = 0.0;
+  };
+  std::vector<Sums> sums(looks.targets());
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    for (const SarLook& look : seen) {
+      const double power = look.amplitude * look.amplitude;
+      sums[t].power += power;
+      sums[t].moment += power * look.doppler_hz;
+    }
+  });
+  Sums all;
+  for (const Sums& sum : sums) {
+    all.power += sum.power;
+    all.moment += sum.moment;
+  }
+  if (!(all.power > 0.0)) return std::nullopt;
+  return all.moment / all.power;
+}
+
 }  // namespace sarsim::workflow

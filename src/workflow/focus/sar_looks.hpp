@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/task/parallel.hpp"
@@ -71,5 +72,12 @@ class SarLooks {
   std::size_t step_ = 1;
   bool compensated_ = false;
 };
+
+/// Mean Doppler frequency of the echoes as they come from the line that fits the track, weighted by their power: that
+/// of the middle of the image where motion is compensated. A flight that sways has another mean of what it received.
+/// Nothing where there are no echoes.
+/// @throw  Interrupted
+[[nodiscard]] std::optional<double> line_doppler_centroid_hz(const simulate::Plan& plan, signal::EchoRows echoes,
+                                                             const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

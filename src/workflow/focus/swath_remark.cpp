@@ -29,6 +29,7 @@ struct Candidate {
   double low_sine = 0.0;
   double high_sine = 0.0;
   bool in_swath = false;
+  double told = 1.0;  // Share of its echoes whose Doppler frequencies the pulses tell.
 };
 
 // Those of pulses whose Doppler frequency the pulses tell; the others have no weight.
@@ -49,8 +50,13 @@ std::vector<signal::SeenDirection> directions_of(const SarLooks& looks, std::spa
 Candidate candidate_of(const SarLooks& looks, std::size_t target, std::span<const SarLook> seen,
                        std::span<const signal::SeenDirection> directions) {
   Candidate candidate{.target = target, .low_sine = 1.0, .high_sine = -1.0};
-  double strongest = 0.0;
-  for (const signal::SeenDirection& direction : directions) strongest = std::max(strongest, direction.weight);
+  double strongest = 0.0, told = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    strongest = std::max(strongest, directions[i].weight);
+    told += directions[i].weight;
+    all += seen[i].amplitude * seen[i].share;
+  }
+  if (all > 0.0) candidate.told = told / all;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!(strongest > 0.0) || directions[i].weight < 0.1 * strongest) continue;
     candidate.in_swath = true;
@@ -79,7 +85,8 @@ std::vector<std::size_t> likely_worst(const std::vector<Candidate>& candidates, 
 
 // Of two losses the one that is farther beyond what is right.
 double grade_of(const signal::SwathLoss& loss) {
-  return std::max(-core::amplitude_db(loss.amplitude) / most_loss_db, std::abs(loss.phase_rad) / most_loss_rad);
+  return std::max(-core::amplitude_db(std::max(loss.amplitude, 1e-6)) / most_loss_db,
+                  std::abs(loss.phase_rad) / most_loss_rad);
 }
 
 MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptions& options,
@@ -100,7 +107,7 @@ MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptio
     directions.push_back({std::clamp(sine, std::max(middle - half, -0.99), std::min(middle + half, 0.99)), 1.0});
   }
   const double edge_m = axes.range.at(static_cast<double>(axes.range.count) - 1.0);
-  return {std::nullopt, losses.middle_m(), losses.of(edge_m, directions)};
+  return {std::nullopt, losses.middle_m(), losses.of(edge_m, directions), 1.0};
 }
 
 }  // namespace
@@ -122,8 +129,9 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
   std::optional<MethodLoss> worst;
   for (const std::size_t i : likely_worst(candidates, losses)) {
     const signal::SwathLoss loss = losses.of(candidates[i].range_m, directions[i]);
-    if (!worst || grade_of(loss) > grade_of(worst->loss)) worst = {candidates[i].target, losses.middle_m(), loss};
+    if (!worst || grade_of(loss) > grade_of(worst->loss)) worst = {candidates[i].target, losses.middle_m(), loss, 1.0};
   }
+  if (worst) worst->told = std::ranges::min(candidates, {}, &Candidate::told).told;
   return worst;
 }
 
@@ -136,7 +144,8 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
   const signal::SwathLoss& loss = worst->loss;
   const std::string name =
       worst->target ? fmt::format("target {}", *worst->target + 1) : "a point at the edge of the swath";
-  const double lost_db = -core::amplitude_db(loss.amplitude);
+  constexpr double nothing_left = 1e-6;
+  const double lost_db = -core::amplitude_db(std::max(loss.amplitude, nothing_left));
   const bool warns = grade >= 1.0;
   const core::Severity severity = warns ? core::Severity::warning : core::Severity::note;
   const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", most_loss_db, most_loss_rad) : "";

@@ -15,6 +15,9 @@ struct MethodLoss {
   std::optional<std::size_t> target;  ///< Counted from 0; nothing for a point at the farther edge of the swath.
   double middle_m = 0.0;              ///< Closest distance of the middle of the swath.
   signal::SwathLoss loss;
+  /// Least share of a target's echoes whose Doppler frequencies at the carrier the pulses tell: the rest is missing
+  /// from its peak besides, which `remarks_on_ghosts` says. 1 where no targets are examined.
+  double told = 1.0;
 };
 
 /// What the method of `options` makes of the echoes as they come from the straight line, of all targets that are in the

@@ -3,9 +3,15 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 #include <string>
 
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
+#include "workflow/focus/sar_theory.hpp"
+#include "workflow/focus/seen_spectrum.hpp"
 
 namespace sarsim::workflow {
 namespace swath_remark_test {
@@ -40,6 +46,82 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
   EXPECT_NEAR(-20.0 * std::log10(found), lost_db, 0.1);
   options.method = signal::FocusMethod::omega_k;
   EXPECT_TRUE(remarks_on_swath_loss(*plan, rows, options).empty());
+}
+
+// What is found of the target that is named, against its theory, which knows of the antenna.
+signal::SwathLoss found_loss(const simulate::Plan& plan, const signal::EchoRows& rows,
+                             const signal::FocusOptions& options) {
+  const TargetTheory theory = theory_of_targets(plan, rows, options).at(0);
+  const signal::FocusedImage image = signal::focus(signal::sar_echoes(rows, {.threads = 2}), options, {.threads = 2});
+  const signal::PointResponse found = signal::measure_point(image, signal::reader_of(image), theory.place, 2.0).value();
+  signal::SwathLoss loss;
+  loss.shift = {found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m};
+  loss.amplitude = found.amplitude / theory.amplitude;
+  const double carried = image.azimuth.spectrum_centre_per_m * loss.shift.azimuth_m +
+                         image.range.spectrum_centre_per_m * loss.shift.range_m;
+  loss.phase_rad = std::remainder(found.phase_rad - theory.phase_rad - 2.0 * core::pi * carried, 2.0 * core::pi);
+  return loss;
+}
+
+// An antenna of 3 degrees, whose beam tapers the Doppler spectrum, and windows: neither is even over the band.
+TEST(SwathRemark, PredictsLossAndPhaseOfTaperedSpectra) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> off(30.0, 110.0);
+  for (int i = 0; i < 4; ++i) {
+    scene::Scene scene = wide_band_scene(0.0);
+    scene.targets.resize(1);
+    scene.targets[0].position_m = {i % 2 == 0 ? off(random) : -off(random), 0.0, 0.0};
+    scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+    scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(3.0);
+    scene.radars[0].transmit_antenna.elevation_beamwidth = core::Angle::from_deg(40.0);
+    scene.radars[0].beam_azimuth = core::Angle::from_deg(90.0 - std::atan2(750.0, 2800.0) * 180.0 / core::pi);
+    scene.radars[0].beam_elevation = core::Angle::from_deg(-19.0);
+    const auto [plan, rows] = sar_recording(scene);
+    for (const signal::FocusMethod method : {signal::FocusMethod::range_doppler, signal::FocusMethod::chirp_scaling})
+      for (const signal::SarWindow::Kind kind :
+           {signal::SarWindow::Kind::rectangular, signal::SarWindow::Kind::hamming}) {
+        signal::FocusOptions options{
+            .method = method, .range_window = {.kind = kind}, .azimuth_window = {.kind = kind}};
+        options.doppler_centroid_hz = geometric_doppler_centroid_hz(*plan);
+        const auto predicted = worst_method_loss(*plan, rows, options);
+        ASSERT_TRUE(predicted);
+        const signal::SwathLoss found = found_loss(*plan, rows, options);
+        const double predicted_db = 20.0 * std::log10(predicted->loss.amplitude);
+        EXPECT_NEAR(20.0 * std::log10(found.amplitude), predicted_db, 0.1 - 0.2 * predicted_db);
+        EXPECT_NEAR(found.phase_rad, predicted->loss.phase_rad,
+                    std::max(0.02, 0.2 * std::abs(predicted->loss.phase_rad)));
+      }
+  }
+}
+
+// The upper end of a band as wide as half its carrier has Doppler frequencies that pulses, enough at the carrier,
+// alias.
+TEST(SwathRemark, SaysWhatOmegaKLosesAtTheUpperEndOfTheBand) {
+  scene::Scene scene = sar_scene(600.0, {{0.0, 0.0, 0.0}}, 3.0);
+  scene.platforms[1] = simulate::moving("Plane", {-500.0, 0.0, 0.0}, {0.0, 100.0, 0.0});
+  scene.radars[0].carrier_hz = 300e6;
+  scene.radars[0].bandwidth_hz = 150e6;
+  scene.simulations[0].sample_rate_hz = 225e6;
+  scene.simulations[0].range_start_m = 400.0;
+  scene.simulations[0].range_end_m = 800.0;
+  for (const double prf_hz : {211.0, 400.0}) {
+    scene.radars[0].prf_hz = prf_hz;
+    const auto [plan, rows] = sar_recording(scene);
+    signal::FocusOptions options;
+    options.spectrum = seen_spectrum(*plan, rows, {}, SeenPulses::sampled);
+    const auto predicted = worst_method_loss(*plan, rows, options);
+    ASSERT_TRUE(predicted);
+    const double predicted_db = 20.0 * std::log10(predicted->loss.amplitude);
+    EXPECT_NEAR(20.0 * std::log10(found_loss(*plan, rows, options).amplitude), predicted_db, 0.1);
+    const core::Problems problems = remarks_on_swath_loss(*plan, rows, options);
+    if (prf_hz == 400.0) {
+      EXPECT_TRUE(problems.empty());
+      continue;
+    }
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].severity, core::Severity::warning);
+    EXPECT_THAT(problems[0].message, HasSubstr(fmt::format("omega-k loses {:.3g} dB of target 1", -predicted_db)));
+  }
 }
 
 TEST(SwathRemark, SaysNothingOfNarrowBandsAtBroadside) {

@@ -5,11 +5,14 @@
 #include <string>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/maths/constants.hpp"
 #include "signal/measure/image_quality.hpp"
 #include "signal/sar/back_projection.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/sar_theory.hpp"
+#include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/verify/groups.hpp"
 #include "workflow/verify/scenes.hpp"
 
@@ -58,7 +61,26 @@ scene::Scene blown_strip() {
   return scene;
 }
 
-Echoes echoes_of(scene::Scene scene) {
+// A drone's radar of 300 MHz and half of that as bandwidth, 500 m from the target and past it by 300 m on both sides.
+scene::Scene low_band(double nearest_m) {
+  constexpr double low_prf_hz = 400.0;
+  scene::Scene scene = radar_at_origin();
+  add_mover(scene, "Drone", {0.0, 0.0, 0.0}, {100.0, 0.0, 0.0});
+  scene::Radar& radar = scene.radars[0];
+  radar.platform = "Drone";
+  radar.pulse = scene::Radar::Pulse::chirp;
+  radar.bandwidth_hz = 150e6;
+  radar.pulse_width_s = 1e-6;
+  radar.prf_hz = low_prf_hz;
+  radar.carrier_hz = 300e6;
+  add_target(scene, {0.0, 500.0, 0.0});
+  set_window(scene, nearest_m, 1000.0, 300e6);
+  scene.simulations[0].time_start_s = -3.0;
+  scene.simulations[0].time_end_s = 3.0;
+  return scene;
+}
+
+Echoes recorded(scene::Scene scene) {
   const simulate::Plan window = simulate::make_plan(scene, 0);
   scene.simulations[0] = recorded_for_sar(scene.simulations[0], window);
   auto plan =
@@ -96,7 +118,7 @@ signal::FocusedImage back_projected_strip(const Echoes& echoes, const core::Work
 
 // A slant grid is made of points of level ground, off the middle of the scene too.
 void measure_ground(Record& record) {
-  const Echoes echoes = echoes_of(blown_strip());
+  const Echoes echoes = recorded(blown_strip());
   const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}, true).at(0);
   const core::WorkControl control{2, record.rules().stop};
   signal::FocusedImage axes = signal::image_of(echoes.rows, {});
@@ -148,13 +170,33 @@ void measure_method(Record& record, const Echoes& echoes, std::optional<signal::
   measure_cut(record, name + ", azimuth", theory.azimuth, found->azimuth);
 }
 
+// The near edge of the window decides which directions the nearest column is seen in: not how strong an image is.
+void measure_windows(Record& record) {
+  constexpr double most = 0.0116;  // 0.1 dB
+  const core::WorkControl control{2, record.rules().stop};
+  for (const double nearest_m : {490.0, 300.0, 20.0}) {
+    const Echoes echoes = recorded(low_band(nearest_m));
+    signal::FocusOptions options;
+    options.spectrum = seen_spectrum(*echoes.plan, echoes.rows, {}, SeenPulses::sampled, control);
+    const double expected = theory_of_targets(*echoes.plan, echoes.rows, options).at(0).amplitude;
+    const signal::FocusedImage image = signal::focus(signal::sar_echoes(echoes.rows, control), options, control);
+    const auto found = signal::measure_point(image, signal::reader_of(image), {0.0, 500.0}, 2.0);
+    if (!found) throw std::runtime_error("the target is not in the image of a wide band");
+    record.near(
+        fmt::format("Omega-k, half the carrier as bandwidth, window from {} m: amplitude over the mean of the echoes",
+                    nearest_m),
+        "", 1.0, found->amplitude / expected, most, "docs/theory/focusing.md");
+  }
+}
+
 }  // namespace
 
 void measure_focusing(Record& record) {
-  const Echoes echoes = echoes_of(strip());
+  const Echoes echoes = recorded(strip());
   const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}).at(0);
   measure_method(record, echoes, signal::FocusMethod::omega_k, theory, "Omega-k");
   measure_method(record, echoes, {}, theory, "Back-projection");
+  measure_windows(record);
   measure_ground(record);
   if (record.quick()) return;
   measure_method(record, echoes, signal::FocusMethod::range_doppler, theory, "Range-Doppler");
