@@ -38,24 +38,47 @@ Span span_of(const ImageAxis& axis, double centre_m, double search_m) {
   return {static_cast<std::ptrdiff_t>(first), static_cast<std::ptrdiff_t>(last)};
 }
 
+// The largest sample of an area that is no smaller than its neighbours, those beside the area included: what only rises
+// towards a stronger response next to the area is not in it. Where there is none, the largest.
 std::optional<Sample> largest_sample(const FocusedImage& image, const ImageReader& reader, const ImagePlace& expected,
                                      double search_m) {
   const Span rows = span_of(image.azimuth, expected.azimuth_m, search_m);
   const Span columns = span_of(image.range, expected.range_m, search_m);
   if (rows.first >= rows.last || columns.first >= columns.last) return std::nullopt;
-  std::vector<std::complex<float>> values(static_cast<std::size_t>(columns.last - columns.first));
-  float largest = 0.0F;
-  Sample sample;
-  for (std::ptrdiff_t row = rows.first; row < rows.last; ++row) {
-    reader(static_cast<std::size_t>(row), static_cast<std::size_t>(columns.first), values);
-    for (std::size_t c = 0; c < values.size(); ++c)
-      if (const float power = std::norm(values[c]); power > largest) {
-        largest = power;
-        sample = {row, columns.first + static_cast<std::ptrdiff_t>(c)};
-      }
+  const auto widened = [](const Span& span, const ImageAxis& axis) {
+    return Span{std::max<std::ptrdiff_t>(span.first - 1, 0),
+                std::min(span.last + 1, static_cast<std::ptrdiff_t>(axis.count))};
+  };
+  const Span all_rows = widened(rows, image.azimuth);
+  const Span all_columns = widened(columns, image.range);
+  const auto width = static_cast<std::size_t>(all_columns.last - all_columns.first);
+  std::vector<std::complex<float>> values(width);
+  std::vector<float> powers;
+  for (std::ptrdiff_t row = all_rows.first; row < all_rows.last; ++row) {
+    reader(static_cast<std::size_t>(row), static_cast<std::size_t>(all_columns.first), values);
+    for (const std::complex<float> value : values) powers.push_back(std::norm(value));
   }
-  if (!(largest > 0.0F)) return std::nullopt;
-  return sample;
+  const auto power = [&](std::ptrdiff_t row, std::ptrdiff_t column) {
+    row = std::clamp(row, all_rows.first, all_rows.last - 1);
+    column = std::clamp(column, all_columns.first, all_columns.last - 1);
+    return powers[static_cast<std::size_t>(row - all_rows.first) * width +
+                  static_cast<std::size_t>(column - all_columns.first)];
+  };
+  const auto is_peak = [&](const Sample& at) {
+    for (std::ptrdiff_t row = at.row - 1; row <= at.row + 1; ++row)
+      for (std::ptrdiff_t column = at.column - 1; column <= at.column + 1; ++column)
+        if (power(row, column) > power(at.row, at.column)) return false;
+    return true;
+  };
+  std::optional<Sample> largest, peak;
+  for (std::ptrdiff_t row = rows.first; row < rows.last; ++row)
+    for (std::ptrdiff_t column = columns.first; column < columns.last; ++column) {
+      const Sample at{row, column};
+      if (!(power(row, column) > 0.0F)) continue;
+      if (!largest || power(row, column) > power(largest->row, largest->column)) largest = at;
+      if ((!peak || power(row, column) > power(peak->row, peak->column)) && is_peak(at)) peak = at;
+    }
+  return peak ? peak : largest;
 }
 
 // A square piece of an image as the sum of its spectrum: u and v are rows and columns from the piece's middle.
@@ -239,48 +262,73 @@ struct Peak {
   Complex value;
 };
 
-// The maximum of |I|^2 near the middle of a chip: Newton's method on its logarithm, which is concave over a whole main
-// lobe, whereas |I|^2 is so only within 0.4 of a cell of the peak, nearer than the nearest sample may be.
-Peak peak_of(const Chip& chip) {
-  Peak peak;
-  for (int iteration = 0; iteration < 8; ++iteration) {
-    const auto [i, iu, iv, iuu, iuv, ivv] = chip.jet(peak.u, peak.v);
-    peak.value = i;
-    const double power = std::norm(i);
-    if (!(power > 0.0)) break;
-    const auto share = [power](Complex a, Complex b) { return (std::conj(a) * b).real() / power; };
-    // Halves of the derivatives of log |I|^2.
-    const double pu = share(i, iu);
-    const double pv = share(i, iv);
-    const double puu = share(i, iuu) + share(iu, iu) - 2.0 * pu * pu;
-    const double puv = share(i, iuv) + share(iu, iv) - 2.0 * pu * pv;
-    const double pvv = share(i, ivv) + share(iv, iv) - 2.0 * pv * pv;
-    const double determinant = puu * pvv - puv * puv;
-    if (!(determinant > 0.0 && puu < 0.0)) break;  // no maximum near
-    const double du = std::clamp(-(pvv * pu - puv * pv) / determinant, -0.5, 0.5);
-    const double dv = std::clamp(-(puu * pv - puv * pu) / determinant, -0.5, 0.5);
-    if (std::abs(peak.u + du) > 1.5 || std::abs(peak.v + dv) > 1.5) break;
-    peak.u += du;
-    peak.v += dv;
-    if (std::hypot(du, dv) < 1e-9) break;
-  }
-  peak.value = chip.jet(peak.u, peak.v)[0];
-  return peak;
-}
+// Logarithm of the power with halves of its derivatives.
+struct LogPower {
+  Complex value;
+  double pu = 0.0, pv = 0.0;
+  double puu = 0.0, puv = 0.0, pvv = 0.0;
 
-// Directions of the cuts, in metres of azimuth and range.
-struct Directions {
-  double along_sight_azimuth = 0.0;
-  double along_sight_range = 1.0;
+  [[nodiscard]] double power() const { return std::norm(value); }
+  [[nodiscard]] double determinant() const { return puu * pvv - puv * puv; }
+  [[nodiscard]] bool concave() const { return determinant() > 0.0 && puu < 0.0; }
 };
 
-Directions directions_of(const FocusedImage& image) {
-  const double azimuth = image.azimuth.spectrum_centre_per_m;
-  const double range = image.range.spectrum_centre_per_m + radar::turns_per_m(image.carrier_hz, image.light_speed_mps);
-  const double size = std::hypot(azimuth, range);
-  // Below half a degree cuts along the axes differ by less than a tenth of a cell where the last sidelobes are counted.
-  if (!(std::abs(azimuth) > 0.01 * size)) return {};
-  return {azimuth / size, range / size};
+LogPower log_power_at(const Chip& chip, double u, double v) {
+  const auto [i, iu, iv, iuu, iuv, ivv] = chip.jet(u, v);
+  LogPower at{.value = i};
+  const double power = std::norm(i);
+  if (!(power > 0.0)) return at;
+  const auto share = [power](Complex a, Complex b) { return (std::conj(a) * b).real() / power; };
+  at.pu = share(i, iu);
+  at.pv = share(i, iv);
+  at.puu = share(i, iuu) + share(iu, iu) - 2.0 * at.pu * at.pu;
+  at.puv = share(i, iuv) + share(iu, iv) - 2.0 * at.pu * at.pv;
+  at.pvv = share(i, ivv) + share(iv, iv) - 2.0 * at.pv * at.pv;
+  return at;
+}
+
+// Newton's step where the logarithm is concave, no longer than what would gain so much of it; else a quarter of a
+// sample uphill.
+std::pair<double, double> step_of(const LogPower& at) {
+  constexpr double most_gain = 0.5;  // nepers of power in the quadratic model: within a main lobe
+  if (!at.concave()) {
+    const double slope = std::hypot(at.pu, at.pv);
+    return slope > 0.0 ? std::pair(0.25 * at.pu / slope, 0.25 * at.pv / slope) : std::pair(0.0, 0.0);
+  }
+  const double du = -(at.pvv * at.pu - at.puv * at.pv) / at.determinant();
+  const double dv = -(at.puu * at.pv - at.puv * at.pu) / at.determinant();
+  const double gain = at.pu * du + at.pv * dv;
+  const double part = gain > most_gain ? std::sqrt(most_gain / gain) : 1.0;
+  return {part * du, part * dv};
+}
+
+// The maximum of |I|^2 near the middle of a chip: Newton's method on its logarithm, which is concave over a whole main
+// lobe, whereas |I|^2 is so only within 0.4 of a cell of the peak. The way may be many samples long: where the beam
+// squints, the main lobe is a ridge across rows and columns, along which the power changes little from one sample to
+// the next.
+Peak peak_of(const Chip& chip) {
+  constexpr int most_steps = 60;
+  const double room = static_cast<double>(chip.size()) / 4.0;
+  Peak peak;
+  LogPower here = log_power_at(chip, 0.0, 0.0);
+  for (int iteration = 0; iteration < most_steps && here.power() > 0.0; ++iteration) {
+    auto [du, dv] = step_of(here);
+    LogPower next = here;
+    for (int halving = 0; halving < 8; ++halving) {
+      next = log_power_at(chip, peak.u + du, peak.v + dv);
+      if (next.power() >= here.power() * (1.0 - 1e-12)) break;
+      du *= 0.5;
+      dv *= 0.5;
+    }
+    if (!(next.power() >= here.power() * (1.0 - 1e-12))) break;
+    if (std::abs(peak.u + du) > room || std::abs(peak.v + dv) > room) break;
+    peak.u += du;
+    peak.v += dv;
+    here = next;
+    if (std::hypot(du, dv) < 1e-9) break;
+  }
+  peak.value = here.value;
+  return peak;
 }
 
 // A cut along a direction given in metres.
@@ -309,6 +357,15 @@ double reach_in_samples(const ResponseFigures& figures, const ImageAxis& axis) {
 
 }  // namespace
 
+ResponseAxes response_axes(const FocusedImage& image) {
+  const double azimuth = image.azimuth.spectrum_centre_per_m;
+  const double range = image.range.spectrum_centre_per_m + radar::turns_per_m(image.carrier_hz, image.light_speed_mps);
+  const double size = std::hypot(azimuth, range);
+  // Below half a degree cuts along the axes differ by less than a tenth of a cell where the last sidelobes are counted.
+  if (!(std::abs(azimuth) > 0.01 * size)) return {};
+  return {{azimuth / size, range / size}, {range / size, -azimuth / size}};
+}
+
 ImageReader reader_of(const FocusedImage& image) {
   CORE_EXPECT(image.values.size() == image.azimuth.count * image.range.count);
   return [&image](std::size_t row, std::size_t first_column, std::span<std::complex<float>> out) {
@@ -325,12 +382,12 @@ std::optional<PointResponse> measure_point(const FocusedImage& image, const Imag
   constexpr std::size_t largest_chip = 512;
   const auto middle = largest_sample(image, reader, expected, search_m);
   if (!middle) return std::nullopt;
-  const Directions sight = directions_of(image);
+  const ResponseAxes axes = response_axes(image);
   for (std::size_t size = 64; size <= largest_chip; size *= 2) {
     const Chip chip(image, reader, *middle, size);
     const Peak peak = peak_of(chip);
-    ResponseCut azimuth_cut = cut(image, chip, peak, sight.along_sight_range, -sight.along_sight_azimuth);
-    ResponseCut range_cut = cut(image, chip, peak, sight.along_sight_azimuth, sight.along_sight_range);
+    ResponseCut azimuth_cut = cut(image, chip, peak, axes.azimuth.azimuth_m, axes.azimuth.range_m);
+    ResponseCut range_cut = cut(image, chip, peak, axes.range.azimuth_m, axes.range.range_m);
     const auto azimuth = measured(azimuth_cut);
     const auto range = measured(range_cut);
     const double room = static_cast<double>(size) / 2.0 - 8.0;

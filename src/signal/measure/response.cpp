@@ -85,6 +85,13 @@ void weigh(std::vector<std::complex<double>>& spectrum, const SarWindow& window,
   }
 }
 
+// Sets what lies beyond half of a share of the sampled band to 0.
+void cut_band(std::vector<std::complex<double>>& spectrum, double share) {
+  const double edge = 0.5 * share * static_cast<double>(spectrum.size());
+  for (std::size_t k = 0; k < spectrum.size(); ++k)
+    if (std::abs(signed_index(k, spectrum.size())) > edge) spectrum[k] = 0.0;
+}
+
 }  // namespace
 
 std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> response, std::size_t peak) {
@@ -112,8 +119,8 @@ std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> 
   return figures;
 }
 
-ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwidth, double sampling,
-                                    const std::function<double(double)>& filter) {
+SampledResponse theoretical_response(const SarWindow& window, double time_bandwidth, double sampling,
+                                     const std::function<double(double)>& filter, BeyondSampling beyond) {
   CORE_EXPECT(time_bandwidth >= 0.0);
   CORE_EXPECT(sampling >= 0.0);
   // Memory must not grow with what a scene asks for; beyond these the figures change by less than 1e-4.
@@ -122,7 +129,10 @@ ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwid
   const bool chirp = time_bandwidth > 0.0;
   time_bandwidth = std::min(time_bandwidth, most_time_bandwidth);
   // Samples to the inverse bandwidth.
-  const double per_lag = chirp && sampling > 0.0 ? std::min(sampling, most_sampling) : 16.0;
+  double per_lag = chirp && sampling > 0.0 ? std::min(sampling, most_sampling) : 16.0;
+  const double sampled_band = per_lag;
+  const bool cut = beyond == BeyondSampling::lost && chirp && per_lag < 16.0;
+  if (cut) per_lag = 16.0;
   const double lags = chirp ? std::max(2.0 * time_bandwidth, 256.0) : 4096.0;
   const std::size_t size = core::good_fft_size(static_cast<std::size_t>(lags * per_lag));
   std::vector<std::complex<double>> spectrum(size);
@@ -135,15 +145,27 @@ ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwid
     std::ranges::fill(spectrum, 1.0);
   }
   if (!chirp || window.kind != SarWindow::Kind::rectangular) weigh(spectrum, window, per_lag);
+  if (cut) cut_band(spectrum, sampled_band / per_lag);
   const std::size_t fine = static_cast<std::size_t>(std::ceil(64.0 / per_lag)) * size;
-  std::vector<std::complex<double>> response(fine);
-  for (std::size_t k = 0; k < size; ++k) response[2 * k < size ? k : fine - size + k] = spectrum[k];
-  core::Fft(fine).inverse(response);
-  std::ranges::rotate(response, response.begin() + static_cast<std::ptrdiff_t>(fine - fine / 2));
-  ResponseFigures figures = figures_of(response, fine / 2).value();
-  const double fine_per_lag = per_lag * static_cast<double>(fine / size);
-  figures.width /= fine_per_lag;
-  figures.null /= fine_per_lag;
+  SampledResponse response;
+  response.values.resize(fine);
+  // The chirp's correlation is 1 in the middle; that of sampled ones as many as the pulse has samples.
+  const double scale = 1.0 / (static_cast<double>(size) * (chirp && filter ? time_bandwidth * per_lag : 1.0));
+  for (std::size_t k = 0; k < size; ++k) response.values[2 * k < size ? k : fine - size + k] = scale * spectrum[k];
+  core::Fft(fine).inverse(response.values);
+  std::ranges::rotate(response.values, response.values.begin() + static_cast<std::ptrdiff_t>(fine - fine / 2));
+  response.peak = fine / 2;
+  response.per_lag = per_lag * static_cast<double>(fine / size);
+  return response;
+}
+
+ResponseFigures theoretical_figures(const SarWindow& window, double time_bandwidth, double sampling,
+                                    const std::function<double(double)>& filter) {
+  const SampledResponse response =
+      theoretical_response(window, time_bandwidth, sampling, filter, BeyondSampling::folded);
+  ResponseFigures figures = figures_of(response.values, response.peak).value();
+  figures.width /= response.per_lag;
+  figures.null /= response.per_lag;
   return figures;
 }
 

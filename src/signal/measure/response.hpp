@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "signal/sar/sar_window.hpp"
 
@@ -30,6 +31,24 @@ inline constexpr double islr_null_widths = 10.0;
 /// @return nothing where the samples do not reach beyond a first minimum on either side
 [[nodiscard]] std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> response,
                                                         std::size_t peak);
+
+/// A response at evenly spaced places.
+struct SampledResponse {
+  std::vector<std::complex<double>> values;
+  std::size_t peak = 0;
+  double per_lag = 1.0;  ///< Values to the inverse bandwidth.
+};
+
+/// What becomes of a chirp's spectrum beyond half the sampling rate.
+enum class BeyondSampling {
+  folded,  ///< It comes back, in phase with the rest: echoes that peak at a sample.
+  lost,    ///< Its mean is 0: over an aperture in which the echo migrates through samples.
+};
+
+/// The response whose figures `theoretical_figures` gives, with 64 values or more to the inverse bandwidth. Of a chirp
+/// without window and filter the peak is 1, less what is lost; of an even spectrum its scale means nothing.
+[[nodiscard]] SampledResponse theoretical_response(const SarWindow& window, double time_bandwidth, double sampling,
+                                                   const std::function<double(double)>& filter, BeyondSampling beyond);
 
 /// The figures that a response has in theory, in units of the inverse bandwidth.
 /// @param time_bandwidth  of the chirp whose matched filter it is, with a rectangular envelope; 0: an even spectrum
