@@ -213,9 +213,7 @@ class Remarks {
     warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
          fmt::format("a beam that points to {:.3g} degrees all the time",
                      azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
-         "a ROTATING beam",
-         "targets outside the beam are not compared with detections; give intervals of pulses with --interval, or take "
-         "sarsim doppler");
+         "a ROTATING beam", "targets outside the beam are not compared with detections");
   }
 
   void detector() {
@@ -291,6 +289,29 @@ double beam_width_rad(const simulate::Plan& plan) {
   const double receive = width(plan.radar.receive);
   if (transmit > 0.0 && receive > 0.0) return std::min(transmit, receive);
   return std::max(transmit, receive);
+}
+
+std::optional<double> half_beam_rad(const simulate::Plan& plan) {
+  const radar::PatternRule rule = plan.scene->conventions.pattern;
+  const auto half = [rule](const radar::AntennaPattern& pattern) -> std::optional<double> {
+    using Kind = radar::AntennaPattern::Kind;
+    if (pattern.kind == Kind::isotropic) return std::nullopt;
+    if (pattern.kind == Kind::sinx) return 0.5 * pattern.azimuth_beamwidth_rad;
+    constexpr int steps = 3600;
+    const auto power = [&](int step) {
+      return std::pow(radar::one_way_amplitude(pattern, core::pi * step / steps, 0.0, rule), 2);
+    };
+    double most = 0.0;
+    for (int step = -steps; step <= steps; ++step) most = std::max(most, power(step));
+    double farthest_rad = 0.0;
+    for (int step = -steps; step <= steps; ++step)
+      if (power(step) >= 0.5 * most) farthest_rad = std::max(farthest_rad, core::pi * std::abs(step) / steps);
+    return farthest_rad;
+  };
+  const auto transmit = half(plan.radar.transmit);
+  const auto receive = half(plan.radar.receive);
+  if (transmit && receive) return std::min(*transmit, *receive);
+  return transmit ? transmit : receive;
 }
 
 bool beam_turns(const simulate::Plan& plan) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/task/parallel.hpp"
 #include "workflow/search/search_intervals.hpp"
 
@@ -22,6 +24,11 @@ namespace sarsim::workflow {
 
 /// Width that a beam is taken for where it has to have one, rad: `beam_width_rad`, or a degree.
 [[nodiscard]] double seen_width_rad(const simulate::Plan& plan);
+
+/// Half of the azimuth that the beam sees about its axis, where the narrower of its two antennas has half its greatest
+/// power: of sin(x)/x half the beamwidth, of cuts by points the farthest such angle. Nothing where both see all
+/// directions alike.
+[[nodiscard]] std::optional<double> half_beam_rad(const simulate::Plan& plan);
 
 /// Whether the beam's axis moves in azimuth by more than `seen_width_rad` between some pulses of the plan, whatever
 /// turns it.

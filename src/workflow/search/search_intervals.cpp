@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
 #include "radar/path/path.hpp"
 #include "signal/search/canceller.hpp"
@@ -99,6 +100,30 @@ class IntervalGroups {
     interval.radar_world_m = 0.5 * (radar_m + geometry_.radar_pose().position_world_m);
     const core::Vec3 both = beam + geometry_.pointing().axis_world();
     interval.beam_world = core::norm(both) > 0.0 ? (1.0 / core::norm(both)) * both : beam;
+    interval.half_sector_rad = half_sector_rad(interval);
+  }
+
+  // From the middle to either end in steps that are far shorter than a turn unless the interval is many turns long.
+  double half_sector_rad(const SearchInterval& interval) {
+    constexpr std::size_t most_steps = 64;
+    const std::size_t last = options_.recorded_pulses() - 1;
+    double farthest_rad = 0.0;
+    for (const std::size_t end : {std::size_t{0}, last}) {
+      double before_rad = core::azimuth_rad(interval.beam_world);
+      double swept_rad = 0.0;
+      const double pulses = static_cast<double>(end) - 0.5 * static_cast<double>(last);
+      const std::size_t steps = std::min(last + 1, most_steps);
+      for (std::size_t step = 1; step <= steps; ++step) {
+        const double pulse =
+            0.5 * static_cast<double>(last) + pulses * static_cast<double>(step) / static_cast<double>(steps);
+        geometry_.set_pulse(rows_.number(interval.first_pulse + static_cast<std::size_t>(std::llround(pulse))));
+        const double here_rad = core::azimuth_rad(geometry_.pointing().axis_world());
+        swept_rad += std::remainder(here_rad - before_rad, 2.0 * core::pi);
+        before_rad = here_rad;
+        farthest_rad = std::max(farthest_rad, std::abs(swept_rad));
+      }
+    }
+    return farthest_rad;
   }
 
   void detect(std::vector<SearchInterval>& intervals, std::span<const std::complex<float>> moving) const {

@@ -123,7 +123,11 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
   if (options.detect && rows.noise_w > 0.0)
     certain_snr_ = even_snr(equivalent_detector(detector_of(rows, options), options.rows(), rows.samples()),
                             options.rows(), rows.samples());
-  if (options.recorded_pulses() == 1 && !beam_turns(*rows.plan)) still_beam_rad_ = seen_width_rad(*rows.plan);
+  half_beam_rad_ = half_beam_rad(*rows.plan);
+  // An antenna that sees all directions says with single pulses nothing of where a target is, but where it points to.
+  constexpr double still_widths = 1.5;
+  if (!half_beam_rad_ && options.recorded_pulses() == 1 && !beam_turns(*rows.plan))
+    half_beam_rad_ = still_widths * seen_width_rad(*rows.plan);
   targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
 }
@@ -249,13 +253,15 @@ double SearchTargets::distance(const SearchDetection& detection, const TargetSig
   return ranges <= reach && dopplers <= reach ? std::hypot(ranges, dopplers) : infinity;
 }
 
-// Single pulses of a beam that does not turn tell targets apart by range alone: one in another direction is not what
-// was detected where the beam points.
-bool SearchTargets::beside_still_beam(const SearchInterval& interval, const TargetSight& sight) const {
-  constexpr double reach = 1.5;
-  if (still_beam_rad_ == 0.0) return false;
-  const double away_rad = std::remainder(sight.azimuth_rad - core::azimuth_rad(interval.beam_world), 2.0 * core::pi);
-  return std::abs(away_rad) > reach * still_beam_rad_;
+// Range and Doppler do not tell targets in different directions apart: one that the beam does not see in the interval
+// is not what was detected. High beams sweep a wider azimuth than their width.
+bool SearchTargets::beside_beam(const SearchInterval& interval, const TargetSight& sight) const {
+  constexpr double least_cosine = 0.02;
+  if (!half_beam_rad_) return false;
+  const core::Vec3& beam = interval.beam_world;
+  const double cosine = std::max(std::hypot(beam.x, beam.y), least_cosine);
+  const double away_rad = std::remainder(sight.azimuth_rad - core::azimuth_rad(beam), 2.0 * core::pi);
+  return std::abs(away_rad) > interval.half_sector_rad + *half_beam_rad_ / cosine;
 }
 
 std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {
@@ -266,7 +272,7 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
     const TargetSight& seen = seen_now[finding.target];
     if (!seen.in_window) continue;
     if (!finding.sight.in_window || seen.amplitude_v > finding.sight.amplitude_v) finding.sight = seen;
-    if (!(seen.amplitude_v > 0.0) || beside_still_beam(interval, seen)) continue;
+    if (!(seen.amplitude_v > 0.0) || beside_beam(interval, seen)) continue;
     if (certain_snr_ > 0.0 && seen.snr >= certain_snr_) ++finding.expected;
     for (std::size_t d = 0; d < of.size(); ++d) {
       const double away = distance(interval.detections[d], seen);

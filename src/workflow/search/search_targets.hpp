@@ -51,8 +51,8 @@ class SearchTargets {
 
   /// @return  for each detection of the interval the target it is of: the nearest of those whose cell is no farther
   ///          than 1.5 cells away, a cell being what the waveform resolves or, where that is more, a sample; or
-  ///          nothing. Of single pulses of a beam that does not turn only targets within 1.5 widths of the beam are
-  ///          taken
+  ///          nothing. Only targets that the beam sees in the interval are taken: in azimuth no farther from its
+  ///          middle direction than half the sector that it sweeps and half its width
   std::vector<std::optional<std::size_t>> take(const SearchInterval& interval);
 
   /// What became of the targets in the intervals that were taken, in the order of the script.
@@ -65,7 +65,7 @@ class SearchTargets {
   void take_pulses(std::span<const double> amplitudes_v, double doppler_hz);
   void take_strongest_row(const SearchInterval& interval, TargetSight& sight) const;
   [[nodiscard]] double response(double doppler_hz, double cell_hz) const;
-  [[nodiscard]] bool beside_still_beam(const SearchInterval& interval, const TargetSight& sight) const;
+  [[nodiscard]] bool beside_beam(const SearchInterval& interval, const TargetSight& sight) const;
   [[nodiscard]] double distance(const SearchDetection& detection, const TargetSight& sight) const;
 
   const PulseRows& rows_;
@@ -81,8 +81,8 @@ class SearchTargets {
   std::vector<double> noise_w_;                 // of each row of a map
   double prf_hz_;
   double cell_m_;
-  double still_beam_rad_ = 0.0;  // width of a beam that does not turn, for single pulses; 0: detections have azimuths
-  double certain_snr_ = 0.0;     // Ratio at which a target is as often found as not; 0 where that means nothing.
+  std::optional<double> half_beam_rad_;  // nothing: the beam sees all directions
+  double certain_snr_ = 0.0;  // Ratio at which a target is as often found as not; 0 where that means nothing.
   std::vector<TargetFinding> targets_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -230,6 +231,48 @@ TEST(SearchTargets, OfABeamThatDoesNotTurnAreInItsDirection) {
   scene::Scene scene = pulse_scene(0.0, 4);
   scene.targets = {simulate::target_on("Earth", {5000.0, 0.0, 0.0})};
   EXPECT_EQ(findings_of(pulse_rows_of(scene), options).at(0).found, 1u);
+}
+
+// Targets of one range and one speed differ in direction alone: each gets only what is detected while the beam is on
+// it, half the sector of the interval and half the beam away at most.
+TEST(SearchTargets, OfOneRangeRingGetTheDetectionsOfTheirOwnDirections) {
+  std::mt19937 random(20261129);
+  const double rad_per_deg = core::pi / 180.0;
+  for (int draw = 0; draw < 4; ++draw) {
+    scene::Scene scene = swept_scene();
+    scene.simulations[0].time_end_s = (1400 - 0.5) / search_prf_hz;  // 42 degrees
+    const double range_m = core::norm(scene.targets[0].position_m);
+    scene.targets.clear();
+    std::vector<double> bearings_deg;
+    for (double bearing = 3.0; bearing < 39.0; bearing += std::uniform_real_distribution<double>(3.0, 8.0)(random)) {
+      bearings_deg.push_back(bearing);
+      const double b = bearing * rad_per_deg;
+      scene.targets.push_back(simulate::target_on("Earth", {range_m * std::sin(b), range_m * std::cos(b), 0.0}, 1e3));
+    }
+    const PulseRows rows = pulse_rows_of(scene);
+    SearchOptions options;
+    options.pulses = std::uniform_int_distribution<std::size_t>(9, 40)(random);
+    options.cfar.false_alarm = 1e-9;
+    const double reach_deg = 0.5 * 0.03 * static_cast<double>(options.pulses - 1) + 1.0 + 1e-6;
+    SearchTargets targets(rows, options);
+    std::size_t taken = 0;
+    for (const SearchInterval& interval : intervals_of(rows, options)) {
+      EXPECT_NEAR(interval.half_sector_rad, 0.5 * 0.03 * rad_per_deg * static_cast<double>(options.pulses - 1), 1e-6);
+      const auto of = targets.take(interval);
+      for (std::size_t d = 0; d < of.size(); ++d) {
+        if (!of[d]) continue;
+        ++taken;
+        EXPECT_LE(std::abs(interval.detections[d].azimuth_rad / rad_per_deg - bearings_deg[*of[d]]), reach_deg);
+      }
+    }
+    EXPECT_GE(taken, bearings_deg.size());
+    for (const TargetFinding& finding : targets.findings()) {
+      EXPECT_GE(finding.found, 1u) << finding.target;
+      // The beam is on it for so many intervals, and no longer.
+      EXPECT_LE(static_cast<double>(finding.found),
+                2.0 * reach_deg / (0.03 * static_cast<double>(options.pulses)) + 1.0);
+    }
+  }
 }
 
 TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
