@@ -40,7 +40,7 @@ TEST_F(MeasureSource, AScriptThatChangedSinceIsToldOf) {
   EXPECT_THAT(sarsim({"measure", "x.img", "--target", "1"}).err, Not(HasSubstr("warning")));
   change_script("-190, -100, 0", "-180, -100, 0");
   const Finished changed = sarsim({"measure", "x.img", "--target", "1"});
-  EXPECT_EQ(changed.status, 0) << changed.err;
+  EXPECT_EQ(changed.status, 1) << changed.out;  // Nothing is where the target is now.
   EXPECT_THAT(changed.err, AllOf(HasSubstr("warning: the script is not the one that 'x.img' was made from"),
                                  HasSubstr("scene.scr"), HasSubstr("--script")));
 }
@@ -86,6 +86,94 @@ TEST_F(MeasureSource, IsFoundFromTheFolderOfTheImage) {
   EXPECT_EQ(measure_in(".", {"measure", "far/moved/x.img", "--target", "1"}).status, 0);
   fs::rename(folder_ / recording, folder_ / "far/moved" / recording);
   EXPECT_EQ(measure_in("far", {"measure", "moved/x.img", "--target", "1"}).status, 0);
+}
+
+// Another recording of the name, of another seed: its targets are those of another flight.
+TEST_F(MeasureSource, AnotherRecordingOfTheSameNameIsNotTakenForTheTruth) {
+  const auto recorded = [&](const std::string& folder, const char* seed) {
+    ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--seed", seed, "--set", "Radar1.noise_temperature=290K",
+                      "--out", folder, "--quiet"})
+                  .status,
+              0);
+  };
+  recorded("a", "1");
+  recorded("b", "2");
+  const std::string name = entries("a").at(0);
+  ASSERT_EQ(sarsim({"focus", "a/" + name, "--out", "x.img", "--quiet"}).status, 0);
+  EXPECT_EQ(sarsim({"measure", "x.img", "--target", "1"}).status, 0);
+  // Beside the image, while that of the header is gone.
+  fs::copy_file(folder_ / "b" / name, folder_ / name);
+  fs::rename(folder_ / "a" / name, folder_ / "kept.h5");
+  const Finished other = sarsim({"measure", "x.img", "--target", "1"});
+  EXPECT_EQ(other.status, 2) << other.out;
+  EXPECT_THAT(other.err, AllOf(HasSubstr("is not the file that 'x.img' was made from"), HasSubstr("other samples"),
+                               HasSubstr("--script")));
+  // The same samples in another place are the truth, and it is said.
+  fs::copy_file(folder_ / "kept.h5", folder_ / name, fs::copy_options::overwrite_existing);
+  const Finished moved = sarsim({"measure", "x.img", "--target", "1"});
+  EXPECT_EQ(moved.status, 0) << moved.err;
+  EXPECT_THAT(moved.err, HasSubstr("is taken for 'a/" + name + "'"));
+  // Replaced where it was.
+  fs::copy_file(folder_ / "b" / name, folder_ / "a" / name);
+  fs::remove(folder_ / name);
+  EXPECT_EQ(sarsim({"measure", "x.img", "--target", "1"}).status, 2);
+}
+
+// A scene of the name elsewhere is not the one that was focused; edited at its place it is taken, with a warning.
+TEST_F(MeasureSource, AnotherSceneOfTheSameNameIsNotTakenForTheTruth) {
+  fs::create_directory(folder_ / "a");
+  fs::rename(folder_ / "scene.scr", folder_ / "a/scene.scr");
+  ASSERT_EQ(sarsim({"focus", "a/scene.scr", "--out", "x.img", "--quiet"}).status, 0);
+  fs::rename(folder_ / "a/scene.scr", folder_ / "scene.scr");
+  const Finished moved = sarsim({"measure", "x.img", "--target", "1"});
+  EXPECT_EQ(moved.status, 0) << moved.err;
+  EXPECT_THAT(moved.err, HasSubstr("it has the scene that 'x.img' was made from"));
+  change_script("-190, -100, 0", "-180, -100, 0");
+  const Finished other = sarsim({"measure", "x.img", "--target", "1"});
+  EXPECT_EQ(other.status, 2);
+  EXPECT_THAT(other.err, HasSubstr("is not the file that 'x.img' was made from"));
+}
+
+// Focused from CPHD, an image lies in the world of the scene that was converted, wherever its reference point is.
+TEST_F(MeasureSource, ImagesOfPhaseHistoriesAreMeasuredAgainstTheirScene) {
+  const std::string scene = R"(format = "sarsim 2"
+[[platform]]
+name = "Plane"
+path = { type = "line", start = [0, -2500, 1500], velocity = [100, 0, 0] }
+[[target]]
+positions = [[0, 0, 0], [31, 23, 0], [-12, 8, 0]]
+[[radar]]
+name = "X"
+platform = "Plane"
+pulse = { type = "chirp", bandwidth = "60 MHz", width = "0.5 us" }
+repetition = "240 Hz"
+carrier = "9.6 GHz"
+power = "1 kW"
+[[recording]]
+radar = "X"
+file = "small.h5"
+format = "hdf5"
+sample_rate = "75 MHz"
+range = ["2850 m", "2990 m"]
+time = ["-0.7 s", "0.7 s"]
+)";
+  write_text(folder_ / "strip.toml", scene);
+  const std::string earth = "[world]\nframe = \"earth\"\nlatitude = \"47.5 deg\"\nlongitude = \"8.25 deg\"\n";
+  std::string anchored = scene;
+  write_text(folder_ / "earth.toml", anchored.insert(anchored.find('\n') + 1, earth));
+  const auto measured = [&](const std::string& script, const std::vector<std::string>& anchor) {
+    std::vector<std::string> convert{"convert", script, "strip.cphd", "--force"};
+    convert.insert(convert.end(), anchor.begin(), anchor.end());
+    EXPECT_EQ(sarsim(convert).status, 0) << script;
+    EXPECT_EQ(sarsim({"focus", "strip.cphd", "--out", "strip.img", "--force", "--quiet"}).status, 0);
+    return sarsim({"measure", "strip.img", "--script", script});
+  };
+  for (const Finished& measure :
+       {measured("strip.toml", {"--anchor", "47.5,8.25,400"}),
+        measured("strip.toml", {"--anchor", "-33.9,18.4,120,30"}), measured("earth.toml", {})}) {
+    EXPECT_EQ(measure.status, 0) << measure.out << measure.err;
+    EXPECT_THAT(measure.out, HasSubstr("3 of 3 targets found"));
+  }
 }
 
 TEST_F(MeasureSource, ASourceThatIsGoneIsNamedWithTheWayOut) {

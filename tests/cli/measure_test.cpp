@@ -36,8 +36,9 @@ TEST_F(Measure, TakesOneTargetAlone) {
 // With noise so strong that every peak near a target's place is noise.
 TEST_F(Measure, SaysThatNoiseIsNoTargetAndEndsWithAStatus) {
   const Finished clear = sarsim({"measure", "sar_r.img"});
-  EXPECT_THAT(clear.out, HasSubstr("24 of 24 targets found, within "));
-  EXPECT_THAT(clear.out, HasSubstr("theory in parentheses, signed numbers are found minus theory"));
+  EXPECT_THAT(clear.out, HasSubstr("24 of 24 targets found; position errors up to "));
+  EXPECT_THAT(clear.out, HasSubstr("theory in parentheses, signed numbers are measured minus expected"));
+  EXPECT_THAT(clear.out, HasSubstr(": found; position error "));
   EXPECT_THAT(clear.out, HasSubstr(" m in azimuth, "));
   std::string script = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.scr");
   const std::size_t noise = script.find("! (K) noise temperature");
@@ -78,7 +79,7 @@ TEST_F(Measure, WritesATableAndFieldsForPrograms) {
   EXPECT_EQ(std::count(table.out.begin(), table.out.end(), '\n'), 25);
   const Finished json = sarsim({"measure", "sar_r.img", "--target", "5", "--json"});
   for (const char* key : {"\"snr_db\"", "\"noise_v\"", "\"threshold_db\"", "\"false_alarm\"", "\"found_targets\"",
-                          "\"amplitude_error_db\""})
+                          "\"amplitude_error_db\"", "\"state\": \"found\"", "\"false_alarm_probability\"", "\"truth\""})
     EXPECT_THAT(json.out, HasSubstr(key));
   EXPECT_EQ(sarsim({"measure", "sar_r.img", "--csv", "--json"}).status, 2);
 }

@@ -31,9 +31,16 @@ std::string text_of_image(const std::string& output, const workflow::FocusReport
 }
 
 std::string text_of_autofocus(const workflow::AutofocusFinding& found) {
-  return fmt::format("  autofocus {} {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after{}\n",
-                     found.applied ? "took out" : "would take out", found.rms_rad, found.piece_m, found.entropy_before,
-                     found.entropy_after, found.applied ? "" : "; it failed, and the image is left as it was");
+  std::string text = fmt::format(
+      "  autofocus {} {:.3g} rad rms, in pieces of {:.4g} m: entropy {:.3f} before, {:.3f} after; contrast {:.3g} "
+      "before, "
+      "{:.3g} after",
+      found.applied ? "took out" : "would take out", found.rms_rad, found.piece_m, found.entropy_before,
+      found.entropy_after, found.contrast_before, found.contrast_after);
+  if (found.points > 0)
+    text += fmt::format("; SNR of {} {:.1f} dB before, {:.1f} dB after", counted(found.points, "point"),
+                        found.point_snr_before_db, found.point_snr_after_db);
+  return text + (found.applied ? "\n" : "; it failed, and the image is left as it was\n");
 }
 
 ExitStatus run_focus(const RequestArguments& arguments, Streams& streams) {

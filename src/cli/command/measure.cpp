@@ -42,17 +42,21 @@ std::string figures_row(const std::optional<signal::ResponseFigures>& theory, co
                      against(found.islr_db, part(&signal::ResponseFigures::islr_db), 2));
 }
 
-std::string snr_text(double snr_db) {
-  return std::isfinite(snr_db) ? fmt::format("{:.1f} dB above the noise", snr_db) : std::string("no noise");
+// "SNR 31.2 dB, false-alarm probability 2.1e-09"
+std::string noise_text(const workflow::MeasuredTarget& target) {
+  if (!(target.noise_v > 0.0)) return "no noise";
+  return fmt::format("SNR {:.1f} dB, false-alarm probability {:.2g}", target.snr_db(), target.false_alarm_probability);
 }
 
 // Why a target counts as missing: what is there and what would have to be.
 std::string missing_text(const workflow::MeasuredTarget& target) {
   std::string text = fmt::format(": not found within {:.4g} m in azimuth and range", target.search_m);
   if (!(target.peak_v > 0.0)) return text + ": no peak there\n";
-  return text +
-         fmt::format(": the largest peak is {}, less than the {:.1f} dB that noise alone may reach; theory has {}\n",
-                     snr_text(target.snr_db()), core::power_db(target.threshold), snr_text(target.expected_snr_db()));
+  text += fmt::format(": largest peak {:.4g} V, expected {:.4g} V; {}", target.peak_v, target.theory.amplitude,
+                      noise_text(target));
+  if (!(target.noise_v > 0.0)) return text + "\n";
+  return text + fmt::format("; threshold {:.1f} dB, expected {:.1f} dB\n", core::power_db(target.threshold),
+                            target.expected_snr_db());
 }
 
 std::string earth_text(const radar::Geodetic& place) {
@@ -66,57 +70,72 @@ std::string text_of(const workflow::MeasuredTarget& target, const workflow::Meas
   const workflow::TargetTheory& theory = target.theory;
   std::string text = fmt::format("target {:<4} azimuth {:.3f} m, range {:.3f} m", theory.target + 1,
                                  theory.place.azimuth_m, theory.place.range_m);
-  if (!target.expected()) return text + ": no echoes\n";
+  if (target.state == workflow::TargetState::no_echoes) return text + ": no echoes\n";
   if (target.outside) return text + ": outside the image\n";
-  if (!target.found) return text + missing_text(target);
-  const signal::PointResponse& found = *target.found;
+  if (target.response() == nullptr) return text + missing_text(target);
+  const signal::PointResponse& found = *target.response();
   text += fmt::format(
-      "; found {:+.4f} m in azimuth, {:+.4f} m in range; amplitude {:.4g} V, {:+.2f} dB; phase {:.3f} rad, {:+.3f}; "
-      "{}\n",
-      found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m, found.amplitude,
-      target.amplitude_error_db(), found.phase_rad, target.phase_error_rad(), snr_text(target.snr_db()));
+      ": {}; position error {:+.4f} m in azimuth, {:+.4f} m in range; amplitude {:.4g} V, {:+.2f} dB; phase {:.3f} "
+      "rad, {:+.3f}; {}\n",
+      workflow::to_string(target.state), found.place.azimuth_m - theory.place.azimuth_m,
+      found.place.range_m - theory.place.range_m, found.amplitude, target.amplitude_error_db(), found.phase_rad,
+      target.phase_error_rad(), noise_text(target));
   text += fmt::format("  {:<8}{}\n", "azimuth", figures_row(theory.azimuth, found.azimuth));
   text += fmt::format("  {:<8}{}\n", "range", figures_row(theory.range, found.range));
   const auto found_at = report.on_earth(found.place);
   const auto theory_at = report.on_earth(theory.place);
   if (found_at && theory_at)
-    text += fmt::format("  {:<8}  {} ({})\n", "place", earth_text(*found_at), earth_text(*theory_at));
+    text += fmt::format("  {:<8}  {} ({})\n", "position", earth_text(*found_at), earth_text(*theory_at));
   return text;
+}
+
+// " (2 displaced, 1 weak)"
+std::string other_states(const workflow::MeasureSummary& sum, std::size_t targets) {
+  std::string text;
+  const auto add = [&text](std::size_t count, const char* what) {
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? " (" : ", ", count, what);
+  };
+  add(sum.displaced, "displaced");
+  add(sum.weak, "weak");
+  add(sum.strong, "strong");
+  add(targets - sum.expected - sum.outside, "without echoes");
+  add(sum.outside, "outside the image");
+  return text.empty() ? text : text + ")";
 }
 
 // One line for all of them.
 std::string summary_text(const workflow::MeasureReport& report) {
   const workflow::MeasureSummary sum = workflow::summary_of(report);
-  std::string text = fmt::format("{} of {} found", sum.found, counted(sum.expected, "target"));
-  if (sum.outside > 0) text += fmt::format(" ({} outside the image)", sum.outside);
-  if (const std::size_t silent = report.targets.size() - sum.expected - sum.outside; silent > 0)
-    text += fmt::format(" ({} without echoes)", silent);
+  std::string text = fmt::format("{} of {} found", sum.found, counted(sum.expected, "target")) +
+                     other_states(sum, report.targets.size());
   if (sum.found > 0)
     text += fmt::format(
-        ", within {:.4f} m of their places; amplitudes {:+.2f} to {:+.2f} dB, phases {:+.3f} to {:+.3f} rad",
+        "; position errors up to {:.4f} m, amplitude errors {:+.2f} to {:+.2f} dB, phase errors {:+.3f} to {:+.3f} rad",
         sum.farthest_m, sum.lowest_amplitude_db, sum.highest_amplitude_db, sum.lowest_phase_rad, sum.highest_phase_rad);
   if (sum.found > 0 && std::isfinite(sum.highest_snr_db))
-    text += fmt::format("; {:.1f} to {:.1f} dB above the noise", sum.lowest_snr_db, sum.highest_snr_db);
-  return text + fmt::format("; noise alone counts as a target with probability {:g}\n", report.false_alarm);
+    text += fmt::format("; SNR {:.1f} to {:.1f} dB", sum.lowest_snr_db, sum.highest_snr_db);
+  return text + fmt::format("; detected with false-alarm probability {:g}\n", report.false_alarm);
 }
 
 std::string text_of_measure(const std::string& image, const workflow::MeasureReport& report) {
   std::string text = fmt::format(
-      "{}: {} by {}; theory in parentheses, signed numbers are found minus theory\n  {:<8}{:>18}  {:>18}  {:>18}\n",
+      "{}: {} by {}; theory in parentheses, signed numbers are measured minus expected\n  {:<8}{:>18}  {:>18}  "
+      "{:>18}\n",
       image, counted(report.targets.size(), "target"), report.origin.algorithm, "", "-3 dB width (m)", "PSLR (dB)",
       "ISLR (dB)");
   for (const workflow::MeasuredTarget& target : report.targets) text += text_of(target, report);
   return text + summary_text(report);
 }
 
-// One picture for each target that was found.
+// One picture for each response.
 void draw_cuts(const MeasureArguments& arguments, const workflow::MeasureReport& report, const core::StopFlag* stop) {
   if (arguments.cuts.empty()) return;
   std::filesystem::create_directories(arguments.cuts);
   for (const workflow::MeasuredTarget& target : report.targets) {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
-    if (!target.found) continue;
-    picture::Figure figure = figure_of_cuts(target.cuts, *target.found, target.theory.azimuth, target.theory.range);
+    if (target.response() == nullptr) continue;
+    picture::Figure figure =
+        figure_of_cuts(target.cuts, *target.response(), target.theory.azimuth, target.theory.range);
     figure.title = fmt::format("Target {} of {}", target.theory.target + 1, arguments.image);
     picture::write_picture(figure, target.picture, {.width_px = 800, .height_px = 800, .dark = arguments.dark});
   }
@@ -134,7 +153,7 @@ ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
   flush_out(streams);
   draw_cuts(arguments, report, streams.stop);
   const workflow::MeasureSummary sum = workflow::summary_of(report);
-  return sum.expected + sum.outside > 0 && sum.found == 0 ? exit_failed : exit_done;
+  return sum.found == 0 ? exit_failed : exit_done;
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "workflow/exchange/image_area.hpp"
 #include "workflow/exchange/reference_geometry.hpp"
 #include "workflow/focus/sar_rows.hpp"
+#include "workflow/input/earth_place.hpp"
 
 namespace sarsim::workflow {
 
@@ -33,7 +34,8 @@ std::vector<std::pair<std::string, std::string>> parameters_of(const Collection&
           {"Simulation", std::to_string(collection.simulation + 1)},
           {"Pulse", limited ? "band-limited" : "ideal"},
           {"Seed", std::to_string(plan.scene->options.seed)},
-          {"World", collection.flat ? "a plane that rests, laid on the Earth" : "the Earth"}};
+          {"World", collection.flat ? "a plane that rests, laid on the Earth" : "the Earth"},
+          {"Anchor", anchor_text(collection.earth.anchor())}};
 }
 
 // When the points of the area are seen, and for how long: while the antenna passes them; all of the time where the beam

@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
+#include "core/maths/decibels.hpp"
 #include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
@@ -93,6 +98,156 @@ void take_phase(const signal::StripmapAutofocusResult& result, const signal::Ech
   if (!finding.along_m.empty()) finding.rms_rad = std::sqrt(sum / static_cast<double>(finding.along_m.size()));
 }
 
+// Standard deviation of the powers over their mean.
+double contrast_of(const signal::FocusedImage& image) {
+  double sum = 0.0;
+  double squares = 0.0;
+  for (const std::complex<float> value : image.values) {
+    const auto power = static_cast<double>(std::norm(value));
+    sum += power;
+    squares += power * power;
+  }
+  const auto count = static_cast<double>(image.values.size());
+  if (!(sum > 0.0)) return 0.0;
+  return std::sqrt(std::max(count * squares / (sum * sum) - 1.0, 0.0));
+}
+
+// A piece of an image, rows and columns [first, last).
+struct Patch {
+  std::size_t first_row = 0, last_row = 0, first_column = 0, last_column = 0;
+};
+
+// Powers of the largest and of a middling pixel.
+struct PatchPower {
+  double peak = 0.0;
+  double noise = 0.0;  // mean of noise with that lower quartile
+};
+
+PatchPower power_in(const signal::FocusedImage& image, const Patch& patch) {
+  std::vector<double> powers;
+  for (std::size_t row = patch.first_row; row < patch.last_row; ++row)
+    for (std::size_t column = patch.first_column; column < patch.last_column; ++column)
+      powers.push_back(static_cast<double>(std::norm(image.values[row * image.range.count + column])));
+  PatchPower power;
+  if (powers.empty()) return power;
+  power.peak = std::ranges::max(powers);
+  const auto quartile = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 4);
+  std::ranges::nth_element(powers, quartile);
+  power.noise = *quartile / std::log(4.0 / 3.0);
+  return power;
+}
+
+struct JudgedPoint {
+  Patch patch;
+  double expected_v = 0.0;  // of its peak; 0: not known
+};
+
+// The strongest targets in the image, with room for their blur.
+std::vector<JudgedPoint> target_points(const signal::FocusedImage& image, const std::vector<SarTarget>& targets) {
+  constexpr std::size_t most = 64;
+  constexpr double rows_around = 24.0;
+  constexpr double columns_around = 6.0;
+  std::vector<SarTarget> inside;
+  const auto is_in = [](const signal::ImageAxis& axis, double place_m) {
+    const double index = axis.index_of(place_m);
+    return index >= 0.0 && index <= static_cast<double>(axis.count) - 1.0;
+  };
+  for (const SarTarget& target : targets)
+    if (target.amplitude > 0.0 && is_in(image.azimuth, target.place.azimuth_m) &&
+        is_in(image.range, target.place.range_m))
+      inside.push_back(target);
+  std::ranges::stable_sort(inside, std::greater(), &SarTarget::amplitude);
+  if (inside.size() > most) inside.resize(most);
+  std::vector<JudgedPoint> points;
+  for (const SarTarget& target : inside) {
+    const auto span = [](const signal::ImageAxis& axis, double place_m, double around) {
+      const double middle = std::round(axis.index_of(place_m));
+      const auto last = static_cast<double>(axis.count);
+      return std::pair(static_cast<std::size_t>(std::clamp(middle - around, 0.0, last)),
+                       static_cast<std::size_t>(std::clamp(middle + around + 1.0, 0.0, last)));
+    };
+    const auto [first_row, last_row] = span(image.azimuth, target.place.azimuth_m, rows_around);
+    const auto [first_column, last_column] = span(image.range, target.place.range_m, columns_around);
+    points.push_back({{first_row, last_row, first_column, last_column}, target.amplitude});
+  }
+  return points;
+}
+
+// Parts of the image, whose brightest pixels are looked at.
+std::vector<JudgedPoint> bright_points(const signal::FocusedImage& image) {
+  constexpr std::size_t parts = 8;
+  std::vector<JudgedPoint> points;
+  for (std::size_t i = 0; i < parts; ++i)
+    for (std::size_t j = 0; j < parts; ++j)
+      points.push_back({{i * image.azimuth.count / parts, (i + 1) * image.azimuth.count / parts,
+                         j * image.range.count / parts, (j + 1) * image.range.count / parts},
+                        0.0});
+  return points;
+}
+
+double median_of(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+// The largest pixel of a patch before and after, in dB; nothing where it is not above what noise reaches in one of 1000
+// such patches.
+struct JudgedPeak {
+  double gain_db = 0.0, before_db = 0.0, after_db = 0.0;
+  double after_v = 0.0;
+};
+
+std::optional<JudgedPeak> judged(const signal::FocusedImage& before, const signal::FocusedImage& after,
+                                 const Patch& patch) {
+  constexpr double once_in = 1000.0;
+  const PatchPower then = power_in(before, patch);
+  const PatchPower now = power_in(after, patch);
+  if (!(then.peak > 0.0 && then.noise > 0.0 && now.peak > 0.0 && now.noise > 0.0)) return std::nullopt;
+  const auto pixels =
+      static_cast<double>((patch.last_row - patch.first_row) * (patch.last_column - patch.first_column));
+  if (std::max(then.peak / then.noise, now.peak / now.noise) < std::log(once_in * pixels)) return std::nullopt;
+  return JudgedPeak{core::power_db(now.peak / then.peak), core::power_db(then.peak / then.noise),
+                    core::power_db(now.peak / now.noise), std::sqrt(now.peak)};
+}
+
+// @return whether there were points to judge by
+bool judge_by(const std::vector<JudgedPoint>& points, const signal::FocusedImage& before,
+              const signal::FocusedImage& after, AutofocusFinding& finding) {
+  std::vector<double> gains_db, before_db, after_db, levels_db;
+  for (const JudgedPoint& point : points) {
+    const auto peak = judged(before, after, point.patch);
+    if (!peak) continue;
+    gains_db.push_back(peak->gain_db);
+    before_db.push_back(peak->before_db);
+    after_db.push_back(peak->after_db);
+    if (point.expected_v > 0.0) levels_db.push_back(core::amplitude_db(peak->after_v / point.expected_v));
+  }
+  finding.points = gains_db.size();
+  if (gains_db.empty()) return false;
+  finding.point_gain_db = median_of(std::move(gains_db));
+  finding.point_snr_before_db = median_of(std::move(before_db));
+  finding.point_snr_after_db = median_of(std::move(after_db));
+  if (!levels_db.empty()) finding.point_level_db = median_of(std::move(levels_db));
+  return true;
+}
+
+void judge(const signal::FocusedImage& before, const signal::FocusedImage& after, const std::vector<SarTarget>& targets,
+           AutofocusFinding& finding) {
+  finding.entropy_before = signal::image_entropy(before);
+  finding.entropy_after = signal::image_entropy(after);
+  finding.contrast_before = contrast_of(before);
+  finding.contrast_after = contrast_of(after);
+  if (!judge_by(target_points(before, targets), before, after, finding))
+    judge_by(bright_points(before), before, after, finding);
+}
+
+// What half of an error that is taken out adds to the peak of a point, exp(-e^2) of its power, but no more than 3 dB.
+double least_gain_db(double rms_rad) {
+  constexpr double most_db = 3.0;
+  return std::min(0.5 * core::power_db(std::exp(1.0)) * rms_rad * rms_rad, most_db);
+}
+
 }  // namespace
 
 void expect_autofocus(const signal::FocusedImage& axes, const signal::EchoRows& echoes,
@@ -111,8 +266,7 @@ std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
   const signal::FocusedImage blurred = signal::in_memory(rows);
   const signal::AutofocusOptions how{.band_per_m = apertures.band_hz / rows.image.frame.speed_mps};
   signal::StripmapAutofocusResult result = signal::autofocus_strip(blurred, finding.piece_m, how, control);
-  finding.entropy_before = signal::image_entropy(blurred);
-  finding.entropy_after = signal::image_entropy(result.image);
+  judge(blurred, result.image, targets, finding);
   take_phase(result, echoes, finding);
   finding.applied = failure_of(finding).empty();
 
@@ -126,12 +280,21 @@ std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
 std::string failure_of(const AutofocusFinding& finding) {
   constexpr double much_rad = 0.5;
   constexpr double least_gain = 0.02;
+  constexpr double dead_db = -10.0;
   const double gain = finding.entropy_before - finding.entropy_after;
   if (!(gain > 0.0)) return "the image was sharper before";
-  if (!(finding.rms_rad > much_rad)) return {};
-  if (gain < least_gain)
+  if (finding.rms_rad > much_rad && gain < least_gain)
     return fmt::format("the entropy of the image hardly changes, from {:.3f} to {:.3f}", finding.entropy_before,
                        finding.entropy_after);
+  if (!(finding.contrast_after > finding.contrast_before))
+    return fmt::format("the contrast of the image does not grow, from {:.3g} to {:.3g}", finding.contrast_before,
+                       finding.contrast_after);
+  if (finding.points == 0) return "no point stands out of the image";
+  if (finding.point_level_db && *finding.point_level_db < dead_db)
+    return fmt::format("the points stay {:.1f} dB below what their echoes give", -*finding.point_level_db);
+  if (!(finding.point_gain_db >= least_gain_db(finding.rms_rad)))
+    return fmt::format("the peaks of the points change by {:+.2f} dB, and should gain {:.2f} dB or more",
+                       finding.point_gain_db, least_gain_db(finding.rms_rad));
   return {};
 }
 

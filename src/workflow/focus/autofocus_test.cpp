@@ -1,5 +1,7 @@
 #include "workflow/focus/autofocus.hpp"
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 namespace sarsim::workflow {
@@ -13,6 +15,10 @@ AutofocusFinding finding(double rms_rad, double before, double after) {
   found.rms_rad = rms_rad;
   found.entropy_before = before;
   found.entropy_after = after;
+  found.contrast_before = 10.0;
+  found.contrast_after = 11.0;
+  found.points = 5;
+  found.point_gain_db = 6.0;
   return found;
 }
 
@@ -25,6 +31,28 @@ TEST(AutofocusFailure, IsAGainThatIsNone) {
 TEST(AutofocusFailure, IsNoneWhereTheErrorIsTakenOut) {
   EXPECT_EQ(failure_of(finding(4.5, 12.0, 11.0)), "");
   EXPECT_EQ(failure_of(finding(0.2, 12.0, 11.999)), "");
+}
+
+// Noise, too, gains entropy: what counts are points that grow as the error found makes them grow.
+TEST(AutofocusFailure, IsAGainThatNoiseHasAsWell) {
+  AutofocusFinding found = finding(2.44, 12.326, 12.262);
+  found.contrast_after = 9.9;
+  EXPECT_THAT(failure_of(found), HasSubstr("contrast"));
+  found = finding(2.44, 12.326, 12.262);
+  found.points = 0;
+  EXPECT_THAT(failure_of(found), HasSubstr("no point stands out"));
+  found = finding(2.44, 12.326, 12.262);
+  found.point_gain_db = 1.1;
+  EXPECT_THAT(failure_of(found), HasSubstr("+1.10 dB, and should gain 3.00 dB"));
+  found = finding(2.44, 12.326, 12.262);
+  found.point_level_db = -31.0;
+  EXPECT_THAT(failure_of(found), HasSubstr("31.0 dB below what their echoes give"));
+  // Half of 0.4 rad squared nepers of power.
+  found = finding(0.4, 12.0, 11.99);
+  found.point_gain_db = 0.5 * 10.0 * std::log10(std::exp(1.0)) * 0.16 + 0.001;
+  EXPECT_EQ(failure_of(found), "");
+  found.point_gain_db -= 0.002;
+  EXPECT_NE(failure_of(found), "");
 }
 
 TEST(AutofocusFailure, IsAWarningOfWhatIsNotTakenOut) {

@@ -310,7 +310,7 @@ std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal:
                                            const core::WorkControl& control) {
   std::vector<TargetTheory> theories = theory_on_image(
       {*begun.input.plan, begun.input.echoes, begun.options, in_time(begun.request), begun.motion != MotionOrder::none},
-      image.frame, control);
+      image, control);
   std::erase_if(theories, [](const TargetTheory& theory) { return !(theory.amplitude > 0.0); });
   return theories;
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -20,6 +21,7 @@
 #include "signal/sar/back_projection.hpp"
 #include "workflow/focus/phase_history_rows.hpp"
 #include "workflow/image/image_output.hpp"
+#include "workflow/input/earth_place.hpp"
 #include "workflow/input/override_words.hpp"
 
 namespace sarsim::workflow {
@@ -63,6 +65,28 @@ std::shared_ptr<const raster::CphdFile> opened_history(const std::string& path, 
   auto file = raster::CphdFile::open(std::move(std::get<core::InputFile>(input)), problems);
   if (!file) throw core::Refused(core::ranked(std::move(problems)));
   return file;
+}
+
+// What a file of ours says of the scene that it was made from; empty of others.
+std::string said_of_scene(const raster::CphdDescription& d, std::string_view name) {
+  const auto value = [&d](std::string_view wanted) {
+    const auto found = std::ranges::find(d.parameters, wanted, [](const auto& parameter) { return parameter.first; });
+    return found == d.parameters.end() ? std::string() : found->second;
+  };
+  return value("Software").starts_with("Sarsim") ? value(name) : std::string();
+}
+
+// Of the world in which the image lies: that of the scene, or else the reference point, with y to the north.
+radar::Anchor anchor_of(const raster::CphdDescription& d) {
+  if (const std::string anchor = said_of_scene(d, "Anchor"); !anchor.empty())
+    return anchor_from_text(anchor, "parameter Anchor of CollectionID");
+  return {radar::geodetic_of(d.scene.origin_m), 0.0};
+}
+
+// Position in the list of the scene.
+std::size_t simulation_of(const raster::CphdDescription& d) {
+  const auto number = core::parse_integer(said_of_scene(d, "Simulation"));
+  return number && *number >= 1 ? static_cast<std::size_t>(*number) - 1 : 0;
 }
 
 std::size_t channel_named(const raster::CphdFile& file, const std::string& id) {
@@ -250,7 +274,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   if (request.sign && *request.sign == d.sign)
     report.problems.push_back(
         core::problem_of(core::Severity::note, "--sign says what the file says itself", {}, {}, {}));
-  const radar::EarthFrame earth(radar::Anchor{radar::geodetic_of(d.scene.origin_m), 0.0});
+  const radar::EarthFrame earth(anchor_of(d));
   const PhaseHistoryRows rows(file, channel, request.sign, earth);
   constexpr std::size_t most_looks = 1024;
   const std::vector<PhaseVector> vectors = rows.some_vectors(most_looks);
@@ -273,13 +297,14 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   report.origin = {.source = request.input.path,
                    .script = {},
                    .settings = {},
-                   .simulation = 0,
+                   .simulation = simulation_of(d),
                    .algorithm = word_of(request.algorithm),
                    .options = report.options,
                    .motion = "none",
                    .radar = d.collector,
                    .run = {},
-                   .earth = earth};
+                   .earth = earth,
+                   .anchor = earth.anchor()};
   for (const fs::path& path : report.files)
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
   if (!request.output.empty())

@@ -19,6 +19,10 @@ void write_autofocus(core::JsonWriter& json, const std::optional<AutofocusFindin
   json.begin_object().member("applied", found->applied).member("piece_m", found->piece_m);
   json.member("rms_rad", found->rms_rad);
   json.member("entropy_before", found->entropy_before).member("entropy_after", found->entropy_after);
+  json.member("contrast_before", found->contrast_before).member("contrast_after", found->contrast_after);
+  json.member("points", found->points).member("point_gain_db", found->point_gain_db);
+  json.member("point_snr_before_db", found->point_snr_before_db);
+  json.member("point_snr_after_db", found->point_snr_after_db);
   json.end_object();
 }
 
@@ -49,18 +53,21 @@ void write_target_json(core::JsonWriter& json, const MeasuredTarget& target, con
   write_figures(json, "azimuth", theory.azimuth);
   write_figures(json, "range", theory.range);
   json.end_object();
-  json.member("outside_image", target.outside);
+  json.member("outside_image", target.outside).member("state", to_string(target.state));
   if (target.expected() && !target.outside) {
     json.member("search_m", target.search_m).member("noise_v", target.noise_v);
     json.member("threshold_db", core::power_db(target.threshold)).key("snr_db");
     target.peak_v > 0.0 && target.noise_v > 0.0 ? json.value(target.snr_db()) : json.null();
+    json.member("false_alarm_probability", target.false_alarm_probability);
   }
   json.key("found");
-  if (!target.found) {
-    json.null().end_object();
+  if (!target.found) json.null();
+  if (target.response() == nullptr) {
+    json.end_object();
     return;
   }
-  const signal::PointResponse& found = *target.found;
+  if (!target.found) json.key("peak");
+  const signal::PointResponse& found = *target.response();
   json.begin_object().member("azimuth_m", found.place.azimuth_m).member("range_m", found.place.range_m);
   write_place(json, report, found.place);
   json.member("amplitude_v", found.amplitude).member("phase_rad", found.phase_rad);
@@ -104,7 +111,9 @@ std::string json_of(const std::string& image, const MeasureReport& report) {
   for (const MeasuredTarget& target : report.targets) write_target_json(json, target, report);
   const MeasureSummary sum = summary_of(report);
   json.end_array().member("false_alarm", report.false_alarm);
-  json.member("expected_targets", sum.expected).member("found_targets", sum.found).end_object();
+  json.member("expected_targets", sum.expected).member("found_targets", sum.found);
+  json.member("displaced_targets", sum.displaced).member("weak_targets", sum.weak);
+  json.member("strong_targets", sum.strong).member("truth", report.truth).end_object();
   return json.text();
 }
 

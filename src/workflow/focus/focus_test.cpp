@@ -148,6 +148,23 @@ TEST_F(FocusWorkflow, MeasuringTellsNoiseFromTargets) {
   EXPECT_GT(lost.threshold, 5.0);
 }
 
+// Whatever phases it finds in noise, they make no image.
+TEST_F(FocusWorkflow, AutofocusFailsOnNoise) {
+  request_.autofocus = true;
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    // A target of which nothing is seen, so that there is something to focus.
+    scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25);
+    scene.targets[0].rcs_m2 = 1e-12;
+    scene.radars[0].noise_temperature_k = 290.0;
+    scene.options.seed = seed;
+    write(scene);
+    const FocusReport report = focus(request_, {});
+    ASSERT_TRUE(report.autofocus);
+    EXPECT_FALSE(report.autofocus->applied)
+        << seed << ": " << report.autofocus->point_gain_db << " dB, " << report.autofocus->rms_rad << " rad";
+  }
+}
+
 TEST_F(FocusWorkflow, MeasuringSumsUpAndWritesTables) {
   request_.output = folder_ / "a.img";
   static_cast<void>(focus(request_, {}));

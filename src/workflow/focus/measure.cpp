@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/parallel.hpp"
 #include "raster/format/envi.hpp"
@@ -124,12 +125,34 @@ double search_of(const std::vector<TargetTheory>& theories, const TargetTheory& 
   return search_m;
 }
 
+// The frame of an image of a phase history, in the world of the scene that its targets are from: another one where the
+// scene has an anchor of its own.
+void turn_to_world(const scene::World& world, MeasuredImage& opened) {
+  const auto earth = scene::earth_of(world);
+  if (!opened.origin.anchor || !earth || earth->anchor() == *opened.origin.anchor) return;
+  const radar::EarthFrame of_image(*opened.origin.anchor);
+  const auto turned = [&](const core::Vec3& v) {
+    return earth->world_axes_from_ecef(of_image.ecef_axes_from_world(v));
+  };
+  signal::ImageFrame& frame = opened.image.frame;
+  frame.origin_m = earth->world_from_ecef(of_image.ecef_from_world(frame.origin_m));
+  frame.along = turned(frame.along);
+  frame.across = turned(frame.across);
+}
+
+// Over a flat scene an image of a phase history lies as its anchor says.
+std::optional<radar::EarthFrame> earth_under(const scene::World& world, const ImageOrigin& origin) {
+  if (auto earth = scene::earth_of(world)) return earth;
+  if (origin.anchor) return radar::EarthFrame(*origin.anchor);
+  return std::nullopt;
+}
+
 std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
                                       const core::WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
   return theory_on_image(
-      {*input.plan, input.echoes, opened.origin.options, time_domain, opened.origin.motion != "none"},
-      opened.image.frame, control);
+      {*input.plan, input.echoes, opened.origin.options, time_domain, opened.origin.motion != "none"}, opened.image,
+      control);
 }
 
 // Points that are too many to be measured one by one.
@@ -195,15 +218,22 @@ void measure_target(const MeasuredImage& opened, const signal::ImageReader& read
   target.noise_v = std::sqrt(signal::noise_power_near(
       opened.image, reader, theory.place, noise_cells * null_m(theory.azimuth), noise_cells * null_m(theory.range)));
   target.threshold = signal::peak_threshold(request.false_alarm, cells(theory.azimuth), cells(theory.range));
-  target.found =
+  std::optional<signal::PointResponse> peak =
       signal::measure_point(opened.image, reader, theory.place, target.search_m, cuts ? &target.cuts : nullptr);
-  if (!target.found) return;
-  target.peak_v = target.found->amplitude;
+  if (!peak) return;
+  target.peak_v = peak->amplitude;
+  const double noise_w = target.noise_v * target.noise_v;
+  const double peak_w = target.peak_v * target.peak_v;
+  target.false_alarm_probability =
+      noise_w > 0.0 ? signal::peak_false_alarm(peak_w / noise_w, cells(theory.azimuth), cells(theory.range)) : 0.0;
+  if (peak_w > target.threshold * noise_w) target.state = state_of(target, *peak, signal::response_axes(opened.image));
+  if (target.state == TargetState::not_found) {
+    target.cuts = {};
+    return;
+  }
   // A response a little off its place is turned by the image's carrier on the way there, which its place says already.
-  target.found->phase_rad = phase_at(opened.image, *target.found, theory.place);
-  if (target.peak_v * target.peak_v > target.threshold * target.noise_v * target.noise_v) return;
-  target.found.reset();
-  target.cuts = {};
+  peak->phase_rad = phase_at(opened.image, *peak, theory.place);
+  (target.state == TargetState::found ? target.found : target.peak) = std::move(peak);
 }
 
 std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const std::vector<TargetTheory>& theories,
@@ -214,8 +244,10 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
     for (std::size_t t = begin; t < end; ++t) {
       targets[t].theory = theories[t];
       targets[t].picture = picture_of(request, theories[t]);
+      if (!(theories[t].amplitude > 0.0)) targets[t].state = TargetState::no_echoes;
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
       targets[t].outside = !is_within(opened.image, theories[t].place);
+      if (targets[t].outside) targets[t].state = TargetState::outside;
       if (targets[t].outside) continue;
       targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
       measure_target(opened, opened.reader, request, cuts, targets[t]);
@@ -230,6 +262,34 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
 
 }  // namespace
 
+TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
+                     const signal::ResponseAxes& axes) {
+  constexpr double most_db = 3.0;
+  constexpr double hopeless_db = -10.0;
+  constexpr double deviations = 3.0;
+  const TargetTheory& theory = target.theory;
+  const double noise_w = target.noise_v * target.noise_v;
+  // One standard deviation of the place of a response of bandwidth B is sqrt(12)/(2 pi B sqrt(2 S)), S its ratio of
+  // powers, where 0.886/B is its width; that of its amplitude, in parts, 1/sqrt(2 S).
+  const double of_peak = std::sqrt(0.5 * noise_w) / peak.amplitude;
+  const double of_theory = std::sqrt(0.5 * noise_w) / theory.amplitude;
+  const double azimuth_m = peak.place.azimuth_m - theory.place.azimuth_m;
+  const double range_m = peak.place.range_m - theory.place.range_m;
+  const auto is_at = [&](const signal::ImagePlace& axis, const std::optional<signal::ResponseFigures>& figures,
+                         const signal::ResponseFigures& measured) {
+    const double width_m = figures ? figures->width : measured.width;
+    const double deviation_m = std::sqrt(12.0) / (2.0 * core::pi * signal::even_response_width) * width_m * of_peak;
+    return std::abs(azimuth_m * axis.azimuth_m + range_m * axis.range_m) <=
+           std::max(0.5 * width_m, deviations * deviation_m);
+  };
+  const double part = peak.amplitude / theory.amplitude;
+  if (!is_at(axes.azimuth, theory.azimuth, peak.azimuth) || !is_at(axes.range, theory.range, peak.range))
+    return core::amplitude_db(part) > hopeless_db ? TargetState::displaced : TargetState::not_found;
+  if (core::amplitude_db(part) < -most_db && part < 1.0 - deviations * of_theory) return TargetState::weak;
+  if (core::amplitude_db(part) > most_db && part > 1.0 + deviations * of_theory) return TargetState::strong;
+  return TargetState::found;
+}
+
 MeasureReport measure(const MeasureRequest& request, const core::Observer& observer) {
   if (request.search_m && !(*request.search_m > 0.0)) throw core::Refused("--search must be above 0");
   if (!(request.false_alarm >= 1e-15 && request.false_alarm <= 0.1))
@@ -241,7 +301,8 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   if (!request.kept) way = way_back(opened.header, opened.origin, request.image, request.input.script);
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
-  opened.origin.earth = scene::earth_of(input.world);
+  opened.origin.earth = earth_under(input.world, opened.origin);
+  turn_to_world(input.world, opened);
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   if (auto note = note_of_clouds(*input.plan->scene, theories.size())) {
     observer.remarks({*note});
@@ -251,8 +312,12 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
   observer.remarks(movers);
   std::ranges::move(movers, std::back_inserter(way.problems));
-  return {opened.origin, measured_targets(opened, theories, request, control), request.false_alarm,
-          std::move(way.problems), opened.image.frame};
+  return {opened.origin,
+          way.script.empty() ? way.source : way.script,
+          measured_targets(opened, theories, request, control),
+          request.false_alarm,
+          std::move(way.problems),
+          opened.image.frame};
 }
 
 }  // namespace sarsim::workflow

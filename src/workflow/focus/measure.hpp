@@ -33,22 +33,44 @@ struct MeasureRequest {
   unsigned threads = 0;               ///< 0: one for each core.
 };
 
+/// What became of a target in an image.
+enum class TargetState {
+  no_echoes,  ///< Theory has none of it.
+  outside,    ///< Its place is not in the image: it was not looked for.
+  not_found,  ///< No peak that noise alone may not reach, or one far from its place and 10 dB or more too weak.
+  displaced,  ///< A peak farther from its place than half the width of a response and three standard deviations.
+  weak,       ///< A peak at its place, more than 3 dB below theory and less than noise takes from it once in 700 times.
+  strong,     ///< A peak at its place, more than 3 dB above theory and more than noise adds to it once in 700 times.
+  found,      ///< A peak at its place and of its strength.
+};
+
+/// "no echoes", "outside", "not found", "displaced", "weak", "strong", "found".
+[[nodiscard]] const char* to_string(TargetState state);
+
 /// A target as it should be and as it is.
 struct MeasuredTarget {
   TargetTheory theory;
-  /// A peak above the threshold; its phase carried by the image's carrier to the place that theory has.
+  TargetState state = TargetState::not_found;
+  /// A peak at the target's place and of its strength; its phase carried by the image's carrier to the place that
+  /// theory has.
   std::optional<signal::PointResponse> found;
+  /// The same of a peak that noise alone hardly reaches, but displaced, weak or strong.
+  std::optional<signal::PointResponse> peak{};
   bool outside = false;    ///< Its place is not in the image: it was not looked for.
   double noise_v = 0.0;    ///< Root mean square of what the image shows beside its points, near this place; 0: nothing.
   double threshold = 0.0;  ///< Power over that of the noise that a peak in the area searched has to exceed.
   double search_m = 0.0;   ///< How far from its place, in both coordinates, it was looked for.
   double peak_v = 0.0;     ///< The largest peak there, found or not.
-  signal::PointCuts cuts;  ///< Where they are wanted and the target was found.
+  /// Probability that noise or clutter of `noise_v` alone has a peak as large in the area searched; 1 without a peak.
+  double false_alarm_probability = 1.0;
+  signal::PointCuts cuts;         ///< Where they are wanted and the target was found.
   std::filesystem::path picture;  ///< Where it will be, where one is wanted.
 
-  /// Found phase less that of theory, in (-pi, pi]. Only of a target that was found.
+  /// The peak that was measured, found or displaced, weak or strong; null: none.
+  [[nodiscard]] const signal::PointResponse* response() const;
+  /// Its phase less that of theory, in (-pi, pi]. Only where there is a response.
   [[nodiscard]] double phase_error_rad() const;
-  /// Found amplitude over that of theory, dB. Only of a target that was found.
+  /// Its amplitude over that of theory, dB. Only where there is a response.
   [[nodiscard]] double amplitude_error_db() const;
   /// Power of the largest peak over that of the noise, dB; infinite without noise.
   [[nodiscard]] double snr_db() const;
@@ -63,7 +85,8 @@ struct MeasureSummary {
   std::size_t expected = 0;  ///< Targets that theory has echoes of, within the image.
   std::size_t outside = 0;   ///< Those beside it.
   std::size_t found = 0;
-  double farthest_m = 0.0;  ///< Largest distance from its place.
+  std::size_t displaced = 0, weak = 0, strong = 0;  ///< Of the others.
+  double farthest_m = 0.0;                          ///< Largest distance from its place.
   double lowest_amplitude_db = 0.0, highest_amplitude_db = 0.0;
   double lowest_phase_rad = 0.0, highest_phase_rad = 0.0;
   double lowest_snr_db = 0.0, highest_snr_db = 0.0;
@@ -72,6 +95,7 @@ struct MeasureSummary {
 /// The targets of an image.
 struct MeasureReport {
   ImageOrigin origin;                   ///< As the image's header has it.
+  std::string truth;                    ///< The file whose scene the targets are from, as it was opened.
   std::vector<MeasuredTarget> targets;  ///< In the order of the script.
   double false_alarm = 0.0;             ///< Probability that noise alone counts as a target.
   core::Problems problems;              ///< Of the way from the image to its script; they were handed to the observer.
@@ -86,11 +110,20 @@ struct MeasureReport {
 
 /// A line of names, then one of numbers for each target, with commas: places and errors by axis in metres, figures and
 /// theory beside each other. What does not exist is empty. Of ground grids over the Earth latitude and longitude of
-/// both places and the height of the grid's plane come last, in degrees and m over the ellipsoid.
+/// both places and the height of the grid's plane come last, in degrees and m over the ellipsoid. Displaced, weak and
+/// strong targets have the errors of their peaks; `found` is 1 only of those whose `state` it is.
 [[nodiscard]] std::string csv_of(const MeasureReport& report);
 
-/// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts as found where
-/// it is as far above the image's noise as noise alone reaches within the area searched with `false_alarm`. Throws
+/// What became of a target whose largest peak noise alone may not reach: `found` within half the width of its response
+/// along and across the line of sight, or three standard deviations of a place at its signal-to-noise ratio, and within
+/// 3 dB, or three standard deviations, of the amplitude of theory.
+/// @param axes  of the image's cuts
+/// @param peak  its place and amplitude
+[[nodiscard]] TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
+                                   const signal::ResponseAxes& axes);
+
+/// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts as one where
+/// it is farther above the image's noise than noise alone reaches within the area searched with `false_alarm`. Throws
 /// core::Refused where the image is none of `focus`, its source cannot be read, the target is not there, or a picture
 /// exists; Interrupted.
 [[nodiscard]] MeasureReport measure(const MeasureRequest& request, const core::Observer& observer);

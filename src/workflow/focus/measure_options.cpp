@@ -11,9 +11,9 @@ OptionTable<MeasureRequest> measure_option_table() {
   OptionTable<MeasureRequest> table;
   table.include(script_options(), &MeasureRequest::input);
   table.number("--search", "M",
-               "how far from its place a target's peak may be (default: 3 cells, or half way to the next target)",
+               "how far from its position a target's peak may be (default: 3 cells, or half way to the next target)",
                &MeasureRequest::search_m);
-  table.number("--pfa", "P", "probability that noise alone counts as a target (default: 1e-3)",
+  table.number("--pfa", "P", "false-alarm probability: that noise alone counts as a peak (default: 1e-3)",
                &MeasureRequest::false_alarm);
   table.whole("--target", 1, std::numeric_limits<std::int64_t>::max(), "one target only, by its number in the script",
               [](MeasureRequest& request, std::uint64_t n) { request.target = static_cast<std::size_t>(n); });

@@ -48,40 +48,63 @@ void add_place(std::string& line, const std::optional<radar::Geodetic>& place) {
 std::string csv_line(const MeasuredTarget& target, const MeasureReport& report) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const TargetTheory& theory = target.theory;
-  const bool found = target.found.has_value();
+  const signal::PointResponse* const peak = target.response();
+  const bool found = peak != nullptr;
   const bool measured = target.expected() && !target.outside;
-  std::string line = fmt::format("{},{}", theory.target + 1, found ? 1 : 0);
+  std::string line = fmt::format("{},{}", theory.target + 1, target.found ? 1 : 0);
   add_cell(line, theory.place.azimuth_m);
   add_cell(line, theory.place.range_m);
-  add_cell(line, found ? target.found->place.azimuth_m - theory.place.azimuth_m : none);
-  add_cell(line, found ? target.found->place.range_m - theory.place.range_m : none);
+  add_cell(line, found ? peak->place.azimuth_m - theory.place.azimuth_m : none);
+  add_cell(line, found ? peak->place.range_m - theory.place.range_m : none);
   add_cell(line, theory.amplitude);
-  add_cell(line, found ? target.found->amplitude : none);
+  add_cell(line, found ? peak->amplitude : none);
   add_cell(line, found ? target.amplitude_error_db() : none);
   add_cell(line, target.expected() ? theory.phase_rad : none);
-  add_cell(line, found ? target.found->phase_rad : none);
+  add_cell(line, found ? peak->phase_rad : none);
   add_cell(line, found ? target.phase_error_rad() : none);
   add_cell(line, measured ? target.noise_v : none);
   add_cell(line, target.peak_v > 0.0 ? target.snr_db() : none);
   add_cell(line, measured ? core::power_db(target.threshold) : none);
-  add_figures(line, found ? std::optional(target.found->azimuth) : std::nullopt);
+  add_figures(line, found ? std::optional(peak->azimuth) : std::nullopt);
   add_figures(line, theory.azimuth);
-  add_figures(line, found ? std::optional(target.found->range) : std::nullopt);
+  add_figures(line, found ? std::optional(peak->range) : std::nullopt);
   add_figures(line, theory.range);
+  line += fmt::format(",{},", to_string(target.state));
+  if (measured) core::append_number(line, target.false_alarm_probability);
   if (report.on_earth({})) {
     add_place(line, target.expected() ? report.on_earth(theory.place) : std::nullopt);
-    add_place(line, found ? report.on_earth(target.found->place) : std::nullopt);
+    add_place(line, found ? report.on_earth(peak->place) : std::nullopt);
   }
   return line + "\n";
 }
 
 }  // namespace
 
-double MeasuredTarget::phase_error_rad() const {
-  return std::remainder(found->phase_rad - theory.phase_rad, 2.0 * core::pi);
+const char* to_string(TargetState state) {
+  switch (state) {
+    case TargetState::no_echoes: return "no echoes";
+    case TargetState::outside: return "outside";
+    case TargetState::not_found: return "not found";
+    case TargetState::displaced: return "displaced";
+    case TargetState::weak: return "weak";
+    case TargetState::strong: return "strong";
+    case TargetState::found: return "found";
+  }
+  return "";
 }
 
-double MeasuredTarget::amplitude_error_db() const { return core::amplitude_db(found->amplitude / theory.amplitude); }
+const signal::PointResponse* MeasuredTarget::response() const {
+  if (found) return &*found;
+  return peak ? &*peak : nullptr;
+}
+
+double MeasuredTarget::phase_error_rad() const {
+  return std::remainder(response()->phase_rad - theory.phase_rad, 2.0 * core::pi);
+}
+
+double MeasuredTarget::amplitude_error_db() const {
+  return core::amplitude_db(response()->amplitude / theory.amplitude);
+}
 
 double MeasuredTarget::snr_db() const { return ratio_db(peak_v, noise_v); }
 
@@ -100,6 +123,9 @@ MeasureSummary summary_of(const MeasureReport& report) {
   };
   for (const MeasuredTarget& target : report.targets) {
     if (target.expected()) ++(target.outside ? summary.outside : summary.expected);
+    summary.displaced += target.state == TargetState::displaced ? 1 : 0;
+    summary.weak += target.state == TargetState::weak ? 1 : 0;
+    summary.strong += target.state == TargetState::strong ? 1 : 0;
     if (!target.found) continue;
     ++summary.found;
     const signal::ImagePlace& place = target.found->place;
@@ -137,7 +163,8 @@ std::string csv_of(const MeasureReport& report) {
       "target,found,theory_azimuth_m,theory_range_m,azimuth_error_m,range_error_m,theory_amplitude_v,amplitude_v,"
       "amplitude_error_db,theory_phase_rad,phase_rad,phase_error_rad,noise_v,snr_db,threshold_db,azimuth_width_m,"
       "azimuth_pslr_db,azimuth_islr_db,theory_azimuth_width_m,theory_azimuth_pslr_db,theory_azimuth_islr_db,"
-      "range_width_m,range_pslr_db,range_islr_db,theory_range_width_m,theory_range_pslr_db,theory_range_islr_db";
+      "range_width_m,range_pslr_db,range_islr_db,theory_range_width_m,theory_range_pslr_db,theory_range_islr_db,"
+      "state,false_alarm_probability";
   if (report.on_earth({}))
     for (const char* name : place_names) text += fmt::format(",{}", name);
   text += "\n";

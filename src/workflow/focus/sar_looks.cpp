@@ -104,6 +104,30 @@ SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar:
   return look;
 }
 
+std::vector<core::Vec3> SarLooks::antennas() const {
+  std::vector<core::Vec3> places_m;
+  simulate::PulseGeometry geometry(*scene_, plan_.radar);
+  for (std::size_t i = 0; i < count(); ++i) {
+    geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
+    places_m.push_back(geometry.radar_pose().position_world_m);
+  }
+  return places_m;
+}
+
+std::optional<core::Vec3> SarLooks::resting_place(std::size_t target) const {
+  constexpr double still_m = 1e-6;
+  const simulate::Scatterer& scatterer = scene_->scatterers[target];
+  simulate::PulseGeometry geometry(*scene_, plan_.radar);
+  const auto at = [&](std::size_t look) {
+    geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(look)));
+    return radar::world_position_m(geometry.pose(scatterer.platform), scatterer.position_m);
+  };
+  const core::Vec3 first_m = at(0);
+  for (const std::size_t look : {count() / 2, count() - 1})
+    if (core::norm(at(look) - first_m) > still_m) return std::nullopt;
+  return first_m;
+}
+
 signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const {
   const double light_speed = scene_->conventions.light_speed_mps;
   const double per_hz = radar::range_of_cycle(carrier_hz_, light_speed) / track_.speed_mps;

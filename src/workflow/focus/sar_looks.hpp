@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "core/task/parallel.hpp"
 #include "signal/sar/focusing.hpp"
@@ -52,6 +53,11 @@ class SarLooks {
   void each(const core::WorkControl& control,
             const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body,
             std::size_t every = 1) const;
+
+  /// Where the antenna was, world, at each look as the pulse left.
+  [[nodiscard]] std::vector<core::Vec3> antennas() const;
+  /// Where a target is that does not move between the first and the last look, world; nothing of one that does.
+  [[nodiscard]] std::optional<core::Vec3> resting_place(std::size_t target) const;
 
   /// Where echoes of this look are focused to when they are taken to have that Doppler frequency.
   [[nodiscard]] signal::ImagePlace place(const SarLook& look, double doppler_hz) const;

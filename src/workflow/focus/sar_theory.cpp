@@ -2,11 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <functional>
+#include <mutex>
 #include <span>
+#include <utility>
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
+#include "signal/measure/aperture_response.hpp"
+#include "signal/measure/image_quality.hpp"
 #include "signal/sar/ground_grid.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
@@ -123,14 +128,6 @@ double sum_of_weights(const SarLooks& looks, const LookWeights& weights, const s
   return signal::mean_weight(options.azimuth_window) * options.doppler_bandwidth_hz / (rate_hzps * interval_s);
 }
 
-// The azimuth cut of a squinted response runs across the line of sight, on which it is narrower than along the track.
-void cut_across_sight(std::optional<signal::ResponseFigures>& figures, double sine) {
-  if (!figures || !(std::abs(sine) > 0.01)) return;  // signal/measure/image_quality.cpp cuts along the axes up to there
-  const double cosine = std::sqrt(std::max(1.0 - sine * sine, 0.0));
-  figures->width *= cosine;
-  figures->null *= cosine;
-}
-
 bool is_plain_chirp(const radar::Pulse& pulse) {
   return pulse.kind == radar::Pulse::Kind::chirp && pulse.envelope == radar::Pulse::Envelope::rectangular;
 }
@@ -169,37 +166,258 @@ std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, 
   return figures;
 }
 
-TargetTheory theory_of(const SarLooks& looks, const LookWeights& weights, const signal::EchoRows& echoes,
-                       const signal::FocusOptions& options, const std::optional<signal::ResponseFigures>& range,
-                       std::size_t number, std::span<const SarLook> seen) {
-  TargetTheory theory;
-  theory.target = number;
-  std::vector<Tone> tones;
+// The compressed pulse over range, as the aperture of a target sums it up. Made when a target needs it.
+class RangePulse {
+ public:
+  RangePulse(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::SarWindow& window)
+      : plan_(plan), waveform_(echoes.waveform), window_(window) {
+    // The band that stepped carriers fill together has no theory of its response.
+    if (echoes.carriers_hz.empty()) figures_ = range_theory(plan, waveform_, window);
+  }
+
+  /// Of a narrow aperture; nothing where the pulse has no theory.
+  [[nodiscard]] const std::optional<signal::ResponseFigures>& figures() const { return figures_; }
+  [[nodiscard]] const signal::SarWaveform& waveform() const { return waveform_; }
+  [[nodiscard]] signal::ApertureBand band() const {
+    return {radar::turns_per_m(waveform_.carrier_hz, waveform_.light_speed_mps),
+            radar::turns_per_m(std::abs(waveform_.bandwidth_hz), waveform_.light_speed_mps)};
+  }
+  /// @param coherence  of what folds over the sampled band, see `UsedLooks`
+  [[nodiscard]] const signal::SampledResponse& response(double coherence) const {
+    constexpr double half = 0.5;
+    return coherence > half ? table(signal::BeyondSampling::folded) : table(signal::BeyondSampling::lost);
+  }
+  /// What is left of the peak where what folds adds up with that coherence, in parts.
+  [[nodiscard]] double kept(double coherence) const {
+    constexpr double whole = 0.999;
+    if (!figures_ || coherence > whole) return 1.0;
+    const auto peak = [this](signal::BeyondSampling beyond) {
+      const signal::SampledResponse& response = table(beyond);
+      return std::abs(response.values[response.peak]);
+    };
+    const double lost = peak(signal::BeyondSampling::lost) / peak(signal::BeyondSampling::folded);
+    return lost + coherence * (1.0 - lost);
+  }
+
+ private:
+  [[nodiscard]] const signal::SampledResponse& table(signal::BeyondSampling beyond) const {
+    const bool lost = beyond == signal::BeyondSampling::lost;
+    std::call_once(lost ? lost_made_ : folded_made_, [&] { (lost ? lost_ : folded_) = made(beyond); });
+    return lost ? lost_ : folded_;
+  }
+  [[nodiscard]] signal::SampledResponse made(signal::BeyondSampling beyond) const {
+    constexpr double most_time_bandwidth = 2048.0;  // Sidelobes within 60 cells change by less than 1e-3 beyond it.
+    const double band_hz = std::abs(waveform_.bandwidth_hz);
+    return signal::theoretical_response(window_, std::min(band_hz * waveform_.pulse_width_s, most_time_bandwidth),
+                                        waveform_.sample_rate_hz / band_hz, recorded_window(plan_), beyond);
+  }
+
+  const simulate::Plan& plan_;
+  const signal::SarWaveform& waveform_;
+  const signal::SarWindow& window_;
+  std::optional<signal::ResponseFigures> figures_;
+  mutable std::once_flag folded_made_, lost_made_;
+  mutable signal::SampledResponse folded_, lost_;
+};
+
+// What is known of an image for the theory of its targets.
+struct ImageGeometry {
+  signal::ResponseAxes axes{};                 // of the cuts
+  std::optional<signal::ImageFrame> ground{};  // of a ground grid
+  std::optional<signal::ImageFrame> slant{};   // the line that fits the track, where there is a ground grid
+  std::vector<core::Vec3> antennas_m{};        // of the looks, where there is a ground grid
+};
+
+// The looks that a target's image is made of.
+struct UsedLooks {
+  std::vector<std::size_t> numbers;
+  std::vector<double> parts;  // weight times amplitude, of each
   double sum = 0.0;
-  double whole = 0.0;
+  double whole = 0.0;      // the same had all been recorded
+  std::size_t middle = 0;  // look number
+  /// Of the part of the pulse's spectrum that folds over the sampled band: as the echo migrates through samples, it
+  /// turns by a cycle for each. 1: it adds up, 0: its mean is 0.
+  double coherence = 1.0;
+};
+
+UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, double sample_rate_hz) {
+  UsedLooks used;
   double moment = 0.0;
+  std::complex<double> folded;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const double part = weights.of(i, seen) * seen[i].amplitude;
     if (!(part > 0.0) || !weights.sampled(seen[i])) continue;
-    whole += part;
+    used.whole += part;
     if (!(seen[i].share > 0.0)) continue;
-    sum += part * seen[i].share;
-    moment += part * seen[i].share * static_cast<double>(i);
-    tones.push_back({seen[i].doppler_hz / looks.track().speed_mps, part * seen[i].share});
+    used.numbers.push_back(i);
+    used.parts.push_back(part * seen[i].share);
+    used.sum += used.parts.back();
+    moment += used.parts.back() * static_cast<double>(i);
+    const double samples = (seen[i].delay_s - seen.front().delay_s) * sample_rate_hz;
+    folded += std::polar(used.parts.back(), 2.0 * core::pi * (samples - std::round(samples)));
   }
-  if (!(sum > 0.0)) return theory;
-  const SarLook& middle = seen[static_cast<std::size_t>(std::llround(moment / sum))];
-  theory.place = looks.place(middle, middle.doppler_hz);
-  theory.amplitude = sum / sum_of_weights(looks, weights, options, echoes.waveform, seen, theory.place.range_m);
-  const double turns =
-      radar::turns_of(theory.place.range_m, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
-  theory.phase_rad = std::remainder(-2.0 * core::pi * turns, 2.0 * core::pi);
-  theory.azimuth = figures_of_tones(tones);
-  cut_across_sight(theory.azimuth, centroid_sine(looks, options, echoes.waveform));
+  if (used.sum > 0.0) used.coherence = std::abs(folded) / used.sum;
+  if (used.sum > 0.0) used.middle = static_cast<std::size_t>(std::llround(moment / used.sum));
+  return used;
+}
+
+// The looks of a target as a cut through its image has them.
+class CutLooks {
+ public:
+  CutLooks(const UsedLooks& used, std::span<const SarLook> seen, double sine_per_hz, const ImageGeometry& image,
+           const signal::ImagePlace& on_image)
+      : used_(used), seen_(seen), sine_per_hz_(sine_per_hz), image_(image) {
+    if (image.ground)
+      point_m_ =
+          image.ground->origin_m + on_image.azimuth_m * image.ground->along + on_image.range_m * image.ground->across;
+  }
+
+  [[nodiscard]] std::vector<signal::ApertureLook> along(const signal::ImagePlace& direction) const {
+    std::vector<signal::ApertureLook> looks;
+    looks.reserve(used_.numbers.size());
+    for (std::size_t i = 0; i < used_.numbers.size(); ++i)
+      looks.push_back({slope(used_.numbers[i], direction), used_.parts[i]});
+    return looks;
+  }
+
+ private:
+  // How the distance grows with a step in that direction.
+  [[nodiscard]] double slope(std::size_t look, const signal::ImagePlace& direction) const {
+    if (image_.ground) {
+      const core::Vec3 sight_m = point_m_ - image_.antennas_m[look];
+      return core::dot(sight_m,
+                       direction.azimuth_m * image_.ground->along + direction.range_m * image_.ground->across) /
+             core::norm(sight_m);
+    }
+    const double sine = std::clamp(sine_per_hz_ * seen_[look].doppler_hz, -1.0, 1.0);
+    return direction.azimuth_m * sine + direction.range_m * std::sqrt(1.0 - sine * sine);
+  }
+
+  const UsedLooks& used_;
+  std::span<const SarLook> seen_;
+  double sine_per_hz_;
+  const ImageGeometry& image_;
+  core::Vec3 point_m_;
+};
+
+// Whether range and azimuth are one rectangle of wave numbers: neither the curvature of the aperture nor the relative
+// bandwidth makes its sides move by more than a hundredth.
+bool is_separable(const std::vector<signal::ApertureLook>& along_sight, const signal::ApertureBand& band) {
+  constexpr double part = 0.01;
+  const auto [least, most] = std::ranges::minmax(along_sight, {}, &signal::ApertureLook::slope);
+  return band.carrier_per_m * (most.slope - least.slope) < part * band.band_per_m &&
+         band.band_per_m < part * band.carrier_per_m;
+}
+
+std::optional<signal::ResponseFigures> figures_of_looks(const std::vector<signal::ApertureLook>& looks,
+                                                        double carrier_per_m) {
+  std::vector<Tone> tones;
+  tones.reserve(looks.size());
+  for (const signal::ApertureLook& look : looks) tones.push_back({carrier_per_m * look.slope, look.weight});
+  return figures_of_tones(tones);
+}
+
+// @param even_band  a Doppler band is kept, the same at all frequencies of the pulse: azimuth does not widen with them
+void set_figures(const CutLooks& cuts, const UsedLooks& used, const ImageGeometry& image, const RangePulse& pulse,
+                 bool even_band, TargetTheory& theory) {
+  const std::vector<signal::ApertureLook> azimuth = cuts.along(image.axes.azimuth);
+  const signal::ApertureBand band = pulse.band();
   // A pulse of which a part is missing has another spectrum.
   constexpr double unseen = 1e-3;
-  if (sum > (1.0 - unseen) * whole) theory.range = range;
-  return theory;
+  if (!pulse.figures() || !(used.sum > (1.0 - unseen) * used.whole)) {
+    theory.azimuth = figures_of_looks(azimuth, band.carrier_per_m);
+    return;
+  }
+  const std::vector<signal::ApertureLook> range = cuts.along(image.axes.range);
+  // Where what folds is lost, the pulse is another one than that of the figures.
+  constexpr double same_pulse = 0.998;
+  if (!image.ground && is_separable(range, band) && (used.coherence > 0.5 || pulse.kept(0.0) > same_pulse)) {
+    theory.azimuth = figures_of_looks(azimuth, band.carrier_per_m);
+    theory.range = pulse.figures();
+    return;
+  }
+  const signal::SampledResponse& response = pulse.response(used.coherence);
+  theory.azimuth =
+      even_band ? figures_of_looks(azimuth, band.carrier_per_m) : signal::aperture_figures(azimuth, band, response);
+  theory.range = signal::aperture_figures(range, band, response);
+}
+
+// What a target is in an image, for all targets of a plan.
+class Theories {
+ public:
+  Theories(const SarLooks& looks, const LookWeights& weights, const signal::EchoRows& echoes,
+           const signal::FocusOptions& options, const RangePulse& pulse, const ImageGeometry& image)
+      : looks_(looks), weights_(weights), echoes_(echoes), options_(options), pulse_(pulse), image_(image) {}
+
+  [[nodiscard]] TargetTheory of(std::size_t number, std::span<const SarLook> seen) const {
+    TargetTheory theory;
+    theory.target = number;
+    const UsedLooks used = used_looks(weights_, seen, echoes_.waveform.sample_rate_hz);
+    if (!(used.sum > 0.0)) return theory;
+    const SarLook& middle = seen[used.middle];
+    theory.place = looks_.place(middle, middle.doppler_hz);
+    theory.amplitude = pulse_.kept(used.coherence) * used.sum /
+                       sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
+    signal::ImagePlace on_image = theory.place;
+    if (image_.ground) on_image = lay_on_ground(number, theory.place);
+    const double turns =
+        radar::turns_of(theory.place.range_m, echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps);
+    theory.phase_rad = std::remainder(-2.0 * core::pi * turns, 2.0 * core::pi);
+    const double per_hz =
+        radar::range_of_cycle(echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps) / looks_.track().speed_mps;
+    set_figures(CutLooks(used, seen, per_hz, image_, on_image), used, image_, pulse_,
+                options_.doppler_bandwidth_hz > 0.0 && weights_.domain() != Domain::time, theory);
+    theory.place = on_image;
+    return theory;
+  }
+
+ private:
+  // Where a target appears on the ground: where it is, if it rests in the plane of the grid; else where the line has
+  // its distance.
+  // @param[in,out] slant  its place about the line
+  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, signal::ImagePlace& slant) const {
+    constexpr double in_plane_m = 1e-3;
+    const signal::ImageFrame& grid = *image_.ground;
+    if (weights_.domain() == Domain::time)
+      if (const auto point_m = looks_.resting_place(number)) {
+        const double above_m = core::dot(*point_m - grid.origin_m, core::cross(grid.along, grid.across));
+        slant = signal::place_of(*image_.slant, *point_m);
+        if (std::abs(above_m) < in_plane_m) return signal::place_of(grid, *point_m);
+      }
+    return signal::place_on_ground(grid, *image_.slant, slant);
+  }
+
+  const SarLooks& looks_;
+  const LookWeights& weights_;
+  const signal::EchoRows& echoes_;
+  const signal::FocusOptions& options_;
+  const RangePulse& pulse_;
+  const ImageGeometry& image_;
+};
+
+std::vector<TargetTheory> theories_on(const simulate::Plan& plan, const signal::EchoRows& echoes,
+                                      const signal::FocusOptions& options, bool time_domain, ImageGeometry image,
+                                      const core::WorkControl& control) {
+  const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
+  const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
+  const LookWeights weights(looks, options, echoes.track.size(), domain);
+  if (image.ground) image.antennas_m = looks.antennas();
+  const RangePulse pulse(plan, echoes, options.range_window);
+  const Theories theory(looks, weights, echoes, options, pulse, image);
+  std::vector<TargetTheory> theories(listed_targets(*plan.scene));
+  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
+    if (t < theories.size()) theories[t] = theory.of(t, seen);
+  });
+  return theories;
+}
+
+// The cuts of an image of slant range that is sampled about the beam's centre.
+signal::ResponseAxes axes_about_centroid(const signal::EchoRows& echoes, const signal::FocusOptions& options) {
+  const double sine = radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) *
+                      options.doppler_centroid_hz / signal::fit_straight(echoes.track).speed_mps;
+  if (!(std::abs(sine) > 0.01 && std::abs(sine) < 1.0)) return {};
+  const double cosine = std::sqrt(1.0 - sine * sine);
+  return {{sine, cosine}, {cosine, -sine}};
 }
 
 }  // namespace
@@ -213,60 +431,29 @@ std::size_t listed_targets(const simulate::ResolvedScene& scene) {
 std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                             const signal::FocusOptions& options, bool time_domain,
                                             const core::WorkControl& control) {
-  const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
-  const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
-  const LookWeights weights(looks, options, echoes.track.size(), domain);
-  // The band that stepped carriers fill together has no theory of its response.
-  const std::optional<signal::ResponseFigures> range =
-      echoes.carriers_hz.empty() ? range_theory(plan, echoes.waveform, options.range_window) : std::nullopt;
-  std::vector<TargetTheory> theories(listed_targets(*plan.scene));
-  looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
-    if (t >= theories.size()) return;
-    theories[t] = theory_of(looks, weights, echoes, options, range, t, seen);
-  });
-  return theories;
+  return theories_on(plan, echoes, options, time_domain, {.axes = axes_about_centroid(echoes, options)}, control);
 }
 
-namespace {
-
-// On a ground grid ranges are as far apart as the ground is seen flat, and places along the flight as it climbs.
-void lay_on_ground(TargetTheory& theory, const signal::ImageFrame& grid, const signal::ImageFrame& slant) {
-  const signal::ImagePlace place = signal::place_on_ground(grid, slant, theory.place);
-  const signal::ImagePlace farther =
-      signal::place_on_ground(grid, slant, {theory.place.azimuth_m, theory.place.range_m + 1.0});
-  const signal::ImagePlace ahead =
-      signal::place_on_ground(grid, slant, {theory.place.azimuth_m + 1.0, theory.place.range_m});
-  theory.place = place;
-  if (theory.azimuth) {
-    theory.azimuth->width *= ahead.azimuth_m - place.azimuth_m;
-    theory.azimuth->null *= ahead.azimuth_m - place.azimuth_m;
-  }
-  if (!theory.range) return;
-  theory.range->width *= farther.range_m - place.range_m;
-  theory.range->null *= farther.range_m - place.range_m;
-}
-
-}  // namespace
-
-std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::ImageFrame& frame,
+std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::FocusedImage& image,
                                           const core::WorkControl& control) {
+  const signal::ImageFrame& frame = image.frame;
   signal::EchoRows echoes = focused.echoes;
   echoes.compensated = focused.time_domain || focused.compensated;
-  std::vector<TargetTheory> theories =
-      theory_of_targets(focused.plan, echoes, focused.options, focused.time_domain, control);
   const signal::StraightTrack track = signal::fit_straight(echoes.track);
-  if (frame.plane == signal::ImagePlane::slant_range) {
-    // Compensated pulses lie elsewhere along the line, and so does the image's origin.
+  ImageGeometry geometry{.axes = signal::response_axes(image)};
+  if (frame.plane == signal::ImagePlane::ground_grid) {
+    geometry.ground = frame;
+    geometry.slant = {.plane = signal::ImagePlane::slant_range,
+                      .origin_m = track.origin_m,
+                      .along = track.along,
+                      .speed_mps = track.speed_mps};
+  }
+  std::vector<TargetTheory> theories =
+      theories_on(focused.plan, echoes, focused.options, focused.time_domain, std::move(geometry), control);
+  // Compensated pulses lie elsewhere along the line, and so does the image's origin.
+  if (frame.plane == signal::ImagePlane::slant_range)
     for (TargetTheory& theory : theories)
       theory.place.azimuth_m -= core::dot(frame.origin_m - track.origin_m, track.along);
-    return theories;
-  }
-  const signal::ImageFrame slant{.plane = signal::ImagePlane::slant_range,
-                                 .origin_m = track.origin_m,
-                                 .along = track.along,
-                                 .speed_mps = track.speed_mps};
-  for (TargetTheory& theory : theories)
-    if (theory.amplitude > 0.0) lay_on_ground(theory, frame, slant);
   return theories;
 }
 

@@ -20,10 +20,12 @@ struct TargetTheory {
   /// time, less where the end of a raw recording cuts them, 0 outside the recorded ranges.
   double amplitude = 0.0;
   double phase_rad = 0.0;  ///< -4 pi f0 R0/c, in (-pi, pi].
-  /// Widths and nulls in metres. Range: of the chirp's autocorrelation under the window, and under the radar's where
-  /// the recording is compressed; nothing for other pulses, where echoes are not recorded whole, and where the sampling
-  /// rate is below a sixteenth of the bandwidth. Azimuth: sum over pulses of amplitude and weight times
-  /// exp(2 pi j f x/V), under squint across the line of sight; nothing where no first minimum is in it.
+  /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: what the pulses
+  /// that saw the target and the chirp's band fill of the plane of wave numbers (signal/measure/aperture_response.hpp).
+  /// Where that is a rectangle, range is the chirp's autocorrelation under the window, and under the radar's where the
+  /// recording is compressed, and azimuth the sum over pulses of amplitude and weight times exp(2 pi j f x/V). Range is
+  /// nothing for other pulses, where echoes are not recorded whole, and where the sampling rate is below a sixteenth of
+  /// the bandwidth, azimuth where no first minimum is in it.
   std::optional<signal::ResponseFigures> range;
   std::optional<signal::ResponseFigures> azimuth;
 };
@@ -49,9 +51,11 @@ struct FocusedEchoes {
 };
 
 /// The same as `theory_of_targets`, in the coordinates of an image, in slant range or on the ground: metres from its
-/// origin, along the flight and in range.
+/// origin, along the flight and in range. On the ground the directions are those from the antenna's true positions to
+/// the place in the image, whatever the flight does.
+/// @param image  axes and frame; no values
 /// @throw  Interrupted
-[[nodiscard]] std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::ImageFrame& frame,
+[[nodiscard]] std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::FocusedImage& image,
                                                         const core::WorkControl& control);
 
 }  // namespace sarsim::workflow

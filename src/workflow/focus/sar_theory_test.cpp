@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "signal/sar/motion_compensation.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_test_scene.hpp"
+#include "workflow/focus/seen_spectrum.hpp"
 
 namespace sarsim::workflow {
 namespace sar_theory_test {
@@ -42,6 +44,47 @@ TEST(TheoryOfTargets, IsWhatAnAntennaThatTapersTheEchoesShows) {
   radar.beam_azimuth = core::Angle::from_deg(90.0);
   radar.beam_elevation = core::Angle::from_deg(-11.3);
   expect_as_theory(scene, {.method = signal::FocusMethod::chirp_scaling});
+}
+
+// Apertures and bands of which the response is no product of one over range and one over azimuth: carriers of 0.4 to
+// 1 GHz, 10 to 24 degrees, 5 to 60 MHz. The image leaves out 0.3 % of the echoes at either end of either axis.
+TEST(TheoryOfTargets, IsWhatImagesOfWideAperturesShow) {
+  std::mt19937 random(20261129);
+  const auto between = [&random](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  for (int draw = 0; draw < 4; ++draw) {
+    const double carrier_hz = between(0.4e9, 1e9);
+    const double half_rad = between(5.0, 12.0) * core::pi / 180.0;
+    const double band_hz = std::exp(between(std::log(5e6), std::log(60e6)));
+    const double prf_hz = 1.25 * 4.0 * 200.0 * std::sin(half_rad) * carrier_hz / core::exact_light_speed_mps + 20.0;
+    scene::Scene scene =
+        sar_scene(prf_hz, {{between(-2.0, 2.0), between(-5.0, 5.0), 0.0}}, std::tan(half_rad) * 10198.0 / 200.0);
+    scene.radars[0].carrier_hz = carrier_hz;
+    scene.radars[0].bandwidth_hz = band_hz;
+    scene.radars[0].pulse_width_s = 120.0 / band_hz;
+    scene.simulations[0].sample_rate_hz = 1.4 * band_hz;
+    const double spare_m = 12.0 * core::exact_light_speed_mps / band_hz;
+    scene.simulations[0].range_start_m = 10198.0 - spare_m;
+    scene.simulations[0].range_end_m = 10198.0 / std::cos(half_rad) + spare_m;
+    const auto [plan, rows] = sar_recording(scene);
+    signal::FocusOptions options;
+    options.spectrum = seen_spectrum(*plan, rows, {}, SeenPulses::sampled);
+    const signal::FocusedImage image = signal::focus(signal::sar_echoes(rows, {.threads = 2}), options, {.threads = 2});
+    const TargetTheory theory = theory_on_image({*plan, rows, options}, image, {.threads = 2}).at(0);
+    const auto response = signal::measure_point(image, signal::reader_of(image), theory.place, 3.0);
+    ASSERT_TRUE(response && theory.range && theory.azimuth) << draw;
+    EXPECT_NEAR(response->range.width, theory.range->width, 0.01 * theory.range->width) << draw;
+    EXPECT_NEAR(response->azimuth.width, theory.azimuth->width, 0.01 * theory.azimuth->width) << draw;
+    // Side lobes of -25 dB and less change by a decibel where the peak changes by a hundredth.
+    EXPECT_NEAR(std::pow(10.0, response->range.pslr_db / 20.0), std::pow(10.0, theory.range->pslr_db / 20.0), 0.01)
+        << draw;
+    EXPECT_NEAR(std::pow(10.0, response->azimuth.pslr_db / 20.0), std::pow(10.0, theory.azimuth->pslr_db / 20.0), 0.01)
+        << draw;
+    EXPECT_NEAR(std::pow(10.0, response->range.islr_db / 10.0), std::pow(10.0, theory.range->islr_db / 10.0), 0.01)
+        << draw;
+    EXPECT_NEAR(response->amplitude, theory.amplitude, 0.02 * theory.amplitude) << draw;
+  }
 }
 
 TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
@@ -110,7 +153,8 @@ TEST(TheoryOfTargets, OfARawRecordingsEndIsThatOfThePartOfTheEchoThatItHolds) {
   const std::vector<TargetTheory> theories = theory_of_targets(*plan, rows, {});
   const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
   EXPECT_NEAR(theories[0].amplitude / simulate::equation_amplitude(10258.0, 1.0, wavelength_m), 1.0 / 3.0, 0.01);
-  EXPECT_NEAR(theories[1].amplitude / simulate::equation_amplitude(10158.0, 1.0, wavelength_m), 1.0, 0.001);
+  // A hundredth of the energy lies beyond the sampled band, and some of that does not add up over the aperture.
+  EXPECT_NEAR(theories[1].amplitude / simulate::equation_amplitude(10158.0, 1.0, wavelength_m), 1.0, 0.002);
   EXPECT_FALSE(theories[0].range);
   EXPECT_TRUE(theories[1].range);
   for (const TargetTheory& theory : theories)

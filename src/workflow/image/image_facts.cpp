@@ -25,8 +25,9 @@ std::string attribute_name(std::string_view field) {
 raster::EnviHeader named_fields() {
   ImageOrigin named;
   named.settings = "some";
+  named.anchor.emplace();
   raster::EnviHeader header = header_of({}, named);
-  for (const char* name : {"source from image", "script from image", "script checksum"})
+  for (const char* name : {"source from image", "script from image", "script checksum", "source checksum"})
     header.fields.emplace_back(name, "");
   return header;
 }
@@ -47,7 +48,10 @@ std::optional<raster::EnviHeader> header_of_facts(const raster::Raster& file) {
   header.samples = file.columns();
   header.lines = file.rows();
   for (auto& [name, value] : header.fields) value = raster::attribute_of(attributes, attribute_name(name));
-  std::erase_if(header.fields, [](const auto& field) { return field.first == "settings" && field.second.empty(); });
+  std::erase_if(header.fields, [](const auto& field) {
+    return field.second.empty() &&
+           (field.first == "settings" || field.first == "world anchor" || field.first == "source checksum");
+  });
   return header;
 }
 

@@ -10,6 +10,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "workflow/image/map_fields.hpp"
+#include "workflow/input/earth_place.hpp"
 
 namespace sarsim::workflow {
 
@@ -113,6 +114,7 @@ raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigi
   fields.emplace_back("along", vector_text(image.frame.along));
   fields.emplace_back("across", vector_text(image.frame.across));
   fields.emplace_back("speed mps", fmt::format("{}", image.frame.speed_mps));
+  if (origin.anchor) fields.emplace_back("world anchor", anchor_text(*origin.anchor));
   add_axis(fields, "azimuth", image.azimuth);
   add_axis(fields, "range", image.range);
   fields.emplace_back("carrier hz", fmt::format("{}", image.carrier_hz));
@@ -148,6 +150,8 @@ void read_header(const raster::EnviHeader& header, const std::string& file, sign
   origin.simulation = fields.position("simulation");
   origin.algorithm = fields.text("algorithm");
   origin.motion = header.field("motion compensation").value_or("none");
+  origin.anchor.reset();
+  if (const auto anchor = header.field("world anchor")) origin.anchor = anchor_from_text(*anchor, file);
   origin.options.range_window = fields.window("range window");
   origin.options.azimuth_window = fields.window("azimuth window");
   origin.options.doppler_centroid_hz = fields.number("doppler centroid hz");

@@ -29,6 +29,9 @@ struct ImageOrigin {
   scene::RunOptions run;
   std::optional<radar::EarthFrame> earth;  ///< Under the world; of ground grids it stands in headers (map_fields.hpp).
   std::shared_ptr<const ImageCollection> collection = nullptr;  ///< For SICD alone (sicd_image.hpp).
+  /// Where the world of the frame lies on the Earth, of images whose source has no scene that says it: of CPHD files
+  /// that of the scene that they were made from, or else their reference point. Nothing: the world is the scene's.
+  std::optional<radar::Anchor> anchor = std::nullopt;
 };
 
 /// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.

@@ -1,7 +1,11 @@
 #include "workflow/image/image_script.hpp"
 
+#include <cstdint>
+#include <exception>
 #include <optional>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -13,6 +17,7 @@
 #include "scene/language/sources.hpp"
 #include "workflow/input/motion_input.hpp"
 #include "workflow/input/recording_input.hpp"
+#include "workflow/input/sample_input.hpp"
 #include "workflow/input/script_sum.hpp"
 
 namespace sarsim::workflow {
@@ -50,16 +55,115 @@ std::optional<std::string> checksum_of(const std::string& source, const std::str
   return workflow::script_sum(reading.scene);
 }
 
-// The first place where a file of the header is.
-std::optional<std::string> found(const std::string& path, const std::string& from_image, const fs::path& image) {
-  const fs::path folder = folder_of(image);
+// Of the samples of a recording; nothing of a script, and where they cannot be read.
+std::optional<std::string> samples_checksum_of(const std::string& source, const std::string& script,
+                                               std::size_t simulation) {
   std::error_code ignored;
-  if (!from_image.empty())
-    if (const fs::path place = (folder / from_image).lexically_normal(); fs::exists(place, ignored))
-      return place.string();
-  if (fs::exists(path, ignored)) return path;
-  if (const fs::path beside = folder / fs::path(path).filename(); fs::exists(beside, ignored)) return beside.string();
+  if (!fs::exists(source, ignored) || holds_script(source)) return std::nullopt;
+  try {
+    SampleArguments samples;
+    samples.script = script;
+    const raster::RasterHints hints =
+        script.empty() ? raster::RasterHints{} : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1);
+    const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
+    if (opened.raster) return samples_sum(*opened.raster);
+  } catch (const std::exception&) {
+    return std::nullopt;  // What cannot be read has no sum; who reads it is told why.
+  }
   return std::nullopt;
+}
+
+// A file that may be the one of the header.
+struct FoundFile {
+  std::string path;
+  bool same_place = true;  // As seen from the image, or, where that is not known, as it was named.
+};
+
+std::vector<FoundFile> found(const std::string& path, const std::string& from_image, const fs::path& image) {
+  const fs::path folder = folder_of(image);
+  std::vector<FoundFile> files;
+  const auto add = [&files](const fs::path& place, bool same_place) {
+    std::error_code ignored;
+    if (!fs::exists(place, ignored)) return;
+    for (const FoundFile& file : files)
+      if (fs::equivalent(file.path, place, ignored)) return;
+    files.push_back({place.string(), same_place});
+  };
+  if (!from_image.empty()) add((folder / from_image).lexically_normal(), true);
+  if (!path.empty()) {
+    add(path, from_image.empty() || fs::path(path).is_absolute());
+    add(folder / fs::path(path).filename(), false);
+  }
+  return files;
+}
+
+std::vector<FoundFile> expected(std::vector<FoundFile> files, const std::string& path, const fs::path& image) {
+  if (files.empty())
+    throw core::Refused(fmt::format("'{}', which '{}' was made from, is not there", path, image.string()),
+                        "bring it back, or name the script that it was made from with --script");
+  return files;
+}
+
+[[noreturn]] void refuse_namesake(const FoundFile& file, const char* what, const std::string& path,
+                                  const fs::path& image) {
+  throw core::Refused(
+      fmt::format("'{}' is not the file that '{}' was made from: it has other {}", file.path, image.string(), what),
+      fmt::format("bring back '{}' as it was, or name the script that the image was made from with --script", path));
+}
+
+core::Problem note_of(std::string text) { return core::problem_of(core::Severity::note, std::move(text), {}, {}, {}); }
+
+core::Problem warning_of_scene(const std::string& file, const fs::path& image) {
+  return core::problem_of(core::Severity::warning,
+                          fmt::format("the script is not the one that '{}' was made from", image.string()), file, {},
+                          "targets may be elsewhere: focus again, or name the script of that time with --script");
+}
+
+// The recording with the samples that the header has the sum of.
+std::string source_with_samples(const std::vector<FoundFile>& sources, const std::string& sum,
+                                const std::string& script, const ImageOrigin& origin, const fs::path& image,
+                                core::Problems& problems) {
+  for (const FoundFile& file : sources) {
+    if (samples_checksum_of(file.path, script, origin.simulation) != sum) continue;
+    if (!file.same_place)
+      problems.push_back(note_of(fmt::format("'{}' is taken for '{}': it has the samples that '{}' was made from",
+                                             file.path, origin.source, image.string())));
+    return file.path;
+  }
+  refuse_namesake(sources.front(), "samples", origin.source, image);
+}
+
+// Of an image of an earlier version, which says only of which scene it is.
+std::string source_by_name(const std::string& file, const std::string& scene_sum, const std::string& script,
+                           const fs::path& image, core::Problems& problems) {
+  const auto now = scene_sum.empty() || !script.empty() ? std::nullopt : checksum_of(file, script);
+  problems.push_back(now && *now != scene_sum
+                         ? warning_of_scene(file, image)
+                         : note_of(fmt::format("'{}' does not say which samples it was made from, as an image of an "
+                                               "earlier version: '{}' is taken by its name",
+                                               image.string(), file)));
+  return file;
+}
+
+// The same of a scene; one that was edited where it was is taken with a warning.
+std::string scene_with_sum(const std::vector<FoundFile>& files, const std::string& sum, const std::string& path,
+                           const fs::path& image, core::Problems& problems) {
+  if (sum.empty()) return files.front().path;
+  bool known = false;
+  for (const FoundFile& file : files) {
+    const auto now = checksum_of(file.path, {});
+    known |= now.has_value();
+    if (!now || *now != sum) continue;
+    if (!file.same_place)
+      problems.push_back(note_of(fmt::format("'{}' is taken for '{}': it has the scene that '{}' was made from",
+                                             file.path, path, image.string())));
+    return file.path;
+  }
+  const FoundFile& first = files.front();
+  if (!known) return first.path;
+  if (!first.same_place) refuse_namesake(first, "objects", path, image);
+  problems.push_back(warning_of_scene(first.path, image));
+  return first.path;
 }
 
 }  // namespace
@@ -68,30 +172,42 @@ void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const f
   header.fields.emplace_back("source from image", seen_from(image, origin.source));
   header.fields.emplace_back("script from image", seen_from(image, origin.script));
   header.fields.emplace_back("script checksum", checksum_of(origin.source, origin.script).value_or(""));
+  header.fields.emplace_back("source checksum",
+                             samples_checksum_of(origin.source, origin.script, origin.simulation).value_or(""));
 }
 
 WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image,
                  const std::string& script) {
-  const auto find = [&](const std::string& path, const char* field) {
-    const auto place = found(path, header.field(field).value_or(""), image);
-    if (!place)
-      throw core::Refused(fmt::format("'{}', which '{}' was made from, is not there", path, image.string()),
-                          "bring it back, or name the script that it was made from with --script");
-    return *place;
-  };
-  // A script alone: the source was a script, too, or carries its own.
-  if (!script.empty() && origin.script.empty()) return {script, {}, {}};
+  const std::string scene_sum = header.field("script checksum").value_or("");
   WayBack way;
-  way.source = find(origin.source, "source from image");
-  if (!script.empty()) return {way.source, script, {}};
-  if (!origin.script.empty()) way.script = find(origin.script, "script from image");
-  const std::string then = header.field("script checksum").value_or("");
-  const auto now = then.empty() ? std::nullopt : checksum_of(way.source, way.script);
-  if (now && *now != then)
-    way.problems.push_back(core::problem_of(
-        core::Severity::warning, fmt::format("the script is not the one that '{}' was made from", image.string()),
-        way.script.empty() ? way.source : way.script, {},
-        "targets may be elsewhere: focus again, or name the script of that time with --script"));
+  // A script alone: the source was a script, too, or carries its own.
+  if (!script.empty() && origin.script.empty()) {
+    way.source = script;
+    if (const auto now = scene_sum.empty() ? std::nullopt : checksum_of(script, {}); now && *now != scene_sum)
+      way.problems.push_back(
+          note_of(fmt::format("the expected values are those of '{}', another scene than that which "
+                              "'{}' was made from",
+                              script, image.string())));
+    return way;
+  }
+  const std::vector<FoundFile> sources =
+      expected(found(origin.source, header.field("source from image").value_or(""), image), origin.source, image);
+  way.script = script;
+  if (script.empty() && !origin.script.empty())
+    way.script = scene_with_sum(
+        expected(found(origin.script, header.field("script from image").value_or(""), image), origin.script, image),
+        scene_sum, origin.script, image, way.problems);
+  if (holds_script(sources.front().path)) {
+    way.source = scene_with_sum(sources, scene_sum, origin.source, image, way.problems);
+    return way;
+  }
+  const auto sum = header.field("source checksum");
+  if (!sum)
+    way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems);
+  else if (sum->empty())
+    way.source = sources.front().path;
+  else
+    way.source = source_with_samples(sources, *sum, way.script, origin, image, way.problems);
   return way;
 }
 

@@ -32,6 +32,12 @@ radar::Anchor anchor_from_text(const std::string& text, const std::string& optio
                       "give LATITUDE,LONGITUDE,HEIGHT[,HEADING] in degrees and metres, as -33.9,18.4,120");
 }
 
+std::string anchor_text(const radar::Anchor& anchor) {
+  return fmt::format("{},{},{},{}", core::deg_per_rad * anchor.origin.latitude_rad,
+                     core::deg_per_rad * anchor.origin.longitude_rad, anchor.origin.height_m,
+                     core::deg_per_rad * anchor.heading_rad);
+}
+
 EarthPlace earth_place(const scene::World& world, const std::optional<radar::Anchor>& anchor,
                        const std::string& format) {
   auto earth = scene::earth_of(world);

@@ -25,6 +25,9 @@ inline constexpr const char* assumed_epoch = "2000-01-01T00:00:00Z";
 /// @param option  what the text was given with, for the message
 [[nodiscard]] radar::Anchor anchor_from_text(const std::string& text, const std::string& option);
 
+/// An anchor as `anchor_from_text` reads it back, to the last bit of its degrees.
+[[nodiscard]] std::string anchor_text(const radar::Anchor& anchor);
+
 /// The place of a world that is the Earth, or of a flat one that is laid there: its origin at the anchor, its axes in
 /// the tangent plane, at rest over the Earth. Throws core::Refused where a flat world has no anchor, or the Earth has
 /// one of its own besides; nothing is assumed there.

@@ -1,6 +1,10 @@
 #include "workflow/input/script_sum.hpp"
 
+#include <algorithm>
+#include <complex>
+#include <cstdint>
 #include <span>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -69,6 +73,22 @@ std::string script_sum(const scene::Scene& scene, const core::WorkControl& contr
   core::Checksum sum;
   scene::recorded_text(scene, control, [&](std::string_view piece) { sum.add(piece); });
   DataFiles(sum).add(scene);
+  return fmt::format("{:016x}", sum.value());
+}
+
+std::string samples_sum(const raster::Raster& file) {
+  constexpr std::size_t most_rows = 64;
+  core::Checksum sum;
+  file.wait_until_indexed(nullptr);
+  const std::size_t rows = file.rows();
+  const std::uint64_t shape[] = {rows, file.columns()};
+  sum.add(std::as_bytes(std::span(shape)));
+  std::vector<std::complex<double>> row(file.columns());
+  const std::size_t count = std::min(rows, most_rows);
+  for (std::size_t i = 0; i < count; ++i) {
+    file.read_rows(count > 1 ? i * (rows - 1) / (count - 1) : 0, 1, row);
+    sum.add(std::as_bytes(std::span(row)));
+  }
   return fmt::format("{:016x}", sum.value());
 }
 

@@ -63,19 +63,19 @@ GivenWords words_of(const FollowUp& follow_up) {
 
 void add_target(Figures& figures, const MeasuredTarget& target) {
   const std::size_t t = target.theory.target;
-  const bool found = target.found.has_value();
-  const auto add = [&](const char* name, auto value) { figures.add(t, name, found ? value() : no_number); };
-  figures.add(t, "found", found ? 1.0 : 0.0);
-  add("azimuth_error_m", [&] { return target.found->place.azimuth_m - target.theory.place.azimuth_m; });
-  add("range_error_m", [&] { return target.found->place.range_m - target.theory.place.range_m; });
-  add("amplitude_v", [&] { return target.found->amplitude; });
+  const signal::PointResponse* const peak = target.response();
+  const auto add = [&](const char* name, auto value) { figures.add(t, name, peak != nullptr ? value() : no_number); };
+  figures.add(t, "found", target.found ? 1.0 : 0.0);
+  add("azimuth_error_m", [&] { return peak->place.azimuth_m - target.theory.place.azimuth_m; });
+  add("range_error_m", [&] { return peak->place.range_m - target.theory.place.range_m; });
+  add("amplitude_v", [&] { return peak->amplitude; });
   add("amplitude_error_db", [&] { return target.amplitude_error_db(); });
   add("phase_error_rad", [&] { return target.phase_error_rad(); });
   add("snr_db", [&] { return target.snr_db(); });
-  add("azimuth_width_m", [&] { return target.found->azimuth.width; });
-  add("azimuth_pslr_db", [&] { return target.found->azimuth.pslr_db; });
-  add("range_width_m", [&] { return target.found->range.width; });
-  add("range_pslr_db", [&] { return target.found->range.pslr_db; });
+  add("azimuth_width_m", [&] { return peak->azimuth.width; });
+  add("azimuth_pslr_db", [&] { return peak->azimuth.pslr_db; });
+  add("range_width_m", [&] { return peak->range.width; });
+  add("range_pslr_db", [&] { return peak->range.pslr_db; });
 }
 
 void add_measured(Figures& figures, const MeasureReport& report) {

@@ -1,8 +1,10 @@
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -14,6 +16,7 @@
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/verify/groups.hpp"
+#include "workflow/verify/response.hpp"
 #include "workflow/verify/scenes.hpp"
 
 namespace sarsim::workflow::verify {
@@ -106,10 +109,10 @@ signal::ImageAxis about(const signal::ImageAxis& axis, double place_m, std::size
   return part;
 }
 
-signal::FocusedImage back_projected_strip(const Echoes& echoes, const core::WorkControl& control) {
-  signal::FocusedImage axes = signal::image_of(echoes.rows, {});
-  const signal::ImagePlace place = signal::place_of(axes.frame, target_m);
-  const core::Vec3 across = target_m - axes.frame.origin_m - place.azimuth_m * axes.frame.along;
+signal::FocusedImage back_projected_strip(const Echoes& echoes, signal::FocusedImage axes, const core::Vec3& point_m,
+                                          const core::WorkControl& control) {
+  const signal::ImagePlace place = signal::place_of(axes.frame, point_m);
+  const core::Vec3 across = point_m - axes.frame.origin_m - place.azimuth_m * axes.frame.along;
   axes.frame.across = (1.0 / core::norm(across)) * across;
   return signal::back_project(signal::sar_echoes(echoes.rows, control), axes.frame,
                               about(axes.azimuth, place.azimuth_m, 80), about(axes.range, place.range_m, 40), {},
@@ -149,8 +152,9 @@ void measure_method(Record& record, const Echoes& echoes, std::optional<signal::
                     const TargetTheory& theory, const std::string& name) {
   const signal::FocusOptions options{.method = method.value_or(signal::FocusMethod::omega_k)};
   const core::WorkControl control{2, record.rules().stop};
-  const signal::FocusedImage image = method ? signal::focus(signal::sar_echoes(echoes.rows, control), options, control)
-                                            : back_projected_strip(echoes, control);
+  const signal::FocusedImage image =
+      method ? signal::focus(signal::sar_echoes(echoes.rows, control), options, control)
+             : back_projected_strip(echoes, signal::image_of(echoes.rows, {}), target_m, control);
   const signal::ImagePlace place = signal::place_of(image.frame, target_m);
   // The track passes the target at this distance, whatever the frame says.
   const double closest_m = std::hypot(10000.0 + target_m.x, 2000.0);
@@ -189,6 +193,86 @@ void measure_windows(Record& record) {
   }
 }
 
+// An aperture of 26 degrees at 1 GHz, a band of 10 MHz: the angles fill three times the range of wave numbers that the
+// band does.
+constexpr double wide_carrier_hz = 1e9;
+constexpr double wide_band_hz = 10e6;
+constexpr double wide_closest_m = 2000.0;
+constexpr double wide_half_rad = 13.0 * core::pi / 180.0;
+constexpr core::Vec3 wide_target_m{0.0, 0.0, 0.0};
+
+scene::Scene wide_strip() {
+  scene::Scene scene = radar_at_origin();
+  constexpr double speed_mps = 100.0;
+  constexpr double wide_prf_hz = 400.0;
+  add_mover(scene, "Plane", {-0.8 * wide_closest_m, 0.0, 0.6 * wide_closest_m}, {0.0, speed_mps, 0.0});
+  scene::Radar& radar = scene.radars[0];
+  radar.platform = "Plane";
+  radar.pulse = scene::Radar::Pulse::chirp;
+  radar.bandwidth_hz = wide_band_hz;
+  radar.pulse_width_s = 10e-6;
+  radar.prf_hz = wide_prf_hz;
+  radar.carrier_hz = wide_carrier_hz;
+  add_target(scene, wide_target_m);
+  set_window(scene, wide_closest_m - 600.0, wide_closest_m + 900.0, 1.5 * wide_band_hz);
+  const double half_s = wide_closest_m * std::tan(wide_half_rad) / speed_mps;
+  scene.simulations[0].time_start_s = -half_s;
+  scene.simulations[0].time_end_s = half_s;
+  return scene;
+}
+
+// The range response of an even band seen from places evenly along the line, by its definition: the sum of
+// exp(2 pi j K cos(a) r) over the wave numbers 2 f/c of the band and the directions a of the places.
+Response annulus_response() {
+  constexpr int looks = 801;
+  constexpr int frequencies = 65;
+  constexpr int half = 1500;
+  constexpr double step_m = 0.02;
+  Response response;
+  response.peak = half;
+  response.step_s = step_m;  // of range here
+  for (int i = -half; i <= half; ++i) {
+    std::complex<double> sum;
+    for (int l = 0; l < looks; ++l) {
+      const double along = std::tan(wide_half_rad) * (2.0 * l / (looks - 1.0) - 1.0);
+      const double cosine = 1.0 / std::sqrt(1.0 + along * along);
+      const auto wave_number = [&](double share) {
+        return 2.0 * (wide_carrier_hz + (share - 0.5) * wide_band_hz) / core::exact_light_speed_mps * cosine;
+      };
+      const double way_m = step_m * i;
+      std::complex<double> term = std::polar(1.0, 2.0 * core::pi * wave_number(0.5 / frequencies) * way_m);
+      const std::complex<double> turn =
+          std::polar(1.0, 2.0 * core::pi * (wave_number(1.0 / frequencies) - wave_number(0.0)) * way_m);
+      for (int f = 0; f < frequencies; ++f, term *= turn) sum += term;
+    }
+    response.amplitude.push_back(std::abs(sum));
+  }
+  return response;
+}
+
+void measure_wide_aperture(Record& record) {
+  const core::WorkControl control{2, record.rules().stop};
+  const Echoes echoes = recorded(wide_strip());
+  signal::FocusedImage axes = signal::image_of(echoes.rows, {});
+  axes.range.step_m *= 0.25;  // The directions widen the band four times.
+  axes.range.count *= 4;
+  const signal::ImagePlace place = signal::place_of(axes.frame, wide_target_m);
+  const double middle_cosine = 0.5 * (1.0 + std::cos(wide_half_rad));
+  axes.range.spectrum_centre_per_m = 2.0 * wide_carrier_hz / core::exact_light_speed_mps * (middle_cosine - 1.0);
+  const signal::FocusedImage image = back_projected_strip(echoes, std::move(axes), wide_target_m, control);
+  const auto found = signal::measure_point(image, signal::reader_of(image), place, 2.0);
+  if (!found) throw std::runtime_error("the target is not in the image of a wide aperture");
+  const TargetTheory theory = theory_on_image({*echoes.plan, echoes.rows, {}, true, false}, image, control).at(0);
+  const Response definition = annulus_response();
+  const double width_m = half_power_width_s(definition);
+  record.near("Aperture of 26 degrees, theory of range: half-power width", "m", width_m,
+              theory.range ? theory.range->width : 0.0, 0.01 * width_m, "sum over the polar annulus");
+  record.near("Aperture of 26 degrees, theory of range: peak side lobe", "dB", side_lobe_db(definition),
+              theory.range ? theory.range->pslr_db : 0.0, 0.5, "sum over the polar annulus");
+  measure_cut(record, "Aperture of 26 degrees, range", theory.range, found->range);
+  measure_cut(record, "Aperture of 26 degrees, azimuth", theory.azimuth, found->azimuth);
+}
+
 }  // namespace
 
 void measure_focusing(Record& record) {
@@ -198,6 +282,7 @@ void measure_focusing(Record& record) {
   measure_method(record, echoes, {}, theory, "Back-projection");
   measure_windows(record);
   measure_ground(record);
+  measure_wide_aperture(record);
   if (record.quick()) return;
   measure_method(record, echoes, signal::FocusMethod::range_doppler, theory, "Range-Doppler");
   measure_method(record, echoes, signal::FocusMethod::chirp_scaling, theory, "Chirp scaling");
