@@ -137,7 +137,7 @@ class Platform(SceneObject):
     rotation = VectorField(
         "rotation",
         "deg",
-        "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z. Behind the other kinds it turns the platform further. Only where rotation_kind is fixed or coordinated or zero-doppler or nadir or look-at or quaternions.",
+        "Rotation about each axis, clockwise seen against it, from its tip: positive z turns +x towards -y; roll about x first, then y, then z. Added to the roll, pitch and yaw of coordinated flight; behind the other kinds it turns the platform further. Only where rotation_kind is fixed or coordinated or zero-doppler or nadir or look-at or quaternions.",
     )
     rotation_deg = PointsField(
         "rotation",
@@ -466,7 +466,7 @@ class RadarTransmitAntenna(Part):
     gain_db = PointsField(
         "gain_db",
         "",
-        "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added. Only where transmit_antenna.pattern is points.",
+        "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added. Azimuth is positive to the right of the beam, clockwise seen from above, elevation above it. A table without negative angles that ends at 180 deg or before is the same to either side. Only where transmit_antenna.pattern is points.",
     )
 
 
@@ -493,7 +493,7 @@ class RadarReceiveAntenna(Part):
     gain_db = PointsField(
         "gain_db",
         "",
-        "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added. Only where receive_antenna.pattern is points.",
+        "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added. Azimuth is positive to the right of the beam, clockwise seen from above, elevation above it. A table without negative angles that ends at 180 deg or before is the same to either side. Only where receive_antenna.pattern is points.",
     )
 
 

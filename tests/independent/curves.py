@@ -25,6 +25,34 @@ class Curve:
             return self._low_pass_classic(np.asarray(x)) if classic else self._low_pass(np.asarray(x))
         return self.derivative(x, 0)
 
+    def gain(self, x, classic=False):
+        """A gain: beyond the points it keeps the value of the nearer end; classic goes on as its kind does."""
+        if classic or len(self.points) < 2:
+            return self.value(x, classic)
+        return self.value(np.clip(np.asarray(x), self.knots[0], self.knots[-1]))
+
+    def at_angle(self, degrees, in_azimuth, classic=False):
+        """A cut through an antenna, of a signed angle up to half a turn; classic takes its magnitude."""
+        if classic or len(self.points) < 2 or (self.knots[0] >= 0 and self.knots[-1] <= 180):
+            return self.gain(abs(degrees), classic)
+        if in_azimuth and self._round is not None:
+            return self._round.value(degrees)
+        if not self.knots[0] <= degrees <= self.knots[-1]:
+            middle = (self.knots[0] + self.knots[-1]) / 2
+            degrees = min((degrees + turn for turn in (-360, 0, 360)), key=lambda angle: abs(angle - middle))
+        return self.gain(degrees)
+
+    @functools.cached_property
+    def _round(self):
+        """The points of many turns, where they may be interpolated across the gap behind; otherwise None."""
+        gap = 360 - (self.knots[-1] - self.knots[0])
+        closed = abs(gap) < 1e-9
+        steps, wide = closed and self.heights[0] != self.heights[-1], gap > 2 * np.diff(self.knots).max() + 1e-9
+        if gap < -1e-9 or steps or (wide and not closed):
+            return None
+        points = self.points[:-1] if closed else self.points
+        return Curve(self.kind, [(x + 360 * turn, y) for turn in range(-40, 41) for x, y in points])
+
     def derivative(self, x, order):
         """Of order 0 to 3."""
         x = np.asarray(x, np.longdouble if isinstance(x, np.longdouble) else float)

@@ -139,9 +139,9 @@ class Model(Kinematics):
                 elevation, antenna.elevation_beamwidth_deg
             )
             return math.sqrt(abs(gain)) if self.classic else gain
-        offsets = np.degrees(np.abs([wrapped(azimuth), wrapped(elevation)]))
-        cuts = zip((antenna.azimuth_cut, antenna.elevation_cut), offsets)
-        return 10 ** (sum(float(cut.value(offset, self.classic)) for cut, offset in cuts) / 20)
+        in_azimuth = antenna.azimuth_cut.at_angle(np.degrees(wrapped(azimuth)), True, self.classic)
+        in_elevation = antenna.elevation_cut.at_angle(np.degrees(wrapped(elevation)), False, self.classic)
+        return 10 ** (float(in_azimuth + in_elevation) / 20)
 
     # ---- The echo: docs/theory/echo-model.md, 3 ----
 
@@ -154,7 +154,7 @@ class Model(Kinematics):
         if target.reflectivity is None:
             return target.cross_section * max(cosine, 0.0)
         return target.cross_section * 10 ** (
-            float(target.reflectivity.value(np.degrees(np.arccos(cosine)), self.classic)) / 10
+            float(target.reflectivity.gain(np.degrees(np.arccos(cosine)), self.classic)) / 10
         )
 
     def amplitude(self, carrier, antennas, cross_section, distance):
@@ -252,7 +252,7 @@ class Model(Kinematics):
         """Physical: R^2 or the user's gain at the range of the sample; classic: see amplitude()."""
         if self.classic or not self.radar.stc:
             return 1.0
-        return slant_range**2 if self.radar.stc == "1OVERR4" else self.radar.stc_curve.value(slant_range)
+        return slant_range**2 if self.radar.stc == "1OVERR4" else self.radar.stc_curve.gain(slant_range, self.classic)
 
     def gates(self):
         """N = floor(2 fs (end - start)/c + 1/2) (thesis 4.5.2)."""
@@ -276,7 +276,7 @@ class Model(Kinematics):
             "HANNING": lambda: (1 + window.pedestal - (1 - window.pedestal) * np.cos(2 * np.pi * x)) / 2,
             "HAMMING": lambda: 0.54 - 0.46 * np.cos(2 * np.pi * x),
             "BARTLETT": lambda: np.where(x < 0.5, 2 * x, 2 - 2 * x),
-            "OTHER": lambda: window.curve.value(x, self.classic),
+            "OTHER": lambda: window.curve.gain(x, self.classic),
         }[window.kind]()
 
     def compressed_row(self, number):

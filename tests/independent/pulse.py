@@ -32,13 +32,13 @@ class Shape:
             return self.code[np.clip(chips, 0, len(self.code) - 1)].astype(complex)
         if self.pulse.kind == "OTHER_PULSE":
             x = times / self.width_s
-            return self.pulse.in_phase.value(x, self.classic) + 1j * self.pulse.quadrature.value(x, self.classic)
+            return self.pulse.in_phase.gain(x, self.classic) + 1j * self.pulse.quadrature.gain(x, self.classic)
         return np.ones(times.shape, complex)
 
     def envelope(self, times):
         """1, straight ramps, or the user's function of w/Tp (thesis figure 4.5)."""
         if self.pulse.envelope == "OTHER":
-            return self.pulse.envelope_curve.value(times / self.width_s, self.classic)
+            return self.pulse.envelope_curve.gain(times / self.width_s, self.classic)
         height = np.ones(times.shape)
         if self.pulse.envelope == "LINEAR" and self.pulse.rise_ns > 0:
             height = np.minimum(height, times / (self.pulse.rise_ns * 1e-9))

@@ -346,7 +346,7 @@ class Draw:
         kind = self.choice("ISOTROPIC", "SINX", "OTHER")
         if kind == "SINX":
             return Antenna(kind, self.number(3, 60), self.number(3, 60))
-        cuts = [self.curve(-30, 0, 0, 180) for _ in range(2)]
+        cuts = [self.curve(-30, 0, self.choice(0, -180), 180) for _ in range(2)]
         return Antenna(kind, azimuth_cut=cuts[0], elevation_cut=cuts[1])
 
     def beam(self):

@@ -115,6 +115,13 @@ class OneWayAntenna(Model):
         return super().amplitude(carrier, np.sqrt(np.abs(antennas)), cross_section, distance)
 
 
+class HalfOfAnAntenna(Model):
+    """Takes the magnitude of an angle."""
+
+    def antenna_factor(self, antenna, azimuth, elevation):
+        return super().antenna_factor(antenna, abs(azimuth), abs(elevation))
+
+
 class WithoutDirection(Model):
     def cross_section(self, target, look, target_motion):
         return target.cross_section
@@ -199,6 +206,11 @@ class LeadingEdgeAtTheSendTime(Model):
         return super().flight(target, send_time + self.shape.width_s / 2)
 
 
+LOPSIDED = scenes.Antenna(
+    "OTHER",
+    azimuth_cut=Curve("CUBIC", [(-9, -20), (-3, -9), (0, 0), (4, -3), (9, -4)]),
+    elevation_cut=Curve("LINEAR", [(-2, -20), (0, 0), (2, -3)]),
+)
 FIXED_BEAM = scenes.Beam("FIXED", -5.0, -6.0)
 WRONG_IN_RAW = (
     LateByAPicosecond,
@@ -219,6 +231,7 @@ WRONG_ELSEWHERE = (
     (WindowOfHalfAPercentMore, {"processing": "SRP"}),
     (WithoutSensitivityTimeControl, {"stc": "1OVERR4"}),
     (BeamOfThePlatform, {"beam": FIXED_BEAM}),
+    (HalfOfAnAntenna, {"transmit": LOPSIDED}),
     (LightOfTheOtherProfile, {"profile": "classic"}),
 )
 

@@ -102,14 +102,14 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
 
 // @param sight  nothing: the target was not looked at in that detail
 std::string target_line(std::size_t number, const simulate::TargetSurvey& t, const simulate::TargetSight* sight,
-                        bool directive) {
+                        bool directive, scene::Profile profile) {
   std::string text =
       fmt::format("    target {:<6} {}, Doppler {}, {:.4g} V", number, between(t.nearest_m, t.farthest_m, "m"),
                   between(t.lowest_doppler_hz, t.highest_doppler_hz, "Hz"), t.largest_amplitude_v);
   if (t.snr > 0.0) text += ", SNR " + decibels(t.snr);
   if (sight != nullptr && sight->processed_snr > 0.0)
     text += fmt::format(" ({} with all pulses)", workflow::decibel_text(sight->processed_snr));
-  if (sight != nullptr && directive) text += ", " + workflow::off_beam_text(*sight);
+  if (sight != nullptr && directive) text += ", " + workflow::off_beam_text(*sight, profile);
   return text + (t.in_window ? "\n" : ", outside the window\n");
 }
 
@@ -280,7 +280,7 @@ class SceneInfo {
     json_.key("targets").begin_array();
     for (std::size_t i = 0; i < count; ++i) {
       const simulate::TargetSight* sight = i < sights.size() ? &sights[i] : nullptr;
-      text_ += target_line(i + 1, survey.targets[i], sight, directive);
+      text_ += target_line(i + 1, survey.targets[i], sight, directive, scene_.options.profile);
       write_survey_json(json_, i + 1, survey.targets[i], sight);
     }
     json_.end_array();

@@ -230,10 +230,12 @@ UsedFunction chosen_function(const PlotArguments& a, const scene::Scene& scene) 
 
 Plotted of_function(const PlotArguments& a, const workflow::SceneInput& input) {
   const UsedFunction function = chosen_function(a, input.scene);
+  const bool by_role = simulate::conventions_of(input.scene.options.profile).function_ends ==
+                       simulate::Conventions::FunctionEnds::by_role;
   Plotted plotted;
   plotted.figure = picture::function_figure(scene::function_info(function.object, function.field),
                                             scene::function_of(function.object, function.field),
-                                            simulate::interpolation_rules(input.scene.options), a.compare);
+                                            {simulate::interpolation_rules(input.scene.options), by_role}, a.compare);
   if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;
 }

@@ -54,7 +54,7 @@ void solve_tridiagonal(const std::vector<double>& lower, std::vector<double> dia
 }  // namespace
 
 Interpolator::Interpolator(const SampledFunction& function, InterpolationRules rules, double y_scale)
-    : method_(function.method), rule_(rules.low_pass), knots_(function.knots) {
+    : method_(function.method), rule_(rules.low_pass), beyond_(rules.beyond), knots_(function.knots) {
   for (Knot& knot : knots_) knot.y *= y_scale;
   if (knots_.size() < 2) return;
   if (method_ == Interpolation::cubic) prepare_cubic(rules.cubic_ends);
@@ -64,12 +64,25 @@ Interpolator::Interpolator(const SampledFunction& function, InterpolationRules r
 Jet Interpolator::jet(double x) const {
   if (knots_.empty()) return {};
   if (knots_.size() == 1) return {knots_.front().y, 0.0, 0.0};
+  if (beyond_ != Beyond::extended && (x < knots_.front().x || x > knots_.back().x)) return outer_jet(x);
+  return inner_jet(x);
+}
+
+Jet Interpolator::inner_jet(double x) const {
   switch (method_) {
     case Interpolation::linear: return linear_jet(x);
     case Interpolation::cubic: return cubic_jet(x);
     case Interpolation::low_pass: return rule_ == LowPassRule::first_knot ? tapered_jet(x) : bare_sinc_jet(x);
   }
   return {};
+}
+
+Jet Interpolator::outer_jet(double x) const {
+  if (beyond_ == Beyond::zero) return {};
+  const Knot& end = x < knots_.front().x ? knots_.front() : knots_.back();
+  if (method_ != Interpolation::low_pass) return {end.y, 0.0, 0.0};
+  // A tapered sinc holds its ends anyway.
+  return {inner_jet(rule_ == LowPassRule::first_knot ? x : end.x).value, 0.0, 0.0};
 }
 
 double Interpolator::third_derivative(double x) const {

@@ -23,10 +23,12 @@ enum class LowPassRule {
 struct InterpolationRules {
   LowPassRule low_pass = LowPassRule::first_knot;
   CubicEnds cubic_ends = CubicEnds::chords;
+  Beyond beyond = Beyond::extended;
 
   constexpr InterpolationRules() = default;
-  constexpr InterpolationRules(LowPassRule low_pass_rule, CubicEnds ends = CubicEnds::chords)
-      : low_pass(low_pass_rule), cubic_ends(ends) {}
+  constexpr InterpolationRules(LowPassRule low_pass_rule, CubicEnds ends = CubicEnds::chords,
+                               Beyond beyond_knots = Beyond::extended)
+      : low_pass(low_pass_rule), cubic_ends(ends), beyond(beyond_knots) {}
 };
 
 /// Evaluates a sampled function. No knots: 0; one knot: constant, for every method.
@@ -40,6 +42,9 @@ struct InterpolationRules {
 ///   step = (last - first)/(count - 1); a_k is the mean of the knots within half a step of grid point k (thesis 4.6.1).
 ///   With LowPassRule::first_knot the sinc carries a Hann taper that ends 11 steps away (22 points then), the weights
 ///   are normalised to sum 1, and a grid point without a knot near takes the linearly interpolated value.
+///
+/// What is said of places outside the knots is Beyond::extended. With Beyond::held the value is that at the nearer end
+/// (of the first or last grid point, low pass), with Beyond::zero it is 0, and derivatives are 0.
 ///
 /// Const members are safe to call from many threads. Knots must ascend in x.
 class Interpolator {
@@ -62,6 +67,8 @@ class Interpolator {
 
  private:
   [[nodiscard]] std::size_t segment(double x) const;
+  [[nodiscard]] Jet inner_jet(double x) const;
+  [[nodiscard]] Jet outer_jet(double x) const;
   [[nodiscard]] Jet linear_jet(double x) const;
   [[nodiscard]] Jet cubic_jet(double x) const;
   [[nodiscard]] Jet tapered_jet(double x) const;
@@ -71,6 +78,7 @@ class Interpolator {
 
   Interpolation method_ = Interpolation::linear;
   LowPassRule rule_ = LowPassRule::first_knot;
+  Beyond beyond_ = Beyond::extended;
   std::vector<Knot> knots_;
   std::vector<double> slopes_;  // cubic: slope at each knot
   std::vector<double> grid_;    // low pass: a_k

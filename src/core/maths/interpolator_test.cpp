@@ -348,6 +348,40 @@ TEST(LowPassInterpolator, IsNaNAtNaNAndByTheRuleOf1998Zero) {
   EXPECT_EQ(through(Interpolation::low_pass, uneven_knots(4, 20), LowPassRule::origin).value(nowhere), 0.0);
 }
 
+// Inside, what lies beyond makes no difference; outside there is one value, without a slope.
+TEST(Interpolator, HoldsItsEndsOrIsZeroOutsideWhereItIsAsked) {
+  for (const Interpolation method : {Interpolation::linear, Interpolation::cubic, Interpolation::low_pass})
+    for (const LowPassRule rule : {LowPassRule::first_knot, LowPassRule::origin})
+      for (const unsigned seed : {1U, 2U, 3U}) {
+        const SampledFunction function{method, uneven_knots(seed, 3 + 5 * seed)};
+        const Interpolator extended(function, {rule, CubicEnds::chords});
+        const Interpolator held(function, {rule, CubicEnds::chords, Beyond::held});
+        const Interpolator zero(function, {rule, CubicEnds::chords, Beyond::zero});
+        const double first = function.knots.front().x, last = function.knots.back().x;
+        for (double share = 0.0; share <= 1.0; share += 0.03) {
+          const double x = first + share * (last - first);
+          ASSERT_EQ(held.value(x), extended.value(x));
+          ASSERT_EQ(zero.value(x), extended.value(x));
+        }
+        for (const double off : {1e-9, 1.0, 1e6}) {
+          ASSERT_EQ(zero.value(first - off), 0.0);
+          ASSERT_EQ(zero.jet(last + off).slope, 0.0);
+          ASSERT_EQ(held.jet(first - off).slope, 0.0);
+          ASSERT_EQ(held.value(first - off), held.value(first - 2.0 * off));
+          ASSERT_EQ(held.value(last + off), held.value(last + 2.0 * off));
+          if (method == Interpolation::low_pass) continue;  // Its ends are means of knots.
+          ASSERT_EQ(held.value(first - off), function.knots.front().y);
+          ASSERT_EQ(held.value(last + off), function.knots.back().y);
+        }
+      }
+}
+
+TEST(Interpolator, OfOnePointIsConstantWhateverLiesBeyond) {
+  const Interpolator f({Interpolation::linear, {{2.0, 5.0}}},
+                       {LowPassRule::first_knot, CubicEnds::chords, Beyond::zero});
+  EXPECT_EQ(f.value(7.0), 5.0);
+}
+
 TEST(ClassicLowPassInterpolator, IsTheBareSincOfTheTestVector) {
   const Interpolator f = through(Interpolation::low_pass, {{0.0, 0.0}, {1.0, 1.0}, {2.0, 0.0}}, LowPassRule::origin);
   EXPECT_NEAR(f.value(1.0), 1.0, epsilon);

@@ -23,6 +23,14 @@ struct SampledFunction {
   friend bool operator==(const SampledFunction&, const SampledFunction&) = default;
 };
 
+/// What a sampled function is before its first knot and behind its last. Which functions of a scene have which is in
+/// scene/model/function_role.hpp. A single knot is a constant everywhere.
+enum class Beyond {
+  extended,  ///< It goes on as its method does: along straight lines, or as low-pass filters end (LowPassRule).
+  held,      ///< It keeps the value of the nearer end.
+  zero,      ///< It is 0.
+};
+
 /// What a cubic spline does at its first and last knot (decision 17).
 enum class CubicEnds {
   chords,      ///< Slopes of the first and last chord: wrong by half a segment's bend, an error that decays inwards.

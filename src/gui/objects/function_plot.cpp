@@ -247,7 +247,8 @@ void FunctionPlot::refresh_curves() {
     curves_[i]->setVisible(shown);
     if (!shown) continue;
     const auto method = static_cast<core::Interpolation>(i);
-    std::vector<core::Knot> points = scene::curve_points(function_, method, window_.x[0], window_.x[1], width);
+    const auto role = part_ < info_.parts.size() ? info_.parts[part_].role : scene::FunctionRole::list;
+    std::vector<core::Knot> points = scene::curve_points(function_, role, method, window_.x[0], window_.x[1], width);
     // Corners stand where the points are, not where the pixels are.
     if (method != core::Interpolation::low_pass && function_.knots.size() <= most_corners)
       for (const core::Knot& knot : function_.knots)

@@ -41,19 +41,20 @@ std::vector<double> values_of(const Cut& cut, const std::vector<double>& offset_
   return values;
 }
 
-// The nearest offset above 0 at which the power has fallen to half that in the middle.
-std::optional<double> half_power_deg(const Cut& cut) {
+// The offset nearest to the axis, on one side of it, at which the power has fallen to half that on the axis.
+std::optional<double> half_power_deg(const Cut& cut, double side) {
   const double half = std::abs(cut.amplitude(0.0)) / std::sqrt(2.0);
+  const auto below_half = [&](double off_deg) { return std::abs(cut.amplitude(side * off_deg)) < half; };
   constexpr double step = 0.01;
   for (double low = 0.0; low < 90.0; low += step) {
-    if (!(std::abs(cut.amplitude(low + step)) < half)) continue;
+    if (!below_half(low + step)) continue;
     double inside = low;
     double outside = low + step;
     for (int i = 0; i < 50; ++i) {
       const double middle = 0.5 * (inside + outside);
-      (std::abs(cut.amplitude(middle)) < half ? outside : inside) = middle;
+      (below_half(middle) ? outside : inside) = middle;
     }
-    return inside;
+    return side * inside;
   }
   return std::nullopt;
 }
@@ -102,14 +103,18 @@ std::vector<FigureCurve> curves_of(const std::vector<Cut>& cuts, const std::vect
 
 // One of the curves, which may stand for several cuts.
 void mark_half_power(FigurePanel& panel, const Cut& cut, const std::string& name, const AntennaLook& look) {
-  const auto half = half_power_deg(cut);
-  if (!half) return;
-  const double amplitude = cut.amplitude(*half);
-  const double y = look.quantity == DisplayQuantity::decibels ? 20.0 * std::log10(std::abs(amplitude))
-                                                              : shown(look.quantity, amplitude);
-  if (-*half >= look.first_deg) panel.marks.push_back({-*half, y, ""});
-  if (*half <= look.last_deg)
-    panel.marks.push_back({*half, y, fmt::format("{}half the power at {:.4g} deg", name, *half)});
+  const auto right = half_power_deg(cut, 1.0);
+  const auto left = half_power_deg(cut, -1.0);
+  const bool both_say_it = left && right && *left == -*right;  // The right one does, for both.
+  const auto mark = [&](double half, bool says) {
+    const double amplitude = cut.amplitude(half);
+    const double y = look.quantity == DisplayQuantity::decibels ? 20.0 * std::log10(std::abs(amplitude))
+                                                                : shown(look.quantity, amplitude);
+    if (half >= look.first_deg && half <= look.last_deg)
+      panel.marks.push_back({half, y, says ? fmt::format("{}half the power at {:.4g} deg", name, half) : ""});
+  };
+  if (left) mark(*left, !both_say_it);
+  if (right) mark(*right, true);
 }
 
 void mark_half_powers(FigurePanel& panel, const std::vector<Cut>& cuts, const AntennaLook& look) {

@@ -34,15 +34,21 @@ std::pair<double, double> seen(const scene::FunctionInfo& info, const core::Samp
   return {std::max(first - more, info.x_limits[0]), std::min(last + more, info.x_limits[1])};
 }
 
-FigureCurve curve_of(const core::SampledFunction& part, const Method& method, core::InterpolationRules rule,
-                     std::pair<double, double> x) {
-  core::SampledFunction function = part;
+// A function of a figure, with how it is completed.
+struct Drawn {
+  const core::SampledFunction& part;
+  scene::FunctionRole role;
+  const FunctionProfile& profile;
+};
+
+FigureCurve curve_of(const Drawn& drawn, const Method& method, std::pair<double, double> x) {
+  core::SampledFunction function = drawn.part;
   function.method = method.interpolation;
-  const core::Interpolator interpolator(function, rule);
+  const auto value = scene::evaluated(drawn.role, function, drawn.profile.rules, drawn.profile.ends_by_role);
   FigureCurve curve{"", method.role, false, {}, {}};
   for (std::size_t i = 0; i <= intervals; ++i) {
     curve.x.push_back(x.first + (x.second - x.first) * static_cast<double>(i) / static_cast<double>(intervals));
-    curve.y.push_back(interpolator.value(curve.x.back()));
+    curve.y.push_back(value(curve.x.back()));
   }
   return curve;
 }
@@ -65,14 +71,14 @@ void add_bars(FigurePanel& panel, const core::SampledFunction& part) {
   panel.curves.push_back(std::move(bars));
 }
 
-void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const core::SampledFunction& part,
-                core::InterpolationRules rule, bool compare) {
+void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const Drawn& drawn, bool compare) {
+  const core::SampledFunction& part = drawn.part;
   const auto x = seen(info, part);
   std::tie(panel.x.first, panel.x.last) = x;
   std::vector<double> values;
   for (const Method& method : methods) {
     if (!compare && method.interpolation != part.method) continue;
-    FigureCurve curve = curve_of(part, method, rule, x);
+    FigureCurve curve = curve_of(drawn, method, x);
     curve.name = compare ? method.name : "";
     values.insert(values.end(), curve.y.begin(), curve.y.end());
     panel.curves.push_back(std::move(curve));
@@ -87,7 +93,7 @@ void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const core:
 }  // namespace
 
 Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDraft& function,
-                       core::InterpolationRules rule, bool compare) {
+                       const FunctionProfile& profile, bool compare) {
   Figure figure;
   figure.title = info.title;
   const bool all_constant = std::ranges::all_of(function.parts, constant);
@@ -101,7 +107,7 @@ Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDra
       add_bars(panel, part);
       continue;
     }
-    add_curves(panel, info, part, rule, compare);
+    add_curves(panel, info, {part, info.parts[i].role, profile}, compare);
     // Parts may differ in their interpolation.
     if (!constant(part)) panel.title = std::string("Chosen: ") + name_of(part.method);
   }

@@ -6,11 +6,16 @@
 
 namespace sarsim::picture {
 
+/// How a profile completes functions.
+struct FunctionProfile {
+  core::InterpolationRules rules = {};
+  bool ends_by_role = true;  ///< What lies beyond the points: scene::FunctionEnds, or as the interpolation goes on.
+};
+
 /// A user-defined function (thesis 4.6): a panel for each part, its points as crosses and the curve between them; of
 /// functions of the pulse number bars. Parts that are constant are left out where others are not.
-/// @param rule     of low-pass interpolation
 /// @param compare  all three interpolations, not only the one chosen
 [[nodiscard]] Figure function_figure(const scene::FunctionInfo& info, const scene::FunctionDraft& function,
-                                     core::InterpolationRules rule, bool compare);
+                                     const FunctionProfile& profile, bool compare);
 
 }  // namespace sarsim::picture

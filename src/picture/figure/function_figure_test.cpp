@@ -22,7 +22,7 @@ scene::AnyObject mover() {
 
 Figure figure_of(const scene::AnyObject& object, const char* field, bool compare) {
   return function_figure(scene::function_info(object, field), scene::function_of(object, field),
-                         core::LowPassRule::first_knot, compare);
+                         {core::LowPassRule::first_knot}, compare);
 }
 
 double value_at(const FigureCurve& curve, double x) {

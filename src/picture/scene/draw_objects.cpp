@@ -106,7 +106,8 @@ void draw_cone(Pen& pen, const Snapshot::Radar& radar, const PicturePoint& apex,
   std::array<PicturePoint, rim_points> rim;
   for (int i = 0; i < rim_points; ++i) {
     const double angle = 2.0 * core::pi * i / rim_points;
-    const core::Vec3 towards = off_axis(radar, half_azimuth * std::cos(angle), half_elevation * std::sin(angle));
+    const core::Vec3 towards = off_axis(radar, radar.beam_middle.azimuth_rad + half_azimuth * std::cos(angle),
+                                        radar.beam_middle.elevation_rad + half_elevation * std::sin(angle));
     rim[static_cast<std::size_t>(i)] = pen.along(apex, towards, cone_px);
   }
   for (std::size_t i = 0; i < rim.size(); ++i) pen.line(rim[i], rim[(i + 1) % rim.size()], role, 1.0);

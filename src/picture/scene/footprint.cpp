@@ -51,7 +51,7 @@ std::vector<core::Vec3> range_on_ground(const Snapshot::Radar& radar, double ran
   const core::Vec3 aside = core::cross(ahead, up);
   std::vector<core::Vec3> arc;
   for (int i = 0; i < arc_points; ++i) {
-    const double turn = radar.azimuth_width_rad * (2.0 * i / (arc_points - 1) - 1.0);
+    const double turn = radar.beam_middle.azimuth_rad + radar.azimuth_width_rad * (2.0 * i / (arc_points - 1) - 1.0);
     const core::Vec3 out = std::cos(turn) * ahead + std::sin(turn) * aside;
     // The farther from below, the longer the way to the ground.
     double near = 0.0;

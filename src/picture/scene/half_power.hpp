@@ -9,15 +9,19 @@
 
 namespace sarsim::picture {
 
-/// Offsets from the middle of a beam [rad] at which one antenna's power has fallen to half that of the middle, one way:
-/// `points` of them evenly about a beam that is narrow in one plane, the last where the first is. Nothing in directions
-/// in which it does not fall so far within a quarter turn.
+/// Where the middle of a beam is off its axis [rad]: at the highest gain of each cut that tells one side from the
+/// other, unless the gain on the axis is within half a decibel of it. 0 of all other patterns.
+[[nodiscard]] radar::BeamOffset beam_middle(const radar::AntennaPattern& pattern);
+
+/// Offsets from the axis of a beam [rad] at which one antenna's power has fallen to half that of its middle
+/// (`beam_middle`), one way: `points` of them evenly about a beam that is narrow in one plane, the last where the first
+/// is. Nothing in directions in which it does not fall so far within a quarter turn.
 /// @param points  at least 2
 [[nodiscard]] std::vector<std::optional<radar::BeamOffset>> half_power_outline(const radar::AntennaPattern& pattern,
                                                                                radar::PatternRule rule,
                                                                                std::size_t points);
 
-/// The unit vector, in the world, at an offset from the middle of a beam as it points now.
+/// The unit vector, in the world, at an offset from the axis of a beam as it points now.
 [[nodiscard]] core::Vec3 beam_direction(const radar::Pointing& pointing, radar::PointingRule rule,
                                         const radar::BeamOffset& offset);
 

@@ -530,6 +530,7 @@ void SnapshotMaker::Prepared::put_radars(const std::vector<Frame>& frames, bool 
                              : core::Vec3{std::cos(azimuth), -std::sin(azimuth), 0.0};
     shown.azimuth_width_rad = radar.shape.azimuth_width_rad;
     shown.elevation_width_rad = radar.shape.elevation_width_rad;
+    shown.beam_middle = radar.shape.middle;
     shown.isotropic = radar.shape.isotropic;
     const core::Mat3 antenna_from_world{
         {shown.across_world, shown.axis_world, core::cross(shown.across_world, shown.axis_world)}};

@@ -8,6 +8,7 @@
 
 #include "picture/render/mesh.hpp"
 #include "picture/render/shapes.hpp"
+#include "radar/antenna/beam.hpp"
 #include "radar/earth/earth_frame.hpp"
 #include "radar/motion/track.hpp"
 #include "scene/edit/scene_change.hpp"
@@ -73,6 +74,7 @@ struct Snapshot {
     std::array<std::vector<core::Vec3>, 2> swath_world_m = {};
     /// Footprints from the beginning of its first recording to now, where they are asked for.
     std::vector<std::vector<std::optional<core::Vec3>>> illuminated_world_m = {};
+    radar::BeamOffset beam_middle = {};  ///< Of the highest gain off the axis (`picture::beam_middle`).
   };
   double time_s = 0.0;
   std::vector<Platform> platforms;

@@ -14,6 +14,7 @@ struct BeamShape {
   bool isotropic = true;
   double azimuth_width_rad = 0.0;  ///< 2 pi where the pattern never falls by 3 dB.
   double elevation_width_rad = 0.0;
+  radar::BeamOffset middle;  ///< `beam_middle`.
   /// Directions in the antenna's frame (x across, y boresight, z up) times the one-way amplitude over its largest:
   /// [elevation][azimuth]. Empty where isotropic.
   std::vector<std::vector<core::Vec3>> lobe_antenna;

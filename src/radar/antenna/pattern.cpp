@@ -29,7 +29,7 @@ double one_way_amplitude(const AntennaPattern& pattern, double azimuth_offset_ra
       return rule == PatternRule::amplitude ? gain : std::sqrt(std::abs(gain));
     }
     case AntennaPattern::Kind::user: {
-      const auto degrees = [](double rad) { return std::abs(wrapped_angle(rad)) * core::deg_per_rad; };
+      const auto degrees = [](double rad) { return wrapped_angle(rad) * core::deg_per_rad; };
       const double decibels = pattern.azimuth_gain_db.value(degrees(azimuth_offset_rad)) +
                               pattern.elevation_gain_db.value(degrees(elevation_offset_rad));
       return std::pow(10.0, decibels / 20.0);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/maths/interpolator.hpp"
+#include "core/maths/angle_function.hpp"
 
 namespace sarsim::radar {
 
@@ -18,8 +18,8 @@ struct AntennaPattern {
   Kind kind = Kind::isotropic;
   double azimuth_beamwidth_rad = 0.1;  ///< Kind::sinx.
   double elevation_beamwidth_rad = 0.1;
-  core::Interpolator azimuth_gain_db;  ///< One-way power [dB] against the offset's magnitude [deg]; Kind::user.
-  core::Interpolator elevation_gain_db;
+  core::AngleFunction azimuth_gain_db;  ///< One-way power [dB] against the offset [deg]; Kind::user.
+  core::AngleFunction elevation_gain_db;
 };
 
 /// sin(x)/x with x = 0.88 pi sin(offset)/beamwidth; 0 where the offset is 90 degrees or more (thesis A.17).
@@ -29,7 +29,9 @@ struct AntennaPattern {
 
 /// Factor by which the antenna multiplies a voltage that passes it once, in the given direction:
 /// isotropic 1; sinx the product of the cuts (PatternRule::amplitude) or the root of its magnitude
-/// (PatternRule::power); user 10^((A + E)/20) of the two cuts at the magnitudes of the wrapped offsets (decision 10).
+/// (PatternRule::power); user 10^((A + E)/20) of the two cuts at the wrapped offsets, of which they take the sign or
+/// the magnitude (decision 10, core::AngleFunction).
+/// Azimuth offsets are positive to the right of the beam, elevation offsets above it.
 /// The two-way factor is the product of those of the two antennas.
 [[nodiscard]] double one_way_amplitude(const AntennaPattern& pattern, double azimuth_offset_rad,
                                        double elevation_offset_rad, PatternRule rule);

@@ -109,5 +109,25 @@ TEST(OneWayAmplitude, OfAUserAntennaAddsTheDecibelsOfTheCutsAtWrappedMagnitudes)
   }
 }
 
+// Two targets 10 degrees above and below the beam of a cosecant pattern: -12 and -60 dB there and back.
+TEST(OneWayAmplitude, OfAUserAntennaTellsAboveFromBelow) {
+  AntennaPattern antenna;
+  antenna.kind = AntennaPattern::Kind::user;
+  antenna.elevation_gain_db =
+      core::AngleFunction({core::Interpolation::linear,
+                           {{-90, -40}, {-10, -30}, {-2, -3}, {0, 0}, {2, -1}, {10, -6}, {40, -12}, {90, -40}}},
+                          {}, core::AngleRule::elevation);
+  const auto two_way_db = [&](double azimuth_rad, double elevation_rad) {
+    const double one_way = one_way_amplitude(antenna, azimuth_rad, elevation_rad, PatternRule::amplitude);
+    return db(one_way * one_way);
+  };
+  const double ten = 10.0 * core::rad_per_deg;
+  EXPECT_NEAR(two_way_db(0.3, ten), -12.0, 1e-11);
+  EXPECT_NEAR(two_way_db(-0.3, -ten), -60.0, 1e-11);
+  std::swap(antenna.azimuth_gain_db, antenna.elevation_gain_db);
+  EXPECT_NEAR(two_way_db(ten, 0.0), -12.0, 1e-11);
+  EXPECT_NEAR(two_way_db(-ten + 2.0 * core::pi, 0.0), -60.0, 1e-10);
+}
+
 }  // namespace pattern_test
 }  // namespace sarsim::radar

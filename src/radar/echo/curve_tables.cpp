@@ -17,12 +17,26 @@ namespace sarsim::radar {
 
 namespace {
 
-constexpr double last_deg = 180.0;
+constexpr double half_turn_deg = 180.0;
 constexpr std::size_t most_terms = 6;
 constexpr double rounding = 1e-13;      // of a curve's value, relative to its ordinates
 constexpr double shortest_deg = 1e-10;  // pieces below this are not looked at closely
 constexpr double margin_deg = 2e-13;    // a few roundings of an angle
 constexpr int most_halvings = 10;       // of the distance between two breaks
+
+// What is tabulated over [0, span_deg]: a function of the magnitude of an angle, or one of an angle with its sign,
+// which counts from -180 degrees.
+struct Source {
+  const core::Interpolator* function = nullptr;
+  const core::AngleFunction* angles = nullptr;  // of a function that tells -x from x
+
+  [[nodiscard]] double first_deg() const { return angles == nullptr ? 0.0 : -half_turn_deg; }
+  [[nodiscard]] double span_deg() const { return angles == nullptr ? half_turn_deg : 2.0 * half_turn_deg; }
+  [[nodiscard]] double value(double x) const {
+    return angles == nullptr ? function->value(x) : angles->value(x + first_deg());
+  }
+  [[nodiscard]] const std::vector<core::Knot>& knots() const { return function->knots(); }
+};
 
 // A polynomial in (x - centre) on [left, right).
 struct Piece {
@@ -54,7 +68,7 @@ void add_chebyshev(std::size_t k, double weight, std::array<double, most_terms>&
 }
 
 // The polynomial that meets the curve at the nodes of a Chebyshev polynomial, all inside the interval.
-Piece interpolant(const core::Interpolator& curve, double left, double right, std::size_t degree) {
+Piece interpolant(const Source& curve, double left, double right, std::size_t degree) {
   Piece piece{left, right, degree, {}};
   const double half = 0.5 * (right - left);
   const auto nodes = static_cast<double>(degree + 1);
@@ -71,7 +85,7 @@ Piece interpolant(const core::Interpolator& curve, double left, double right, st
 }
 
 // Whether a piece is within half of `tolerance_db` where it is likely to be farthest from the curve.
-bool close_to(const core::Interpolator& curve, const Piece& piece, double tolerance_db) {
+bool close_to(const Source& curve, const Piece& piece, double tolerance_db) {
   if (piece.right - piece.left < shortest_deg) return true;
   const double half = 0.5 * (piece.right - piece.left);
   const auto parts = static_cast<double>(piece.degree + 1);
@@ -84,30 +98,40 @@ bool close_to(const core::Interpolator& curve, const Piece& piece, double tolera
   return true;
 }
 
-std::vector<double> sorted_breaks(std::vector<double> breaks) {
-  std::erase_if(breaks, [](double x) { return !(x > 0.0 && x < last_deg); });
-  breaks.push_back(0.0);
-  breaks.push_back(last_deg);
+// Places of the function itself, as breaks of what is tabulated.
+std::vector<double> sorted_breaks(const Source& curve, const std::vector<double>& places) {
+  std::vector<double> breaks{0.0, curve.span_deg()};
+  const auto add = [&](double x) {
+    if (x > 0.0 && x < curve.span_deg()) breaks.push_back(x);
+  };
+  const bool once = curve.angles == nullptr || curve.angles->goes_round();
+  for (const double place : places)
+    for (const double turn_deg : {0.0, -2.0 * half_turn_deg, 2.0 * half_turn_deg})
+      if (!once || turn_deg == 0.0) add(place + turn_deg - curve.first_deg());
+  // Where the gap of a table has its middle, the nearer end changes.
+  if (!once)
+    for (const double middle_deg : {-half_turn_deg, half_turn_deg})
+      add(curve.angles->middle_deg() + middle_deg - curve.first_deg());
   std::ranges::sort(breaks);
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
   return breaks;
 }
 
-std::vector<double> knot_places(const core::Interpolator& curve) {
+std::vector<double> knot_places(const Source& curve) {
   std::vector<double> places;
   for (const core::Knot& knot : curve.knots()) places.push_back(knot.x);
   return places;
 }
 
 // The first number behind a jump that is known to be within rounding of x; x itself where there is none.
-double behind_jump(const core::Interpolator& curve, double x) {
+double behind_jump(const Source& curve, double x) {
   constexpr int reach = 8;
   double left = x;
-  for (int i = 0; i < reach; ++i) left = std::nextafter(left, -last_deg);
+  for (int i = 0; i < reach; ++i) left = std::nextafter(left, -half_turn_deg);
   double behind = x;
   double largest = 0.0;
   for (int i = 0; i < 2 * reach; ++i) {
-    const double right = std::nextafter(left, 2.0 * last_deg);
+    const double right = std::nextafter(left, 2.0 * half_turn_deg);
     const double jump = std::abs(curve.value(right) - curve.value(left));
     if (jump > largest) {
       largest = jump;
@@ -120,22 +144,23 @@ double behind_jump(const core::Interpolator& curve, double x) {
 
 // Where a low-pass curve is not smooth: at its ends, at the points of its grid (LowPassRule::first_knot) and halfway
 // between them, where it jumps to the next set of terms (LowPassRule::origin).
-std::vector<double> low_pass_breaks(const core::Interpolator& curve) {
+std::vector<double> low_pass_breaks(const Source& curve) {
   constexpr double beyond = 12.0;  // steps in which a bare sinc decays to nothing, and one for safety
   std::vector<double> breaks = knot_places(curve);
   const double first = breaks.front();
   const double step = (breaks.back() - first) / static_cast<double>(breaks.size() - 1);
   for (std::size_t i = 0; i < curve.knots().size(); ++i) breaks.push_back(first + static_cast<double>(i) * step);
+  if (curve.angles != nullptr) return sorted_breaks(curve, breaks);  // Those have no jumps.
   const double first_jump = std::floor(first / step) - beyond + 0.5;
   const auto jumps = curve.knots().size() + 2 * static_cast<std::size_t>(beyond);
   for (std::size_t i = 0; i <= jumps; ++i) {
     const double x = (first_jump + static_cast<double>(i)) * step;
-    if (x > 0.0 && x < last_deg) breaks.push_back(behind_jump(curve, x));
+    if (x > 0.0 && x < half_turn_deg) breaks.push_back(behind_jump(curve, x));
   }
-  return sorted_breaks(std::move(breaks));
+  return sorted_breaks(curve, breaks);
 }
 
-void add_pieces(const core::Interpolator& curve, double left, double right, double tolerance_db, int halvings,
+void add_pieces(const Source& curve, double left, double right, double tolerance_db, int halvings,
                 std::vector<Piece>& pieces) {
   const Piece piece = interpolant(curve, left, right, most_terms - 1);
   if (halvings == 0 || close_to(curve, piece, tolerance_db)) {
@@ -147,9 +172,9 @@ void add_pieces(const core::Interpolator& curve, double left, double right, doub
 }
 
 // A curve that is a straight line or a cubic polynomial between its knots; nothing where it is neither.
-std::vector<Piece> exact_pieces(const core::Interpolator& curve, double tolerance_db) {
+std::vector<Piece> exact_pieces(const Source& curve, double tolerance_db) {
   std::vector<Piece> pieces;
-  const std::vector<double> breaks = sorted_breaks(knot_places(curve));
+  const std::vector<double> breaks = sorted_breaks(curve, knot_places(curve));
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     Piece piece = interpolant(curve, breaks[i], breaks[i + 1], 1);
     if (!close_to(curve, piece, tolerance_db)) piece = interpolant(curve, breaks[i], breaks[i + 1], 3);
@@ -159,7 +184,7 @@ std::vector<Piece> exact_pieces(const core::Interpolator& curve, double toleranc
   return pieces;
 }
 
-std::vector<Piece> pieces_of(const core::Interpolator& curve, double tolerance_db) {
+std::vector<Piece> pieces_of(const Source& curve, double tolerance_db) {
   std::vector<Piece> pieces = exact_pieces(curve, tolerance_db);
   if (!pieces.empty() || curve.knots().size() < 2) return pieces;
   // The rounding of a sum of sincs goes with the largest of its ordinates.
@@ -170,6 +195,24 @@ std::vector<Piece> pieces_of(const core::Interpolator& curve, double tolerance_d
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
     add_pieces(curve, breaks[i], breaks[i + 1], error_db, most_halvings, pieces);
   return pieces;
+}
+
+// Pieces over 0 to 180 degrees of a function that does not tell -x from x, over -180 to 180 degrees.
+std::vector<Piece> mirrored(const std::vector<Piece>& pieces) {
+  std::vector<Piece> both;
+  for (std::size_t i = pieces.size(); i-- > 0;) {
+    Piece left = pieces[i];
+    left.left = half_turn_deg - pieces[i].right;
+    left.right = half_turn_deg - pieces[i].left;
+    for (std::size_t k = 1; k < most_terms; k += 2) left.coefficient[k] = -left.coefficient[k];
+    both.push_back(left);
+  }
+  for (Piece right : pieces) {
+    right.left += half_turn_deg;
+    right.right += half_turn_deg;
+    both.push_back(right);
+  }
+  return both;
 }
 
 bool finite(const std::vector<Piece>& pieces) {
@@ -186,6 +229,8 @@ std::size_t piece_at(const Pieces& pieces, double x) {
   return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - pieces.begin() - 1));
 }
 
+double span_of(const Pieces& pieces) { return pieces.back().right; }
+
 // The pieces in a cell. What begins within rounding of a cell's ends is taken to begin there.
 struct Cell {
   double centre = 0.0;
@@ -194,7 +239,7 @@ struct Cell {
 };
 
 Cell cell_of(const Pieces& pieces, std::size_t cell, std::size_t cells) {
-  const double width = last_deg / static_cast<double>(cells);
+  const double width = span_of(pieces) / static_cast<double>(cells);
   const double left = static_cast<double>(cell) * width;
   return {left + 0.5 * width, piece_at(pieces, left + margin_deg), piece_at(pieces, left + width - margin_deg)};
 }
@@ -212,7 +257,7 @@ std::size_t crowd(const std::vector<Pieces>& tables, std::size_t cells) {
 
 // Whether all pieces begin where cells do.
 bool aligned(const std::vector<Pieces>& tables, std::size_t cells) {
-  const double width = last_deg / static_cast<double>(cells);
+  const double width = span_of(tables.front()) / static_cast<double>(cells);
   return std::ranges::all_of(tables, [&](const Pieces& pieces) {
     return std::ranges::all_of(
         pieces, [&](const Piece& piece) { return std::abs(std::remainder(piece.left, width)) < margin_deg; });
@@ -234,7 +279,7 @@ std::size_t cell_count(const std::vector<Pieces>& tables) {
 }
 
 double narrowest(const std::vector<Pieces>& tables) {
-  double width = last_deg;
+  double width = span_of(tables.front());
   for (const Pieces& pieces : tables)
     for (const Piece& piece : pieces) width = std::min(width, piece.right - piece.left);
   return width;
@@ -286,7 +331,7 @@ void lay_out(const std::vector<Pieces>& all, CurveTables& tables) {
   const std::size_t most = crowd(all, tables.cells);
   tables.first_stride = most > 0 ? std::bit_floor(most) : 0;
   // Powers about the middle of a cell lose digits where a piece is much narrower than the cell.
-  tables.crowded = most > 1 || narrowest(all) * static_cast<double>(2 * tables.cells) < last_deg;
+  tables.crowded = most > 1 || narrowest(all) * static_cast<double>(2 * tables.cells) < tables.span_deg;
   for (const Pieces& pieces : all)
     if (tables.crowded)
       lay_out_crowd(pieces, tables);
@@ -296,10 +341,11 @@ void lay_out(const std::vector<Pieces>& all, CurveTables& tables) {
 
 // Whether two curves through the same knots are the same function: of the ways to interpolate, no two agree beside the
 // sharpest bend, or, along a straight line, at the ends of the table.
-bool same_function(const core::Interpolator& a, const core::Interpolator& b) {
+bool same_function(const Source& a, const Source& b) {
   const std::vector<core::Knot>& knots = a.knots();
-  if (knots != b.knots()) return false;
+  if (a.span_deg() != b.span_deg() || knots != b.knots()) return false;
   if (knots.size() < 2) return true;
+  if (a.angles != nullptr && (a.angles->goes_round() != b.angles->goes_round())) return false;
   const auto slope = [&](std::size_t i) { return (knots[i + 1].y - knots[i].y) / (knots[i + 1].x - knots[i].x); };
   std::size_t sharpest = 0;
   for (std::size_t i = 1; i + 1 < knots.size(); ++i)
@@ -307,8 +353,8 @@ bool same_function(const core::Interpolator& a, const core::Interpolator& b) {
       sharpest = i;
   const double left = knots[sharpest].x;
   const double width = knots[sharpest + 1].x - left;
-  return std::ranges::all_of(std::array{left + width / 3.0, left + 0.6 * width, 0.0, last_deg},
-                             [&](double x) { return a.value(x) == b.value(x); });
+  return std::ranges::all_of(std::array{left + width / 3.0, left + 0.6 * width, 0.0, half_turn_deg},
+                             [&](double x) { return a.function->value(x) == b.function->value(x); });
 }
 
 std::size_t hash_of(const std::vector<core::Knot>& knots) {
@@ -320,20 +366,20 @@ std::size_t hash_of(const std::vector<core::Knot>& knots) {
   return sum.value();
 }
 
-}  // namespace
-
-CurveTables tabulate(std::span<const core::Interpolator* const> curves, double tolerance_db) {
+// Tables of sources over [0, span_deg] that begin at first_deg.
+CurveTables tables_of(std::span<const Source> curves, double first_deg, double span_deg, double tolerance_db) {
   CORE_EXPECT(tolerance_db > 0.0);
-  CORE_EXPECT(std::ranges::none_of(curves, [](const core::Interpolator* curve) { return curve == nullptr; }));
   CurveTables tables;
+  tables.first_deg = first_deg;
+  tables.span_deg = span_deg;
   std::vector<Pieces> all;
-  std::vector<const core::Interpolator*> distinct;
+  std::vector<Source> distinct;
   std::unordered_multimap<std::size_t, std::uint32_t> by_hash;
-  for (const core::Interpolator* curve : curves) {
-    const std::size_t hash = hash_of(curve->knots());
+  for (const Source& curve : curves) {
+    const std::size_t hash = hash_of(curve.knots());
     const auto [first, last] = by_hash.equal_range(hash);
     const auto found =
-        std::find_if(first, last, [&](const auto& entry) { return same_function(*distinct[entry.second], *curve); });
+        std::find_if(first, last, [&](const auto& entry) { return same_function(distinct[entry.second], curve); });
     if (found != last) {
       tables.number.push_back(found->second);
       continue;
@@ -341,11 +387,31 @@ CurveTables tabulate(std::span<const core::Interpolator* const> curves, double t
     tables.number.push_back(static_cast<std::uint32_t>(all.size()));
     by_hash.emplace(hash, tables.number.back());
     distinct.push_back(curve);
-    all.push_back(pieces_of(*curve, tolerance_db));
+    Pieces pieces = pieces_of(curve, tolerance_db);
+    all.push_back(curve.span_deg() < span_deg ? mirrored(pieces) : std::move(pieces));
     tables.sound = tables.sound && finite(all.back());
   }
   if (tables.sound && !all.empty()) lay_out(all, tables);
   return tables;
+}
+
+}  // namespace
+
+CurveTables tabulate(std::span<const core::Interpolator* const> curves, double tolerance_db) {
+  CORE_EXPECT(std::ranges::none_of(curves, [](const core::Interpolator* curve) { return curve == nullptr; }));
+  std::vector<Source> sources;
+  for (const core::Interpolator* curve : curves) sources.push_back({curve, nullptr});
+  return tables_of(sources, 0.0, half_turn_deg, tolerance_db);
+}
+
+CurveTables tabulate(std::span<const core::AngleFunction* const> curves, double tolerance_db) {
+  CORE_EXPECT(std::ranges::none_of(curves, [](const core::AngleFunction* curve) { return curve == nullptr; }));
+  std::vector<Source> sources;
+  for (const core::AngleFunction* curve : curves)
+    sources.push_back({&curve->function(), curve->is_even() ? nullptr : curve});
+  const bool is_signed = std::ranges::any_of(sources, [](const Source& source) { return source.angles != nullptr; });
+  return is_signed ? tables_of(sources, -half_turn_deg, 2.0 * half_turn_deg, tolerance_db)
+                   : tables_of(sources, 0.0, half_turn_deg, tolerance_db);
 }
 
 }  // namespace sarsim::radar

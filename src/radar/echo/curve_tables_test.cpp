@@ -209,6 +209,56 @@ TEST(CurveTables, AreSharedByEqualCurvesOnly) {
   expect_tabulated(curves, 1e-6);
 }
 
+// Cuts of all sorts in one set: mirrored, all the way round, with a gap, with a step behind, constant.
+TEST(CurveTables, TellOneSideOfACutFromTheOther) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> start(-200.0, -20.0), size(20.0, 359.0);
+  for (int draw = 0; draw < 12; ++draw)
+    for (const core::Interpolation method : methods) {
+      const double from = start(random);
+      std::vector<core::AngleFunction> cuts;
+      const auto add = [&](std::vector<core::Knot> knots, core::AngleRule rule) {
+        cuts.emplace_back(core::SampledFunction{method, std::move(knots)}, core::InterpolationRules{}, rule);
+      };
+      const auto seed = static_cast<unsigned>(draw);
+      add(random_knots(seed, 9, 0.0, 150.0, -30.0), core::AngleRule::azimuth);
+      add(random_knots(seed + 50, 7, from, from + size(random), -30.0), core::AngleRule::azimuth);
+      add(random_knots(seed + 100, 7, -90.0, 90.0, -30.0), core::AngleRule::elevation);
+      add({{-180.0, -9.0}, {3.0, 0.0}, {180.0, -4.0}}, core::AngleRule::azimuth);
+      add({{4.0, -3.0}}, core::AngleRule::elevation);
+      std::vector<core::Knot> round;
+      for (int i = 0; i < 36; ++i) round.push_back({from + 10.0 * i, -1.0 * (i % 7)});
+      add(round, core::AngleRule::azimuth);
+      std::vector<const core::AngleFunction*> pointers;
+      for (const core::AngleFunction& cut : cuts) pointers.push_back(&cut);
+      const CurveTables tables = tabulate(pointers, 1e-7);
+      ASSERT_TRUE(tables.sound);
+      ASSERT_EQ(tables.first_deg, -180.0);
+      std::vector<double> angles{-90.0, 90.0, 0.0, -0.0, 1e-9, -1e-9, 179.999, -179.999};
+      std::uniform_real_distribution<double> angle(-180.0, 180.0);
+      while (angles.size() < 800) angles.push_back(angle(random));
+      std::vector<double> out(angles.size());
+      at_every_simd_level([&] {
+        for (std::size_t k = 0; k < cuts.size(); ++k) {
+          const std::vector<std::int64_t> number(angles.size(), tables.number[k]);
+          HWY_DYNAMIC_DISPATCH(curve_values)(tables, number.data(), angles.data(), out.data(), angles.size());
+          // The rounding of an angle counted from -180 degrees is 3e-14; knots at random are as steep as 1e5 dB/deg.
+          for (std::size_t i = 0; i < angles.size(); ++i)
+            ASSERT_NEAR(out[i], cuts[k].value(angles[i]), 2e-7) << k << " at " << angles[i];
+        }
+      });
+    }
+}
+
+TEST(CurveTables, OfEvenCutsAreThoseOfMagnitudes) {
+  const core::AngleFunction cut({core::Interpolation::cubic, {{0.0, 0.0}, {9.0, -3.0}, {90.0, -30.0}}}, {},
+                                core::AngleRule::azimuth);
+  const CurveTables tables = tabulate(std::array{&cut}, 1e-9);
+  const CurveTables same = tabulate(std::array{&cut.function()}, 1e-9);
+  EXPECT_EQ(tables.first_deg, 0.0);
+  EXPECT_EQ(tables.records, same.records);
+}
+
 TEST(CurveTables, AreNotSoundWhereACurveIsNotFinite) {
   EXPECT_FALSE(tables_of({through(core::Interpolation::linear, {{0.0, 1e308}, {1e-3, -1e308}})}, 1e-6).sound);
   EXPECT_TRUE(tables_of({through(core::Interpolation::linear, {{0.0, 0.0}, {90.0, -1e30}})}, 1e-6).sound);

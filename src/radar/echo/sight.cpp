@@ -239,17 +239,27 @@ HWY_INLINE Angles less_axis(Tag d, const Angles& a, const Axis& axis) {
           hn::MulAdd(a.cosine_elevation, ce, hn::Mul(a.sine_elevation, se))};
 }
 
-// The user-defined cuts, decibels. In the antenna's frame the magnitudes of the offsets come out at once.
+// The user-defined cuts, decibels. In the antenna's frame the magnitudes of the offsets come out at once; tables that
+// tell -x from x want their signs as well.
 HWY_INLINE Vector user_gain_db(Tag d, const AntennaSight& antenna, const SightFrame& frame, const Triple& v,
                                Vector level) {
+  const bool is_signed = antenna.curves.first_deg < 0.0;
   auto azimuth = angle_between(d, hn::Abs(v.x), v.y);
   auto elevation = angle_between(d, hn::Abs(v.z), level);
   if (antenna.offsets == AntennaSight::Offsets::antenna_frame) {
     azimuth = degrees(d, azimuth);
     elevation = degrees(d, elevation);
+    if (is_signed) {
+      azimuth = hn::CopySign(azimuth, v.x);
+      elevation = hn::CopySign(elevation, v.z);
+    }
   } else {
     azimuth = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_azimuth_rad), hn::CopySign(azimuth, v.x)));
     elevation = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_elevation_rad), hn::CopySign(elevation, v.z)));
+    if (!is_signed) {
+      azimuth = hn::Abs(azimuth);
+      elevation = hn::Abs(elevation);
+    }
   }
   const auto at = [&](std::size_t i, Vector offset) {
     if (antenna.curve_cell[i] < 0.0) return hn::Zero(d);

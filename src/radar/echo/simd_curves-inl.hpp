@@ -50,14 +50,15 @@ HWY_INLINE void four_of(D d, const double* base, VI index, V (&out)[4]) {
 
 /// The curves' values, to the tables' tolerance.
 /// @param first_cell  number of each lane's table times `cells`
-/// @param degrees     brought into 0 to 180
+/// @param degrees     brought into the angles of the tables
 template <class D, class V = hn::Vec<D>>
 HWY_NOINLINE V curve_value(D d, const CurveTables& tables, V first_cell, V degrees) {
   const hn::RebindToSigned<D> di;
   const hn::Rebind<std::int32_t, D> short_int;
   const auto cells = static_cast<double>(tables.cells);
-  const V x = hn::IfThenElseZero(hn::Gt(degrees, hn::Zero(d)), hn::Min(degrees, hn::Set(d, 180.0)));
-  const V cell = hn::Min(hn::Floor(hn::Mul(x, hn::Set(d, cells / 180.0))), hn::Set(d, cells - 1.0));
+  const V from = hn::Sub(degrees, hn::Set(d, tables.first_deg));
+  const V x = hn::IfThenElseZero(hn::Gt(from, hn::Zero(d)), hn::Min(from, hn::Set(d, tables.span_deg)));
+  const V cell = hn::Min(hn::Floor(hn::Mul(x, hn::Set(d, cells / tables.span_deg))), hn::Set(d, cells - 1.0));
   const V place = hn::Mul(hn::Add(first_cell, cell), hn::Set(d, static_cast<double>(tables.cell_stride())));
   auto record = hn::PromoteTo(di, hn::DemoteTo(short_int, place));
   if (tables.crowded) record = hn::GatherIndex(di, tables.cell_record.data(), record);
@@ -71,7 +72,7 @@ HWY_NOINLINE V curve_value(D d, const CurveTables& tables, V first_cell, V degre
   const V zero = hn::Zero(d);
   V low[4] = {zero, zero, zero, zero};
   four_of(d, records, record, low);
-  const V middle = hn::Mul(hn::Add(cell, hn::Set(d, 0.5)), hn::Set(d, 180.0 / cells));
+  const V middle = hn::Mul(hn::Add(cell, hn::Set(d, 0.5)), hn::Set(d, tables.span_deg / cells));
   const V t = hn::Sub(x, tables.crowded ? low[1] : middle);
   if (tables.degree == 1) return hn::MulAdd(low[3], t, low[2]);
   V high[4] = {zero, zero, zero, zero};

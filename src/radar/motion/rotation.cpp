@@ -11,7 +11,7 @@ core::Mat3 turned(const core::Vec3& w, const core::Mat3& m) {
   return {{w.y * m.row[2] - w.z * m.row[1], w.z * m.row[0] - w.x * m.row[2], w.x * m.row[1] - w.y * m.row[0]}};
 }
 
-// A rotation and the axes about which roll, pitch and yaw turn, world axes, as seen along them: Rz(-c) Ry(-b) x,
+// A rotation and the axes about which roll, pitch and yaw turn, world axes: Rz(-c) Ry(-b) x,
 // Rz(-c) y, z.
 struct Attitude {
   core::Mat3 world_from_platform;
@@ -28,7 +28,7 @@ Attitude attitude_of(const std::array<double, 3>& angle) {
           {core::Vec3{cc * cb, -sc * cb, sb}, core::Vec3{sc, cc, 0.0}, core::Vec3{0.0, 0.0, 1.0}}};
 }
 
-// Sum of speeds about the axes; angles turn clockwise.
+// Sum of speeds about the axes; angles turn clockwise, seen from the tips of these.
 core::Vec3 about(const std::array<core::Vec3, 3>& axes, const std::array<double, 3>& speed) {
   return -(speed[0] * axes[0] + speed[1] * axes[1] + speed[2] * axes[2]);
 }

@@ -11,7 +11,7 @@ namespace sarsim::radar {
 ///
 ///     world_from_platform = M^T = Rz(-c) Ry(-b) Rx(-a):
 ///
-/// roll about x first, then pitch about y, then yaw about z, each clockwise seen along its axis.
+/// roll about x first, then pitch about y, then yaw about z, each clockwise seen against its axis, from its tip.
 [[nodiscard]] core::Mat3 world_from_platform(const std::array<double, 3>& rotation_rad);
 
 /// Its derivative in time while the angles change at the given rates.

@@ -118,6 +118,20 @@ TEST(ShipSines, HaveTheVarianceOfTheWholeSpectrum) {
   }
 }
 
+// The table of docs/theory/motion.md, to its last digit: heave in m, roll and pitch in degrees, at 10 m/s.
+TEST(ShipSines, AreThoseOfTheTheorysTable) {
+  struct Row {
+    double to_deg, heave_m, roll_deg, pitch_deg;
+  };
+  for (const Row& row : {Row{0.0, 0.23, 0.0, 0.69}, Row{60.0, 0.45, 2.4, 0.72}, Row{90.0, 0.65, 4.0, 0.0},
+                         Row{120.0, 0.45, 1.1, 0.72}, Row{180.0, 0.23, 0.0, 0.69}}) {
+    const Course course{10.0, row.to_deg * deg};
+    EXPECT_NEAR(std::sqrt(spectral_variance(course, SineAxis::z)), row.heave_m, 0.005) << row.to_deg;
+    EXPECT_NEAR(std::sqrt(spectral_variance(course, SineAxis::roll)) / deg, row.roll_deg, 0.05) << row.to_deg;
+    EXPECT_NEAR(std::sqrt(spectral_variance(course, SineAxis::pitch)) / deg, row.pitch_deg, 0.005) << row.to_deg;
+  }
+}
+
 TEST(ShipSines, KeepTheBandsOfARealShip) {
   const auto sines = ship_sines(hull, {8.0, 100.0 * deg}, state_5, 30, stream());
   const double roll_deg = std::sqrt(variance(sines, SineAxis::roll)) / deg;

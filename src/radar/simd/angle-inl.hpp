@@ -50,12 +50,12 @@ HWY_INLINE V angle_between(D d, V opposite, V adjacent) {
   return hn::IfThenElse(hn::Lt(adjacent, hn::Zero(d)), hn::Sub(hn::Add(quarter, quarter), angle), angle);
 }
 
-/// Magnitude, in degrees, of an angle in radians brought into half a turn either way.
+/// An angle in radians brought into half a turn either way, in degrees.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V wrapped_degrees(D d, V radians) {
   const V turns = hn::Round(hn::Mul(radians, hn::Set(d, 0.15915494309189533577)));
   const V rest = hn::NegMulAdd(turns, hn::Set(d, 6.283185307179586476925), radians);
-  return hn::Mul(hn::Abs(rest), hn::Set(d, 57.295779513082320877));
+  return hn::Mul(rest, hn::Set(d, 57.295779513082320877));
 }
 
 /// 10^(x/20), to 1e-15 and as exactly as x/20 can be represented; infinite from 6200 dB on.

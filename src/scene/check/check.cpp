@@ -90,6 +90,7 @@ core::Problems check(const Scene& scene, const core::WorkControl& control) {
              [&](const GeometryTable& g) { check_geometry_table(findings, radars, scene, g); });
   check_file_names(findings, scene);
   check_paths_between_points(findings, scene);
+  check_function_ends(findings, scene);
   findings.about("options", 0);
   check_options(findings, scene.options);
   return std::move(findings).take();

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <string_view>
+
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::scene {
+
+/// What is said of a recording's window where echoes of its targets are not known; whoever knows them says more.
+inline constexpr std::string_view window_beyond_range = "the slant range window reaches beyond the unambiguous range";
 
 /// Everything about the values of a scene that stops it from being simulated (errors) or that a radar engineer would
 /// ask about (warnings, ranked by consequence). Needs no geometry of echoes; `survey` (simulate/survey/survey.hpp) adds

@@ -142,6 +142,10 @@ Scene with_low_pass_trajectory(std::initializer_list<double> times_s) {
   x_m = {.method = core::Interpolation::low_pass, .knots = {}};
   // Slow enough for a filter that misses also straight lines near its ends.
   for (const double t : times_s) x_m.knots.push_back({t, 100.0 - 1e-4 * t});
+  if (times_s.size() > 1) {  // Within the points.
+    scene.simulations[0].time_start_s = x_m.knots.front().x;
+    scene.simulations[0].time_end_s = x_m.knots.back().x;
+  }
   return scene;
 }
 

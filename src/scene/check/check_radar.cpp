@@ -1,5 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -119,12 +122,23 @@ void check_carrier(Findings& findings, const Radar& radar) {
 
 void check_antenna(Findings& findings, std::string_view field, std::string_view what, bool used,
                    const Antenna& antenna) {
-  check_function(findings,
-                 {.field = field,
-                  .what = fmt::format("{} antenna's", what),
-                  .parts = cut_parts,
-                  .used = used && antenna.pattern == Antenna::Pattern::user},
-                 antenna.gain_db.part);
+  const bool by_points = used && antenna.pattern == Antenna::Pattern::user;
+  const std::string name = fmt::format("{} antenna's", what);
+  if (!check_function(findings, {.field = field, .what = name, .parts = cut_parts, .used = by_points},
+                      antenna.gain_db.part) ||
+      !by_points)
+    return;
+  for (std::size_t i = 0; i < antenna.gain_db.part.size(); ++i) {
+    const std::vector<core::Knot>& knots = antenna.gain_db.part[i].knots;
+    constexpr double turn_deg = 360.0 + 1e-9;
+    if (knots.size() < 2 || knots.back().x - knots.front().x <= turn_deg) continue;
+    findings.warning(Consequence::surprise, field,
+                     {.message = fmt::format("the points of the {} {} are more than a turn: some angles have two gains",
+                                             name, cut_parts[i]),
+                      .found = fmt::format("{:g} to {:g} deg", knots.front().x, knots.back().x),
+                      .expected = "angles of 360 deg together, as -180 to 180",
+                      .hint = "Of two gains that counts whose angle is between -180 and 180 deg."});
+  }
 }
 
 void check_beam(Findings& findings, const Radar& radar) {

@@ -7,6 +7,7 @@
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
 #include "radar/waveform/pulse_shape.hpp"
+#include "scene/check/check.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/check_values.hpp"
 #include "scene/model/limits.hpp"
@@ -224,7 +225,7 @@ void check_ranges(Findings& findings, const Simulation& simulation, const Radar&
   if (simulation.range_end_m <= unambiguous_m) return;
   findings.warning(
       Consequence::lost_signal, "range_end_m",
-      {.message = "the slant range window reaches beyond the unambiguous range",
+      {.message = std::string(window_beyond_range),
        .found = value_text(simulation.range_end_m, "m"),
        .expected = fmt::format("up to {:.6g} m, c/2 times the shortest pulse interval", unambiguous_m),
        .hint = "Echoes from there come back after the next pulse has left, among the echoes of that one. From "

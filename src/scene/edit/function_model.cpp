@@ -60,7 +60,8 @@ FunctionInfo function_info(const AnyObject& object, std::string_view field) {
   FunctionInfo info;
   info.title = title_of(kind, object);
   for (std::size_t i = 0; i < kind.block.count; ++i)
-    info.parts.push_back({std::string(kind.part_names[i]), std::string(y_unit(kind, i)), kind.y_range});
+    info.parts.push_back(
+        {std::string(kind.part_names[i]), std::string(y_unit(kind, i)), kind.y_range, role_of(kind.block, i)});
   info.x_name = kind.x_name;
   info.x_unit = kind.block.x.unit;
   info.x_range = kind.x_range;
@@ -125,20 +126,20 @@ double rounded_to_range(double value, double range) {
   return core::parse_number(core::format_number(std::round(*steps)), exponent).value_or(value);
 }
 
-std::vector<core::Knot> curve_points(const core::SampledFunction& function, core::Interpolation method, double x0,
-                                     double x1, std::size_t count) {
+std::vector<core::Knot> curve_points(const core::SampledFunction& function, FunctionRole role,
+                                     core::Interpolation method, double x0, double x1, std::size_t count) {
   core::SampledFunction sorted{method, function.knots};
   std::erase_if(sorted.knots, [](const core::Knot& knot) { return !std::isfinite(knot.x) || !std::isfinite(knot.y); });
   std::ranges::stable_sort(sorted.knots, {}, &core::Knot::x);
   const auto repeated = std::ranges::unique(sorted.knots, {}, &core::Knot::x);
   sorted.knots.erase(repeated.begin(), repeated.end());
-  const core::Interpolator curve(sorted);
+  const std::function<double(double)> curve = evaluated(role, sorted, {});
   std::vector<core::Knot> points;
   points.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
     const double part = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.0;
     const double x = i + 1 == count && count > 1 ? x1 : x0 + part * (x1 - x0);
-    points.push_back({x, curve.value(x)});
+    points.push_back({x, curve(x)});
   }
   return points;
 }

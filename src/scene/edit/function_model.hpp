@@ -8,6 +8,7 @@
 
 #include "core/maths/sampled_function.hpp"
 #include "core/report/problem.hpp"
+#include "scene/model/function_role.hpp"
 #include "scene/model/object.hpp"
 
 namespace sarsim::scene {
@@ -19,6 +20,7 @@ struct FunctionInfo {
     std::string name;  ///< "Position X", "Gain (azimuth)".
     std::string y_unit;
     std::array<double, 2> y_range;  ///< Shown at first.
+    FunctionRole role;              ///< What lies beyond its points.
   };
   std::string title;  ///< "Trajectory of Ship".
   std::vector<Part> parts;
@@ -57,10 +59,10 @@ std::size_t move_knot(core::SampledFunction& function, std::size_t at, core::Kno
 /// Rounds to about a hundredth of the decade of an axis's range, as a dragged point is.
 [[nodiscard]] double rounded_to_range(double value, double range);
 
-/// Points of the curve for drawing, `count` of them evenly from x0 to x1, by the method given. Knots that do not ascend
-/// are taken in order of x, the first of equals alone.
-[[nodiscard]] std::vector<core::Knot> curve_points(const core::SampledFunction& function, core::Interpolation method,
-                                                   double x0, double x1, std::size_t count);
+/// Points of the curve for drawing, `count` of them evenly from x0 to x1, by the method given, as the profile
+/// `physical` has it beyond the knots. Knots that do not ascend are taken in order of x, the first of equals alone.
+[[nodiscard]] std::vector<core::Knot> curve_points(const core::SampledFunction& function, FunctionRole role,
+                                                   core::Interpolation method, double x0, double x1, std::size_t count);
 
 /// Text of a `.dat` file with the header of comments (scene/script/data_file.hpp), and back. A file that was read is
 /// the draft's `file`; interpolation is no part of it and stays that of the object. With an error among the problems

@@ -186,7 +186,7 @@ TEST(FunctionModel, TheCurveIsThatOfTheSimulation) {
   for (const core::Interpolation method :
        {core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass}) {
     const core::Interpolator direct({method, f.knots});
-    const auto points = curve_points(f, method, -1.0, 4.0, 51);
+    const auto points = curve_points(f, FunctionRole::trajectory, method, -1.0, 4.0, 51);
     ASSERT_EQ(points.size(), 51U);
     EXPECT_EQ(points.front().x, -1.0);
     EXPECT_EQ(points.back().x, 4.0);
@@ -200,9 +200,10 @@ TEST(FunctionModel, ACurveIsDrawnWhateverTheKnots) {
                                   {{3.0, 1.0}, {1.0, 2.0}, {1.0, 5.0}, {nan, 1.0}, {2.0, nan}}};
   for (const core::Interpolation method :
        {core::Interpolation::linear, core::Interpolation::cubic, core::Interpolation::low_pass})
-    for (const core::Knot& point : curve_points(bad, method, 0.0, 4.0, 9)) EXPECT_TRUE(std::isfinite(point.y));
-  EXPECT_TRUE(curve_points({}, core::Interpolation::cubic, 0.0, 1.0, 0).empty());
-  EXPECT_EQ(curve_points({}, core::Interpolation::cubic, 0.0, 1.0, 3)[1].y, 0.0);
+    for (const core::Knot& point : curve_points(bad, FunctionRole::trajectory, method, 0.0, 4.0, 9))
+      EXPECT_TRUE(std::isfinite(point.y));
+  EXPECT_TRUE(curve_points({}, FunctionRole::stc, core::Interpolation::cubic, 0.0, 1.0, 0).empty());
+  EXPECT_EQ(curve_points({}, FunctionRole::stc, core::Interpolation::cubic, 0.0, 1.0, 3)[1].y, 0.0);
 }
 
 TEST(FunctionModel, AFileThatIsWrittenIsReadBackExactly) {

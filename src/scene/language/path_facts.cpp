@@ -214,7 +214,8 @@ std::string meaning_text(const PathFacts& facts) {
     case PathRole::points: {
       const FunctionAxis& y = spec.block->y[facts.part];
       if (spec.block->x_ignored) return std::string(spec.tip);
-      return fmt::format("{} The points of {} against {}.", spec.tip, y.name, spec.block->x.name);
+      return fmt::format("{} The points of {} against {}. Beyond them it {}.", spec.tip, y.name, spec.block->x.name,
+                         function_ends(role_of(*spec.block, facts.part)).words);
     }
     case PathRole::interpolation:
       if (spec.block->x_ignored) return "Without effect: the values of a list are taken in turn.";

@@ -1,6 +1,10 @@
 #include "scene/model/radar_pulse.hpp"
 
+#include "scene/model/function_role.hpp"
+
 namespace sarsim::scene {
+
+radar::Pulse pulse_of(const Radar& radar) { return pulse_of(radar, rules_for(FunctionRole::pulse, {})); }
 
 radar::Pulse pulse_of(const Radar& radar, core::InterpolationRules rules) {
   radar::Pulse pulse;

@@ -12,7 +12,9 @@ constexpr std::string_view width_tip =
 constexpr std::string_view pattern_tip =
     "The same in all directions, sin(x)/x in either plane, or given cuts through the pattern.";
 constexpr std::string_view cuts_tip =
-    "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added.";
+    "Azimuth and elevation cut: one-way power gain in dB against the angle off the beam; the two are added. Azimuth is "
+    "positive to the right of the beam, clockwise seen from above, elevation above it. A table without negative angles "
+    "that ends at 180 deg or before is the same to either side.";
 
 // What is called differently in the two antennas of a radar; what it means is the same.
 struct AntennaWords {

@@ -71,7 +71,8 @@ void add_rotation(FieldTable<Platform>& table) {
        .words = "rotation about",
        .noun = "rotation",
        .quantity = Quantity::angle,
-       .tip = "Rotation about the axis, clockwise seen along it; roll about x first, then y, then z. Behind the other "
+       .tip = "Rotation about each axis, clockwise seen against it, from its tip: positive z turns +x towards -y; roll "
+              "about x first, then y, then z. Added to the roll, pitch and yaw of coordinated flight; behind the other "
               "kinds it turns the platform further."});
   table.when<&Platform::rotation_kind>(Platform::Rotation::user);
   table.add<&Platform::rotation_deg>({.id = "rotation_deg",

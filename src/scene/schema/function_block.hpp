@@ -5,6 +5,8 @@
 #include <limits>
 #include <string_view>
 
+#include "scene/model/function_role.hpp"
+
 namespace sarsim::scene {
 
 /// One axis of a user-defined function.
@@ -16,6 +18,7 @@ struct FunctionAxis {
 /// What a user-defined function block holds: one to three functions of the same variable.
 struct FunctionBlock {
   std::string_view words;  ///< What the functions are, together.
+  FunctionRole role;       ///< Of the first; see `role_of`.
   std::size_t count = 1;   ///< Functions of the block.
   FunctionAxis x;
   std::array<FunctionAxis, 3> y;   ///< The first `count` are used.
@@ -25,6 +28,11 @@ struct FunctionBlock {
   double likely_low = -std::numeric_limits<double>::infinity();  ///< Values of y that are not suspicious, in the
   double likely_high = std::numeric_limits<double>::infinity();  ///< unit in which the scene holds them.
 };
+
+/// What one of the functions of a block is for: of an antenna the first is the cut in azimuth, the second in elevation.
+[[nodiscard]] constexpr FunctionRole role_of(const FunctionBlock& block, std::size_t part) {
+  return block.role == FunctionRole::azimuth_cut && part == 1 ? FunctionRole::elevation_cut : block.role;
+}
 
 /// The fourteen blocks of the script language, by the member of the scene that they fill.
 namespace function_blocks {
@@ -36,36 +44,69 @@ inline constexpr FunctionAxis pulse_number{"pulse number", ""};
 inline constexpr FunctionAxis offset_angle{"angle off the beam", "deg"};
 inline constexpr std::array<FunctionAxis, 3> position{{{"position x", "m"}, {"position y", "m"}, {"position z", "m"}}};
 
-inline constexpr FunctionBlock target_gain{
-    "reflectivity of the target", 1, {"incidence angle", "deg"}, {{{"reflectivity", "dB"}}}};
+inline constexpr FunctionBlock target_gain{"reflectivity of the target",
+                                           FunctionRole::reflectivity,
+                                           1,
+                                           {"incidence angle", "deg"},
+                                           {{{"reflectivity", "dB"}}}};
 
-inline constexpr FunctionBlock trajectory{"trajectory", 3, time, position};
-inline constexpr FunctionBlock rotation{
-    "rotation of the platform", 3, time, {{{"rotation x", "deg"}, {"rotation y", "deg"}, {"rotation z", "deg"}}}};
+inline constexpr FunctionBlock trajectory{"trajectory", FunctionRole::trajectory, 3, time, position};
+inline constexpr FunctionBlock rotation{"rotation of the platform",
+                                        FunctionRole::rotation,
+                                        3,
+                                        time,
+                                        {{{"rotation x", "deg"}, {"rotation y", "deg"}, {"rotation z", "deg"}}}};
 inline constexpr FunctionBlock position_envelope{
     "envelope of the position errors",
+    FunctionRole::position_envelope,
     3,
     lag,
     {{{"error weight x", "m/sqrt(s)"}, {"error weight y", "m/sqrt(s)"}, {"error weight z", "m/sqrt(s)"}}}};
 inline constexpr FunctionBlock rotation_envelope{
     "envelope of the rotation errors",
+    FunctionRole::rotation_envelope,
     3,
     lag,
     {{{"error weight x", "deg/sqrt(s)"}, {"error weight y", "deg/sqrt(s)"}, {"error weight z", "deg/sqrt(s)"}}}};
 
-inline constexpr FunctionBlock pulse_iq{"pulse", 2, pulse_fraction, {{{"I", "V"}, {"Q", "V"}}}};
-inline constexpr FunctionBlock envelope_gain{"pulse envelope", 1, pulse_fraction, {{{"amplitude", ""}}}};
-inline constexpr FunctionBlock pri{
-    "pulse repetition intervals", 1, pulse_number, {{{"interval", "s"}}}, true, 0, "intervals", 1e-6, 1.0};
-inline constexpr FunctionBlock carrier_list{"carrier frequencies", 1,   pulse_number, {{{"frequency", "GHz"}}}, true, 9,
-                                            "frequencies",         1e6, 1e12};
-inline constexpr FunctionBlock transmit_gain{
-    "gain of the transmit antenna", 2, offset_angle, {{{"gain in azimuth", "dB"}, {"gain in elevation", "dB"}}}};
-inline constexpr FunctionBlock receive_gain{
-    "gain of the receive antenna", 2, offset_angle, {{{"gain in azimuth", "dB"}, {"gain in elevation", "dB"}}}};
-inline constexpr FunctionBlock beam_target{"point the beam looks at", 3, time, position};
-inline constexpr FunctionBlock window_gain{"matched-filter window", 1, pulse_fraction, {{{"weight", ""}}}};
-inline constexpr FunctionBlock stc_gain{"sensitivity-time control", 1, {"range", "m"}, {{{"voltage gain", ""}}}};
+inline constexpr FunctionBlock pulse_iq{"pulse", FunctionRole::pulse, 2, pulse_fraction, {{{"I", "V"}, {"Q", "V"}}}};
+inline constexpr FunctionBlock envelope_gain{
+    "pulse envelope", FunctionRole::pulse_envelope, 1, pulse_fraction, {{{"amplitude", ""}}}};
+inline constexpr FunctionBlock pri{"pulse repetition intervals",
+                                   FunctionRole::list,
+                                   1,
+                                   pulse_number,
+                                   {{{"interval", "s"}}},
+                                   true,
+                                   0,
+                                   "intervals",
+                                   1e-6,
+                                   1.0};
+inline constexpr FunctionBlock carrier_list{"carrier frequencies",
+                                            FunctionRole::list,
+                                            1,
+                                            pulse_number,
+                                            {{{"frequency", "GHz"}}},
+                                            true,
+                                            9,
+                                            "frequencies",
+                                            1e6,
+                                            1e12};
+inline constexpr FunctionBlock transmit_gain{"gain of the transmit antenna",
+                                             FunctionRole::azimuth_cut,
+                                             2,
+                                             offset_angle,
+                                             {{{"gain in azimuth", "dB"}, {"gain in elevation", "dB"}}}};
+inline constexpr FunctionBlock receive_gain{"gain of the receive antenna",
+                                            FunctionRole::azimuth_cut,
+                                            2,
+                                            offset_angle,
+                                            {{{"gain in azimuth", "dB"}, {"gain in elevation", "dB"}}}};
+inline constexpr FunctionBlock beam_target{"point the beam looks at", FunctionRole::beam_target, 3, time, position};
+inline constexpr FunctionBlock window_gain{
+    "matched-filter window", FunctionRole::window, 1, pulse_fraction, {{{"weight", ""}}}};
+inline constexpr FunctionBlock stc_gain{
+    "sensitivity-time control", FunctionRole::stc, 1, {"range", "m"}, {{{"voltage gain", ""}}}};
 
 inline constexpr std::array<const FunctionBlock*, 14> all{
     &target_gain, &trajectory,   &rotation,      &position_envelope, &rotation_envelope, &pulse_iq,    &envelope_gain,

@@ -20,7 +20,8 @@ constexpr std::array<double, 2> not_negative{0.0, infinity};
 constexpr std::array<double, 2> kilometre{-1000.0, 1000.0};
 constexpr std::array<double, 2> hundred_degrees{-100.0, 100.0};
 constexpr std::array<double, 2> unit_either_way{-1.0, 1.0};
-constexpr std::array<double, 2> full_circle{0.0, 360.0};
+constexpr std::array<double, 2> half_turns{-180.0, 180.0};
+constexpr std::array<double, 2> whole_turns{-360.0, 360.0};
 
 // Intervals and carriers have to be above zero; these are the least that an editor gives.
 constexpr std::array<double, 2> intervals{1e-9, infinity};
@@ -111,9 +112,9 @@ constexpr FunctionKind kinds[] = {
      cuts,
      Quantity::angle,
      Quantity::ratio_db,
-     full_circle,
+     half_turns,
      {0.0, 100.0},
-     full_circle,
+     whole_turns,
      anything},
     {"Receive antenna",
      blocks::receive_gain,
@@ -121,9 +122,9 @@ constexpr FunctionKind kinds[] = {
      cuts,
      Quantity::angle,
      Quantity::ratio_db,
-     full_circle,
+     half_turns,
      {0.0, 100.0},
-     full_circle,
+     whole_turns,
      anything},
     {"Point looked at", blocks::beam_target, "Time", positions, Quantity::time, Quantity::length, seconds, kilometre,
      anything, anything},

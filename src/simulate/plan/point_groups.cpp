@@ -103,7 +103,7 @@ radar::AntennaSight antenna_sight(const ResolvedScene& scene, const ResolvedRada
   if (scene.conventions.pointing == radar::PointingRule::added_angles)
     antenna.offsets = radar::AntennaSight::Offsets::world_angles;
   antenna.roots = scene.conventions.pattern == radar::PatternRule::power;
-  std::vector<const core::Interpolator*> curves;
+  std::vector<const core::AngleFunction*> curves;
   std::vector<std::size_t> cuts;
   std::size_t first = 0;
   for (const radar::AntennaPattern* pattern : {&radar.transmit, &radar.receive}) {

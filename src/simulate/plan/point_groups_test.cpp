@@ -173,9 +173,23 @@ scene::Antenna antenna_of(scene::Antenna::Pattern pattern, core::Interpolation m
   return antenna;
 }
 
+// One side unlike the other: in azimuth all the way round, in elevation with ends.
+scene::Antenna lopsided(core::Interpolation method) {
+  scene::Antenna antenna;
+  antenna.pattern = scene::Antenna::Pattern::user;
+  for (int i = 0; i < 24; ++i)
+    antenna.gain_db.part[0].knots.push_back({15.0 * i - 40.0, -20.0 + 20.0 * std::cos(0.3 + 0.27 * i) - i % 3});
+  antenna.gain_db.part[1].knots = {{-40.0, -25.0}, {-9.0, -4.0}, {1.0, 0.0}, {5.0, -3.0}, {10.0, 0.0}, {15.0, -9.0}};
+  for (core::SampledFunction& cut : antenna.gain_db.part) cut.method = method;
+  return antenna;
+}
+
 std::vector<scene::Antenna> antennas() {
   std::vector<scene::Antenna> all{{}, antenna_of(scene::Antenna::Pattern::sinx, {})};
-  for (const core::Interpolation method : methods) all.push_back(antenna_of(scene::Antenna::Pattern::user, method));
+  for (const core::Interpolation method : methods) {
+    all.push_back(antenna_of(scene::Antenna::Pattern::user, method));
+    all.push_back(lopsided(method));
+  }
   return all;
 }
 

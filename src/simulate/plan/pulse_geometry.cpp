@@ -295,13 +295,17 @@ ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& poin
   }
   const Sight sight = sight_of(s.platform, point_m, s.position_m);
   rcs_m2 = std::max(0.0, rcs_m2);
+  double incidence_rad = 0.0;
   if (s.law != radar::ReflectivityLaw::isotropic) {
     const core::Vec3 normal_world = normal_at(frame, core::direction(azimuth, elevation), sight);
     static const core::Interpolator none;
     const core::Interpolator& curve = s.law == radar::ReflectivityLaw::user ? scene_->gain_curves[s.gain_curve] : none;
-    rcs_m2 *= radar::reflectivity(s.law, curve, radar::incidence_rad(normal_world, sight.flight.look_m));
+    incidence_rad = radar::incidence_rad(normal_world, sight.flight.look_m);
+    rcs_m2 *= radar::reflectivity(s.law, curve, incidence_rad);
   }
-  return seen(sight, rcs_m2, pointing);
+  ScattererView view = seen(sight, rcs_m2, pointing);
+  view.incidence_rad = incidence_rad;
+  return view;
 }
 
 void PulseGeometry::add(const ScattererView& view, radar::EchoBatch& echoes) const {

@@ -21,12 +21,18 @@ Conventions conventions_of(scene::Profile profile) {
   conventions.noise = Conventions::Noise::per_bandwidth;
   conventions.stc = Conventions::Stc::no_spreading;
   conventions.reception = Conventions::Reception::own_pulse;
+  conventions.function_ends = Conventions::FunctionEnds::by_method;
   conventions.usual_kept_widths = 1.0;
   return conventions;
 }
 
 core::InterpolationRules interpolation_rules(const scene::RunOptions& options) {
   return {conventions_of(options.profile).low_pass, options.cubic_ends};
+}
+
+core::InterpolationRules interpolation_rules(const scene::RunOptions& options, scene::FunctionRole role) {
+  return scene::rules_for(role, interpolation_rules(options),
+                          conventions_of(options.profile).function_ends == Conventions::FunctionEnds::by_role);
 }
 
 }  // namespace sarsim::simulate

@@ -5,6 +5,7 @@
 #include "radar/antenna/pattern.hpp"
 #include "radar/echo/pulse_clock.hpp"
 #include "radar/path/light_time.hpp"
+#include "scene/model/function_role.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::simulate {
@@ -18,6 +19,9 @@ struct Conventions {
   enum class Stc { receiver_gain, no_spreading };  ///< Gain at the sample's range; 1/d^2 left out of the amplitude.
 
   enum class Reception { every_pulse, own_pulse };  ///< A row hears echoes of all pulses, or of its own alone.
+  /// Functions beyond their points: scene::FunctionEnds, or as their interpolation goes on, antennas at the angle's
+  /// magnitude (1998).
+  enum class FunctionEnds { by_role, by_method };
 
   double light_speed_mps = 0.0;
   double boltzmann_j_per_k = 0.0;
@@ -33,11 +37,14 @@ struct Conventions {
   Noise noise = Noise::per_sample;
   Stc stc = Stc::receiver_gain;
   Reception reception = Reception::every_pulse;
+  FunctionEnds function_ends = FunctionEnds::by_role;
 };
 
 /// What a profile stands for.
 [[nodiscard]] Conventions conventions_of(scene::Profile profile);
-/// How functions given by points are continued, by profile and option.
+/// How functions given by points are completed between them, by profile and option.
 [[nodiscard]] core::InterpolationRules interpolation_rules(const scene::RunOptions& options);
+/// Same, with what lies beyond the points of a function for this role.
+[[nodiscard]] core::InterpolationRules interpolation_rules(const scene::RunOptions& options, scene::FunctionRole role);
 
 }  // namespace sarsim::simulate

@@ -13,6 +13,7 @@
 #include "radar/motion/plunge.hpp"
 #include "radar/motion/sea.hpp"
 #include "radar/motion/ship.hpp"
+#include "scene/model/function_role.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/route.hpp"
 #include "scene/model/scene_index.hpp"
@@ -91,6 +92,7 @@ void add_gusts(const Platform& platform, radar::Motion& motion) {
                               envelope(radar::GustForm::across, air.sigma_w_mps, air.length_w_m)};
 }
 
+// An error process ends its envelope where the points do, within rounding: scene::FunctionRole::position_envelope.
 void add_errors(const Platform& platform, core::InterpolationRules rule, radar::Motion& motion) {
   switch (platform.position_error) {
     case Platform::MotionError::gaussian:
@@ -159,7 +161,9 @@ class TrackMaker {
     const Platform& platform = scene_.platforms[index];
     switch (platform.path) {
       case Platform::Path::stationary: break;
-      case Platform::Path::trajectory: return radar::FunctionPath{three_functions(platform.trajectory_m, rule_)};
+      case Platform::Path::trajectory:
+        return radar::FunctionPath{
+            three_functions(platform.trajectory_m, scene::rules_for(scene::FunctionRole::trajectory, rule_))};
       case Platform::Path::ephemeris:
       case Platform::Path::orbit:
       case Platform::Path::state:
@@ -229,7 +233,8 @@ class TrackMaker {
     motion.aligned = platform.path != Platform::Path::stationary && platform.aligned;
     motion.attitude = law_of(platform);
     if (platform.rotation_kind == Platform::Rotation::user)
-      motion.rotation_rad = three_functions(platform.rotation_deg, rule_, core::rad_per_deg);
+      motion.rotation_rad = three_functions(platform.rotation_deg,
+                                            scene::rules_for(scene::FunctionRole::rotation, rule_), core::rad_per_deg);
     else
       for (std::size_t i = 0; i < 3; ++i) motion.rotation_rad[i] = constant(platform.rotation[i].rad());
     motion.rotation_rate_rad_per_s = radians(platform.rotation_rate);

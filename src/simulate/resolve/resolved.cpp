@@ -22,6 +22,8 @@ namespace sarsim::simulate {
 
 namespace {
 
+using scene::FunctionRole;
+
 std::array<core::Interpolator, 3> three(const scene::UserFunction<3>& function, core::InterpolationRules rule,
                                         double scale = 1.0) {
   return {core::Interpolator(function.part[0], rule, scale), core::Interpolator(function.part[1], rule, scale),
@@ -42,7 +44,8 @@ Scatterer scatterer_of(const scene::TargetTraits& traits, ResolvedScene& resolve
     s.elevation_stddev_rad = traits.elevation_stddev.rad();
     if (s.law == radar::ReflectivityLaw::user) {
       s.gain_curve = static_cast<std::uint32_t>(resolved.gain_curves.size());
-      resolved.gain_curves.emplace_back(traits.gain_db.part[0], interpolation_rules(resolved.options));
+      resolved.gain_curves.emplace_back(traits.gain_db.part[0],
+                                        interpolation_rules(resolved.options, FunctionRole::reflectivity));
     }
   }
   s.jittered = s.position_stddev_m != core::Vec3{} || s.rcs_stddev_m2 != 0.0 || s.azimuth_stddev_rad != 0.0 ||
@@ -76,7 +79,12 @@ radar::CarrierPlan carrier_of(const scene::Radar& radar) {
   return radar::CarrierPlan::single(radar.carrier_hz);
 }
 
-radar::AntennaPattern pattern_of(const scene::Antenna& antenna, core::InterpolationRules rule) {
+core::AngleFunction cut_of(const core::SampledFunction& cut, FunctionRole role, const ResolvedScene& resolved) {
+  return scene::angle_function(role, cut, interpolation_rules(resolved.options),
+                               resolved.conventions.function_ends == Conventions::FunctionEnds::by_role);
+}
+
+radar::AntennaPattern pattern_of(const scene::Antenna& antenna, const ResolvedScene& resolved) {
   radar::AntennaPattern pattern;
   switch (antenna.pattern) {
     case scene::Antenna::Pattern::isotropic: break;
@@ -87,8 +95,8 @@ radar::AntennaPattern pattern_of(const scene::Antenna& antenna, core::Interpolat
       break;
     case scene::Antenna::Pattern::user:
       pattern.kind = radar::AntennaPattern::Kind::user;
-      pattern.azimuth_gain_db = core::Interpolator(antenna.gain_db.part[0], rule);
-      pattern.elevation_gain_db = core::Interpolator(antenna.gain_db.part[1], rule);
+      pattern.azimuth_gain_db = cut_of(antenna.gain_db.part[0], FunctionRole::azimuth_cut, resolved);
+      pattern.elevation_gain_db = cut_of(antenna.gain_db.part[1], FunctionRole::elevation_cut, resolved);
       break;
   }
   return pattern;
@@ -285,24 +293,24 @@ std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene
 ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar_index) {
   CORE_EXPECT(radar_index < scene.radars.size());
   const scene::Radar& radar = scene.radars.at(radar_index);
-  const core::InterpolationRules rule = interpolation_rules(resolved.options);
+  const auto rules = [&](FunctionRole role) { return interpolation_rules(resolved.options, role); };
   ResolvedRadar r;
   r.name = radar.name;
   // A table of all names, for this one, would be made for each radar of a scene that has thousands.
   r.platform = platform_number(scene::find_platform(scene, radar.platform), scene, radar.platform);
-  r.pulse = scene::pulse_of(radar, rule);
+  r.pulse = scene::pulse_of(radar, rules(FunctionRole::pulse));
   r.repetition = radar.repetition == scene::Radar::Repetition::constant
                      ? radar::Repetition::constant(radar.prf_hz)
                      : radar::Repetition::intervals(ordinates(radar.pri_s));
   r.carrier = carrier_of(radar);
   r.radiated_w = radar.power_w * radar.transmit_gain.factor() * radar.receive_gain.factor() / radar.losses.factor();
   r.noise_temperature_k = radar.noise_temperature_k;
-  r.transmit = pattern_of(radar.transmit_antenna, rule);
-  r.receive = radar.same_antenna ? r.transmit : pattern_of(radar.receive_antenna, rule);
-  r.beam = beam_of(radar, rule);
-  r.window = window_of(radar, rule);
+  r.transmit = pattern_of(radar.transmit_antenna, resolved);
+  r.receive = radar.same_antenna ? r.transmit : pattern_of(radar.receive_antenna, resolved);
+  r.beam = beam_of(radar, rules(FunctionRole::beam_target));
+  r.window = window_of(radar, rules(FunctionRole::window));
   r.stc = radar.stc;
-  r.stc_gain = core::Interpolator(radar.stc_gain.part[0], rule);
+  r.stc_gain = core::Interpolator(radar.stc_gain.part[0], rules(FunctionRole::stc));
   r.air = air_of(scene, resolved, r);
   return r;
 }

@@ -20,53 +20,28 @@ class OtherPulseRules {
                   core::Problems& problems)
       : plan_(plan), survey_(survey), index_(index), scope_(scope), problems_(problems) {}
 
-  // From orbit, where many pulses are under way at once, a lower PRF is not useful advice: a real receiver listens
-  // between later pulses.
-  void check_late() {
-    if (survey_.totals.late == 0) return;
-    const double unambiguous_m = unambiguous_range_m(plan_);
-    const double under_way = std::floor(survey_.totals.latest_m / unambiguous_m);
-    const bool from_afar = under_way >= 3.0;
-    const bool own_alone = plan_.scene->conventions.reception == Conventions::Reception::own_pulse;
-    add(from_afar ? core::Severity::note : core::Severity::warning,
-        fmt::format("echoes of {} of {} targets arrive after the next pulse has left{}", survey_.totals.late,
-                    survey_.targets.size(), own_alone ? "; a row holds the echoes of its own pulse only" : "") +
-            scope_,
-        fmt::format("range {:.6g} m", survey_.totals.latest_m),
-        fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_m),
-        from_afar ? fmt::format("{:.0f} pulses are under way at once, as is usual from orbit: a real receiver listens "
-                                "between later pulses; choose the PRF so that no pulse leaves while echoes arrive",
-                                under_way)
-                  : "lower the PRF if a real receiver is meant");
-  }
-
-  void check_heard() {
+  // One statement of echoes that are late and of what that does to rows: of targets whose echoes arrive after the next
+  // pulse, and of rows that hold echoes of other pulses.
+  void check_ranges() {
     const scene::AmbiguousEchoes which = plan_.scene->options.ambiguous_echoes;
     const bool left_out = which == scene::AmbiguousEchoes::none;
     const OtherPulses heard = left_out
                                   ? heard_pulses(*plan_.scene, plan_.radar, plan_.pulse, plan_.raw_grid, plan_.pulses)
                                   : plan_.other_pulses;
-    if (heard.farther > 0.0)
-      add(core::Severity::warning,
-          fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
-                      most_pulses_away),
-          fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
-                      core::amplitude_db(heard.farther)),
-          "", "lower the PRF, or move the targets");
-    if (heard.pulses.empty()) return;
-    const OtherPulse& strongest = *std::ranges::max_element(heard.pulses, {}, &OtherPulse::strength);
-    const std::string level = strongest.strength < 1.0
-                                  ? fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
-                                                core::amplitude_db(strongest.strength))
-                                  : "the strongest echo is among them, antennas ignored";
-    if (left_out)
-      add(core::Severity::note, fmt::format("echoes of {} would reach the window and are left out", pulses_of(heard)),
-          level, "", "AMBIGUOUS_ECHOES STRONG or ALL in $OPTIONS adds them");
-    else
-      add(which == scene::AmbiguousEchoes::all ? core::Severity::note : core::Severity::warning,
-          fmt::format("rows also hold echoes of {}, which appear at false ranges", pulses_of(heard)), level, "",
-          "change the PRF or the window; AMBIGUOUS_ECHOES ALL in $OPTIONS says that they are meant, NONE leaves them "
-          "out");
+    check_farther(heard);
+    if (heard.pulses.empty()) return check_late();
+    const bool late = survey_.totals.late > 0;
+    const bool asked_for = which == scene::AmbiguousEchoes::all;
+    const std::string heard_text =
+        left_out ? fmt::format("echoes of {} would reach the window and are left out", pulses_of(heard))
+                 : fmt::format("rows also hold echoes of {}, which appear at false ranges", pulses_of(heard));
+    add(asked_for || (left_out && !(late && !from_afar())) ? core::Severity::note : core::Severity::warning,
+        late ? late_text() + ": " + heard_text + scope_ : heard_text,
+        late ? late_range() + "; " + level_of(heard) : level_of(heard), late ? unambiguous_text() : "",
+        left_out
+            ? "AMBIGUOUS_ECHOES STRONG or ALL in $OPTIONS adds them"
+            : "change the PRF or the window; AMBIGUOUS_ECHOES ALL in $OPTIONS says that they are meant, NONE leaves "
+              "them out");
   }
 
   void check_eclipsed() {
@@ -84,6 +59,50 @@ class OtherPulseRules {
   }
 
  private:
+  // How many pulses are under way at once.
+  [[nodiscard]] double under_way() const { return std::floor(survey_.totals.latest_m / unambiguous_range_m(plan_)); }
+  [[nodiscard]] bool from_afar() const { return under_way() >= 3.0; }
+
+  [[nodiscard]] std::string late_text() const {
+    return fmt::format("echoes of {} of {} targets arrive after the next pulse has left", survey_.totals.late,
+                       survey_.targets.size());
+  }
+  [[nodiscard]] std::string late_range() const {
+    const std::string text = fmt::format("range {:.6g} m", survey_.totals.latest_m);
+    return from_afar() ? text + fmt::format(", {:.0f} pulses are under way at once", under_way()) : text;
+  }
+  [[nodiscard]] std::string unambiguous_text() const {
+    return fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(plan_));
+  }
+
+  // From orbit, where many pulses are under way at once, a lower PRF is not useful advice.
+  void check_late() {
+    if (survey_.totals.late == 0) return;
+    const bool own_alone = plan_.scene->conventions.reception == Conventions::Reception::own_pulse;
+    add(from_afar() ? core::Severity::note : core::Severity::warning,
+        late_text() + (own_alone ? "; a row holds the echoes of its own pulse only" : "") + scope_, late_range(),
+        unambiguous_text(),
+        from_afar() ? "as is usual from orbit; choose the PRF so that no pulse leaves while echoes arrive"
+                    : "lower the PRF, or move the targets");
+  }
+
+  void check_farther(const OtherPulses& heard) {
+    if (!(heard.farther > 0.0)) return;
+    add(core::Severity::warning,
+        fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
+                    most_pulses_away),
+        fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
+                    core::amplitude_db(heard.farther)),
+        "", "lower the PRF, or move the targets");
+  }
+
+  [[nodiscard]] static std::string level_of(const OtherPulses& heard) {
+    const OtherPulse& strongest = *std::ranges::max_element(heard.pulses, {}, &OtherPulse::strength);
+    if (strongest.strength >= 1.0) return "the strongest echo is among them, antennas ignored";
+    return fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
+                       core::amplitude_db(strongest.strength));
+  }
+
   // "the 2 pulses before and the pulse after theirs"
   [[nodiscard]] static std::string pulses_of(const OtherPulses& heard) {
     std::int64_t before = 0;
@@ -131,8 +150,7 @@ void check_other_pulses(const Plan& plan, const EchoSurvey& survey, std::size_t 
                         core::Problems& problems) {
   CORE_EXPECT(plan.scene != nullptr);
   OtherPulseRules rules(plan, survey, index, scope, problems);
-  rules.check_late();
-  rules.check_heard();
+  rules.check_ranges();
   rules.check_eclipsed();
 }
 

@@ -2,12 +2,16 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 #include "core/report/problem.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/survey/survey.hpp"
 
 namespace sarsim::simulate {
+
+/// What is said of targets behind the unambiguous range; scene::window_beyond_range is the same fact of the window.
+inline constexpr std::string_view late_echoes = "arrive after the next pulse has left";
 
 /// What pulses other than a row's own do to it: echoes that arrive after the next pulse has left, echoes of other
 /// pulses that rows hold or leave out, echoes that arrive while the radar sends. Notes, and warnings where the options

@@ -23,15 +23,18 @@ bool is_isotropic(const radar::AntennaPattern& pattern) {
   return pattern.kind == radar::AntennaPattern::Kind::isotropic;
 }
 
+bool is_by_points(const radar::AntennaPattern& pattern) { return pattern.kind == radar::AntennaPattern::Kind::user; }
+
 // Largest one-way amplitude of an antenna: cuts that are given by points may have any.
 double peak_of(const radar::AntennaPattern& pattern) {
   if (pattern.kind != radar::AntennaPattern::Kind::user) return 1.0;
-  const auto largest_db = [](const core::Interpolator& cut) {
+  const auto largest_db = [](const core::AngleFunction& cut, int last_quarter) {
     double largest = -std::numeric_limits<double>::infinity();
-    for (int quarter = 0; quarter <= 720; ++quarter) largest = std::max(largest, cut.value(0.25 * quarter));
+    for (int quarter = cut.is_even() ? 0 : -last_quarter; quarter <= last_quarter; ++quarter)
+      largest = std::max(largest, cut.value(0.25 * quarter));
     return largest;
   };
-  return std::pow(10.0, (largest_db(pattern.azimuth_gain_db) + largest_db(pattern.elevation_gain_db)) / 20.0);
+  return std::pow(10.0, (largest_db(pattern.azimuth_gain_db, 720) + largest_db(pattern.elevation_gain_db, 360)) / 20.0);
 }
 
 // The part of a scene that some of its targets need.
@@ -74,6 +77,7 @@ class Looker {
         pulses_(pulses),
         geometry_(scene, radar),
         isotropic_(is_isotropic(radar.transmit) && is_isotropic(radar.receive)),
+        has_tables_(is_by_points(radar.transmit) || is_by_points(radar.receive)),
         peak_(peak_of(radar.transmit) * peak_of(radar.receive)) {
     for (const std::int64_t pulse : spread(pulses.first, pulses.last)) {
       whole_.push_back(geometry_);
@@ -101,7 +105,7 @@ class Looker {
       looks = looks_at(target, first, last);
     }
     take_in(sight, looks);
-    add_passage(sight, looks, first, last);
+    add_passage(sight, looks, first, last, scene_.scatterers[target].law == radar::ReflectivityLaw::user);
     return sight;
   }
 
@@ -195,13 +199,15 @@ class Looker {
   }
 
   // What all pulses from the first to the last give, from an even choice of them.
-  void add_passage(TargetSight& sight, const std::vector<PulseLook>& looks, std::int64_t first,
-                   std::int64_t last) const {
+  // @param has_curve  the target's reflectivity is one
+  void add_passage(TargetSight& sight, const std::vector<PulseLook>& looks, std::int64_t first, std::int64_t last,
+                   bool has_curve) const {
     const double noise_j = noise_energy_j(scene_.conventions, radar_);
     const double of_power = noise_j > 0.0 ? radar_.pulse.width_s / noise_j : 0.0;
     const double each =
         looks.size() > 1 ? static_cast<double>(last - first) / static_cast<double>(looks.size() - 1) : 1.0;
     const double least = 0.25 * largest_power(looks);
+    const bool keeps_angles = has_tables_ || has_curve;
     sight.snr = of_power * sight.amplitude_v * sight.amplitude_v;
     sight.nearest_m = sight.farthest_m = sight.range_m;
     for (const PulseLook& look : looks) {
@@ -211,6 +217,7 @@ class Looker {
       const double range_m = radar::range_of(look.view.delay_s, scene_.conventions.light_speed_mps);
       sight.nearest_m = std::min(sight.nearest_m, range_m);
       sight.farthest_m = std::max(sight.farthest_m, range_m);
+      if (keeps_angles && power(look) > 0.0) sight.lit.push_back({look.offset, look.view.incidence_rad});
     }
     sight.processed_snr = std::max(sight.processed_snr, sight.snr);
   }
@@ -221,6 +228,7 @@ class Looker {
   PulseGeometry geometry_;
   std::vector<PulseGeometry> whole_;  // of pulses spread over the recording, the same for all targets
   bool isotropic_;
+  bool has_tables_;
   double peak_;
 };
 

@@ -18,6 +18,7 @@
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/pulse_motion.hpp"
 #include "simulate/survey/sight_rules.hpp"
+#include "simulate/survey/table_rules.hpp"
 
 namespace sarsim::simulate {
 
@@ -66,7 +67,9 @@ class Surveyor {
     };
     summary.directive = directive(plan.radar.transmit) || directive(plan.radar.receive);
     summary.noise = noise_energy_j(plan.scene->conventions, plan.radar) > 0.0;
-    simulate::check_sights({scene_, index_, plan, looked, summary, control}, problems_);
+    const SightCase sighted{scene_, index_, plan, looked, summary, control};
+    simulate::check_sights(sighted, problems_);
+    check_tables(sighted, problems_);
     report_.summaries.push_back(std::move(summary));
   }
 

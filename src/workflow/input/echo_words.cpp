@@ -50,9 +50,12 @@ std::string decibel_text(double ratio) {
   return ratio > 0.0 ? fmt::format("{:.1f} dB", std::round(10.0 * core::power_db(ratio)) / 10.0 + 0.0) : "none";
 }
 
-std::string off_beam_text(const simulate::TargetSight& sight) {
+std::string off_beam_text(const simulate::TargetSight& sight, scene::Profile profile) {
+  const bool is_signed = profile == scene::Profile::physical;
   // A thousandth of a degree is finer than any beam.
-  const auto angle = [](double rad) { return std::round(1e3 * core::deg_per_rad * std::abs(rad)) / 1e3; };
+  const auto angle = [&](double rad) {
+    return std::round(1e3 * core::deg_per_rad * (is_signed ? rad : std::abs(rad))) / 1e3 + 0.0;
+  };
   return fmt::format("{:.4g} deg in azimuth and {:.4g} deg in elevation off the beam ({})",
                      angle(sight.off_azimuth_rad), angle(sight.off_elevation_rad), decibel_text(sight.pattern));
 }
@@ -73,8 +76,9 @@ std::string echo_text(const scene::Scene& scene, const simulate::EchoSummary& su
   if (summary.noise) text += snr_line(summary.sights);
   if (!summary.directive) return text;
   const auto [far, near] = std::ranges::minmax(summary.sights, {}, &simulate::TargetSight::pattern);
-  text += fmt::format("    target {}: {}\n", near.target + 1, off_beam_text(near));
-  if (far.target != near.target) text += fmt::format("    target {}: {}\n", far.target + 1, off_beam_text(far));
+  text += fmt::format("    target {}: {}\n", near.target + 1, off_beam_text(near, scene.options.profile));
+  if (far.target != near.target)
+    text += fmt::format("    target {}: {}\n", far.target + 1, off_beam_text(far, scene.options.profile));
   return text;
 }
 

@@ -17,7 +17,9 @@
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/scene_index.hpp"
 #include "scene/schema/field_names.hpp"
+#include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/survey.hpp"
+#include "simulate/survey/table_rules.hpp"
 #include "workflow/input/bare_number.hpp"
 #include "workflow/input/cloud_input.hpp"
 #include "workflow/input/motion_input.hpp"
@@ -124,6 +126,16 @@ void append(std::vector<Item>& items, std::vector<Item> more) {
   std::ranges::move(more, std::back_inserter(items));
 }
 
+// Where the survey told which targets are beyond the unambiguous range, their window need not be told of.
+void drop_windows_of_late_echoes(const core::Problems& of_echoes, core::Problems& found) {
+  std::erase_if(found, [&](const core::Problem& window) {
+    return window.message == scene::window_beyond_range && std::ranges::any_of(of_echoes, [&](const core::Problem& p) {
+             return p.subject.kind == window.subject.kind && p.subject.index == window.subject.index &&
+                    p.message.find(simulate::late_echoes) != std::string::npos;
+           });
+  });
+}
+
 // Problems of products that nobody wants.
 void forget_others(core::Problems& problems, const WantedProducts& wanted) {
   const auto lacks = [](const std::vector<std::size_t>& some, std::size_t index) {
@@ -162,6 +174,11 @@ void note_thinning(core::Problems& problems, const scene::Scene& scene) {
   }
 }
 
+// Whether the scene was read from a text in the language of 1998; one that a program made has no places.
+bool is_script(const SceneInput& input) {
+  return input.language == scene::Language::script && !input.places.find({"radar", 0, ""}).file.empty();
+}
+
 // What the survey says of the simulations that are wanted; of all where nobody said which.
 core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedProducts>& wanted,
                                   const core::WorkControl& control) {
@@ -174,6 +191,8 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
   }
   const auto surveyed = simulate::thinned(input.resolved, most_cloud_looks);
   simulate::SurveyReport report = simulate::survey_report(input.scene, surveyed, control);
+  if (is_script(input) || input.scene.options.profile == scene::Profile::classic)
+    append(report.problems, simulate::differences_of_profiles(input.scene, report.summaries));
   name_clouds(report.problems, input.scene, *surveyed);
   note_thinning(report.problems, input.scene);
   input.scene.simulations = std::move(all);
@@ -226,8 +245,11 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
   }
-  if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems))
-    append(reading.problems, problems_of_echoes(input, wanted, control));
+  if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems)) {
+    core::Problems of_echoes = problems_of_echoes(input, wanted, control);
+    drop_windows_of_late_echoes(of_echoes, reading.problems);
+    append(reading.problems, std::move(of_echoes));
+  }
   if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems) && input.scene.simulations.empty() &&
       input.scene.geometries.empty())
     reading.problems.push_back(core::problem_of(core::Severity::warning, "the script asks for nothing", {},

@@ -53,7 +53,6 @@ class Remarks {
       range_walk();
     }
     if (options_.canceller > 0) blind_speeds();
-    window();
     cut_echoes();
     dwell();
     unseen_end();
@@ -134,16 +133,6 @@ class Remarks {
                      10.0 * std::log10(std::max(gain, 1e-30))),
          fmt::format("speeds away from multiples of {:.4g} m/s, lambda PRF/2", speed_of(prf_hz_)),
          "change the PRF or the carrier");
-  }
-
-  void window() {
-    const double most_m = simulate::unambiguous_range_m(plan_);
-    if (plan_.simulation.range_end_m <= most_m) return;
-    warn(
-        "the recorded ranges reach beyond the unambiguous range: a real receiver would show those echoes with the next "
-        "pulse, nearer",
-        fmt::format("{:.6g} m", plan_.simulation.range_end_m), fmt::format("at most {:.6g} m, c PRI/2", most_m),
-        "lower the PRF, or record less far");
   }
 
   // Raw recordings end without the rest of the echoes that begin in their last pulse's length.

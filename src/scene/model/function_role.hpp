@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "core/maths/angle_function.hpp"
+
+namespace sarsim::scene {
+
+/// What a user-defined function of a scene is used for.
+enum class FunctionRole {
+  trajectory,
+  rotation,
+  beam_target,
+  position_envelope,
+  rotation_envelope,
+  pulse,
+  pulse_envelope,
+  window,
+  stc,
+  reflectivity,
+  azimuth_cut,
+  elevation_cut,
+  list,  ///< Of pulse repetition intervals, or of carriers: y of each pulse in turn.
+};
+
+/// What such a function is beyond its first and last point, in the profile `physical`. The profile `classic` continues
+/// all but lists and envelopes as their method of interpolation does, and takes antennas at the magnitude of the angle.
+struct FunctionEnds {
+  FunctionRole role;
+  core::Beyond beyond = core::Beyond::held;
+  core::AngleRule angles = core::AngleRule::magnitude;  ///< Of cuts through an antenna's pattern.
+  std::string_view words;                               ///< Half a sentence, for readers.
+};
+
+/// The one table of these, an entry for each role, in their order.
+[[nodiscard]] std::span<const FunctionEnds> all_function_ends();
+
+/// The entry of a role.
+[[nodiscard]] const FunctionEnds& function_ends(FunctionRole role);
+
+/// The rules of a function for its role.
+/// @param usual    LowPassRule and CubicEnds; Beyond is replaced
+/// @param by_role   as the table has it (`physical`); otherwise as the method has it (`classic`)
+[[nodiscard]] core::InterpolationRules rules_for(FunctionRole role, core::InterpolationRules usual,
+                                                 bool by_role = true);
+
+/// A cut through an antenna's pattern, or another function of an angle, by the same.
+[[nodiscard]] core::AngleFunction angle_function(FunctionRole role, const core::SampledFunction& function,
+                                                 core::InterpolationRules usual, bool by_role = true);
+
+/// Any function as it is used, of x in the unit of its points; angles are brought into -180 to 180 degrees.
+[[nodiscard]] std::function<double(double)> evaluated(FunctionRole role, const core::SampledFunction& function,
+                                                      core::InterpolationRules usual, bool by_role = true);
+
+}  // namespace sarsim::scene

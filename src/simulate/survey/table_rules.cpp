@@ -1,0 +1,317 @@
+#include "simulate/survey/table_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "scene/model/scene_index.hpp"
+
+namespace sarsim::simulate {
+
+namespace {
+
+using scene::FunctionRole;
+
+constexpr double noticed_db = 0.1;
+
+// One cut of an antenna, with the words of the scene for it.
+struct Cut {
+  const char* field;         ///< "transmit_antenna"
+  std::string_view antenna;  ///< "transmit"
+  std::string_view plane;    ///< "azimuth"
+  FunctionRole role;
+  const core::SampledFunction* points;
+  double radar::BeamOffset::*angle;
+};
+
+std::vector<Cut> cuts_of(const scene::Radar& radar) {
+  std::vector<Cut> cuts;
+  const auto add = [&](const char* field, std::string_view antenna, const scene::Antenna& from) {
+    if (from.pattern != scene::Antenna::Pattern::user) return;
+    cuts.push_back({field, antenna, "azimuth", FunctionRole::azimuth_cut, from.gain_db.part.data(),
+                    &radar::BeamOffset::azimuth_rad});
+    cuts.push_back({field, antenna, "elevation", FunctionRole::elevation_cut, &from.gain_db.part[1],
+                    &radar::BeamOffset::elevation_rad});
+  };
+  add("transmit_antenna", radar.same_antenna ? "" : "transmit ", radar.transmit_antenna);
+  if (!radar.same_antenna) add("receive_antenna", "receive ", radar.receive_antenna);
+  return cuts;
+}
+
+// How far an angle is from the nearer end of a table, on the way round that is not in it.
+double beyond_deg(const std::vector<core::Knot>& knots, double angle_deg) {
+  const auto apart = [&](double end_deg) { return std::abs(std::remainder(angle_deg - end_deg, 360.0)); };
+  return std::min(apart(knots.front().x), apart(knots.back().x));
+}
+
+std::string sentence_of(std::size_t some, std::size_t all) {
+  return some == all ? fmt::format("{} of {} target{}", some, all, all == 1 ? "" : "s")
+                     : fmt::format("{} of {} targets", some, all);
+}
+
+// The target that is farthest outside of a table, and how many are.
+struct Farthest {
+  std::size_t targets = 0;
+  std::size_t target = 0;
+  double angle_deg = 0.0;
+  double by_deg = -1.0;
+
+  void take(std::size_t number, double at_deg, double far_deg) {
+    if (far_deg <= by_deg) return;
+    target = number;
+    angle_deg = at_deg;
+    by_deg = far_deg;
+  }
+};
+
+class TableRules {
+ public:
+  TableRules(const SightCase& sighted, core::Problems& problems)
+      : sighted_(sighted), sights_(sighted.summary.sights), problems_(problems) {
+    by_role_ = sighted.plan.scene->conventions.function_ends == Conventions::FunctionEnds::by_role;
+  }
+
+  void check() {
+    const std::size_t radar = scene::find_radar(sighted_.scene, sighted_.plan.simulation.radar);
+    if (radar == scene::not_found || sights_.empty()) return;
+    for (const Cut& cut : cuts_of(sighted_.scene.radars[radar])) check_cut(cut, radar);
+    check_reflectivities();
+  }
+
+ private:
+  [[nodiscard]] core::InterpolationRules usual() const { return interpolation_rules(sighted_.plan.scene->options); }
+
+  [[nodiscard]] std::string words_of(FunctionRole role) const {
+    return std::string(by_role_ ? scene::function_ends(role).words : "goes on as its interpolation does");
+  }
+
+  void add(core::Subject subject, std::string message, std::string found, std::string hint) {
+    core::Problem problem = core::problem_of(core::Severity::warning, std::move(message), std::move(found),
+                                             "points as far as targets are seen", std::move(hint));
+    problem.subject = std::move(subject);
+    problems_.push_back(std::move(problem));
+  }
+
+  void check_cut(const Cut& cut, std::size_t radar) {
+    const std::vector<core::Knot>& knots = cut.points->knots;
+    if (knots.size() < 2) return;
+    const core::AngleFunction function = scene::angle_function(cut.role, *cut.points, usual(), by_role_);
+    Farthest farthest;
+    for (const TargetSight& sight : sights_) {
+      bool outside = false;
+      for (const LitLook& look : sight.lit) {
+        const double angle_deg = look.offset.*cut.angle * core::deg_per_rad;
+        if (function.covers(angle_deg)) continue;
+        outside = true;
+        farthest.take(sight.target, angle_deg, beyond_deg(knots, function.is_even() ? std::abs(angle_deg) : angle_deg));
+      }
+      if (outside) ++farthest.targets;
+    }
+    if (farthest.targets == 0) return;
+    add({"radar", radar, cut.field},
+        fmt::format("{} are seen beyond the points of the {}antenna's cut in {}, where it {}",
+                    sentence_of(farthest.targets, sights_.size()), cut.antenna, cut.plane,
+                    words_of(FunctionRole::elevation_cut)),
+        fmt::format("target {} at {:.4g} deg, points from {:g} to {:g} deg{}; {:.4g} dB is taken", farthest.target + 1,
+                    farthest.angle_deg, knots.front().x, knots.back().x, function.is_even() ? " to either side" : "",
+                    function.value(farthest.angle_deg)),
+        cut.role == FunctionRole::azimuth_cut
+            ? "Azimuth is positive to the right of the beam, clockwise seen from above."
+            : "Elevation is positive above the beam.");
+  }
+
+  void check_reflectivities() {
+    Farthest farthest;
+    std::size_t some = 0;
+    const core::Interpolator* of = nullptr;
+    for (const TargetSight& sight : sights_) {
+      const core::Interpolator* const curve = curve_of(sight.target);
+      if (curve == nullptr || curve->knots().size() < 2) continue;
+      ++some;
+      bool outside = false;
+      for (const LitLook& look : sight.lit) {
+        const double angle_deg = look.incidence_rad * core::deg_per_rad;
+        const double by_deg = std::max(curve->knots().front().x - angle_deg, angle_deg - curve->knots().back().x);
+        if (by_deg <= 1e-9) continue;
+        outside = true;
+        if (by_deg > farthest.by_deg) of = curve;
+        farthest.take(sight.target, angle_deg, by_deg);
+      }
+      if (outside) ++farthest.targets;
+    }
+    if (of == nullptr) return;
+    add({"target", farthest.target, "gain_db"},
+        fmt::format("{} with a reflectivity by points are seen at incidence angles beyond these, where it {}",
+                    sentence_of(farthest.targets, some), words_of(FunctionRole::reflectivity)),
+        fmt::format("target {} at {:.4g} deg, points from {:g} to {:g} deg; {:.4g} dB is taken", farthest.target + 1,
+                    farthest.angle_deg, of->knots().front().x, of->knots().back().x, of->value(farthest.angle_deg)),
+        "The angle counts from the normal, 0 to 180 deg.");
+  }
+
+  [[nodiscard]] const core::Interpolator* curve_of(std::size_t target) const {
+    const ResolvedScene& scene = *sighted_.plan.scene;
+    const Scatterer s = scene.scatterers[target];
+    return s.law == radar::ReflectivityLaw::user ? &scene.gain_curves[s.gain_curve] : nullptr;
+  }
+
+  const SightCase& sighted_;
+  const std::vector<TargetSight>& sights_;
+  core::Problems& problems_;
+  bool by_role_ = true;
+};
+
+// A function as both profiles read it.
+struct BothWays {
+  std::function<double(double)> classic;
+  std::function<double(double)> physical;
+
+  BothWays(FunctionRole role, const core::SampledFunction& function, core::InterpolationRules usual)
+      : classic(scene::evaluated(role, function, usual, false)),
+        physical(scene::evaluated(role, function, usual, true)) {}
+};
+
+// One simulation as both profiles read it.
+class ProfileComparison {
+ public:
+  ProfileComparison(const scene::Scene& scene, const EchoSummary& summary, core::Problems& problems)
+      : scene_(scene),
+        summary_(summary),
+        simulation_(scene.simulations.at(summary.simulation)),
+        is_classic_(scene.options.profile == scene::Profile::classic),
+        problems_(problems) {}
+
+  void compare() {
+    const std::size_t radar = scene::find_radar(scene_, simulation_.radar);
+    if (radar == scene::not_found) return;
+    compare_antennas(scene_.radars[radar], radar);
+    compare_reflectivities();
+    compare_stc(scene_.radars[radar], radar);
+  }
+
+ private:
+  [[nodiscard]] core::InterpolationRules usual() const { return interpolation_rules(scene_.options); }
+
+  void add(core::Severity severity, core::Subject subject, std::string message, std::string found) {
+    core::Problem problem = core::problem_of(severity, std::move(message), std::move(found), "",
+                                             "The profile physical takes signs of angles and holds the ends of gains; "
+                                             "classic takes magnitudes and goes on, as the programs of 1998.");
+    problem.subject = std::move(subject);
+    problems_.push_back(std::move(problem));
+  }
+
+  void compare_antennas(const scene::Radar& radar, std::size_t index) {
+    const std::vector<Cut> cuts = cuts_of(radar);
+    if (cuts.empty()) return;
+    std::vector<BothWays> both;
+    bool half_is_left_out = false;
+    for (const Cut& cut : cuts) {
+      both.emplace_back(cut.role, *cut.points, usual());
+      half_is_left_out = half_is_left_out || (cut.points->knots.size() > 1 && cut.points->knots.front().x < 0.0);
+    }
+    // Offsets of the profile classic are those of the axis from the target.
+    const double sign = is_classic_ ? -1.0 : 1.0;
+    const double ways = radar.same_antenna ? 2.0 : 1.0;
+    std::size_t targets = 0;
+    double worst_db = noticed_db, classic_db = 0.0, physical_db = 0.0;
+    std::size_t worst_target = 0;
+    radar::BeamOffset at;
+    for (const TargetSight& sight : summary_.sights) {
+      bool differs = false;
+      for (const LitLook& look : sight.lit) {
+        double one_db = 0.0, other_db = 0.0;
+        for (std::size_t i = 0; i < cuts.size(); ++i) {
+          const double angle_deg = sign * (look.offset.*cuts[i].angle) * core::deg_per_rad;
+          one_db += ways * both[i].classic(angle_deg);
+          other_db += ways * both[i].physical(angle_deg);
+        }
+        const double off_db = std::abs(one_db - other_db);
+        differs = differs || off_db > noticed_db;
+        if (off_db <= worst_db) continue;
+        worst_db = off_db;
+        classic_db = one_db;
+        physical_db = other_db;
+        worst_target = sight.target;
+        at = {sign * look.offset.azimuth_rad + 0.0, sign * look.offset.elevation_rad + 0.0};  // no -0
+      }
+      if (differs) ++targets;
+    }
+    if (targets == 0) return;
+    add(is_classic_ && half_is_left_out ? core::Severity::warning : core::Severity::note,
+        {"radar", index, "transmit_antenna"},
+        fmt::format("the profiles classic and physical read the antenna's cuts differently: {}",
+                    sentence_of(targets, summary_.sights.size())),
+        fmt::format("target {} at azimuth {:.4g} deg, elevation {:.4g} deg off the beam: {:.4g} dB two-way by classic, "
+                    "{:.4g} dB by physical",
+                    worst_target + 1, at.azimuth_rad * core::deg_per_rad, at.elevation_rad * core::deg_per_rad,
+                    classic_db, physical_db));
+  }
+
+  void compare_reflectivities() {
+    std::size_t targets = 0, worst_target = 0;
+    double worst_db = noticed_db, classic_db = 0.0, physical_db = 0.0, at_deg = 0.0;
+    for (const TargetSight& sight : summary_.sights) {
+      if (sight.target >= scene_.targets.size()) continue;
+      const scene::TargetTraits& traits = *scene_.targets[sight.target].traits;
+      if (traits.reflectivity != scene::TargetTraits::Reflectivity::directional ||
+          traits.gain != scene::TargetTraits::Gain::user)
+        continue;
+      const BothWays both(FunctionRole::reflectivity, traits.gain_db.part[0], usual());
+      bool differs = false;
+      for (const LitLook& look : sight.lit) {
+        const double angle_deg = look.incidence_rad * core::deg_per_rad;
+        const double one_db = both.classic(angle_deg), other_db = both.physical(angle_deg);
+        differs = differs || std::abs(one_db - other_db) > noticed_db;
+        if (std::abs(one_db - other_db) <= worst_db) continue;
+        worst_db = std::abs(one_db - other_db);
+        classic_db = one_db;
+        physical_db = other_db;
+        worst_target = sight.target;
+        at_deg = angle_deg;
+      }
+      if (differs) ++targets;
+    }
+    if (targets == 0) return;
+    add(core::Severity::note, {"target", worst_target, "gain_db"},
+        fmt::format("the profiles classic and physical read reflectivities differently: {}",
+                    sentence_of(targets, summary_.sights.size())),
+        fmt::format("target {} at an incidence angle of {:.4g} deg: {:.4g} dB by classic, {:.4g} dB by physical",
+                    worst_target + 1, at_deg, classic_db, physical_db));
+  }
+
+  void compare_stc(const scene::Radar& radar, std::size_t index) {
+    if (radar.stc != scene::Radar::Stc::user) return;
+    const BothWays both(FunctionRole::stc, radar.stc_gain.part[0], usual());
+    for (const double range_m : {simulation_.range_end_m, simulation_.range_start_m}) {
+      const double one = both.classic(range_m), other = both.physical(range_m);
+      if (std::abs(20.0 * std::log10(std::abs(one / other))) <= noticed_db) continue;
+      add(core::Severity::note, {"radar", index, "stc_gain"},
+          "the profiles classic and physical continue the sensitivity-time control differently",
+          fmt::format("at {:.6g} m: {:.4g} by classic, {:.4g} by physical", range_m, one, other));
+      return;
+    }
+  }
+
+  const scene::Scene& scene_;
+  const EchoSummary& summary_;
+  const scene::Simulation& simulation_;
+  bool is_classic_;
+  core::Problems& problems_;
+};
+
+}  // namespace
+
+core::Problems differences_of_profiles(const scene::Scene& scene, std::span<const EchoSummary> summaries) {
+  core::Problems problems;
+  for (const EchoSummary& summary : summaries) ProfileComparison(scene, summary, problems).compare();
+  return problems;
+}
+
+void check_tables(const SightCase& sighted, core::Problems& problems) { TableRules(sighted, problems).check(); }
+
+}  // namespace sarsim::simulate
