@@ -318,6 +318,9 @@ void add_choice_of_values(CLI::App& app, PlotArguments& a) {
                                       {{"rectangular", picture::SpectrumWindow::rectangular},
                                        {"hann", picture::SpectrumWindow::hann},
                                        {"hanning", picture::SpectrumWindow::hann},
+                                       {"none", picture::SpectrumWindow::rectangular},
+                                       {"rect", picture::SpectrumWindow::rectangular},
+                                       {"uniform", picture::SpectrumWindow::rectangular},
                                        {"hamming", picture::SpectrumWindow::hamming}},
                                       "weights of spectra and range-Doppler maps (default: hann)");
   add_integer(app, "--interval", a.interval, 1, 1 << 20, "doppler-time: pulses of each spectrum (default: 64)");

@@ -78,8 +78,12 @@ TEST(CheckPlausible, NotesANarrowBeamWithoutGain) {
 }
 
 TEST(CheckPlausible, WarnsOfAHanningWindowWithoutEffect) {
-  expect_warning(with([](Radar& r, Simulation&) { r.window = Radar::Window::hanning; }),
+  expect_warning(with([](Radar& r, Simulation&) {
+                   r.window = Radar::Window::hanning;
+                   r.hanning_pedestal = 1.0;
+                 }),
                  radar_field("hanning_pedestal"));
+  EXPECT_TRUE(check(with([](Radar& r, Simulation&) { r.window = Radar::Window::hanning; })).empty()) << "Hann's";
   EXPECT_TRUE(check(with([](Radar& r, Simulation&) {
                 r.window = Radar::Window::hanning;
                 r.hanning_pedestal = 0.5;

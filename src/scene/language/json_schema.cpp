@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text/json.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/language/explanation.hpp"
 #include "scene/language/format_mark.hpp"
@@ -42,6 +43,20 @@ std::string description(const PlainTable& table, const PathFacts& facts) {
 }
 
 std::string_view meaning_of(const Choice& choice) { return choice.meaning.empty() ? choice.shown : choice.meaning; }
+
+// What else scenes may call an alternative: that of the language of 1998, where the field's spellings have it.
+std::vector<std::string> other_spellings_of(const FieldSpec& spec, const Choice& choice) {
+  const std::string old = core::lower_case(choice.word);
+  const Choice* const meant = spec.spelling == nullptr ? nullptr : choice_of_type(spec, old);
+  const bool is_one = meant != nullptr && old != type_word(choice) && type_word(*meant) == type_word(choice);
+  return is_one ? std::vector{old} : std::vector<std::string>{};
+}
+
+std::vector<std::string> spellings_of(const FieldSpec& spec, const Choice& choice) {
+  std::vector<std::string> words = other_spellings_of(spec, choice);
+  words.insert(words.begin(), type_word(choice));
+  return words;
+}
 
 // Writes the schema of a table. taplo shows each member of an `anyOf` by itself, so each has its own description and
 // default.
@@ -171,7 +186,9 @@ class SchemaWriter {
     json_.key("type").begin_object().member("description", meaning_of(alternative));
     // With it, taplo writes the table out.
     json_.member("default", type_word(alternative));
-    json_.key("enum").begin_array().value(type_word(alternative)).end_array().end_object();
+    json_.key("enum").begin_array();
+    for (const std::string& word : spellings_of(choice.spec(), alternative)) json_.value(word);
+    json_.end_array().end_object();
     write_properties(paths_of_alternative(table_, choice, alternative), choice.path);
     json_.end_object().end_object();
   }
@@ -181,11 +198,15 @@ class SchemaWriter {
   void write_words(const FieldSpec& spec, const std::vector<Choice>& choices) {
     json_.key("enum").begin_array();
     for (const Choice& choice : choices) write_word(spec, choice);
+    for (const Choice& choice : choices)
+      for (const std::string& word : other_spellings_of(spec, choice)) json_.value(word);
     json_.end_array();
     if (std::ranges::all_of(choices, &std::string_view::empty, &Choice::meaning)) return;
     // What taplo shows beside each word.
     json_.key("x-taplo").begin_object().key("docs").begin_object().key("enumValues").begin_array();
     for (const Choice& choice : choices) json_.value(meaning_of(choice));
+    for (const Choice& choice : choices)
+      for (std::size_t i = 0; i < other_spellings_of(spec, choice).size(); ++i) json_.value(meaning_of(choice));
     json_.end_array().end_object().end_object();
   }
 

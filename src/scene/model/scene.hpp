@@ -283,7 +283,7 @@ struct Radar {
   /// A fixed direction, a turning one, a point that is looked at, or angles against time.
   enum class Beam { fixed, rotating, spot, user };
   /// Weights of the matched filter.
-  enum class Window { rectangular, hanning, bartlett, hamming, user };
+  enum class Window { rectangular, hanning, bartlett, hamming, user, blackman, kaiser, taylor };
   /// Sensitivity-time control: none, gain with the square of the range, or points.
   enum class Stc { none, range_law, user };
 
@@ -327,8 +327,11 @@ struct Radar {
   UserFunction<3> beam_target_world_m;  ///< World point looked at [m] against time [s]; Beam::user.
 
   Window window = Window::rectangular;
-  double hanning_pedestal = 1.0;
-  UserFunction<1> window_gain;  ///< Against the fraction of the pulse width; Window::user.
+  double hanning_pedestal = 0.0;
+  double kaiser_beta = 2.5;           ///< Window::kaiser.
+  double taylor_sidelobes_db = 35.0;  ///< Window::taylor: how far they lie below the peak.
+  int taylor_equal_sidelobes = 5;     ///< Window::taylor: nbar.
+  UserFunction<1> window_gain;        ///< Against the fraction of the pulse width; Window::user.
   Stc stc = Stc::none;
   UserFunction<1> stc_gain;  ///< Voltage gain against range [m]; Stc::user.
 

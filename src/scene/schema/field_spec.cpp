@@ -49,6 +49,13 @@ std::string type_word(const Choice& choice) {
   return word;
 }
 
+const Choice* choice_of_type(const FieldSpec& spec, std::string_view word) {
+  const std::string_view meant = spec.spelling == nullptr ? word : spec.spelling(word);
+  const auto found =
+      std::ranges::find_if(spec.choices, [&](const Choice& choice) { return type_word(choice) == meant; });
+  return found == spec.choices.end() ? nullptr : &*found;
+}
+
 Range range_of_y(const FunctionBlock& block) { return block.x_ignored ? above_zero : any_value; }
 
 Range likely_y(const FunctionBlock& block) { return {block.likely_low, block.likely_high}; }

@@ -1,3 +1,4 @@
+#include "core/maths/window_words.hpp"
 #include "scene/schema/fields_radar.hpp"
 
 namespace sarsim::scene::radar_fields {
@@ -30,13 +31,17 @@ void add_receiver(FieldTable<Radar>& table) {
   table.add<&Radar::window>(
       {.id = "window",
        .key = "window",
+       .spelling = core::window_word,
        .label = "Window",
        .words = "matched-filter window",
        .choices = {{"RECT", Radar::Window::rectangular, "Rectangular", "matched filter without weighting",
                     "rectangular"},
-                   {"HANNING", Radar::Window::hanning, "Hanning", "matched filter with a Hanning window"},
+                   {"HANNING", Radar::Window::hanning, "Hann", "matched filter with a Hann window", "hann"},
                    {"BARTLETT", Radar::Window::bartlett, "Bartlett", "matched filter with a triangular window"},
                    {"HAMMING", Radar::Window::hamming, "Hamming", "matched filter with a Hamming window"},
+                   {"", Radar::Window::blackman, "Blackman", "matched filter with a Blackman window", "blackman"},
+                   {"", Radar::Window::kaiser, "Kaiser", "matched filter with a Kaiser window", "kaiser"},
+                   {"", Radar::Window::taylor, "Taylor", "matched filter with a Taylor window", "taylor"},
                    {"OTHER", Radar::Window::user, "User-defined", "matched filter with a window given by points",
                     "points"}},
        .tip = "Weights the matched filter: lower range side lobes for a wider main lobe.",
@@ -52,6 +57,34 @@ void add_receiver(FieldTable<Radar>& table) {
        .tip = "Window k + (1 - k) sin^2(pi x) for x from 0 to 1: 1 is no weighting, 0 falls to zero at the ends.",
        .detail = "1 is no weighting, 0 falls to zero at the ends",
        .rare = true});
+  table.when<&Radar::window>(Radar::Window::kaiser);
+  table.add<&Radar::kaiser_beta>({.id = "kaiser_beta",
+                                  .key = "window.beta",
+                                  .label = "Kaiser's beta",
+                                  .words = "beta of Kaiser's window",
+                                  .range = {0.0, 20.0},
+                                  .since_2 = true,
+                                  .tip = "I0(beta sqrt(1 - (2x - 1)^2))/I0(beta) for x from 0 to 1; 0 is no weighting.",
+                                  .rare = true});
+  table.when<&Radar::window>(Radar::Window::taylor);
+  table.add<&Radar::taylor_sidelobes_db>({.id = "taylor_sidelobes_db",
+                                          .key = "window.sidelobes",
+                                          .label = "Taylor sidelobes",
+                                          .words = "sidelobes of Taylor's window",
+                                          .quantity = Quantity::ratio_db,
+                                          .range = {10.0, 100.0},
+                                          .since_2 = true,
+                                          .tip = "How far the first sidelobes lie below the peak.",
+                                          .rare = true});
+  table.add<&Radar::taylor_equal_sidelobes>({.id = "taylor_equal_sidelobes",
+                                             .key = "window.nbar",
+                                             .label = "Taylor's nbar",
+                                             .words = "nbar of Taylor's window",
+                                             .quantity = Quantity::count,
+                                             .range = {1.0, 30.0},
+                                             .since_2 = true,
+                                             .tip = "Number of sidelobes of nearly equal height on either side.",
+                                             .rare = true});
   table.when<&Radar::window>(Radar::Window::user);
   table.add<&Radar::window_gain>({.id = "window_gain",
                                   .key = "window",

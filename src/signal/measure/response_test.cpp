@@ -82,8 +82,8 @@ TEST(FiguresOf, CountsSidelobesOnBothSides) {
 }
 
 TEST(SarWindow, ReadsItsOwnText) {
-  for (const char* text :
-       {"rectangular", "hamming", "hann", "kaiser:2.5", "kaiser:0", "taylor:35:5", "taylor:22.5:3"}) {
+  for (const char* text : {"rectangular", "hamming", "hann", "bartlett", "blackman", "kaiser:2.5", "kaiser:0",
+                           "taylor:35:5", "taylor:22.5:3"}) {
     const auto window = window_from_text(text);
     ASSERT_TRUE(window) << text;
     EXPECT_EQ(to_string(*window), text);
@@ -99,7 +99,8 @@ TEST(SarWindow, RefusesOtherTexts) {
 }
 
 TEST(SarWindow, IsEvenAndVanishesOutsideTheBand) {
-  for (const char* text : {"rectangular", "hamming", "hann", "hanning", "kaiser", "taylor"}) {
+  for (const char* text :
+       {"rectangular", "hamming", "hann", "hanning", "kaiser", "taylor", "bartlett", "blackman", "none"}) {
     const auto weight = weight_of(window_from_text(text).value());
     EXPECT_EQ(weight(0.5001), 0.0) << text;
     EXPECT_NEAR(weight(-0.31), weight(0.31), 1e-12) << text;
@@ -111,6 +112,8 @@ TEST(SarWindow, KnowsItsMean) {
   EXPECT_NEAR(mean_weight(window_from_text("hamming").value()), 0.54, 1e-9);
   EXPECT_NEAR(mean_weight(window_from_text("hann").value()), 0.5, 1e-9);
   EXPECT_NEAR(mean_weight(window_from_text("taylor").value()), 1.0, 1e-9);
+  EXPECT_NEAR(mean_weight(window_from_text("bartlett").value()), 0.5, 1e-9);
+  EXPECT_NEAR(mean_weight(window_from_text("blackman").value()), 0.42, 1e-9);
 }
 
 TEST(TheoreticalFigures, TakeWeightsOfTheMatchedFilterLikeThoseOverTheBand) {

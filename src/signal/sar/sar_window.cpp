@@ -1,12 +1,15 @@
 #include "signal/sar/sar_window.hpp"
 
+#include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
+#include "core/maths/window_words.hpp"
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 
@@ -80,6 +83,8 @@ std::function<double(double)> weight_of(const SarWindow& window) {
   switch (window.kind) {
     case SarWindow::Kind::hamming: return inside([](double u) { return core::hamming_window(u + 0.5); });
     case SarWindow::Kind::hann: return inside([](double u) { return core::hanning_window(u + 0.5, 0.0); });
+    case SarWindow::Kind::bartlett: return inside([](double u) { return core::bartlett_window(u + 0.5); });
+    case SarWindow::Kind::blackman: return inside([](double u) { return core::blackman_window(u + 0.5); });
     case SarWindow::Kind::kaiser: return [beta = window.beta](double u) { return core::kaiser_window(2.0 * u, beta); };
     case SarWindow::Kind::taylor:
       return inside([c = taylor_coefficients(window.sidelobes_db, window.equal_sidelobes)](double u) {
@@ -94,7 +99,7 @@ double mean_weight(const SarWindow& window) {
   CORE_EXPECT(window.beta >= 0.0);
   CORE_EXPECT(window.sidelobes_db > 0.0);
   CORE_EXPECT(window.equal_sidelobes >= 1);
-  // The midpoint rule: exact for sums of cosines, and Kaiser's weights are smooth.
+  // The midpoint rule: exact for sums of cosines and for a triangle, and Kaiser's weights are smooth.
   constexpr int steps = 4096;
   const auto weight = weight_of(window);
   double sum = 0.0;
@@ -104,14 +109,18 @@ double mean_weight(const SarWindow& window) {
 
 std::optional<SarWindow> window_from_text(std::string_view text) {
   std::string_view rest = text;
-  const std::string_view word = next_word(rest);
-  if (core::equal_ignoring_case(word, "kaiser")) return kaiser_from_text(rest);
-  if (core::equal_ignoring_case(word, "taylor")) return taylor_from_text(rest);
+  const std::string_view word = core::window_word(next_word(rest));
+  if (word == "kaiser") return kaiser_from_text(rest);
+  if (word == "taylor") return taylor_from_text(rest);
   if (text.find(':') != std::string_view::npos) return std::nullopt;
-  if (core::equal_ignoring_case(word, "rectangular")) return SarWindow{};
-  if (core::equal_ignoring_case(word, "hamming")) return SarWindow{.kind = SarWindow::Kind::hamming};
-  if (core::equal_ignoring_case(word, "hann") || core::equal_ignoring_case(word, "hanning"))
-    return SarWindow{.kind = SarWindow::Kind::hann};
+  using Kind = SarWindow::Kind;
+  static constexpr std::array<std::pair<std::string_view, Kind>, 5> plain{{{"rectangular", Kind::rectangular},
+                                                                           {"hamming", Kind::hamming},
+                                                                           {"hann", Kind::hann},
+                                                                           {"bartlett", Kind::bartlett},
+                                                                           {"blackman", Kind::blackman}}};
+  for (const auto& [name, kind] : plain)
+    if (name == word) return SarWindow{.kind = kind};
   return std::nullopt;
 }
 
@@ -119,6 +128,8 @@ std::string to_string(const SarWindow& window) {
   switch (window.kind) {
     case SarWindow::Kind::hamming: return "hamming";
     case SarWindow::Kind::hann: return "hann";
+    case SarWindow::Kind::bartlett: return "bartlett";
+    case SarWindow::Kind::blackman: return "blackman";
     case SarWindow::Kind::kaiser: return fmt::format("kaiser:{}", window.beta);
     case SarWindow::Kind::taylor: return fmt::format("taylor:{}:{}", window.sidelobes_db, window.equal_sidelobes);
     case SarWindow::Kind::rectangular: break;

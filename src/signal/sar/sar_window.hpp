@@ -10,7 +10,7 @@ namespace sarsim::signal {
 /// A weight over a band or an aperture: what trades the width of a response for its sidelobes.
 struct SarWindow {
   /// The families of windows.
-  enum class Kind { rectangular, hamming, hann, kaiser, taylor };
+  enum class Kind { rectangular, hamming, hann, kaiser, taylor, bartlett, blackman };
 
   Kind kind = Kind::rectangular;
   double beta = 2.5;           ///< Kind::kaiser, at least 0.
@@ -28,11 +28,15 @@ struct SarWindow {
 /// The mean of the weights over the band.
 [[nodiscard]] double mean_weight(const SarWindow& window);
 
-/// "rectangular", "hamming", "hann" or "hanning", "kaiser", "kaiser:BETA", "taylor" or "taylor:DB:NBAR", ignoring case;
-/// nothing for another text or a parameter out of range (beta 0 to 20, 10 to 100 dB, nbar 1 to 30).
+/// The words of windows that options take, for messages and help.
+inline constexpr std::string_view window_texts =
+    "rectangular, hann, hamming, bartlett, blackman, kaiser[:BETA] or taylor[:DB:NBAR]";
+
+/// One of `window_texts` in any spelling that `core::window_word` knows ("hanning", "none", "triangular"), ignoring
+/// case; nothing for another text or a parameter out of range (beta 0 to 20, 10 to 100 dB, nbar 1 to 30).
 [[nodiscard]] std::optional<SarWindow> window_from_text(std::string_view text);
 
-/// The text that `window_from_text` reads.
+/// The text that `window_from_text` reads, with the canonical word.
 [[nodiscard]] std::string to_string(const SarWindow& window);
 
 }  // namespace sarsim::signal

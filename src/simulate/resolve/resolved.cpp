@@ -16,6 +16,7 @@
 #include "scene/model/radar_pulse.hpp"
 #include "scene/model/read_path.hpp"
 #include "scene/model/scene_index.hpp"
+#include "signal/sar/sar_window.hpp"
 #include "simulate/resolve/platform_motion.hpp"
 
 namespace sarsim::simulate {
@@ -127,6 +128,15 @@ signal::WindowFunction window_of(const scene::Radar& radar, core::InterpolationR
       return [pedestal = radar.hanning_pedestal](double x) { return core::hanning_window(x, pedestal); };
     case scene::Radar::Window::bartlett: return core::bartlett_window;
     case scene::Radar::Window::hamming: return core::hamming_window;
+    case scene::Radar::Window::blackman: return core::blackman_window;
+    case scene::Radar::Window::kaiser:
+      return [beta = radar.kaiser_beta](double x) { return core::kaiser_window(2.0 * x - 1.0, beta); };
+    case scene::Radar::Window::taylor:
+      return [weight = signal::weight_of({.kind = signal::SarWindow::Kind::taylor,
+                                          .sidelobes_db = radar.taylor_sidelobes_db,
+                                          .equal_sidelobes = radar.taylor_equal_sidelobes})](double x) {
+        return weight(x - 0.5);
+      };
     case scene::Radar::Window::user:
       return [f = core::Interpolator(radar.window_gain.part[0], rule)](double x) { return f.value(x); };
   }

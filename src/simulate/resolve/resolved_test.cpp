@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/window.hpp"
+#include "signal/sar/sar_window.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 
 namespace sarsim::simulate {
@@ -208,6 +210,17 @@ TEST(ResolveRadar, MakesEveryKindOfWindow) {
   EXPECT_EQ(resolved_radar(radar).window(0.25), 0.5);
   radar.window = scene::Radar::Window::hamming;
   EXPECT_NEAR(resolved_radar(radar).window(0.0), 0.08, epsilon);
+  radar.window = scene::Radar::Window::blackman;
+  EXPECT_NEAR(resolved_radar(radar).window(0.25), 0.34, epsilon);
+  radar.window = scene::Radar::Window::kaiser;
+  radar.kaiser_beta = 4.0;
+  EXPECT_NEAR(resolved_radar(radar).window(0.25), core::bessel_i0(4.0 * std::sqrt(0.75)) / core::bessel_i0(4.0),
+              epsilon);
+  radar.window = scene::Radar::Window::taylor;
+  radar.taylor_sidelobes_db = 40.0;
+  const auto taylor =
+      signal::weight_of({.kind = signal::SarWindow::Kind::taylor, .sidelobes_db = 40.0, .equal_sidelobes = 5});
+  EXPECT_NEAR(resolved_radar(radar).window(0.3), taylor(-0.2), epsilon);
   radar.window = scene::Radar::Window::user;
   radar.window_gain.part[0] = lines({{0, 1}, {1, 3}});
   EXPECT_EQ(resolved_radar(radar).window(0.5), 2.0);

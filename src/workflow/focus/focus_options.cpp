@@ -50,7 +50,8 @@ void take_centroid(FocusRequest& request, const std::string& text) {
 void add_band(OptionTable<FocusRequest>& table) {
   table
       .text("--window", "WINDOW",
-            "over range and azimuth: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]",
+            "over range and azimuth: rectangular (default), hann, hamming, bartlett, blackman, kaiser[:BETA], "
+            "taylor[:DB:NBAR]",
             [](FocusRequest& request, const std::string& word) {
               request.range_window = request.azimuth_window = window_of("--window", word);
             })

@@ -16,6 +16,6 @@ namespace sarsim::workflow {
 [[nodiscard]] FocusRequest focus_request(const std::string& input, const GivenWords& given);
 
 /// The words of --window without their parameters, for lists: each means its usual ones.
-inline constexpr std::array window_words{"rectangular", "hamming", "hann", "kaiser", "taylor"};
+inline constexpr std::array window_words{"rectangular", "hamming", "hann", "kaiser", "taylor", "bartlett", "blackman"};
 
 }  // namespace sarsim::workflow

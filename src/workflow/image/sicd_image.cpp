@@ -411,6 +411,8 @@ class SicdMaker {
     direction.width_m = signal::theoretical_figures(window).width / direction.bandwidth_per_m;
     switch (window.kind) {
       case Kind::hamming: direction.window = "HAMMING"; break;
+      case Kind::bartlett: direction.window = "BARTLETT"; break;
+      case Kind::blackman: direction.window = "BLACKMAN"; break;
       case Kind::hann: direction.window = "HANNING"; break;
       case Kind::kaiser:
         direction.window = "KAISER";

@@ -1,5 +1,7 @@
 #include "workflow/options/window_option.hpp"
 
+#include <string>
+
 #include <fmt/format.h>
 
 #include "core/report/refused.hpp"
@@ -9,8 +11,7 @@ namespace sarsim::workflow {
 signal::SarWindow window_of(const std::string& option, const std::string& text) {
   if (text.empty()) return {};
   if (const auto window = signal::window_from_text(text)) return *window;
-  throw core::Refused(fmt::format("{}: '{}' is not a valid window", option, text),
-                      "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
+  throw core::Refused(fmt::format("{}: '{}' is not a valid window", option, text), std::string(signal::window_texts));
 }
 
 }  // namespace sarsim::workflow

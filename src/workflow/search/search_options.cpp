@@ -32,7 +32,7 @@ void take_cells(PulseRequest& request, const char* option, const std::string& wo
 
 void take_pulse_window(PulseRequest& request, const std::string& word) {
   const auto window = signal::window_from_text(word);
-  if (!window) refuse_word("--window: invalid", word, "rectangular, hamming, hann, kaiser[:BETA] or taylor[:DB:NBAR]");
+  if (!window) refuse_word("--window: invalid", word, std::string(signal::window_texts));
   request.window = *window;
 }
 
@@ -43,9 +43,10 @@ void add_intervals(OptionTable<PulseRequest>& table, const std::string& usual_pu
               &PulseRequest::step);
   table.whole("--frequencies", 1, most_pulses,
               "Doppler rows of an interval, finer than its pulses give (default: as many)", &PulseRequest::frequencies);
-  table.text("--window", "WINDOW",
-             "over the pulses: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]",
-             take_pulse_window);
+  table.text(
+      "--window", "WINDOW",
+      "over the pulses: rectangular (default), hann, hamming, bartlett, blackman, kaiser[:BETA], taylor[:DB:NBAR]",
+      take_pulse_window);
   table.choice<std::size_t>("--canceller", {{"none", 0}, {"two", 1}, {"three", 2}},
                             "MTI canceller of two or three pulses, against clutter (default: none)",
                             &PulseRequest::canceller);

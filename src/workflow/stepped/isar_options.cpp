@@ -45,7 +45,8 @@ OptionTable<IsarOptions> image_options() {
   table.number("--range", "M", "depth of the image (default: as large as the target)", &IsarOptions::range_m);
   table.whole("--oversampling", 1, 64, "pixels for each resolution cell (default: 2)", &IsarOptions::oversampling);
   table.text("--window", "WINDOW",
-             "over range and cross-range: rectangular (default), hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]",
+             "over range and cross-range: rectangular (default), hann, hamming, bartlett, blackman, kaiser[:BETA], "
+             "taylor[:DB:NBAR]",
              [](IsarOptions& options, const std::string& word) {
                options.range_window = options.azimuth_window = window_of("--window", word);
              });

@@ -107,8 +107,7 @@ std::size_t held_row_of(const ProfileSeries& series, std::optional<std::size_t> 
 }
 
 std::string window_words_of(const ProfilesRequest& request) {
-  if (!request.window) return "of the script";
-  return request.window_words.empty() ? signal::to_string(*request.window) : request.window_words;
+  return request.window ? signal::to_string(*request.window) : "of the script";
 }
 
 // Nothing is written where it is kept.

@@ -29,7 +29,6 @@ struct ProfilesRequest {
   VelocityChoice velocity{};
   double fastest_mps = 500.0;                 ///< Estimated speeds are searched from minus this to this.
   std::optional<signal::SarWindow> window{};  ///< Over the band; nothing: the script's.
-  std::string window_words{};                 ///< How files name it; empty: as signal::to_string does.
   std::optional<double> from_m{};             ///< Ranges; nothing: `shown_ranges`.
   std::optional<double> to_m{};
   std::size_t oversampling = 4;        ///< Bins for each resolution cell.

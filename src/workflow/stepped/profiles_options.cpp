@@ -24,11 +24,9 @@ void add_speeds(OptionTable<ProfilesRequest>& table) {
 
 void add_profile(OptionTable<ProfilesRequest>& table) {
   table.text("--window", "WINDOW",
-             "over the band: rectangular, hamming, hann, kaiser[:BETA], taylor[:DB:NBAR]; default: the script's",
-             [](ProfilesRequest& request, const std::string& word) {
-               request.window = window_of("--window", word);
-               request.window_words = word;
-             });
+             "over the band: rectangular, hann, hamming, bartlett, blackman, kaiser[:BETA], taylor[:DB:NBAR]; default: "
+             "the script's",
+             [](ProfilesRequest& request, const std::string& word) { request.window = window_of("--window", word); });
   table.number("--from", "M", "first range (default: the script's)", &ProfilesRequest::from_m);
   table.number("--to", "M", "last range (default: the script's, as far as the recording shows it)",
                &ProfilesRequest::to_m);

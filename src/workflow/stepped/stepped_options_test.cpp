@@ -17,7 +17,7 @@ TEST(ProfilesRequest, IsMadeOfWords) {
   EXPECT_EQ(request.velocity.speed_mps, -12.5);
   EXPECT_EQ(request.velocity.words, "-12.5");
   ASSERT_TRUE(request.window.has_value());
-  EXPECT_EQ(request.window_words, "hamming");
+  EXPECT_EQ(request.window->kind, signal::SarWindow::Kind::hamming);
   EXPECT_EQ(request.burst, 2U);
   EXPECT_EQ(request.input.overrides.seed, UINT64_MAX);
   EXPECT_EQ(request.input.overrides.pulse, scene::PulseDefinition::ideal);

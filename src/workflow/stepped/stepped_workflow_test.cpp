@@ -123,9 +123,9 @@ TEST_F(SteppedWorkflow, ProfilesNameTheirWindowAndVelocityAsTheyWereAskedFor) {
   EXPECT_THAT(header, HasSubstr("velocity = {Scene}"));
   EXPECT_THAT(header, HasSubstr("lines = 1\n"));
   request.replace = true;
-  request.window_words = "Hamming";
+  request.window = signal::window_from_text("Hanning");
   (void)profiles(request);
-  EXPECT_THAT(test::contents(folder_ / "ship.hdr"), HasSubstr("window = {Hamming}"));
+  EXPECT_THAT(test::contents(folder_ / "ship.hdr"), HasSubstr("window = {hann}"));
 }
 
 TEST_F(SteppedWorkflow, ProfilesRefuseBeforeAnythingIsWritten) {
