@@ -115,6 +115,15 @@ class StartTest : public QObject {
     QVERIFY(again.welcome()->isVisible());
   }
 
+  void fields_are_found_by_what_the_trade_calls_them() {
+    Bench bench;
+    for (const auto& [typed, found] : {std::pair{"wavelength", "Radar: Frequency"},
+                                       std::pair{"pri", "Radar: Pulse repetition frequency"},
+                                       std::pair{"noise figure", "Radar: Noise temperature"},
+                                       std::pair{"tx power", "Radar: Power output"}})
+      QCOMPARE(bench.search(typed, {}), QString(found));
+  }
+
   void every_card_of_an_example_has_a_picture_and_opens_its_scene() {
     Bench bench;
     auto* cards = bench.cards("welcome_examples");

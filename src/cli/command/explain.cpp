@@ -1,6 +1,9 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
 #include "cli/shell/options.hpp"
@@ -17,7 +20,7 @@ namespace sarsim::cli {
 namespace {
 
 struct ExplainArguments {
-  std::string field;
+  std::vector<std::string> field;
   std::string output;
   bool schema = false;
   bool reference = false;
@@ -26,7 +29,8 @@ struct ExplainArguments {
 };
 
 std::string explanation_of(const ExplainArguments& arguments) {
-  const scene::language::Explanation explanation = scene::language::explain(arguments.field);
+  const scene::language::Explanation explanation =
+      scene::language::explain(fmt::format("{}", fmt::join(arguments.field, " ")));
   if (!explanation.failure.empty()) throw core::Refused(explanation.failure, explanation.hint);
   if (!arguments.json) return scene::language::text_of(explanation);
   core::JsonWriter json;
@@ -57,8 +61,9 @@ ExitStatus explain(const ExplainArguments& arguments, Streams& streams) {
 
 Action add_explain(CLI::App& app) {
   auto arguments = std::make_shared<ExplainArguments>();
-  auto* field = add_text(app, "field", arguments->field, "FIELD",
-                         "a field, a choice, a kind of object or a word of the language; without, what there is");
+  auto* field = app.add_option("field", arguments->field,
+                               "a field, a choice, a kind of object, or any word of the trade; without, what there is");
+  field->type_name("WORD")->expected(0, -1);
   auto* schema = app.add_flag("--schema", arguments->schema, "the JSON Schema of the language, for editors");
   auto* reference = app.add_flag("--reference", arguments->reference, "the reference of the language, in Markdown");
   auto* json = app.add_flag("--json", arguments->json, "the explanation as JSON");
@@ -71,6 +76,8 @@ Action add_explain(CLI::App& app) {
                      {"sarsim explain radar.pulse", "a choice with its alternatives"},
                      {"sarsim explain radar.pulse.width", "one field: unit, range, default, example"},
                      {"sarsim explain prf", "a field by the name that --set has for it"},
+                     {"sarsim explain wavelength", "what says it here, and how it is converted"},
+                     {"sarsim explain range migration", "fields and pages that have to do with it"},
                      {"sarsim explain --schema -o sarsim-2.schema.json", "for an editor that completes and checks"}});
   return [arguments](Streams& streams) { return explain(*arguments, streams); };
 }

@@ -21,7 +21,9 @@
 #include "gui/start/welcome_page.hpp"
 #include "scene/edit/edit.hpp"
 #include "scene/edit/starting_scenes.hpp"
+#include "scene/language/keys.hpp"
 #include "scene/schema/fields.hpp"
+#include "scene/schema/trade_words.hpp"
 
 namespace sarsim::gui {
 
@@ -114,6 +116,20 @@ void MainWindow::leave_welcome() {
   welcome_->hide();
 }
 
+namespace {
+
+// What the trade calls a field.
+QStringList trade_names_of(scene::ObjectKind kind, const scene::Field& field) {
+  if (field.spec == nullptr || field.spec->key.empty()) return {};
+  const std::string path = std::string(scene::language::header_of(kind)) + "." + std::string(field.spec->key);
+  QStringList names;
+  for (const scene::TradeWord& word : scene::trade_words())
+    if (word.field == path) names += text_of(word.names).split(' ', Qt::SkipEmptyParts);
+  return names;
+}
+
+}  // namespace
+
 void MainWindow::go_to_field(scene::ObjectKind kind, const QString& field) {
   const auto current = session_.current();
   if (scene::count_of(session_.scene(), kind) > 0) {
@@ -139,7 +155,8 @@ std::vector<SearchEntry> MainWindow::search_entries() {
     for (const scene::Field& field : scene::fields_of(kind)) {
       const QString id = text_of(field.id);
       entries.push_back({Kind::field, title_of(kind) + ": " + text_of(field.label), text_of(field.group),
-                         text_of(field.tooltip), [this, kind, id] { go_to_field(kind, id); }});
+                         text_of(field.tooltip), [this, kind, id] { go_to_field(kind, id); },
+                         trade_names_of(kind, field)});
     }
   for (const HelpHeading& found : help_headings(HelpWindow::folder())) {
     const QString words = found.heading.isEmpty() ? found.title : found.heading;

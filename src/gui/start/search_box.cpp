@@ -71,6 +71,19 @@ QString spoken_kind(SearchEntry::Kind kind) {
   return {};
 }
 
+// Those that the trade calls so, or by a word that begins so.
+std::vector<std::size_t> entries_called(const std::vector<SearchEntry>& entries, const QString& typed) {
+  constexpr qsizetype enough = 4;  // letters: fewer begin too many words
+  const QString plain = typed.simplified().toLower().replace(' ', '_');
+  std::vector<std::size_t> found;
+  const auto is_it = [&](const QString& word) {
+    return word == plain || (plain.size() >= enough && word.startsWith(plain));
+  };
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    if (std::ranges::any_of(entries[i].also, is_it)) found.push_back(i);
+  return found;
+}
+
 }  // namespace
 
 SearchBox::SearchBox(std::vector<SearchEntry> entries, QWidget* parent)
@@ -99,7 +112,9 @@ SearchBox::SearchBox(std::vector<SearchEntry> entries, QWidget* parent)
 
 void SearchBox::search() {
   list_->clear();
-  std::vector<std::size_t> matches = core::ranked_matches(field_->text().toStdString(), texts_);
+  std::vector<std::size_t> matches = entries_called(entries_, field_->text());
+  for (const std::size_t i : core::ranked_matches(field_->text().toStdString(), texts_))
+    if (std::ranges::find(matches, i) == matches.end()) matches.push_back(i);
   matches.resize(std::min(matches.size(), most_matches));
   for (const std::size_t i : matches) {
     const SearchEntry& entry = entries_[i];

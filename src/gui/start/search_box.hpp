@@ -2,6 +2,7 @@
 
 #include <QDialog>
 #include <QString>
+#include <QStringList>
 
 #include <functional>
 #include <vector>
@@ -20,6 +21,7 @@ struct SearchEntry {
   QString detail;  ///< At the right: keys, a value, a page.
   QString tip;
   std::function<void()> work;
+  QStringList also = {};  ///< Words of the trade for it: what is typed so, or its beginning, comes first.
 };
 
 /// One box over commands, fields of the scene and pages of the guide, found by a few letters ("search_box"). Up and

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "scene/language/explanation_search.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/path_facts.hpp"
+#include "scene/schema/trade_words.hpp"
 
 namespace sarsim::scene::language {
 
@@ -247,6 +250,82 @@ Explanation unknown(const std::string& word) {
   return explanation;
 }
 
+// The field of that kind and path, or a choice that has it.
+std::optional<Found> path_at(std::string_view name) {
+  for (Found& found : every_path())
+    if (found.name() == name) return std::move(found);
+  return std::nullopt;
+}
+
+// What a word of the trade says here, in one line.
+std::string said_of(std::string_view word, const TradeWord& meant) {
+  return fmt::format("{}: {}", core::clipped(word), trade_advice(meant, {.name = word}));
+}
+
+// Of a word that stands for one field, that field.
+std::optional<Explanation> explained_trade(const std::string& word) {
+  const TradeWord* const meant = trade_word(word, {});
+  if (meant != nullptr && meant->law != TradeLaw::none)
+    if (const auto found = path_at(meant->field)) {
+      Explanation explanation = explained(*found);
+      explanation.asked = said_of(word, *meant);
+      return explanation;
+    }
+  for (const TradeChoice& choice : trade_choices()) {
+    if (trade_choice(word, choice.choice) != &choice) continue;
+    const auto found = paths_called(choice.choice);
+    if (meant != nullptr || found.empty()) continue;
+    Explanation explanation = explained(found.front());
+    explanation.asked = fmt::format("{}: {} as {}", core::clipped(word), trade_advice(choice), explanation.name);
+    if (choice.word.empty()) explanation.asked = fmt::format("{}: {}", core::clipped(word), choice.note);
+    return explanation;
+  }
+  return std::nullopt;
+}
+
+// Whether the trade means another field by a word than those that `--set` calls so: "pri".
+bool means_another(std::string_view word, const std::vector<Found>& found) {
+  const TradeWord* const meant = trade_word(word, {});
+  if (meant == nullptr || meant->law == TradeLaw::none || meant->law == TradeLaw::same) return false;
+  return std::ranges::none_of(found, [&](const Found& one) { return one.name() == meant->field; });
+}
+
+SearchText search_text(const Found& found) {
+  SearchText text{found.name(), {}, meaning_text(found.facts)};
+  for (const TradeWord& word : trade_words())
+    if (word.field == text.name) text.aliases += fmt::format(" {}", word.names);
+  if (found.facts.role == PathRole::choice)
+    for (const Choice& choice : alternatives(found.facts.spec())) {
+      text.aliases += " " + type_word(choice);
+      text.meaning += " " + std::string(choice.meaning);
+    }
+  return text;
+}
+
+// All that has to do with some words; nothing where nothing has.
+std::optional<Explanation> searched(const std::string& words) {
+  constexpr std::size_t most_lines = 24;
+  constexpr std::size_t most_pages = 12;
+  const std::vector<Found> paths = every_path();
+  std::vector<SearchText> texts;
+  for (const Found& found : paths) texts.push_back(search_text(found));
+  Explanation explanation;
+  explanation.name = core::clipped(words);
+  for (const std::size_t i : best_matches(words, texts)) {
+    const ExplanationLine line = line_of(paths[i]);
+    const auto same = [&](const ExplanationLine& one) { return one.name == line.name; };
+    if (explanation.lines.size() < most_lines && std::ranges::none_of(explanation.lines, same))
+      explanation.lines.push_back(line);
+  }
+  explanation.pages = headings_with(words);
+  if (explanation.pages.size() > most_pages) explanation.pages.resize(most_pages);
+  const TradeWord* const meant = trade_word(words, {});
+  if (explanation.lines.empty() && explanation.pages.empty() && meant == nullptr) return std::nullopt;
+  explanation.meaning = meant != nullptr ? said_of(words, *meant) : "No field is called so. What has to do with it:";
+  if (!explanation.lines.empty()) explanation.next = next_text(explanation);
+  return explanation;
+}
+
 // "[[radar]]" and "radar.pulse.type" mean "radar" and "radar.pulse".
 std::string plain_word(std::string_view word) {
   std::string text(core::trimmed(word));
@@ -271,13 +350,16 @@ Explanation explain(std::string_view word) {
       return std::move(general);
     }
   if (const PlainTable* const table = plain_table(text)) return explained(*table);
-  for (const auto& search : {paths_called, paths_named})
-    if (const std::vector<Found> found = search(text); !found.empty())
-      return several(text, found, "Several fields are called so:");
+  if (const std::vector<Found> found = paths_called(text); !found.empty())
+    return several(text, found, "Several fields are called so:");
+  if (const std::vector<Found> found = paths_named(text); !found.empty() && !means_another(text, found))
+    return several(text, found, "Several fields are called so:");
   if (const std::vector<Found> found = paths_below(text); !found.empty())
     return several(text, found, "A table with these fields:");
   constexpr std::string_view type = ".type";
   if (text.ends_with(type)) return explain(std::string_view(text).substr(0, text.size() - type.size()));
+  if (const auto trade = explained_trade(text)) return *trade;
+  if (const auto found = searched(text)) return *found;
   return unknown(text);
 }
 

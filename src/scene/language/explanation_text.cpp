@@ -89,6 +89,15 @@ void add_lines(Lines& lines, const Explanation& explanation) {
   }
 }
 
+void add_pages(Lines& lines, const Explanation& explanation) {
+  if (explanation.pages.empty()) return;
+  lines.plain("\n  In the documentation");
+  std::size_t widest = 0;
+  for (const GuideHeading& page : explanation.pages) widest = std::max(widest, page.page.size());
+  for (const GuideHeading& page : explanation.pages)
+    lines.plain(fmt::format("    {:<{}}  {}", page.page, widest, page.heading.empty() ? page.title : page.heading));
+}
+
 std::string units_text(const Explanation& explanation) {
   if (explanation.unit.empty()) return {};
   const std::string text = explanation.unit + " where none is written";
@@ -138,10 +147,22 @@ void write_lines(core::JsonWriter& json, const Explanation& explanation) {
   json.end_array();
 }
 
+void write_pages(core::JsonWriter& json, const Explanation& explanation) {
+  if (explanation.pages.empty()) return;
+  json.key("pages").begin_array();
+  for (const GuideHeading& page : explanation.pages) {
+    json.begin_object().member("page", page.page).member("title", page.title);
+    write_some(json, "heading", page.heading);
+    json.end_object();
+  }
+  json.end_array();
+}
+
 }  // namespace
 
 std::string text_of(const Explanation& explanation) {
   Lines lines;
+  if (!explanation.asked.empty()) lines.plain(wrapped(explanation.asked, 0) + "\n");
   if (!explanation.name.empty()) lines.plain(explanation.name);
   const std::size_t indent = explanation.name.empty() ? 0 : 4;
   lines.plain(std::string(indent, ' ') + wrapped(explanation.meaning, indent));
@@ -160,6 +181,7 @@ std::string text_of(const Explanation& explanation) {
   lines.fact("--set", joined(explanation.set_names, ", "));
   add_alternatives(lines, explanation);
   add_lines(lines, explanation);
+  add_pages(lines, explanation);
   if (!explanation.next.empty()) lines.plain("\n" + explanation.next);
   return lines.take();
 }
@@ -182,6 +204,8 @@ void write_json(core::JsonWriter& json, const Explanation& explanation) {
   write_words(json, "set", explanation.set_names);
   write_alternatives(json, explanation);
   write_lines(json, explanation);
+  write_some(json, "asked", explanation.asked);
+  write_pages(json, explanation);
   json.end_object();
 }
 

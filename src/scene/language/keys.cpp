@@ -1,7 +1,6 @@
 #include "scene/language/keys.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include <fmt/format.h>
 
@@ -34,17 +33,6 @@ std::string_view interpolation_word(core::Interpolation method) {
     case core::Interpolation::low_pass: return "low-pass";
   }
   return {};
-}
-
-Quantity quantity_of(const FunctionAxis& axis) {
-  static constexpr std::array<std::pair<std::string_view, Quantity>, 6> known{{{"s", Quantity::time},
-                                                                               {"m", Quantity::length},
-                                                                               {"deg", Quantity::angle},
-                                                                               {"dB", Quantity::ratio_db},
-                                                                               {"GHz", Quantity::frequency},
-                                                                               {"V", Quantity::voltage}}};
-  const auto found = std::ranges::find(known, axis.unit, &std::pair<std::string_view, Quantity>::first);
-  return found == known.end() ? Quantity::number : found->second;
 }
 
 }  // namespace sarsim::scene::language

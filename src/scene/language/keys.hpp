@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "scene/schema/field_table.hpp"
+#include "scene/script/table_file.hpp"
 
 /// What format 2 calls the fields of an object: all from the table of fields.
 namespace sarsim::scene::language {
@@ -50,8 +51,5 @@ template <class Object>
 
 /// The word of a way to interpolate: "low-pass".
 [[nodiscard]] std::string_view interpolation_word(core::Interpolation method);
-
-/// The quantity that an axis of a function has; held in the base unit.
-[[nodiscard]] Quantity quantity_of(const FunctionAxis& axis);
 
 }  // namespace sarsim::scene::language

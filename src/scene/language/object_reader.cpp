@@ -10,6 +10,7 @@
 #include "core/toml/values.hpp"
 #include "scene/language/path_facts.hpp"
 #include "scene/model/limits.hpp"
+#include "scene/schema/trade_words.hpp"
 
 namespace sarsim::scene::language {
 
@@ -132,6 +133,9 @@ bool ObjectReader::expression_in(const FieldSpec& spec, const toml::Value& value
   }
   ExpressionFault& fault = *result.fault;
   if (fault.follows) return false;
+  if (result.other)
+    if (std::string hint = conversion_hint(spec, text, *result.other, carrier_hz()); !hint.empty())
+      fault.hint = std::move(hint);
   // A string without escapes stands in the text as it is, behind its quote.
   toml::Span at = value.span;
   if (text_of(value.span).find(text) == 1) {
@@ -291,17 +295,20 @@ bool ObjectReader::read_flags(const FieldSpec& spec, const Leaf& leaf, FieldValu
 bool ObjectReader::choose_word(const FieldSpec& spec, const Leaf& leaf, FieldValue& value) {
   const std::string word = leaf.value.kind == toml::Kind::string ? toml::decoded_string(source_.text, leaf.value)
                                                                  : std::string(text_of(leaf.value.span));
-  for (const Choice& choice : spec.choices)
-    if (type_word(choice) == word) {
-      choose(value, choice.value);
-      return true;
-    }
+  if (const Choice* const choice = choice_of_type(spec, word)) {
+    choose(value, choice->value);
+    return true;
+  }
   std::vector<std::string> words;
   for (const Choice& choice : spec.choices) words.push_back(type_word(choice));
-  const std::string near = core::nearest_word(word, words);
+  for (const std::string_view other : spec.other_types) words.emplace_back(other);
+  const TradeChoice* const of_trade = trade_choice(word, spec.key);
+  const std::string near = of_trade != nullptr ? std::string() : core::nearest_word(word, words);
   error(leaf.value.span, spec.problem_place(),
         {fmt::format("unknown {}", spec.words), script::shown(text_of(leaf.value.span)), words_listed(spec),
-         near.empty() ? "" : fmt::format("did you mean \"{}\"?", near)});
+         of_trade != nullptr ? trade_advice(*of_trade)
+         : near.empty()      ? ""
+                             : fmt::format("did you mean \"{}\"?", near)});
   return false;
 }
 
@@ -325,9 +332,7 @@ bool ObjectReader::read_choice(const FieldSpec& spec, std::string_view key, cons
     return false;
   }
   const std::string word = toml::decoded_string(source_.text, leaf->value);
-  const bool is_word = !has_words(spec) || std::ranges::any_of(spec.choices, [&](const Choice& choice) {
-    return type_word(choice) == word;
-  });
+  const bool is_word = !has_words(spec) || choice_of_type(spec, word) != nullptr;
   const bool looks_like_word = !reading_.names.contains(word) && !word.empty() &&
                                std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
   if (shorthand == nullptr || is_word || looks_like_word) return choose_word(spec, *leaf, value);
@@ -373,14 +378,37 @@ bool ObjectReader::read_value(const FieldSpec& spec, std::string_view key, const
   }
 }
 
+// A plain value as it was typed; empty for others.
+std::string ObjectReader::value_text(const toml::Value& value) const {
+  if (value.kind == toml::Kind::string) return toml::decoded_string(source_.text, value);
+  return is_number(value.kind) ? std::string(text_of(value.span)) : std::string();
+}
+
+// Of the radar that is read, as far as its text says it.
+std::optional<double> ObjectReader::carrier_hz() const {
+  if (text_.kind != "radar") return std::nullopt;
+  for (const char* const path : {"carrier", "carrier.frequency", "carrier.first"})
+    if (const Leaf* const leaf = text_.find(path); leaf != nullptr)
+      if (const auto hz = evaluate(value_text(leaf->value), Quantity::frequency, reading_.names).value) return hz;
+  return std::nullopt;
+}
+
 // What to do about a path that nothing has.
-std::string ObjectReader::remedy(std::string_view path, const std::vector<std::string>& known) const {
+std::string ObjectReader::remedy(const Leaf& leaf, const std::vector<std::string>& known) const {
+  const std::string_view path = leaf.path;
   const std::string_view last = path.substr(path.rfind('.') + 1);
   if (last == "include" || last == "format") return fmt::format("{} stands before the first header", last);
   if (last != path && std::ranges::find(known, last) != known.end())
     return fmt::format("'{}' is a field of {}: move it above the header of the table it stands in", last, text_.kind);
+  if (entries_ == nullptr)
+    if (const TradeWord* const word = trade_word(last, text_.kind))
+      return trade_advice(*word, {last, text_.kind, value_text(leaf.value), carrier_hz()});
   if (const std::string near = core::nearest_word(path, known); !near.empty() && near != path)
     return fmt::format("did you mean '{}'?", near);
+  const std::string below = fmt::format(".{}", last);
+  if (const auto deeper = std::ranges::find_if(known, [&](const auto& one) { return one.ends_with(below); });
+      deeper != known.end())
+    return fmt::format("it is called '{}'", *deeper);
   std::string hint;
   for_each_kind([&](const auto& kind) {
     const auto& paths = paths_of(kind.kind);
@@ -388,6 +416,8 @@ std::string ObjectReader::remedy(std::string_view path, const std::vector<std::s
       hint = fmt::format("'{}' is a field of {}", last, header_of(kind.kind));
   });
   if (!hint.empty()) return hint;
+  if (const TradeWord* const word = entries_ == nullptr ? nearest_trade_word(last, text_.kind) : nullptr)
+    return trade_advice(*word, {last, text_.kind, value_text(leaf.value), carrier_hz()});
   return "perhaps the file was written for a newer Sarsim; a name of your own begins with x-";
 }
 
@@ -399,7 +429,7 @@ void ObjectReader::report_unknown(const Leaf& leaf, const std::string& belongs, 
   const std::string_view name = leaf.is_header ? text_of(leaf.key) : leaf.path;
   error(leaf.key, "",
         {fmt::format("{} has no field '{}'", text_.kind.empty() ? "the scene" : text_.kind, script::shown(name)), "",
-         "", remedy(leaf.path, known)});
+         "", remedy(leaf, known)});
 }
 
 void ObjectReader::finish(const std::vector<std::string>& known) {

@@ -122,7 +122,9 @@ class ObjectReader {
   void read_part(const FieldSpec& spec, const std::string& key, std::size_t part, core::SampledFunction& function);
   void read_points(const FieldSpec& spec, const Leaf& leaf, std::size_t part, core::SampledFunction& function);
   void read_function_file(const FieldSpec& spec, const Leaf& leaf, const FunctionRef& function);
-  [[nodiscard]] std::string remedy(std::string_view path, const std::vector<std::string>& known) const;
+  [[nodiscard]] std::string remedy(const Leaf& leaf, const std::vector<std::string>& known) const;
+  [[nodiscard]] std::string value_text(const core::toml::Value& value) const;
+  [[nodiscard]] std::optional<double> carrier_hz() const;
   void report_unknown(const Leaf& leaf, const std::string& belongs, const std::vector<std::string>& known);
   void add(core::Severity severity, core::toml::Span at, std::string_view field, script::Complaint complaint);
 

@@ -18,6 +18,7 @@
 #include "scene/language/path_line.hpp"
 #include "scene/language/sources.hpp"
 #include "scene/model/object_lists.hpp"
+#include "scene/schema/trade_words.hpp"
 
 namespace sarsim::scene {
 
@@ -160,6 +161,16 @@ class SceneReader {
     return std::nullopt;
   }
 
+  static std::string advice_of(const TradeHeader& word) {
+    if (word.header.empty()) return std::string(word.note);
+    const std::string write =
+        is_list_header(word.header) ? fmt::format("write [[{}]]", word.header) : fmt::format("write [{}]", word.header);
+    return word.note.empty() ? write : fmt::format("{} ({})", write, word.note);
+  }
+  static bool is_list_header(std::string_view header) {
+    return std::ranges::any_of(all_object_kinds, [&](ObjectKind kind) { return header_of(kind) == header; });
+  }
+
   static void report_unknown(ObjectReader& reader, const ObjectText& text) {
     const std::string near = core::nearest_word(text.kind, header_words());
     const auto in_script = kind_called(text.kind);
@@ -167,6 +178,10 @@ class SceneReader {
       return reader.error(text.header, "",
                           {"unknown kind of object", std::string(reader.text_of(text.header)), "",
                            fmt::format("write [[{}]]", header_of(*in_script))});
+    if (const TradeHeader* const word = trade_header(text.kind); word != nullptr && near.empty())
+      return reader.error(
+          text.header, "",
+          {"unknown kind of object", script::shown(reader.text_of(text.header)), headers_listed(), advice_of(*word)});
     reader.error(text.header, "",
                  {"unknown kind of object", script::shown(reader.text_of(text.header)), headers_listed(),
                   near.empty() ? "perhaps the file was written for a newer Sarsim; a table of your own begins with x-"

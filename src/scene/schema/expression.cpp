@@ -50,7 +50,7 @@ std::optional<ExpressionFault> name_fault(std::string_view name) {
   const auto taken = [&](std::string_view by) {
     return fault(fmt::format("'{}' is the name of a {}", name, by), "another name", fmt::format("write {}_1", name));
   };
-  if (unit_called(name).unit != nullptr) return taken("unit");
+  if (const Unit* const unit = unit_called(name).unit; unit != nullptr && !unit->yields) return taken("unit");
   if (constant_named(name) != nullptr) return taken("constant");
   if (function_named(name) != nullptr) return taken("function");
   if (!name.empty() && word_at(name, 0).size() == name.size()) return std::nullopt;
@@ -104,7 +104,7 @@ QuantityResult evaluate(std::string_view text, Quantity quantity, const LetNames
   if (!found.measured) return {.value = {}, .fault = std::move(found.fault)};
   const bool pure = found.measured->dimension.pure();
   if (!pure && found.measured->dimension != dimension_of(quantity))
-    return {.value = {}, .fault = other_dimension(text, found, quantity)};
+    return {.value = {}, .fault = other_dimension(text, found, quantity), .other = found.measured};
   if (!suits(found.measured->value)) return {.value = {}, .fault = no_whole_number(text, found)};
   return {.value = found.measured->value, .fault = {}, .literal = found.literal, .bare = pure && has_units};
 }

@@ -11,6 +11,7 @@
 #include "scene/model/limits.hpp"
 #include "scene/schema/expression.hpp"
 #include "scene/schema/field_table.hpp"
+#include "scene/schema/trade_words.hpp"
 
 namespace sarsim::scene::field_forms {
 
@@ -78,11 +79,16 @@ QuantityReading read_with_names(std::string_view text, Quantity quantity, const 
 NumberReading read_number(const FieldSpec& spec, std::string_view text, const LetNames* names) {
   QuantityReading reading =
       names == nullptr ? read_quantity(text, spec.quantity) : read_with_names(text, spec.quantity, *names);
-  if (!reading.value) return {0.0, std::move(reading.failure)};
+  if (!reading.value) {
+    if (const auto other = evaluate(text, spec.quantity, names == nullptr ? LetNames{} : *names).other)
+      if (const std::string hint = conversion_hint(spec, text, *other, {}); !hint.empty())
+        reading.failure += fmt::format("; {}", hint);
+    return {0.0, std::move(reading.failure)};
+  }
   const double value = *reading.value;
   const std::string found = core::clipped(core::trimmed(text));
   if (!spec.range.holds(value))
-    return {0.0, fmt::format("'{}' is outside what a script can say: {} is {}", found, spec.words,
+    return {0.0, fmt::format("'{}' is outside what a scene can say: {} is {}", found, spec.words,
                              range_words(spec.range, spec.quantity))};
   if (!computable(value))
     return {0.0, fmt::format("'{}' is too large to compute with; expected a magnitude up to {}", found,
@@ -98,7 +104,7 @@ std::string name_failure(std::string_view words, std::string_view text) {
   if (text.empty()) return fmt::format("{} is empty; expected at least one character", words);
   const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\t'; };
   if (std::ranges::any_of(text, is_control))
-    return fmt::format("{} has a line end or another control character, which a script cannot hold; leave it out",
+    return fmt::format("{} has a line end or another control character, which a scene cannot hold; leave it out",
                        words);
   return {};
 }
@@ -109,7 +115,8 @@ struct ChoiceReading {
   std::string failure;
 };
 
-ChoiceReading read_choice(const std::vector<std::string>& choices, std::string_view text) {
+ChoiceReading read_choice(const FieldSpec& spec, std::string_view text) {
+  const std::vector<std::string> choices = shown_choices(spec);
   const std::string_view typed = core::trimmed(text);
   std::vector<std::string> alike;
   std::size_t found = 0;
@@ -124,7 +131,9 @@ ChoiceReading read_choice(const std::vector<std::string>& choices, std::string_v
   if (alike.size() > 1)
     return {0, fmt::format("'{}' can mean {}; write more of it", core::clipped(typed), listed(alike, " or "))};
   std::string failure = fmt::format("'{}' is none of {}", core::clipped(typed), listed(choices, " and "));
-  if (const std::string nearest = core::nearest_word(typed.substr(0, 60), choices); !nearest.empty())
+  if (const TradeChoice* const of_trade = trade_choice(typed, spec.key))
+    failure += fmt::format("; {}", trade_advice(*of_trade));
+  else if (const std::string nearest = core::nearest_word(typed.substr(0, 60), choices); !nearest.empty())
     failure += fmt::format("; did you mean {}?", nearest);
   return {0, std::move(failure)};
 }
@@ -185,7 +194,7 @@ std::string set_seed(std::uint64_t& value, std::string_view text) {
 }
 
 std::string set_choice(const FieldSpec& spec, FieldValue& value, std::string_view text) {
-  ChoiceReading reading = read_choice(shown_choices(spec), text);
+  ChoiceReading reading = read_choice(spec, text);
   if (!reading.failure.empty()) return std::move(reading.failure);
   choose(value, static_cast<int>(reading.index));
   return {};

@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/object_lists.hpp"
 #include "scene/schema/function_table.hpp"
+#include "scene/schema/trade_words.hpp"
 
 namespace sarsim::scene {
 
@@ -95,7 +96,7 @@ const Choice* alternative_called(const Field& field, std::string_view text) {
   const std::string wanted = plain(text);
   for (const Choice& choice : field.spec->choices)
     if ((!choice.word.empty() && plain(choice.word) == wanted) || plain(type_word(choice)) == wanted) return &choice;
-  return nullptr;
+  return field.spec->spelling == nullptr ? nullptr : choice_of_type(*field.spec, text);
 }
 
 // Of fields of one name, the choice that has the word, the number for a number and something else for a word.
@@ -187,6 +188,20 @@ std::vector<std::string> short_names(const std::vector<Field>& fields) {
   return names;
 }
 
+std::string_view kind_in_format_2(ObjectKind kind) {
+  if (kind == ObjectKind::simulation) return "recording";
+  return kind == ObjectKind::cloud ? "target" : name_of(kind);
+}
+
+// Whether a field that means nothing now was named by a word that the trade has for a number elsewhere: "pri=1 ms" where
+// there is no list of intervals.
+bool is_other_word(const Scene& scene, const NamedField& named, std::string_view name, std::string_view value) {
+  const std::string_view last = name.substr(name.rfind('.') + 1);
+  const TradeWord* const word = trade_word(last, kind_in_format_2(named.objects.front().kind));
+  if (word == nullptr || word->law == TradeLaw::same || word->law == TradeLaw::none) return false;
+  return starts_like_number(value) && !field_applies(object_of(scene, named.objects.front()), named.field->id);
+}
+
 // What to try instead of a name that nothing has.
 std::string meant_among(std::string_view name, const std::vector<std::string>& names) {
   const std::string nearest = core::nearest_word(name, names);
@@ -194,7 +209,14 @@ std::string meant_among(std::string_view name, const std::vector<std::string>& n
                          : fmt::format("did you mean {}?", nearest);
 }
 
-std::string no_field(std::string_view owner, const std::vector<Field>& fields, std::string_view name) {
+// @param kind   of the owner in format 2
+// @param value  that was given; may be empty
+std::string no_field(std::string_view owner, std::string_view kind, const std::vector<Field>& fields,
+                     std::string_view name, std::string_view value) {
+  const std::string_view last = name.substr(name.rfind('.') + 1);
+  if (const TradeWord* const word = trade_word(last, kind))
+    return fmt::format("{} has no field '{}'; {}", owner, name,
+                       trade_setting(*word, {last, kind, value}, kind == "atmosphere" ? "Atmosphere" : owner));
   const std::vector<std::string> names = short_names(fields);
   return fmt::format("{} has no field '{}'; {}", owner, name, meant_among(name, names));
 }
@@ -220,7 +242,7 @@ std::vector<NamedField> cut_at(const Scene& scene, std::string_view object, std:
                                std::string_view value, std::string& failure) {
   if (core::equal_ignoring_case(object, "options")) {
     NamedField named = option_called(field, value);
-    if (named.field == nullptr) failure = no_field("$OPTIONS", option_fields(), field);
+    if (named.field == nullptr) failure = no_field("options", "options", option_fields(), field, value);
     return named.field == nullptr ? std::vector<NamedField>{} : std::vector<NamedField>{named};
   }
   ObjectSearch search = objects_called(scene, object);
@@ -229,7 +251,7 @@ std::vector<NamedField> cut_at(const Scene& scene, std::string_view object, std:
     named.of_atmosphere = true;
     named.field = fitting(fields_called(fields_for(named), field), value);
     if (named.field != nullptr) return {named};
-    failure = no_field("the atmosphere", fields_for(named), field);
+    failure = no_field("the atmosphere", "atmosphere", fields_for(named), field, value);
     return {};
   }
   if (search.found.empty() && core::equal_ignoring_case(object, "world")) {
@@ -242,10 +264,10 @@ std::vector<NamedField> cut_at(const Scene& scene, std::string_view object, std:
     NamedField named;
     named.objects = std::move(objects);
     named.field = fitting(fields_called(fields_for(named), field), value);
-    if (named.field != nullptr)
+    if (named.field != nullptr && !is_other_word(scene, named, field, value))
       found.push_back(std::move(named));
     else
-      failure = no_field(object, fields_for(named), field);
+      failure = no_field(object, kind_in_format_2(named.objects.front().kind), fields_for(named), field, value);
   }
   return found;
 }
@@ -297,6 +319,9 @@ NamedField find_named_field(const Scene& scene, std::string_view name, std::stri
   if (!failure.empty()) return failed(std::move(failure));
   const std::size_t dot = name.find('.');
   if (dot != std::string_view::npos) return failed(no_object(scene, name.substr(0, dot)));
+  if (const TradeWord* const word = trade_word(name, {}))
+    return failed(fmt::format("'{}' is not a valid option; {}; a field is written OBJECT.FIELD, as in Radar1.bandwidth",
+                              name, trade_setting(*word, {name, {}, value}, {})));
   const std::string nearest = core::nearest_word(name, short_names(option_fields()));
   return failed(
       nearest.empty()

@@ -49,8 +49,10 @@ std::string text_in(double value, const Unit& unit) {
   else if (unit.law == Unit::Law::decimal)
     number = core::format_number(value, -unit.exponent);
   else
-    number = core::format_number(unit.law == Unit::Law::factor ? value / unit.factor
-                                                               : 10.0 * std::log10(value) - unit.factor);
+    number = core::format_number(unit.law == Unit::Law::factor   ? value / unit.factor * unit.divisor
+                                 : unit.law == Unit::Law::offset ? value - unit.factor
+                                                                 : 10.0 * std::log10(value) - unit.factor,
+                                 -unit.exponent);
   return unit.name.empty() ? number : fmt::format("{} {}", number, unit.name);
 }
 
@@ -122,7 +124,8 @@ std::string quantity_text(double value, Quantity quantity, std::string_view unit
 
 std::vector<std::string_view> units_of(Quantity quantity) {
   std::vector<std::string_view> names;
-  for (const Unit& unit : unit_table(quantity)) names.push_back(unit.name);
+  for (const Unit& unit : unit_table(quantity))
+    if (unit.told) names.push_back(unit.name);
   return names;
 }
 

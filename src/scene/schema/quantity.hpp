@@ -10,17 +10,17 @@ namespace sarsim::scene {
 /// What a number measures: which units may be typed, and which one is shown.
 enum class Quantity {
   number,        ///< No unit.
-  length,        ///< m: nm, um, mm, cm, m, km, ft, nmi
-  time,          ///< s: ns, us, ms, s, min, h
-  frequency,     ///< Hz, kHz, MHz, GHz
-  angle,         ///< Held in degrees: deg, rad, mrad, '
-  angle_rate,    ///< Held in deg/s: deg/s, rad/s, rpm
+  length,        ///< m: nm, um, mm, cm, m, km, ft, nmi, NM, mi, yd, in
+  time,          ///< s: ps, ns, us, ms, s, min, h, day
+  frequency,     ///< Hz, kHz, MHz, GHz, THz
+  angle,         ///< Held in degrees: deg, rad, mrad, ', arcmin, arcsec, mil (of 6400), turn, rev
+  angle_rate,    ///< Held in deg/s: deg/s, rad/s, rpm, deg/min, turn/min
   area,          ///< m2: m2, cm2, dBsm
-  power,         ///< W: mW, W, kW, MW, dBW, dBm
-  ratio_db,      ///< Held in dB: dB, or a bare factor as "x100"
-  temperature,   ///< K
-  voltage,       ///< V: nV, uV, mV, V
-  speed,         ///< m/s: m/s, km/s
+  power,         ///< W: uW, mW, W, kW, MW, GW, dBW, dBm
+  ratio_db,      ///< Held in dB: dB, dBi, dBd, or a bare factor as "x100"
+  temperature,   ///< K: K, degC
+  voltage,       ///< V: nV, uV, mV, V, kV
+  speed,         ///< m/s: m/s, km/s, km/h, kn, kt, ft/s, mph
   acceleration,  ///< m/s2: m/s2, g, mg, ug
   count,         ///< A whole number.
 };
@@ -45,7 +45,7 @@ struct QuantityReading {
 /// nearest number, which need not read back exactly. std::invalid_argument for a unit that is none of the quantity's.
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity, std::string_view unit);
 
-/// The units that may be typed, the base unit first.
+/// The units that people are told of, the base unit first; a few more may be typed (`unit_table`).
 [[nodiscard]] std::vector<std::string_view> units_of(Quantity quantity);
 
 /// Decimal exponent of a unit to the base unit: 9 for "GHz". std::invalid_argument for a unit that is none of the

@@ -7,6 +7,10 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <tuple>
+
+#include "scene/schema/expression.hpp"
 
 namespace sarsim::scene {
 
@@ -201,4 +205,79 @@ TEST(Quantity, ASquareBelongsToAUnitAndNotToANumber) {
 
 }  // namespace quantity_test
 
+}  // namespace sarsim::scene
+
+namespace sarsim::scene {
+namespace quantity_test {
+
+// Values by definition: 1 nmi = 1852 m, 1 ft = 0.3048 m, 1 mi = 1609.344 m, 6400 mil = 1 turn = 360 deg.
+TEST(Quantity, KnowsTheUnitsOfAviatorsAndAntennaPeople) {
+  struct Row {
+    const char* text;
+    Quantity quantity;
+    double value;
+  };
+  const Row rows[]{{"100 kn", Quantity::speed, 100.0 * 1852.0 / 3600.0},
+                   {"390 kt", Quantity::speed, 390.0 * 1852.0 / 3600.0},
+                   {"36 km/h", Quantity::speed, 10.0},
+                   {"10 ft/s", Quantity::speed, 3.048},
+                   {"60 mph", Quantity::speed, 26.8224},
+                   {"30 dBi", Quantity::ratio_db, 30.0},
+                   {"10 dBd", Quantity::ratio_db, 12.15},
+                   {"17 degC", Quantity::temperature, 290.15},
+                   {"-40 \xC2\xB0"
+                    "C",
+                    Quantity::temperature, 233.15},
+                   {"90 deg/min", Quantity::angle_rate, 1.5},
+                   {"2 turn/min", Quantity::angle_rate, 12.0},
+                   {"12 rpm", Quantity::angle_rate, 72.0},
+                   {"0.5 rev/s", Quantity::angle_rate, 180.0},
+                   {"1600 mil", Quantity::angle, 90.0},
+                   {"30 arcmin", Quantity::angle, 0.5},
+                   {"1800 arcsec", Quantity::angle, 0.5},
+                   {"0.25 turn", Quantity::angle, 90.0},
+                   {"10 NM", Quantity::length, 18520.0},
+                   {"10 nmi", Quantity::length, 18520.0},
+                   {"30000 ft", Quantity::length, 9144.0},
+                   {"1 mi", Quantity::length, 1609.344},
+                   {"3 in", Quantity::length, 0.0762},
+                   {"250 ps", Quantity::time, 250e-12},
+                   {"0.094 THz", Quantity::frequency, 94e9},
+                   {"50 uW", Quantity::power, 50e-6},
+                   {"60 dBm", Quantity::power, 1000.0},
+                   {"0 dBkW", Quantity::power, 1000.0},
+                   {"20 dBsm", Quantity::area, 100.0}};
+  for (const Row& row : rows) {
+    const QuantityReading read = read_quantity(row.text, row.quantity);
+    ASSERT_TRUE(read.value) << row.text << ": " << read.failure;
+    EXPECT_NEAR(*read.value, row.value, 1e-12 * std::abs(row.value)) << row.text;
+    const QuantityResult evaluated = evaluate(row.text, row.quantity, {});
+    ASSERT_TRUE(evaluated.value) << row.text << ": " << evaluated.fault->message;
+    EXPECT_EQ(*evaluated.value, *read.value) << row.text;
+  }
+}
+
+TEST(Quantity, SpellsOutWhatOtherSpellingsOfUnitsMean) {
+  for (const auto& [text, quantity, says] :
+       {std::tuple{"100 knots", Quantity::speed, "'kn'"}, std::tuple{"10 feet", Quantity::length, "'ft'"},
+        std::tuple{"20 C", Quantity::temperature, "'degC'"}, std::tuple{"2 usec", Quantity::time, "'us'"},
+        std::tuple{"5 degrees", Quantity::angle, "'deg'"}, std::tuple{"3 Watts", Quantity::power, "'W'"}}) {
+    EXPECT_NE(read_quantity(text, quantity).failure.find(says), std::string::npos) << text;
+    const QuantityResult result = evaluate(text, quantity, {});
+    ASSERT_FALSE(result.value) << text;
+    EXPECT_NE(result.fault->hint.find(says), std::string::npos) << text << ": " << result.fault->hint;
+  }
+}
+
+TEST(Quantity, NamesOfLetComeBeforeTheFurtherUnits) {
+  LetNames names;
+  names.define("turn", 3.0);
+  names.define("mil", std::string("2 km"));
+  EXPECT_TRUE(names.resolve().empty());
+  EXPECT_EQ(evaluate("turn", Quantity::number, names).value, 3.0);
+  EXPECT_EQ(evaluate("mil * 2", Quantity::length, names).value, 4000.0);
+  EXPECT_EQ(evaluate("turn", Quantity::angle, {}).value, 360.0);
+}
+
+}  // namespace quantity_test
 }  // namespace sarsim::scene

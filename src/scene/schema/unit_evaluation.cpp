@@ -159,9 +159,10 @@ Maybe Evaluation::fail_unknown(std::string_view name, std::size_t begin, std::st
   for (const Constant& constant : constants()) candidates.push_back(constant.name);
   if (what == "function") candidates.clear();
   for (const Function& function : functions()) candidates.push_back(function.name);
-  std::string nearest = core::nearest_word(name, candidates);
+  std::string nearest(what == "function" ? std::string_view() : unit_meant_by(name));
+  if (nearest.empty()) nearest = core::nearest_word(name, candidates);
   // A single letter is near to every other one.
-  if (name.size() == 1 && !core::equal_ignoring_case(name, nearest)) nearest.clear();
+  if (name.size() == 1 && !core::equal_ignoring_case(name, nearest) && unit_meant_by(name).empty()) nearest.clear();
   return fail(begin, begin + name.size(), fmt::format("{} is not a known {}", quoted(name), what),
               std::string(expected), nearest.empty() ? std::string() : fmt::format("did you mean '{}'?", nearest));
 }
@@ -274,7 +275,7 @@ bool Evaluation::level_follows() {
   if (at_ > begin && begins_number(text_[begin])) {
     next();
     const UnitSearch search = find_unit(unit_word(), {});
-    level = search.unit != nullptr && search.unit->law == Unit::Law::decibel;
+    level = search.unit != nullptr && search.unit->is_level();
   }
   at_ = begin;
   return level;
@@ -358,6 +359,7 @@ Maybe Evaluation::number(bool negative) {
 Maybe Evaluation::number_with_unit(std::size_t begin, std::string_view digits, bool negative) {
   const std::string_view typed = unit_word();
   UnitSearch search = unit_called(typed);
+  if (search.unit != nullptr && search.unit->yields && names_.contains(typed)) search = {};
   if (search.unit == nullptr && !is_other_word(typed)) search = find_unit(typed, source_.typed());
   if (search.unit == nullptr) return fail_as_unit(begin, digits, typed, std::move(search));
   const Unit& unit = *search.unit;
@@ -365,7 +367,7 @@ Maybe Evaluation::number_with_unit(std::size_t begin, std::string_view digits, b
   Operand result{one.measured, begin, one.end, Operand::Form::with_unit};
   at_ = one.end;
   double power = 1.0;
-  if (next() == '^' && unit.law != Unit::Law::decibel) {
+  if (next() == '^' && !unit.is_level()) {
     ++at_;
     const Maybe exponent = signed_factor();
     const auto dimension = exponent ? raised_dimension(one, *exponent) : std::nullopt;
@@ -402,10 +404,13 @@ Maybe Evaluation::word() {
   const std::size_t end = at_ = begin + name.size();
   if (const Function* function = function_named(name)) {
     if (next() == '(') return call(*function, begin);
-    return fail(begin, end, fmt::format("'{}' is a function", name), fmt::format("'(' behind it: {}(...)", name));
+    // "min" is a unit as well: "6 deg/min".
+    if (unit_called(name).unit == nullptr)
+      return fail(begin, end, fmt::format("'{}' is a function", name), fmt::format("'(' behind it: {}(...)", name));
   }
-  if (const UnitSearch search = unit_called(name); search.unit != nullptr) {
-    if (search.unit->law == Unit::Law::decibel)
+  if (const UnitSearch search = unit_called(name);
+      search.unit != nullptr && !(search.unit->yields && names_.contains(name))) {
+    if (search.unit->is_level())
       return fail(begin, end, fmt::format("'{}' is a level", name), "a number directly before it",
                   fmt::format("write 30 {}", name));
     return Operand{{*in_base_unit("1", *search.unit), dimension_of(search.quantity)}, begin, end, Operand::Form::unit};

@@ -24,23 +24,86 @@ constexpr Unit decibel(std::string_view name, double offset) {
   return {name, Unit::Law::decibel, 0, offset, false, false};
 }
 
-constexpr Unit length_units[] = {
-    decimal("m", 0, false),         decimal("nm", -9), decimal("um", -6),    decimal("mm", -3),
-    decimal("cm", -2, true, false), decimal("km", 3),  scaled("ft", 0.3048), scaled("nmi", 1852.0)};
-constexpr Unit time_units[] = {decimal("s", 0, false), decimal("ns", -9),   decimal("us", -6),
-                               decimal("ms", -3),      scaled("min", 60.0), scaled("h", 3600.0)};
-constexpr Unit frequency_units[] = {decimal("Hz", 0, false), decimal("kHz", 3), decimal("MHz", 6), decimal("GHz", 9)};
-constexpr Unit angle_units[] = {decimal("deg", 0, false), scaled("rad", core::deg_per_rad),
-                                scaled("mrad", core::deg_per_rad * 1e-3, true), scaled("'", 1.0 / 60.0)};
-constexpr Unit angle_rate_units[] = {decimal("deg/s", 0, false), scaled("rad/s", core::deg_per_rad),
-                                     scaled("rpm", 6.0)};
-constexpr Unit area_units[] = {decimal("m2", 0, false), decimal("cm2", -4, true, false), decibel("dBsm", 0.0)};
-constexpr Unit power_units[] = {decimal("W", 0, false), decimal("mW", -3),   decimal("kW", 3),
-                                decimal("MW", 6),       decibel("dBW", 0.0), decibel("dBm", -30.0)};
-constexpr Unit decibel_units[] = {decimal("dB", 0, false)};
-constexpr Unit temperature_units[] = {decimal("K", 0, false)};
-constexpr Unit voltage_units[] = {decimal("V", 0, false), decimal("nV", -9), decimal("uV", -6), decimal("mV", -3)};
-constexpr Unit speed_units[] = {decimal("m/s", 0, false), decimal("km/s", 3, true, false)};
+// Units that are known beside the usual ones: names of [let] come before them.
+constexpr Unit further(Unit unit, bool told = false) {
+  unit.yields = true;
+  unit.shown = false;
+  unit.told = told;
+  return unit;
+}
+constexpr Unit quotient(std::string_view name, double factor, double divisor) {
+  Unit unit = scaled(name, factor);
+  unit.divisor = divisor;
+  return unit;
+}
+// Of thousands, so that a number is rounded as it is with the unit and its prefix apart.
+constexpr Unit kilo_quotient(std::string_view name, double divisor) {
+  Unit unit = quotient(name, 1.0, divisor);
+  unit.exponent = 3;
+  return unit;
+}
+constexpr Unit shifted(std::string_view name, double offset) {
+  return {name, Unit::Law::offset, 0, offset, false, false};
+}
+
+constexpr double inch_m = 0.0254;
+constexpr double mile_m = 1609.344;
+constexpr double nautical_mile_m = 1852.0;
+constexpr double dipole_gain_db = 2.15;  // above an isotropic antenna
+
+constexpr Unit length_units[] = {decimal("m", 0, false),
+                                 decimal("nm", -9),
+                                 decimal("um", -6),
+                                 decimal("mm", -3),
+                                 decimal("cm", -2, true, false),
+                                 decimal("km", 3),
+                                 scaled("ft", 0.3048),
+                                 scaled("nmi", nautical_mile_m),
+                                 further(scaled("NM", nautical_mile_m)),
+                                 further(scaled("mi", mile_m)),
+                                 further(scaled("yd", 36 * inch_m)),
+                                 further(scaled("in", inch_m))};
+constexpr Unit time_units[] = {
+    decimal("s", 0, false), decimal("ns", -9),   decimal("us", -6),           decimal("ms", -3),
+    scaled("min", 60.0),    scaled("h", 3600.0), further(decimal("ps", -12)), further(scaled("day", 86400.0))};
+constexpr Unit frequency_units[] = {decimal("Hz", 0, false), decimal("kHz", 3), decimal("MHz", 6), decimal("GHz", 9),
+                                    further(decimal("THz", 12))};
+constexpr Unit angle_units[] = {decimal("deg", 0, false),
+                                scaled("rad", core::deg_per_rad),
+                                scaled("mrad", core::deg_per_rad * 1e-3, true),
+                                scaled("'", 1.0 / 60.0),
+                                further(scaled("arcmin", 1.0 / 60.0)),
+                                further(quotient("arcsec", 1.0, 3600.0)),
+                                further(quotient("mil", 360.0, 6400.0)),
+                                further(scaled("turn", 360.0)),
+                                further(scaled("rev", 360.0))};
+constexpr Unit angle_rate_units[] = {decimal("deg/s", 0, false),
+                                     scaled("rad/s", core::deg_per_rad),
+                                     scaled("rpm", 6.0),
+                                     further(quotient("deg/min", 1.0, 60.0), true),
+                                     further(scaled("turn/min", 6.0)),
+                                     further(scaled("rev/min", 6.0)),
+                                     further(scaled("turn/s", 360.0)),
+                                     further(scaled("rev/s", 360.0)),
+                                     further(scaled("mrad/s", core::deg_per_rad * 1e-3, true)),
+                                     further(quotient("deg/h", 1.0, 3600.0))};
+constexpr Unit area_units[] = {decimal("m2", 0, false), decimal("cm2", -4, true, false), decibel("dBsm", 0.0),
+                               further(decibel("dBm2", 0.0))};
+constexpr Unit power_units[] = {decimal("W", 0, false),     decimal("mW", -3),         decimal("kW", 3),
+                                decimal("MW", 6),           decibel("dBW", 0.0),       decibel("dBm", -30.0),
+                                further(decimal("uW", -6)), further(decimal("GW", 9)), further(decibel("dBkW", 30.0))};
+constexpr Unit decibel_units[] = {decimal("dB", 0, false), further(decimal("dBi", 0, false), true),
+                                  further(shifted("dBd", dipole_gain_db))};
+constexpr Unit temperature_units[] = {decimal("K", 0, false), further(shifted("degC", 273.15), true)};
+constexpr Unit voltage_units[] = {decimal("V", 0, false), decimal("nV", -9), decimal("uV", -6), decimal("mV", -3),
+                                  further(decimal("kV", 3))};
+constexpr Unit speed_units[] = {decimal("m/s", 0, false),
+                                decimal("km/s", 3, true, false),
+                                further(kilo_quotient("km/h", 3600.0), true),
+                                further(quotient("kn", nautical_mile_m, 3600.0), true),
+                                further(quotient("kt", nautical_mile_m, 3600.0)),
+                                further(scaled("ft/s", 0.3048)),
+                                further(quotient("mph", mile_m, 3600.0))};
 
 constexpr double gravity_mps2 = 9.80665;
 constexpr Unit acceleration_units[] = {decimal("m/s2", 0, false), scaled("g", gravity_mps2),
@@ -77,6 +140,90 @@ void in_pieces(std::string_view text, const Take& take) {
     text.remove_prefix(spelling == nullptr ? 1 : spelling->typed.size());
   }
 }
+
+// How the trade, or a person in a hurry, spells units; what it means is told, not taken.
+struct UnitSpelling {
+  std::string_view typed;
+  std::string_view name;
+};
+constexpr UnitSpelling unit_spellings[] = {
+    {"knot", "kn"},
+    {"knots", "kn"},
+    {"kts", "kn"},
+    {"kph", "km/h"},
+    {"kmh", "km/h"},
+    {"kmph", "km/h"},
+    {"mps", "m/s"},
+    {"fps", "ft/s"},
+    {"meter", "m"},
+    {"meters", "m"},
+    {"metre", "m"},
+    {"metres", "m"},
+    {"kilometers", "km"},
+    {"kilometres", "km"},
+    {"micron", "um"},
+    {"microns", "um"},
+    {"feet", "ft"},
+    {"foot", "ft"},
+    {"inch", "in"},
+    {"inches", "in"},
+    {"yards", "yd"},
+    {"mile", "mi"},
+    {"miles", "mi"},
+    {"naut", "nmi"},
+    {"sec", "s"},
+    {"secs", "s"},
+    {"second", "s"},
+    {"seconds", "s"},
+    {"msec", "ms"},
+    {"usec", "us"},
+    {"nsec", "ns"},
+    {"psec", "ps"},
+    {"mins", "min"},
+    {"minute", "min"},
+    {"minutes", "min"},
+    {"hr", "h"},
+    {"hrs", "h"},
+    {"hour", "h"},
+    {"hours", "h"},
+    {"days", "day"},
+    {"hertz", "Hz"},
+    {"pps", "Hz"},
+    {"megahertz", "MHz"},
+    {"gigahertz", "GHz"},
+    {"degree", "deg"},
+    {"degrees", "deg"},
+    {"degs", "deg"},
+    {"radian", "rad"},
+    {"radians", "rad"},
+    {"mils", "mil"},
+    {"turns", "turn"},
+    {"revs", "rev"},
+    {"revolutions", "rev"},
+    {"rps", "rev/s"},
+    {"dps", "deg/s"},
+    {"arcminutes", "arcmin"},
+    {"arcseconds", "arcsec"},
+    {"watt", "W"},
+    {"watts", "W"},
+    {"kilowatts", "kW"},
+    {"milliwatts", "mW"},
+    {"kelvin", "K"},
+    {"kelvins", "K"},
+    {"celsius", "degC"},
+    {"centigrade", "degC"},
+    {"c", "degC"},
+    {"volt", "V"},
+    {"volts", "V"},
+    {"db", "dB"},
+    {"decibel", "dB"},
+    {"decibels", "dB"},
+    {"dbic", "dBi"},
+    {"sqm", "m2"},
+    {"sm", "m2"},
+    {"gee", "g"},
+    {"gees", "g"},
+};
 
 // A unit of which only the prefix is in the other case is another unit: mHz is not MHz.
 bool other_prefix(std::string_view typed, const Unit& unit) {
@@ -128,13 +275,12 @@ std::string_view noun_of(Quantity quantity) {
 std::string with_article(std::string_view noun) { return fmt::format("{} {}", noun.front() == 'a' ? "an" : "a", noun); }
 
 std::string units_listed(Quantity quantity) {
-  const auto units = unit_table(quantity);
-  std::string text;
-  for (std::size_t i = 0; i < units.size(); ++i) {
-    if (i > 0) text += i + 1 == units.size() ? " or " : ", ";
+  std::vector<std::string> told;
+  for (const Unit& unit : unit_table(quantity))
     // A quote alone, at the end perhaps, is not seen.
-    text += units[i].name == "'" ? std::string("minutes of arc (')") : std::string(units[i].name);
-  }
+    if (unit.told) told.emplace_back(unit.name == "'" ? "minutes of arc (')" : unit.name);
+  std::string text;
+  for (std::size_t i = 0; i < told.size(); ++i) text += (i == 0 ? "" : i + 1 == told.size() ? " or " : ", ") + told[i];
   if (quantity == Quantity::ratio_db) text += ", or a bare factor such as x100";
   return text;
 }
@@ -160,6 +306,8 @@ UnitSearch find_unit(std::string_view typed, Quantity quantity, std::string_view
   else
     search.failure =
         fmt::format("{} is not a valid {}; try {}", quoted(text), noun_of(quantity), units_listed(quantity));
+  if (const std::string_view meant = unit_meant_by(typed); alike.empty() && !meant.empty())
+    search.failure += fmt::format("; did you mean '{}'?", meant);
   return search;
 }
 
@@ -178,12 +326,19 @@ UnitSearch unit_called(std::string_view name) {
   return {};
 }
 
+std::string_view unit_meant_by(std::string_view typed) {
+  const auto found = std::ranges::find_if(
+      unit_spellings, [&](const UnitSpelling& spelling) { return core::equal_ignoring_case(spelling.typed, typed); });
+  return found == std::end(unit_spellings) ? std::string_view() : found->name;
+}
+
 std::optional<double> in_base_unit(std::string_view number, const Unit& unit) {
   if (unit.law == Unit::Law::decimal) return core::parse_number(number, unit.exponent);
-  const auto plain = core::parse_number(number);
+  const auto plain = core::parse_number(number, unit.exponent);
   if (!plain) return std::nullopt;
-  const double value =
-      unit.law == Unit::Law::factor ? *plain * unit.factor : std::pow(10.0, (*plain + unit.factor) / 10.0);
+  const double value = unit.law == Unit::Law::factor   ? *plain * unit.factor / unit.divisor
+                       : unit.law == Unit::Law::offset ? *plain + unit.factor
+                                                       : std::pow(10.0, (*plain + unit.factor) / 10.0);
   if (!std::isfinite(value)) return std::nullopt;
   return value;
 }

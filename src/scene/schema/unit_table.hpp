@@ -13,10 +13,11 @@
 /// expressions.
 namespace sarsim::scene {
 
-/// One unit of a quantity: value = number * 10^exponent, number * factor, or 10^((number + factor)/10).
+/// One unit of a quantity: value = number * 10^exponent, number * 10^exponent * factor/divisor,
+/// 10^((number + factor)/10), or number + factor.
 struct Unit {
   /// How a number with the unit becomes a value.
-  enum class Law { decimal, factor, decibel };
+  enum class Law { decimal, factor, decibel, offset };
 
   std::string_view name;
   Law law = Law::decimal;
@@ -24,6 +25,12 @@ struct Unit {
   double factor = 1.0;
   bool shown = true;      ///< May be chosen to show a value.
   bool prefixed = false;  ///< Its first letter is a prefix, whose case can change its meaning.
+  double divisor = 1.0;
+  bool yields = false;  ///< A name of [let] with its letters comes before it.
+  bool told = true;     ///< Listed in messages.
+
+  /// Whether numbers with it do not count from zero in the base unit: their sign is theirs, and there are no multiples.
+  [[nodiscard]] constexpr bool is_level() const { return law == Law::decibel || law == Law::offset; }
 };
 
 inline constexpr Quantity every_quantity[] = {
@@ -55,6 +62,9 @@ struct UnitSearch {
 [[nodiscard]] UnitSearch find_unit(std::string_view typed, std::string_view text);
 /// The unit with exactly this name among those of all quantities; null where there is none.
 [[nodiscard]] UnitSearch unit_called(std::string_view name);
+/// The name of the unit that the trade spells in another way, in any letters: "kn" of "knots", "us" of "usec"; empty
+/// where there is none.
+[[nodiscard]] std::string_view unit_meant_by(std::string_view typed);
 
 /// A number (`number_length`) in a unit, in the base unit: correctly rounded once where the unit is a power of ten.
 /// Nothing where it is too large.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "scene/schema/field_spec.hpp"
+#include "scene/schema/unit_table.hpp"
 
 namespace sarsim::workflow {
 
@@ -32,7 +33,8 @@ std::optional<core::Problem> remark_on_bare_number(const scene::Scene& scene, co
                                                    const std::string& name, const std::string& value) {
   const scene::Quantity quantity = field.field->quantity;
   const auto units = scene::units_of(quantity);
-  if (units.size() < 2 || scene::number_length(value) != value.size()) return std::nullopt;
+  const auto usual = std::ranges::count_if(scene::unit_table(quantity), [](const scene::Unit& u) { return !u.yields; });
+  if (usual < 2 || scene::number_length(value) != value.size()) return std::nullopt;
   std::string old_text = scene::named_field_text(scene, field);
   const std::optional<double> given = scene::read_quantity(value, quantity).value;
   const std::optional<double> old = scene::read_quantity(old_text, quantity).value;
