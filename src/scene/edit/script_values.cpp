@@ -61,7 +61,7 @@ bool take_points_of_file(const FunctionRef& function, const FunctionBlock& block
   const DataFileText data = loader ? loader(*function.file) : DataFileText{};
   if (!data.failure.empty() || data.path.empty()) return false;
   DataFileReading read = read_data_file(data.text, data.path, block);
-  if (core::has_errors(read.problems)) return false;
+  if (read.deferred || core::has_errors(read.problems)) return false;
   for (std::size_t i = 0; i < block.count; ++i) function.parts[i].knots = std::move(read.functions[i]);
   return true;
 }

@@ -5,8 +5,10 @@
 
 #include <fmt/format.h>
 
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/script/problem_log.hpp"
+#include "scene/script/table_file.hpp"
 #include "scene/script/tokens.hpp"
 
 namespace sarsim::scene {
@@ -138,7 +140,14 @@ void append_point(std::string& text, const FunctionBlock& block, const core::Kno
 
 }  // namespace script
 
-DataFileReading read_data_file(std::string_view text, const std::string& file_name, const FunctionBlock& block) {
+namespace {
+
+bool is_table_name(const std::string& file_name) {
+  const std::string small = core::lower_case(file_name);
+  return small.ends_with(".csv") || small.ends_with(".tsv");
+}
+
+DataFileReading read_counted(std::string_view text, const std::string& file_name, const FunctionBlock& block) {
   using namespace script;
   DataFileReading reading;
   reading.functions.resize(block.count);
@@ -166,6 +175,25 @@ DataFileReading read_data_file(std::string_view text, const std::string& file_na
   // One word of the file is enough to see that it is another kind of file.
   for (std::size_t i = 1; i < reading.problems.size(); ++i) reading.problems[i].found.clear();
   return reading;
+}
+
+}  // namespace
+
+DataFileReading read_data_file(std::string_view text, const std::string& file_name, const FunctionBlock& block) {
+  if (is_hdf5(text)) {
+    DataFileReading reading;
+    reading.functions.resize(block.count);
+    reading.deferred = true;
+    return reading;
+  }
+  if (auto array = read_npy_table(text, file_name, block)) return *std::move(array);
+  const bool is_text = script::find_control_byte(text) == std::string_view::npos;
+  if (is_text && is_table_name(file_name))
+    if (auto table = read_text_table(text, file_name, block, false)) return *std::move(table);
+  DataFileReading counted = read_counted(text, file_name, block);
+  if (counted.problems.empty() || !is_text) return counted;
+  if (auto table = read_text_table(text, file_name, block, is_table_name(file_name))) return *std::move(table);
+  return counted;
 }
 
 std::string write_data_file(std::span<const core::SampledFunction> functions, const FunctionBlock& block) {

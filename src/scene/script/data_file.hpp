@@ -26,11 +26,14 @@ using DataFileLoader = std::function<DataFileText(const std::string& name)>;
 struct DataFileReading {
   std::vector<std::vector<core::Knot>> functions;
   core::Problems problems;
+  bool deferred = false;  ///< The file is HDF5: who has that library reads its table; there are no points yet.
 };
 
-/// Reads the text of a user-function data file: for each function of `block` the number of points, then x and y of
-/// each point. Separators and comments are those of a script; docs/formats/script.md. Always gives `block.count` lists;
-/// where `problems` holds an error they are incomplete. The method of interpolation is not part of the file.
+/// Reads a user-function data file: a text with, for each function of `block`, the number of points, then x and y of
+/// each point; or a table with a row for each x, as text or as an array of NumPy (`table_file.hpp`), which every text
+/// is that makes no sense in the first way. Separators and comments are those of a script; docs/formats/script.md.
+/// Always gives `block.count` lists; where `problems` holds an error they are incomplete. The method of interpolation
+/// is not part of the file.
 ///
 /// y is scaled to the units of the scene (`FunctionBlock::y_shift`). Takes time linear in the text, never more memory
 /// than a few times the text whatever the counts say.

@@ -22,6 +22,7 @@
 #include "scene/model/world_frame.hpp"
 #include "scene/script/reader.hpp"
 #include "workflow/input/cloud_input.hpp"
+#include "workflow/input/function_tables.hpp"
 #include "workflow/input/motion_accuracy.hpp"
 #include "workflow/input/world_axes.hpp"
 
@@ -629,6 +630,7 @@ bool concerns_input_file(const core::Problem& problem) {
 core::Problems read_files_of(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
   core::Problems problems = read_clouds(scene, folder, control);
   std::ranges::move(read_motions(scene, folder), std::back_inserter(problems));
+  std::ranges::move(read_function_tables(scene, folder, control), std::back_inserter(problems));
   return problems;
 }
 

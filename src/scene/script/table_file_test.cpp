@@ -1,0 +1,122 @@
+#include "scene/script/table_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "scene/script/data_file.hpp"
+
+namespace sarsim::scene {
+namespace table_file_test {
+
+namespace blocks = function_blocks;
+using testing::HasSubstr;
+using Knots = std::vector<core::Knot>;
+
+std::string errors_of(const DataFileReading& reading) {
+  std::string text;
+  for (const core::Problem& problem : reading.problems) text += core::to_string(problem) + "\n";
+  return text;
+}
+
+struct Row {
+  const char* text;
+  const FunctionBlock& block;
+  std::vector<Knots> functions;
+  const char* name = "table";
+};
+
+TEST(TableFile, IsReadRowByRow) {
+  const Row rows[]{
+      {"angle,az,el\n-10,-3,-4\n0,0,0\n10,-3,-5\n",
+       blocks::transmit_gain,
+       {{{-10, -3}, {0, 0}, {10, -3}}, {{-10, -4}, {0, 0}, {10, -5}}}},
+      {"-10 -3\n0 0\n10 -3\n", blocks::transmit_gain, {{{-10, -3}, {0, 0}, {10, -3}}, {{-10, -3}, {0, 0}, {10, -3}}}},
+      {"# angle;gain\n0;0\n30;-3\n", blocks::target_gain, {{{0, 0}, {30, -3}}}},
+      {"angle [rad],gain\n0,0\n0.5,-3\n", blocks::target_gain, {{{0, 0}, {28.64788975654116, -3}}}},
+      {"x,I,Q\n0,1,0\n0.5,0,1\n1,1,0\n", blocks::pulse_iq, {{{0, 1}, {0.5, 0}, {1, 1}}, {{0, 0}, {0.5, 1}, {1, 0}}}},
+      {"1,0\n0,1\n-1,0\n", blocks::pulse_iq, {{{0, 1}, {0.5, 0}, {1, -1}}, {{0, 0}, {0.5, 1}, {1, 0}}}, "iq.csv"},
+      {"0,1\n0.5,0.5\n1,0.25\n", blocks::pulse_iq, {{{0, 1}, {0.5, 0.5}, {1, 0.25}}, {{0, 0}, {0.5, 0}, {1, 0}}}},
+      {"9e9\n9.1e9\n", blocks::carrier_list, {{{0, 9e9}, {1, 9.1e9}}}},
+      {"f [GHz]\n9\n9.1\n", blocks::carrier_list, {{{0, 9e9}, {1, 9.1e9}}}},
+      {"1,0.001\n2,0.0012\n", blocks::pri, {{{0, 0.001}, {1, 0.0012}}}},
+      {"t,x,y,z\n0,1,2,3\n1,4,5,6\n", blocks::trajectory, {{{0, 1}, {1, 4}}, {{0, 2}, {1, 5}}, {{0, 3}, {1, 6}}}},
+      // As numbers of points, as ever.
+      {"2 0 0 10 -3\n2 0 0 10 -5\n", blocks::transmit_gain, {{{0, 0}, {10, -3}}, {{0, 0}, {10, -5}}}},
+      {"3\n0 1\n0.5 2\n1 1\n", blocks::window_gain, {{{0, 1}, {0.5, 2}, {1, 1}}}},
+      {"2 0 9 1 9.1", blocks::carrier_list, {{{0, 9e9}, {1, 9.1e9}}}},
+  };
+  for (const Row& row : rows) {
+    const DataFileReading reading = read_data_file(row.text, row.name, row.block);
+    EXPECT_EQ(errors_of(reading), "") << row.text;
+    EXPECT_EQ(reading.functions, row.functions) << row.text;
+  }
+}
+
+TEST(TableFile, SaysWhatIsWrongWithItsRows) {
+  struct Bad {
+    const char* text;
+    const FunctionBlock& block;
+    const char* says;
+  };
+  const Bad rows[]{
+      {"angle,az,el,more\n1,2,3,4\n", blocks::transmit_gain, "has other columns"},
+      {"angle,az,el\n0,0,0\n1,2\n", blocks::transmit_gain, "t.csv:3"},
+      {"angle,gain\n10,0\n0,-3\n", blocks::target_gain, "must ascend"},
+      {"angle,gain\n0,zero\n", blocks::target_gain, "'zero' is not a valid ratio"},
+      {"angle [m],gain\n0,0\n", blocks::target_gain, "the unit of column 1 is not that of incidence angle"},
+      {"f\n9e9\n-1\n", blocks::carrier_list, "out of range"},
+      {"a,b\n", blocks::target_gain, "holds no numbers"},
+      {"angle,gain\n0,1e30\n", blocks::target_gain, "cannot be computed with"},
+  };
+  for (const Bad& row : rows)
+    EXPECT_THAT(errors_of(read_data_file(row.text, "t.csv", row.block)), HasSubstr(row.says)) << row.text;
+}
+
+template <class Number>
+std::string npy(const std::string& type, const std::string& shape, const std::vector<Number>& numbers,
+                bool columns_first = false) {
+  std::string header = "{'descr': '" + type + "', 'fortran_order': " + (columns_first ? "True" : "False") +
+                       ", 'shape': " + shape + ", }\n";
+  std::string bytes = "\x93NUMPY";
+  bytes += std::string("\x01\x00", 2) + static_cast<char>(header.size()) + std::string(1, '\0') + header;
+  bytes.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+  return bytes;
+}
+
+TEST(TableFile, MayBeAnArrayOfNumPy) {
+  const std::vector<Knots> cut{{{0, 0}, {30, -3}}};
+  for (const std::string& bytes :
+       {npy<double>("<f8", "(2, 2)", {0, 0, 30, -3}), npy<float>("<f4", "(2, 2)", {0, 0, 30, -3}),
+        npy<double>("<f8", "(2, 2)", {0, 30, 0, -3}, true), npy<std::int16_t>("<i2", "(2, 2)", {0, 0, 30, -3})}) {
+    const DataFileReading reading = read_data_file(bytes, "t.npy", blocks::target_gain);
+    EXPECT_EQ(errors_of(reading), "");
+    EXPECT_EQ(reading.functions, cut);
+  }
+  const DataFileReading pulse =
+      read_data_file(npy<float>("<c8", "(3,)", {1, 0, 0, 1, -1, 0}), "p.npy", blocks::pulse_iq);
+  EXPECT_EQ(errors_of(pulse), "");
+  EXPECT_EQ(pulse.functions, (std::vector<Knots>{{{0, 1}, {0.5, 0}, {1, -1}}, {{0, 0}, {0.5, 1}, {1, 0}}}));
+  for (const auto& [bytes, says] :
+       {std::pair{npy<double>(">f8", "(2, 2)", {0, 0, 30, -3}), "of a type that is not read"},
+        std::pair{npy<double>("<f8", "(2, 5)", {0, 0, 30, -3}), "shorter than its array"},
+        std::pair{npy<double>("<f8", "(4,)", {0, 0, 30, -3}), "has other columns"},
+        std::pair{npy<double>("<f8", "(1, 2, 2)", {0, 0, 30, -3}), "not a table"},
+        std::pair{std::string("\x93NUMPY\x01\x00\xff\xff", 10), "header of the array"},
+        std::pair{npy<double>("<f8", "(18446744073709551615, 2)", {0, 0}), "header of the array"},
+        std::pair{npy<double>("<f8", "(9223372036854775807, 2)", {0, 0}), "shorter than its array"}})
+    EXPECT_THAT(errors_of(read_data_file(bytes, "t.npy", blocks::target_gain)), HasSubstr(says));
+}
+
+TEST(TableFile, OfHdf5IsLeftToWhoReadsThatFormat) {
+  const DataFileReading reading = read_data_file("\x89HDF\r\n\x1a\n...", "t.h5", blocks::target_gain);
+  EXPECT_TRUE(reading.deferred);
+  EXPECT_TRUE(reading.problems.empty());
+  EXPECT_EQ(reading.functions.size(), 1U);
+}
+
+}  // namespace table_file_test
+}  // namespace sarsim::scene
