@@ -26,6 +26,7 @@ void expect_sound(const SteppedWaveform& w) {
   expect(w.steps > 0 && w.pulses_per_step > 0, "stepped frequency: a burst has no pulses");
   expect(w.samples > 0 && w.sample_rate_hz > 0.0, "stepped frequency: a row has no samples");
   expect(w.light_speed_mps > 0.0 && w.first_carrier_hz > 0.0, "stepped frequency: no carrier or no speed of light");
+  expect(w.order.empty() || w.order.size() == w.steps, "stepped frequency: the order is not one of all steps");
   expect(w.steps == 1 || w.carrier_step_hz != 0.0, "stepped frequency: the carrier does not step");
   expect(w.subband_hz > 0.0 || w.steps > 1, "stepped frequency: one frequency makes no profile");
   expect(w.subband_hz <= 0.0 || w.response_zero < w.response.size(),

@@ -17,6 +17,7 @@ struct SteppedWaveform {
   double carrier_step_hz = 0.0;     ///< Negative for carriers that step down.
   std::size_t steps = 1;            ///< S
   std::size_t pulses_per_step = 1;  ///< p; a burst has S p pulses.
+  std::vector<std::size_t> order;   ///< Step of each of the S places of a burst, where carriers hop; empty: in turn.
   double pulse_width_s = 0.0;
   double sweep_rate_hz_per_s = 0.0;  ///< K of chirps, else 0.
   /// Of modulated pulses: the band about its carrier that each pulse contributes. 0: one sample for each pulse.
@@ -36,6 +37,9 @@ struct SteppedWaveform {
   double light_speed_mps = 0.0;
 
   [[nodiscard]] std::size_t burst_pulses() const { return steps * pulses_per_step; }
+  [[nodiscard]] std::size_t step_of(std::size_t pulse) const {
+    return order.empty() ? pulse / pulses_per_step : order[pulse / pulses_per_step];
+  }
   [[nodiscard]] double carrier_hz(std::size_t step) const {
     return first_carrier_hz + static_cast<double>(step) * carrier_step_hz;
   }
@@ -110,7 +114,7 @@ class SteppedBand {
   [[nodiscard]] std::complex<double> weight(std::size_t cell) const;
 
  private:
-  [[nodiscard]] std::size_t step_of(std::size_t pulse) const { return pulse / waveform_.pulses_per_step; }
+  [[nodiscard]] std::size_t step_of(std::size_t pulse) const { return waveform_.step_of(pulse); }
   void lay_out_samples();
   void lay_out_subbands();
   void add_filter(double first_hz);

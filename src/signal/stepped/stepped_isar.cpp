@@ -189,7 +189,7 @@ FocusedImage isar_range_doppler(const ProfileMaker& maker, const IsarEchoes& ech
     const double x_m = cross_range.at(static_cast<double>(row));
     for (std::size_t p = 0; p < plane.lever.size(); ++p) {
       const std::size_t in_burst = p % w.burst_pulses();
-      const double carrier_hz = w.carrier_hz(in_burst / w.pulses_per_step);
+      const double carrier_hz = w.carrier_hz(w.step_of(in_burst));
       const Coupling coupling = coupling_of(w, carrier_hz, echoes.motion[p].speed_mps);
       const double delay_s = echoes.motion[p].delay_s + radar::delay_of(x_m * plane.lever[p], w.light_speed_mps);
       add_turned(band, in_burst, echoes.values.subspan(p * band.values_per_pulse(), band.values_per_pulse()),
@@ -229,7 +229,7 @@ FocusedImage isar_back_projection(const ProfileMaker& maker, const IsarEchoes& e
     for (std::size_t p = 0; p < seen.size(); ++p) {
       if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
       const std::size_t in_burst = p % w.burst_pulses();
-      const double carrier_hz = w.carrier_hz(in_burst / w.pulses_per_step);
+      const double carrier_hz = w.carrier_hz(w.step_of(in_burst));
       table.load(in_burst, echoes.values.subspan(p * band.values_per_pulse(), band.values_per_pulse()));
       for (std::size_t i = 0; i < points.size(); ++i) {
         const PulseMotion echo = echo_of(seen[p], points[i], w.light_speed_mps);

@@ -7,6 +7,7 @@
 #include "radar/path/path.hpp"
 #include "signal/stepped/stepped_limits.hpp"
 #include "simulate/plan/target_ranges.hpp"
+#include "workflow/stepped/stepped_grid.hpp"
 #include "workflow/stepped/stepped_rows.hpp"
 
 namespace sarsim::workflow {
@@ -104,6 +105,14 @@ void remark_on_speed(core::Problems& problems, const SteppedRows& rows, const si
                        "compensate their speed: --velocity scene, estimated or a number"));
 }
 
+// The first carriers of a list.
+std::string carriers_text(const radar::CarrierPlan& carrier) {
+  constexpr std::int64_t shown = 4;
+  std::string text;
+  for (std::int64_t n = 0; n < shown; ++n) text += hz_text(carrier.carrier_hz(n)) + ", ";
+  return text + "...";
+}
+
 }  // namespace
 
 core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, bool recorded) {
@@ -112,28 +121,31 @@ core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, b
     problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
                                         std::move(expected), std::move(hint)));
   };
-  const radar::CarrierPlan& carrier = plan.radar.carrier;
-  const bool changes = carrier.lowest_hz() != carrier.highest_hz();
-  const bool listed = carrier.steps() < 2 && changes;
+  const std::optional<SteppedGrid> grid = stepped_grid(plan.radar.carrier, plan.pulses.first);
+  const std::size_t steps = grid ? grid->steps : 1;
   const bool mono = plan.radar.pulse.kind == radar::Pulse::Kind::mono;
-  if (listed)
-    add("the carrier does not step evenly", "a list of carriers", "STEPPED", "use carriers in equal steps");
-  else if (carrier.steps() > 1 && carrier.step_hz() == 0.0)
+  if (!grid)
+    add("the carriers of the list are not evenly spaced", carriers_text(plan.radar.carrier),
+        "each carrier as often as the others, all of them multiples of one step apart",
+        "leave out what does not fit, or use a carrier of type \"stepped\"");
+  else if (steps > 1 && grid->step_hz == 0.0)
     add("the frequency step is zero", "0 Hz", "a step up to the bandwidth of the pulse", "");
-  else if (use == SteppedUse::profiles && carrier.steps() < 2)
-    add("synthetic range profiles need a carrier with at least two frequency steps", "one carrier", "STEPPED",
-        "for chirps on one carrier compress the recording: processing MATCHED_FILTER");
-  else if (use == SteppedUse::isar && carrier.steps() < 2 && mono)
-    add("neither does the carrier step nor is the pulse modulated: there is no resolution in range", "MONO, SINGLE",
-        "STEPPED, or a modulated pulse", "");
+  else if (use == SteppedUse::profiles && steps < 2)
+    add("synthetic range profiles need a carrier with at least two frequency steps", "one carrier",
+        "a carrier of type \"stepped\" or \"list\"",
+        "for chirps on one carrier compress the recording: processing = \"matched-filter\"");
+  else if (use == SteppedUse::isar && steps < 2 && mono)
+    add("neither does the carrier step nor is the pulse modulated: there is no resolution in range",
+        "a pulse of type \"mono\" on one carrier", "a carrier of type \"stepped\" or \"list\", or a modulated pulse",
+        "");
   if (recorded && plan.simulation.processing == scene::Processing::srp)
-    add("the file holds range profiles already, not the echoes of single pulses", "SRP", "RAW or MATCHED_FILTER",
-        "record the pulses with processing RAW");
+    add("the file holds range profiles already, not the echoes of single pulses", "processing \"srp\"",
+        "\"raw\" or \"matched-filter\"", "record the pulses with processing = \"raw\"");
   if (recorded && plan.simulation.processing == scene::Processing::matched_filter &&
       plan.scene->conventions.compression != simulate::Conventions::Compression::keeps_peak)
     add("the classic profile repeats or leaves out samples of this compressed recording", "", "",
         "use raw data, or the physical profile");
-  const std::int64_t burst = plan.burst_pulses();
+  const std::int64_t burst = grid ? grid->burst_pulses() : 1;
   const std::int64_t first = radar::floor_divide(plan.pulses.first + burst - 1, burst);
   if (radar::floor_divide(plan.pulses.last + 1, burst) <= first)
     add("the recording holds no whole burst", fmt::format("pulses {} to {}", plan.pulses.first, plan.pulses.last),

@@ -8,14 +8,20 @@
 #include "radar/path/path.hpp"
 #include "signal/sar/work_matrix.hpp"
 #include "simulate/plan/row_maker.hpp"
+#include "workflow/stepped/stepped_grid.hpp"
 
 namespace sarsim::workflow {
 
 namespace {
 
+// `problems_of_stepped` has seen that there is one.
+SteppedGrid grid_of(const simulate::Plan& plan) {
+  return stepped_grid(plan.radar.carrier, plan.pulses.first).value_or(SteppedGrid{});
+}
+
 // One frequency has no profile but that of its pulse.
 bool one_sample_each(const simulate::Plan& plan) {
-  return plan.radar.pulse.kind == radar::Pulse::Kind::mono && plan.radar.carrier.steps() > 1;
+  return plan.radar.pulse.kind == radar::Pulse::Kind::mono && grid_of(plan).steps > 1;
 }
 
 signal::CompressionFilter plain_filter(const simulate::Plan& plan) {
@@ -47,13 +53,14 @@ void set_response(signal::SteppedWaveform& w, const signal::CompressionFilter& p
 
 // @param compressed  the rows that are read hold compressed echoes
 signal::SteppedWaveform waveform_of(const simulate::Plan& plan, bool compressed) {
-  const radar::CarrierPlan& carrier = plan.radar.carrier;
+  const SteppedGrid grid = grid_of(plan);
   const radar::Pulse& pulse = plan.radar.pulse;
   signal::SteppedWaveform w;
-  w.first_carrier_hz = carrier.carrier_hz(carrier.steps() > 1 ? 0 : plan.pulses.first);
-  w.carrier_step_hz = carrier.steps() > 1 ? carrier.step_hz() : 0.0;
-  w.steps = static_cast<std::size_t>(carrier.steps());
-  w.pulses_per_step = static_cast<std::size_t>(carrier.pulses_per_step());
+  w.first_carrier_hz = grid.first_hz;
+  w.carrier_step_hz = grid.step_hz;
+  w.steps = grid.steps;
+  w.pulses_per_step = grid.pulses_per_step;
+  w.order = grid.order;
   w.pulse_width_s = pulse.width_s;
   w.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   w.light_speed_mps = plan.scene->conventions.light_speed_mps;
@@ -80,7 +87,7 @@ SteppedRows rows_without_reader(std::shared_ptr<const simulate::Plan> plan, bool
   SteppedRows rows;
   rows.plan = std::move(plan);
   rows.band = std::make_shared<const signal::SteppedBand>(waveform_of(*rows.plan, compressed));
-  const std::int64_t burst = rows.plan->burst_pulses();
+  const std::int64_t burst = grid_of(*rows.plan).burst_pulses();
   const radar::PulseRange& pulses = rows.plan->pulses;
   const std::int64_t first = radar::floor_divide(pulses.first + burst - 1, burst);
   const std::int64_t bursts = std::max<std::int64_t>(0, radar::floor_divide(pulses.last + 1, burst) - first);
