@@ -137,7 +137,10 @@ ExitStatus run(const RunArguments& arguments, Streams& streams, workflow::Team* 
 }
 
 void add_run_options(CLI::App& app, RunArguments& a) {
-  add_text(app, "-o,--out", a.folder, "DIR", "folder for the products; made when missing (default: the current one)");
+  add_text(
+      app, "-o,--out", a.folder, "DIR|FILE",
+      "folder for the products, made when missing (default: the current one); or the file of the only recording, by "
+      "the ending of its format");
   add_format(app, "--format", a.request.overrides.format, "format of all recordings, with its extension");
   add_engine(app, a.engine,
              "how echoes are added up: the faster one (default), or one of them; all within --tolerance");
@@ -170,6 +173,7 @@ Action add_run(CLI::App& app, workflow::Team* team) {
   add_examples(app,
                {{"sarsim run sar_r.toml", "everything that the scene asks for"},
                 {"sarsim run sar_r.toml 2 --out results", "its second recording, into another folder"},
+                {"sarsim run sar_r.toml 1 --out echoes.npy", "its first recording, as this file"},
                 {"sarsim run sar_r.toml --format hdf5 --force", "volts as HDF5, replacing older files"},
                 {"sarsim run old.scr --profile classic", "as the program of 1998 computed it"},
                 {"sarsim run sar_r.toml --part 3/8", "the third of eight shares, on any machine that sees the folder"},

@@ -9,11 +9,13 @@
 #include "core/report/refused.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
 #include "scene/language/exact_names.hpp"
 #include "scene/language/scene_writer.hpp"
 #include "scene/schema/field_table.hpp"
 #include "scene/script/writer.hpp"
 #include "workflow/input/output_names.hpp"
+#include "workflow/input/scene_words.hpp"
 
 namespace sarsim::workflow {
 
@@ -78,9 +80,13 @@ std::string scene_text(const SceneInput& input, scene::Language language, bool e
 
 core::Problems convert_scene(const ConvertSceneRequest& request) {
   const auto language = language_of_name(request.output);
-  if (!language)
-    throw core::Refused(fmt::format("'{}' names no language of scenes", request.output),
-                        "end it with .toml for format 2 or .scr for the language of 1998");
+  if (!language) {
+    const auto format = raster::format_from_path(request.output);
+    throw core::Refused(
+        fmt::format("'{}' names no language of scenes", request.output),
+        format ? fmt::format("to record the scene: sarsim run {} --format {}", request.input, format_word(*format))
+               : "end it with .toml for format 2 or .scr for the language of 1998");
+  }
   const SceneInput input = read_scene(request.input, request.overrides, Scrutiny::reading);
   expect_usable(input);
   expect_free_outputs({request.output}, {input.sources, request.force, "OUT"});

@@ -74,7 +74,7 @@ class Namer {
       result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
     if (result != path && !told)
       add(core::Severity::warning, subject,
-          fmt::format("another product of the script is written to '{}'; this one becomes '{}'",
+          fmt::format("another product of the scene is written to '{}'; this one becomes '{}'",
                       path.filename().string(), result.filename().string()),
           "", "", "give each product a name of its own");
     return result;
@@ -164,13 +164,20 @@ std::optional<std::size_t> simulation_that_writes(const fs::path& file, const sc
   return with_format.found.front();
 }
 
+RunOutput run_output(const fs::path& out) {
+  // A slash at the end says that it is a folder.
+  if (!out.has_filename() || !raster::format_from_path(out)) return {out, std::nullopt};
+  if (fs::is_directory(out) && !raster::is_own_zarr_store(out)) return {out, std::nullopt};
+  return {out.has_parent_path() ? out.parent_path() : fs::path("."), out};
+}
+
 void expect_output_folder(const fs::path& out) {
   if (fs::is_directory(out)) return;
   if (fs::exists(out))
     throw core::Refused("'" + out.string() + "' is not a folder", "name a folder with --out; it is made when missing");
-  if (raster::format_from_path(out))
+  if (out.has_filename() && raster::format_from_path(out))
     throw core::Refused(fmt::format("--out takes a folder, and '{}' is the name of a file", out.string()),
-                        "name a folder; the files in it have the names that the script gives them");
+                        "name a folder; the files in it have the names that the scene gives them");
 }
 
 fs::path chosen_folder(const fs::path& out) { return out == "." ? fs::path() : out; }

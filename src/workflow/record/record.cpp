@@ -44,6 +44,8 @@ class Recorder {
       : request_(request),
         observer_(observer),
         events_(events),
+        output_(run_output(request.folder)),
+        overrides_(request.overrides),
         journaled_(request.team != nullptr || request.part.journaled()) {
     threads_ = core::thread_count(request.threads);
     if (request.team != nullptr && request.threads == 0)
@@ -116,19 +118,46 @@ class Recorder {
 
   [[nodiscard]] core::WorkControl work() const { return observer_.control(threads_); }
 
+  // The ending of a file's name says its format, where nothing else does.
+  void take_format_of_file() {
+    if (!output_.file) return;
+    const auto format = raster::format_from_path(*output_.file);
+    if (overrides_.format && *overrides_.format != *format)
+      throw core::Refused(
+          fmt::format("--out: '{}' has the ending of {}, and --format says {}", output_.file->string(),
+                      format_word(*format), format_word(*overrides_.format)),
+          fmt::format("leave out --format, or end the name with {}", raster::extension_of(*overrides_.format)));
+    overrides_.format = format;
+  }
+
+  // The only recording gets the name that --out gives it.
+  void name_file() {
+    if (!output_.file) return;
+    const auto recordings = std::ranges::count_if(jobs_, [](const ProductJob& job) { return !job.table; });
+    if (recordings != 1)
+      throw core::Refused(fmt::format("--out: '{}' is the name of a file, and there are {} recordings",
+                                      output_.file->string(), recordings),
+                          recordings == 0
+                              ? "name a folder"
+                              : "choose one recording, as in sarsim run SCENE 1 --out FILE, or name a folder");
+    std::ranges::find_if(jobs_, [](const ProductJob& job) { return !job.table; })->path = *output_.file;
+  }
+
   void prepare() {
+    take_format_of_file();
     OutputNames names;
     // What is not made is not looked at either.
     const auto choose = [&](const scene::Scene& scene) {
-      names = output_names(scene, {request_.folder, request_.keep_paths, request_.overrides.format});
+      names = output_names(scene, {output_.folder, request_.keep_paths, overrides_.format});
       jobs_ = chosen_products(scene, names, request_.products);
+      name_file();
       WantedProducts wanted;
       for (const ProductJob& job : jobs_) (job.table ? wanted.geometries : wanted.simulations).push_back(job.index);
       return wanted;
     };
-    input_ = request_.scene ? take_scene(*request_.scene, fs::path(request_.script).parent_path(), request_.overrides,
+    input_ = request_.scene ? take_scene(*request_.scene, fs::path(request_.script).parent_path(), overrides_,
                                          Scrutiny::echoes, work(), choose)
-                            : read_scene(request_.script, request_.overrides, Scrutiny::echoes, work(), choose);
+                            : read_scene(request_.script, overrides_, Scrutiny::echoes, work(), choose);
     if (request_.doubles)  // What single precision cannot hold is held then.
       std::erase_if(input_.problems, [](const core::Problem& p) {
         return p.severity == core::Severity::note && p.subject.kind == "simulation" && p.subject.field == "format";
@@ -156,15 +185,18 @@ class Recorder {
     if (!told) std::vector<scene::Target>().swap(input_.scene.targets);
   }
 
-  // A scene without products is nothing to do; a script that describes nothing at all is a mistake.
+  // A script of 1998 without products is nothing to do; a scene is a mistake, and so is a script of nothing at all.
   void expect_objects() const {
     const scene::Scene& scene = input_.scene;
     const bool empty = std::ranges::all_of(scene::all_object_kinds, [&](scene::ObjectKind kind) {
       return scene::belongs_to_radar(kind) || scene::count_of(scene, kind) == 0;
     });
-    if (empty) {
-      core::Refused nothing("the script asks for nothing",
-                            "add a [[recording]] or a [[geometry]]; in a .scr, a $SIMULATION or a $GEOMETRY");
+    const bool of_1998 = !request_.scene && input_.language == scene::Language::script;
+    if (empty || !of_1998) {
+      core::Refused nothing(of_1998 ? "the script asks for nothing"
+                                    : "the scene defines no recording and no geometry table: nothing to do",
+                            of_1998 ? "add a $SIMULATION or a $GEOMETRY; in format 2, a [[recording]] or a [[geometry]]"
+                                    : "add a [[recording]] or a [[geometry]]");
       nothing.problems.front().place.file = request_.script;
       throw nothing;
     }
@@ -201,7 +233,7 @@ class Recorder {
           job.table ? nullptr : &raster::format_of(input_.scene.simulations[job.index].format);
       for (const fs::path& file : raster::files_of(format, job.path)) {
         std::ranges::move(
-            problems_of_output(file, {sources, request_.force || later, "", chosen_folder(request_.folder)}),
+            problems_of_output(file, {sources, request_.force || later, "", chosen_folder(output_.folder)}),
             std::back_inserter(problems));
         files.push_back(file);
       }
@@ -217,7 +249,7 @@ class Recorder {
       }
     }
     if (!request_.discard) std::ranges::move(problems_of_same_files(files), std::back_inserter(problems));
-    expect_output_folder(request_.folder);
+    expect_output_folder(output_.folder);
     if (!problems.empty()) throw core::Refused(std::move(problems));
   }
 
@@ -251,7 +283,7 @@ class Recorder {
     take_problems(std::move(missing));
     expect_usable(input_, request_.strict);
     if (!request_.discard)
-      core::expect_room(request_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
+      core::expect_room(output_.folder, bytes_wanted, "choose another folder with --out or a smaller --format");
   }
 
   void add_missing_pulses(const ProductJob& job, const simulate::Plan& plan, core::Problems& missing) const {
@@ -376,6 +408,8 @@ class Recorder {
   const RecordRequest& request_;
   const core::Observer& observer_;
   const RecordEvents& events_;
+  RunOutput output_;
+  SceneOverrides overrides_;  // with the format that the name of the file asks for
   bool journaled_;
   unsigned threads_ = 1;
   std::string script_;
