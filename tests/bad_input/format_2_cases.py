@@ -123,6 +123,14 @@ def names():
             "What follows a header belongs to its table: the window is one of the radar, not of its beam.",
             "move it above the header",
         ),
+        behind("[[radar]]", '@wavelength = "3 cm"', "A word of the trade, not of the language.", 'write carrier = "9.993 GHz"'),
+        behind("[[radar]]", '@pri = "1 ms"', "The interval of the pulses is given, not their frequency.", 'write repetition = "1 kHz"'),
+        behind("[[radar]]", '@noise_figure = "3 dB"', "Noise is given by its temperature.", 'noise_temperature = "578.6 K"'),
+        behind("[[radar]]", '@gain = "30 dB"', "Each way has a gain of its own.", "transmit_gain .* and receive_gain"),
+        behind("[[radar]]", '@polarization = "HH"', "There is no such thing in the model.", "not modelled"),
+        behind("[[target]]", "@velocity = [10, 0, 0]", "What moves is the platform of a target.", "move with their platform"),
+        behind("[[recording]]", '@fs = "60 MHz"', "A word of the trade for the sampling frequency.", 'write sample_rate = "60 MHz"'),
+        instead(MARK, MARK + "@[[transmitter]]\n", "Another program has transmitters apart.", "write ..radar"),
         instead(MARK, MARK + "@power = 3\n", "A field stands before all headers.", "'power' is a field of radar"),
         Mistake(
             "An object has a header of its own.",
@@ -136,6 +144,7 @@ def units():
     return [
         instead('"3 GHz"', "@3", "A number without a unit counts in Hz.", "is a unit missing", status=0),
         instead('"3 GHz"', '"@3 km"', "The unit is one of a length.", "takes a frequency"),
+        instead('azimuth_width = "3 deg"', 'azimuth_width = "@1 m"', "The length of the antenna is given, not its width.", "5.073 deg"),
         instead(POSITION, f'{POSITION}\nrcs = "@1 km"', "A cross-section is an area.", "takes an area"),
         instead(
             'repetition = "500 Hz"', 'repetition = "@2 ms"', "The interval is given, not the frequency.", "takes a freq"
@@ -223,7 +232,7 @@ def alternatives():
             POWER,
             'window = { type = "hamming", @pedestal = 0.3 }',
             "The field is one of another window.",
-            "type hanning",
+            "type hann",
         ),
         instead('type = "line"', 'type = "stationary"', "A path that stays has no start.", "type line", errors=2),
         path('type = @"line"\n', "A straight path needs its velocity.", "no velocity", typed='`type = "line"` alone'),

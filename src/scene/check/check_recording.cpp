@@ -250,7 +250,7 @@ void check_profile(Findings& findings, const Radar& radar, const radar::PulseRan
     findings.error("processing",
                    {.message = "synthetic range profiles need a carrier with at least two frequency steps",
                     .found = radar.carrier == Radar::Carrier::stepped ? fmt::format("{} step", radar.carrier_steps)
-                                                                      : std::string("a carrier that is not STEPPED"),
+                                                                      : std::string("a carrier that does not step"),
                     .expected = "STEPPED with 2 or more steps",
                     .hint = {}});
     return;
@@ -268,7 +268,7 @@ void check_profile(Findings& findings, const Radar& radar, const radar::PulseRan
     findings.warning(Consequence::surprise, "processing",
                      {.message = "the pulse is modulated, but its sub-bands are not joined: one sample of each step "
                                  "makes the profile",
-                      .found = radar.pulse == Radar::Pulse::chirp ? "CHIRP" : "BARKER",
+                      .found = radar.pulse == Radar::Pulse::chirp ? "a chirp" : "a Barker code",
                       .expected = "MONO",
                       .hint = "The resolution is that of the steps alone."});
   const double step_hz = std::abs(radar.carrier_step_hz);

@@ -284,7 +284,7 @@ TEST(CheckProfile, FindsNothingInASoundProfile) { EXPECT_TRUE(check(profile_scen
 TEST(CheckProfile, NeedsASteppedCarrier) {
   Scene scene = profile_scene();
   scene.radars[0].carrier = Radar::Carrier::single;
-  EXPECT_THAT(expect_error(scene, simulation_field("processing")).found, HasSubstr("not STEPPED"));
+  EXPECT_THAT(expect_error(scene, simulation_field("processing")).found, HasSubstr("does not step"));
 }
 
 TEST(CheckProfile, NeedsTwoStepsThatDiffer) {
@@ -316,10 +316,10 @@ TEST(CheckProfile, WarnsOfAModulatedPulse) {
   Scene scene = profile_scene();
   scene.radars[0].pulse = Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = 10e6;
-  EXPECT_EQ(expect_warning(scene, simulation_field("processing")).found, "CHIRP");
+  EXPECT_EQ(expect_warning(scene, simulation_field("processing")).found, "a chirp");
   scene.radars[0].pulse = Radar::Pulse::barker;
   scene.radars[0].barker_code = 0;
-  EXPECT_EQ(expect_warning(scene, simulation_field("processing")).found, "BARKER");
+  EXPECT_EQ(expect_warning(scene, simulation_field("processing")).found, "a Barker code");
 }
 
 TEST(CheckProfile, WarnsOfStepsTooWideForThePulse) {

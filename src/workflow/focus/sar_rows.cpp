@@ -71,8 +71,9 @@ signal::EchoRows rows_without_reader(const simulate::Plan& plan, std::size_t sam
 core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
   core::Problems problems;
   if (recorded && plan.simulation.processing == scene::Processing::srp)
-    problems.push_back(core::problem_of(core::Severity::error, "synthetic range profiles cannot be focused", "SRP",
-                                        "RAW or MF processing", "focus a recording of chirps"));
+    problems.push_back(core::problem_of(core::Severity::error, "synthetic range profiles cannot be focused",
+                                        "processing \"srp\"", "processing \"raw\" or \"matched-filter\"",
+                                        "focus a recording of chirps"));
   if (plan.pulses.count() < 2)
     problems.push_back(core::problem_of(core::Severity::error, "too few pulses to focus",
                                         fmt::format("{}", plan.pulses.count()), "at least 2", "record for longer"));

@@ -215,6 +215,14 @@ scene::ReadControl read_control(const SceneOverrides& overrides, const core::Wor
   return read;
 }
 
+core::Problem nothing_asked(scene::Language language) {
+  const bool is_script = language == scene::Language::script;
+  return core::problem_of(core::Severity::warning,
+                          is_script ? "the script asks for nothing" : "the scene asks for nothing", {},
+                          "a product that is to be made",
+                          is_script ? "add a $SIMULATION or a $GEOMETRY" : "add a [[recording]] or a [[geometry]]");
+}
+
 // A scene with what its reader found, on its way to an input.
 SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& folder, const SceneOverrides& overrides,
                      Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
@@ -252,8 +260,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   }
   if (scrutiny == Scrutiny::echoes && !core::has_errors(reading.problems) && input.scene.simulations.empty() &&
       input.scene.geometries.empty())
-    reading.problems.push_back(core::problem_of(core::Severity::warning, "the script asks for nothing", {},
-                                                "a product that is to be made", "add a $SIMULATION or a $GEOMETRY"));
+    reading.problems.push_back(nothing_asked(input.language));
   if (input.language == scene::Language::format_2) scene::say_in_format_2(reading.problems);
   scene::locate(reading.problems, input.places);
   input.problems = core::ranked(std::move(reading.problems));

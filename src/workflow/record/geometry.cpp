@@ -89,7 +89,7 @@ std::vector<scene::GeometryTable> chosen_tables(const GeometryRequest& request, 
   for (const std::string& word : request.numbers) {
     const auto number = core::parse_integer(word);
     if (!number || *number < 1 || *number > static_cast<std::int64_t>(scene.geometries.size()))
-      throw core::Refused(fmt::format("the script has no geometry table '{}'", word),
+      throw core::Refused(fmt::format("the scene has no geometry table '{}'", word),
                           fmt::format("tables have the numbers 1 to {}", scene.geometries.size()));
     tables.push_back(scene.geometries[static_cast<std::size_t>(*number) - 1]);
   }

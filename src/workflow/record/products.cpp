@@ -34,10 +34,10 @@ bool is_called(const scene::Scene& scene, const ProductJob& job, const std::stri
   const std::string nearest = core::nearest_word(word, names);
   const std::size_t count = scene.simulations.size();
   std::string hint = count == 0
-                         ? "the script has no simulation"
-                         : fmt::format("simulations have the numbers 1 to {}; their output names work as well", count);
+                         ? "the scene has no recording"
+                         : fmt::format("recordings have the numbers 1 to {}; their output names work as well", count);
   if (!nearest.empty()) hint = fmt::format("did you mean '{}'?", nearest);
-  throw core::Refused(fmt::format("the script has no product '{}'", word), hint);
+  throw core::Refused(fmt::format("the scene has no product '{}'", word), hint);
 }
 
 }  // namespace

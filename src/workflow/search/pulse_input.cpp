@@ -10,7 +10,7 @@ namespace {
 void expect_pulses(const scene::Simulation& simulation) {
   if (simulation.processing == scene::Processing::srp)
     throw core::Refused("synthetic range profiles hold no pulses",
-                        "take a simulation of RAW or MATCHED_FILTER processing");
+                        "take a recording of processing \"raw\" or \"matched-filter\"");
 }
 
 PulseInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {

@@ -202,7 +202,7 @@ class Remarks {
     warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
          fmt::format("a beam that points to {:.3g} degrees all the time",
                      azimuth_deg + (azimuth_deg < 0.0 ? 360.0 : 0.0)),
-         "a ROTATING beam", "targets outside the beam are not compared with detections");
+         "a beam of type \"rotating\"", "targets outside the beam are not compared with detections");
   }
 
   void detector() {
@@ -238,16 +238,16 @@ core::Problems problems_of_search(const simulate::Plan& plan, const SearchOption
                                         std::move(expected), std::move(hint)));
   };
   if (plan.simulation.processing == scene::Processing::srp)
-    refuse("synthetic range profiles hold no pulses", "SRP", "RAW or MATCHED_FILTER processing",
-           "take another simulation with --simulation");
+    refuse("synthetic range profiles hold no pulses", "processing \"srp\"", "processing \"raw\" or \"matched-filter\"",
+           "take another recording with --simulation");
   const bool trains = options.recorded_pulses() > 1;
   if (trains && !evenly_spaced(plan))
     refuse("the pulses are not evenly spaced: Doppler frequencies and cancellers need even ones", "", "one PRF",
-           "use CONSTANT repetition, or --interval 1 without a canceller");
+           "use a repetition of type \"constant\", or --interval 1 without a canceller");
   if (trains && plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
     refuse("the carrier changes from pulse to pulse: their phases cannot be compared",
            fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
-           "one carrier", "use CARRIER SINGLE, or --interval 1 without a canceller");
+           "one carrier", "use a carrier of type \"single\", or --interval 1 without a canceller");
   const auto pulses = static_cast<std::size_t>(plan.pulses.count());
   if (plan.simulation.processing != scene::Processing::srp && options.recorded_pulses() > pulses)
     refuse("an interval takes more pulses than there are", fmt::format("{}", options.recorded_pulses()),
