@@ -92,6 +92,53 @@ TEST_F(Inputs, AxesOfAFileThatAreNotThoseOfItsScriptAreWarnedOf) {
   EXPECT_THAT(own.err, testing::Not(HasSubstr("the axis")));
 }
 
+// What a recording in SigMF or Zarr says of itself stands in texts, where anybody may change it.
+TEST_F(Inputs, FactsOfAFileThatAreNotThoseOfItsScriptAreWarnedOf) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "zarr", "--quiet"});
+  const auto change = [&](const fs::path& file, const std::string& old, const std::string& by) {
+    std::string text = text_of(file);
+    const std::size_t at = text.find(old);
+    ASSERT_NE(at, std::string::npos) << old << text;
+    write_text(file, text.replace(at, old.size(), by));
+  };
+  fs::remove(folder_ / "sim.zarr/.zmetadata");
+  const Finished own = sarsim({"doppler", "sim.zarr", "--out", "own.img"});
+  EXPECT_EQ(own.status, 0) << own.err;
+  EXPECT_THAT(own.err, testing::Not(HasSubstr("is not that of its script")));
+  change(folder_ / "sim.zarr/.zattrs", "\"sample_rate_hz\": 1", "\"sample_rate_hz\": 2");
+  change(folder_ / "sim.zarr/.zattrs", "\"radar\": \"", "\"radar\": \"Another");
+  const fs::path places = folder_ / "sim.zarr/platform_position_m/0.0";
+  std::string bytes = text_of(places);
+  const double elsewhere = 1234.5;
+  std::memcpy(bytes.data() + 3 * 3 * sizeof(double), &elsewhere, sizeof elsewhere);
+  write_text(places, bytes);
+  const Finished done = sarsim({"doppler", "sim.zarr", "--out", "m.img"});
+  EXPECT_EQ(done.status, 0) << done.err;
+  EXPECT_THAT(done.err, HasSubstr("sample_rate_hz of the file is not that of its script, which counts"));
+  EXPECT_THAT(done.err, HasSubstr("sample_rate_hz of the file contradicts its slant_range_m"));
+  EXPECT_THAT(done.err, HasSubstr("radar of the file is not that of its script"));
+  EXPECT_THAT(done.err, HasSubstr("the axis platform_position_m of the file is not that of its script"));
+  EXPECT_THAT(done.err, HasSubstr("1234.5 for x at position 3"));
+}
+
+TEST_F(Inputs, WhatIsNoSceneIsNamedByEveryCommandThatReadsScenes) {
+  write_text(folder_ / "a.yaml", "radar:\n  carrier: 9.6 GHz\n");
+  write_text(folder_ / "b.scr", "x,y,z\n1,2,3\n4,5,6\n");
+  const auto expect_named = [&](const std::vector<std::string>& words, const char* kind) {
+    const Finished refused = sarsim(words);
+    EXPECT_EQ(refused.status, 2) << words.front();
+    EXPECT_THAT(refused.err + refused.out, HasSubstr(std::string("this is no scene: it seems to be ") + kind))
+        << words.front();
+  };
+  using Words = std::vector<std::string>;
+  for (const Words& words : {Words{"check", "a.yaml"}, Words{"run", "a.yaml"}}) expect_named(words, "YAML");
+  for (const Words& words : {Words{"check", "b.scr"}, Words{"run", "b.scr"}, Words{"info", "b.scr"},
+                             Words{"focus", "b.scr", "--out", "i.img"}, 
+                             Words{"convert", "b.scr", "b.toml"}})
+    expect_named(words, "a table of numbers (CSV)");
+}
+
 TEST_F(Inputs, ValuesThatAreNotFiniteAreNoLineOfNames) {
   for (const char* first : {"nan,inf", "-inf,1", "1,nan", "Infinity,NaN"}) {
     write_text(folder_ / "a.csv", std::string(first) + "\n1,2\n3,4\n");

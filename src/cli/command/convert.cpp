@@ -50,6 +50,7 @@ ExitStatus export_recording(const ConvertArguments& arguments, Streams& streams)
         "leave out --to, --counts, --header, --from, --columns, --bits and --lsb");
   workflow::ExportRequest request = arguments.exchange;
   request.input = {samples.input, samples.sample.script, samples.simulation, arguments.overrides};
+  request.input.dataset = samples.sample.dataset;
   request.output = samples.output;
   if (!arguments.anchor.empty()) request.anchor = workflow::anchor_from_text(arguments.anchor, "--anchor");
   request.force = samples.force;

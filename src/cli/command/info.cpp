@@ -54,6 +54,7 @@ void expect_used(const InfoArguments& arguments, bool script) {
                            {"--columns", sample.columns.has_value(), false},
                            {"--bits", sample.bits.has_value(), false},
                            {"--lsb", sample.lsb_v.has_value(), false},
+                           {"--dataset", !sample.dataset.empty(), false},
                            {"--script", !sample.script.empty(), false},
                            {"--statistics", arguments.statistics, false}};
   core::Problems problems;

@@ -223,6 +223,7 @@ void expect_used_by_input(const PlotArguments& a) {
                                    {"--columns", samples.columns.has_value(), false},
                                    {"--bits", samples.bits.has_value(), false},
                                    {"--lsb", samples.lsb_v.has_value(), false},
+                                   {"--dataset", !samples.dataset.empty(), false},
                                    {"--script", !samples.script.empty(), false}};
   core::Problems problems;
   for (const InputUse& use : uses) {

@@ -8,7 +8,9 @@
 
 #include "core/xml/xml.hpp"
 #include "raster/cphd/big_endian.hpp"
+#include "raster/cphd/vector_check.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/nearest_float.hpp"
 
 namespace sarsim::raster {
 
@@ -73,13 +75,48 @@ void check_channels(const core::InputFile& file, const CphdDescription& d, const
   }
 }
 
+// Whether the arrays of the channels fill their block, each array at a place of its own.
+void check_block(const core::InputFile& file, const FileBlock& block, const char* what,
+                 std::vector<std::pair<std::uint64_t, std::uint64_t>> arrays, core::Problems& problems) {
+  std::ranges::sort(arrays);
+  std::uint64_t end = 0;
+  std::uint64_t bytes = 0;
+  for (const auto& [offset, size] : arrays) {
+    if (offset < end)
+      problems.push_back(cphd_problem(file, fmt::format("the {} of two channels lie at one place", what),
+                                      fmt::format("an array from {} on, the one before ends at {}", offset, end),
+                                      "arrays one behind the other"));
+    end = std::max(end, offset + size);
+    bytes += size;
+  }
+  if (bytes != block.bytes)
+    problems.push_back(with_severity(
+        cphd_problem(file, fmt::format("the {} of all channels do not fill the block {}", what, block.name),
+                     fmt::format("{}_BLOCK_SIZE {} bytes", block.name, block.bytes),
+                     fmt::format("{} bytes, as the XML counts vectors and samples", bytes),
+                     "the header or the XML belongs to another file; what the XML counts is read"),
+        core::Severity::warning));
+}
+
+void check_sums(const core::InputFile& file, const CphdDescription& d, const FileBlock& pvp, const FileBlock& signal,
+                core::Problems& problems) {
+  if (core::has_errors(problems)) return;  // The products below may not fit into 64 bits.
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> parameters, samples;
+  for (const PhaseChannel& channel : d.channels) {
+    parameters.emplace_back(channel.pvp_offset, channel.vectors * d.pvp_bytes);
+    samples.emplace_back(channel.signal_offset, channel.vectors * channel.samples * entry_of(d.encoding).bytes);
+  }
+  check_block(file, pvp, "parameters", std::move(parameters), problems);
+  check_block(file, signal, "samples", std::move(samples), problems);
+}
+
 template <class Integer>
 void scaled(std::span<const std::byte> bytes, double amplitude, std::span<std::complex<float>> out) {
   const std::byte* from = bytes.data();
   for (std::complex<float>& sample : out) {
     const double i = static_cast<double>(get_big_endian<Integer>(from));
     const double q = static_cast<double>(get_big_endian<Integer>(from + sizeof(Integer)));
-    sample = {static_cast<float>(amplitude * i), static_cast<float>(amplitude * q)};
+    sample = {as_float(amplitude * i), as_float(amplitude * q)};
     from += 2 * sizeof(Integer);
   }
 }
@@ -113,6 +150,9 @@ std::shared_ptr<const CphdFile> CphdFile::open(core::InputFile input, core::Prob
   opened->signal_ = *signal;
   if (is_known_version(header->first_line)) opened->description_.version = header->first_line.substr(5);
   check_channels(file, opened->description_, *pvp, *signal, problems);
+  check_sums(file, opened->description_, *pvp, *signal, problems);
+  if (core::has_errors(problems)) return nullptr;
+  check_vectors(*opened, problems);
   if (core::has_errors(problems)) return nullptr;
   return opened;
 }

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 #include "core/xml/xml.hpp"
 #include "raster/cphd/cphd_file.hpp"
@@ -69,7 +70,9 @@ class XmlReading {
 
   // The text of an element that must be there.
   std::string text(xml_node parent, std::string_view path) {
-    const std::string_view found = trimmed_text(find(parent, path));
+    const xml_node node = find(parent, path);
+    expect_once(node);
+    const std::string_view found = trimmed_text(node);
     if (found.empty()) error(fmt::format("the XML has no {}/{}", local_name(parent), path), {}, "a value");
     return std::string(found.substr(0, longest));
   }
@@ -108,6 +111,15 @@ class XmlReading {
       return {};
     }
     return {number(node, "X"), number(node, "Y"), number(node, "Z")};
+  }
+
+  // Of two elements of one name nothing tells which one counts.
+  void expect_once(xml_node node) {
+    for (xml_node next = node.next_sibling(); next; next = next.next_sibling())
+      if (next.type() == pugi::node_element && local_name(next) == local_name(node) &&
+          trimmed_text(next) != trimmed_text(node))
+        return error(fmt::format("the XML has {} twice", local_name(node)),
+                     fmt::format("'{:.60}' and '{:.60}'", trimmed_text(node), trimmed_text(next)), "one");
   }
 
   static bool flag_if(xml_node parent, std::string_view path, bool otherwise) {
@@ -166,6 +178,13 @@ void read_global(XmlReading& xml, CphdDescription& d) {
   d.fx_max_hz = xml.number(node, "FxBand/FxMax");
   d.toa_min_s = xml.number(node, "TOASwath/TOAMin");
   d.toa_max_s = xml.number(node, "TOASwath/TOAMax");
+  if (xml.failed()) return;
+  if (!(d.fx_min_hz < d.fx_max_hz))
+    xml.error("Global/FxBand is empty", fmt::format("{:g} Hz to {:g} Hz", d.fx_min_hz, d.fx_max_hz),
+              "FxMin below FxMax");
+  if (!(d.toa_min_s < d.toa_max_s))
+    xml.error("Global/TOASwath is empty", fmt::format("{:g} s to {:g} s", d.toa_min_s, d.toa_max_s),
+              "TOAMin below TOAMax");
 }
 
 // The axes of a surface of constant height are given as changes of latitude and longitude in a metre.
@@ -186,6 +205,25 @@ core::Vec3 unit(const core::Vec3& v) {
   return length > 0.0 ? (1.0 / length) * v : v;
 }
 
+// The origin is said twice; texts of latitudes have some digits less.
+void compare_origin(XmlReading& xml, xml_node scene, const core::Vec3& origin_m) {
+  constexpr double most_m = 4e9;
+  constexpr double apart_m = 100.0;
+  if (!(core::norm(origin_m) <= most_m && core::norm(origin_m) > 0.0))
+    return xml.error("IARP/ECF is no place", fmt::format("({:g}, {:g}, {:g})", origin_m.x, origin_m.y, origin_m.z),
+                     "Earth-fixed metres, up to 4e9");
+  const xml_node llh = XmlReading::find(scene, "IARP/LLH");
+  if (!llh) return;
+  constexpr double rad_per_degree = core::pi / 180.0;
+  const radar::Geodetic place{xml.number(llh, "Lat") * rad_per_degree, xml.number(llh, "Lon") * rad_per_degree,
+                              xml.number(llh, "HAE")};
+  if (xml.failed()) return;
+  const double distance_m = core::norm(radar::ecef_of(place) - origin_m);
+  if (!(distance_m <= apart_m))
+    xml.remark("IARP/LLH is not the place of IARP/ECF, which counts", fmt::format("{:.6g} m apart", distance_m),
+               fmt::format("at most {:g} m", apart_m));
+}
+
 void read_scene(XmlReading& xml, CphdDescription& d) {
   const xml_node node = xml.find("SceneCoordinates");
   if (!node) {
@@ -194,6 +232,7 @@ void read_scene(XmlReading& xml, CphdDescription& d) {
   }
   SceneCoordinates& scene = d.scene;
   scene.origin_m = xml.place(node, "IARP/ECF");
+  if (!xml.failed()) compare_origin(xml, node, scene.origin_m);
   const xml_node planar = XmlReading::find(node, "ReferenceSurface/Planar");
   const xml_node height = XmlReading::find(node, "ReferenceSurface/HAE");
   if (!planar && !height) {
@@ -251,6 +290,11 @@ void read_data(XmlReading& xml, CphdDescription& d) {
     if (xml.failed()) return;
   }
   if (d.channels.empty()) xml.error("the file has no channel", {}, "at least one Data/Channel");
+  if (!XmlReading::find(node, "NumCPHDChannels")) return;
+  const std::uint64_t channels = xml.count(node, "NumCPHDChannels", 1, most);
+  if (!xml.failed() && channels != d.channels.size())
+    xml.error("NumCPHDChannels is not the number of channels", fmt::format("{}", channels),
+              fmt::format("{} elements Data/Channel", d.channels.size()));
 }
 
 void read_channels(XmlReading& xml, CphdDescription& d) {
@@ -274,6 +318,28 @@ void read_channels(XmlReading& xml, CphdDescription& d) {
   }
 }
 
+// Whether the numbers of a parameter are those of the standard: 8 bytes each. Blanks and a last semicolon do not count.
+void check_format(XmlReading& xml, const PvpField& field, xml_node parameter) {
+  std::string format = XmlReading::text_if(parameter, "Format");
+  std::erase(format, ' ');
+  if (format.ends_with(';')) format.pop_back();
+  if (format.empty()) return;
+  const std::string_view expected = field.integer != nullptr ? "I8" : field.words == 1 ? "F8" : "X=F8;Y=F8;Z=F8";
+  if (format != expected)
+    xml.error(fmt::format("the numbers of PVP/{} are not those of the standard (Format)", field.name), format,
+              std::string(expected));
+}
+
+// Whether two parameters are said to be at one place.
+void check_overlaps(XmlReading& xml, std::vector<PvpSlot> slots) {
+  std::ranges::sort(slots, {}, &PvpSlot::offset);
+  constexpr std::size_t word = 8;
+  for (std::size_t i = 1; i < slots.size(); ++i)
+    if (slots[i].offset < slots[i - 1].offset + word * slots[i - 1].field->words)
+      xml.error(fmt::format("PVP/{} and PVP/{} lie at one place", slots[i - 1].field->name, slots[i].field->name),
+                fmt::format("word {}", slots[i].offset / word), "an Offset of its own for each");
+}
+
 // Where the parameters stand in a vector.
 std::vector<PvpSlot> read_slots(XmlReading& xml, const CphdDescription& d) {
   constexpr std::uint64_t word = 8;
@@ -286,6 +352,7 @@ std::vector<PvpSlot> read_slots(XmlReading& xml, const CphdDescription& d) {
         xml.error(fmt::format("the XML has no PVP/{}", field.name), {}, "its Offset, Size and Format");
       continue;
     }
+    check_format(xml, field, parameter);
     const std::uint64_t size = xml.count(parameter, "Size", field.words, field.words);
     const std::uint64_t offset = xml.count(parameter, "Offset", 0, d.pvp_bytes / word);
     if (!xml.failed() && word * (offset + size) > d.pvp_bytes)
@@ -294,6 +361,7 @@ std::vector<PvpSlot> read_slots(XmlReading& xml, const CphdDescription& d) {
                 fmt::format("NumBytesPVP, {} bytes", d.pvp_bytes));
     slots.push_back({&field, static_cast<std::size_t>(word * offset)});
   }
+  if (!xml.failed()) check_overlaps(xml, slots);
   return slots;
 }
 

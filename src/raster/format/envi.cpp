@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <stdexcept>
 #include <system_error>
 
@@ -101,6 +102,95 @@ class NumberTaker {
   const std::string& file_;
   core::Problems& problems_;
 };
+
+// Numbers of a value; nothing where one is none.
+std::optional<std::vector<double>> numbers_in(std::string_view text) {
+  std::vector<double> numbers;
+  while (!core::trimmed(text).empty()) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const auto number = core::parse_number(core::trimmed(text.substr(0, comma)));
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+    text.remove_prefix(std::min(comma + 1, text.size()));
+  }
+  return numbers;
+}
+
+// A field that changes what pixels mean or where they are, unless all of its numbers are the one that does nothing.
+struct ChangingField {
+  std::string_view name;
+  double neutral;
+  const char* hint;
+};
+
+constexpr const char* multiply = "compute the pixels by it, and remove the field";
+constexpr const char* without_frames = "store the pixels without the bytes between them: gdal_translate -of ENVI";
+constexpr ChangingField changing_fields[] = {
+    {"data gain values", 1.0, multiply},
+    {"data offset values", 0.0, multiply},
+    {"data reflectance gain values", 1.0, multiply},
+    {"data reflectance offset values", 0.0, multiply},
+    {"reflectance scale factor", 1.0, multiply},
+    {"data ignore value", 0.0, "set such pixels to 0, and the field too"},
+    {"minor frame offsets", 0.0, without_frames},
+    {"major frame offsets", 0.0, without_frames},
+    {"file compression", 0.0, "unpack the image: gunzip"},
+};
+
+// One value of a field that has only a few.
+void expect_word(std::string_view name, const std::optional<std::string>& value,
+                 std::initializer_list<std::string_view> allowed, const std::string& expected, const std::string& file,
+                 core::Problems& problems) {
+  if (!value) return;
+  const auto same = [&](std::string_view word) { return core::equal_ignoring_case(*value, word); };
+  if (std::ranges::any_of(allowed, same)) return;
+  problems.push_back(file_problem(file, fmt::format("'{}' of the image is not supported", name),
+                                  fmt::format("{:.60}", *value), expected));
+}
+
+// Fields that say something else than that pixels are the samples, one behind the other.
+void refuse_changes(const Fields& fields, const std::string& file, core::Problems& problems) {
+  for (const ChangingField& changing : changing_fields)
+    for (const auto& [name, value] : fields) {
+      if (name != changing.name) continue;
+      const auto numbers = numbers_in(value);
+      const bool nothing = core::equal_ignoring_case(value, "nan") ||
+                           (numbers && std::ranges::all_of(*numbers, [&](double n) { return n == changing.neutral; }));
+      if (nothing) continue;
+      problems.push_back(file_problem(file, fmt::format("'{}' of the image is not supported", name),
+                                      fmt::format("{:.60}", value),
+                                      fmt::format("{:g}, or no such field", changing.neutral), changing.hint));
+    }
+}
+
+// Our own fields say where pixels are; a part that another program cut out has the whole image's.
+void refuse_cut_out(const Fields& fields, const std::string& file, core::Problems& problems) {
+  const auto has = [&](std::string_view name) {
+    return std::ranges::find(fields, name, [](const auto& f) -> std::string_view { return f.first; }) != fields.end();
+  };
+  for (const auto& [start, own] : {std::pair("x start", "range first m"), std::pair("y start", "azimuth first m")})
+    for (const auto& [name, value] : fields) {
+      if (name != start || !has(own)) continue;
+      const auto number = core::parse_number(value);
+      if (number && (*number == 0.0 || *number == 1.0)) continue;
+      problems.push_back(
+          file_problem(file, fmt::format("'{}' contradicts '{}'", start, own), fmt::format("{:.60}", value),
+                       "1, as the first pixel is at that place",
+                       fmt::format("correct '{}' by the pixels before it, and remove '{}'", own, start)));
+    }
+}
+
+// Of fields of one name nothing tells which one counts.
+void refuse_doubles(const Fields& fields, const std::string& file, core::Problems& problems) {
+  std::map<std::string_view, std::string_view> known;
+  for (const auto& [name, value] : fields) {
+    const auto [first, is_new] = known.emplace(name, value);
+    if (is_new || first->second == value) continue;
+    problems.push_back(file_problem(file, fmt::format("the header gives '{:.60}' twice", name),
+                                    fmt::format("'{:.60}' and '{:.60}'", first->second, value), "one value"));
+    return;
+  }
+}
 
 // As much as a header may have: of any other file no more is read.
 std::string header_text(const std::filesystem::path& path) {
@@ -204,6 +294,9 @@ EnviReading read_envi_header(std::string_view text, const std::string& file) {
     return reading;
   }
   Fields fields = fields_of(text);
+  refuse_doubles(fields, file, reading.problems);
+  refuse_changes(fields, file, reading.problems);
+  refuse_cut_out(fields, file, reading.problems);
   EnviHeader header;
   NumberTaker numbers(fields, file, reading.problems);
   header.samples = numbers.take_number("samples", std::nullopt);
@@ -215,8 +308,10 @@ EnviReading read_envi_header(std::string_view text, const std::string& file) {
   numbers.expect("byte order", numbers.take_number("byte order", 0), {0}, "0 (least significant byte first)");
   header.pixel = type == 4 ? EnviHeader::Pixel::real_float : EnviHeader::Pixel::complex_float;
   header.description = take(fields, "description").value_or("");
-  (void)take(fields, "file type");
-  (void)take(fields, "interleave");
+  expect_word("file type", take(fields, "file type"), {"ENVI Standard", "ENVI", "Standard"}, "ENVI Standard", file,
+              reading.problems);
+  expect_word("interleave", take(fields, "interleave"), {"bsq", "bil", "bip"}, "bsq, bil or bip", file,
+              reading.problems);
   header.fields = std::move(fields);
   if (!core::has_errors(reading.problems)) reading.header = std::move(header);
   return reading;
@@ -324,6 +419,12 @@ std::pair<std::optional<EnviImage>, core::Problems> EnviImage::open(const std::f
     return {std::nullopt,
             {file_problem(data.string(), "the file is shorter than its header says", std::to_string(status.st_size),
                           bytes ? fmt::format("{} bytes", *bytes + header.header_offset) : std::string())}};
+  if (static_cast<std::uint64_t>(status.st_size) > *bytes + header.header_offset)
+    reading.problems.push_back(with_severity(
+        file_problem(data.string(), "the file is longer than its header says", fmt::format("{} bytes", status.st_size),
+                     fmt::format("{} bytes", *bytes + header.header_offset),
+                     "'lines', 'samples' or 'header offset' may be those of another file"),
+        core::Severity::warning));
   return {std::move(image), std::move(reading.problems)};
 }
 

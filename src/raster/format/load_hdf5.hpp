@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/os/temporary_files.hpp"
 #include "raster/format/encoder.hpp"
@@ -34,7 +35,7 @@ struct Hdf5Module {
   void (*write_frame)(const std::filesystem::path& path, const simulate::Product& product,
                       const FileAttributes& option_words, const Encoding& encoding, const simulate::RunReport& report);
   /// Where its arrays stand, see hdf5_arrays.
-  StoredArrays (*arrays)(const std::filesystem::path& path, std::uint64_t file_bytes);
+  StoredArrays (*arrays)(const std::filesystem::path& path, std::uint64_t file_bytes, const std::string& dataset);
   /// Reads a table of points, see read_hdf5_points.
   std::optional<core::Problem> (*read_points)(const std::filesystem::path& path, std::uint64_t file_bytes,
                                               const NumberTableTaker& taker);

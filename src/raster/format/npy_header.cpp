@@ -83,6 +83,58 @@ class LiteralReader {
   std::string_view rest_;
 };
 
+// Bytes of a type by its last digits: "<f8", "|u1", "<U4" of letters of 4 bytes; nothing for a type without a size.
+std::optional<std::size_t> bytes_of_type(std::string_view type) {
+  constexpr std::size_t most = std::size_t{1} << 20U;
+  const std::size_t digits = type.find_first_of("0123456789");
+  if (digits == std::string_view::npos || digits == 0) return std::nullopt;
+  std::size_t bytes = 0;
+  const auto [end, error] = std::from_chars(type.data() + digits, type.data() + type.size(), bytes);
+  if (error != std::errc{} || end != type.data() + type.size() || bytes == 0 || bytes > most) return std::nullopt;
+  return type[digits - 1] == 'U' ? 4 * bytes : bytes;
+}
+
+// A list of fields behind its bracket: ('x', '<f8') or ('x', '<f8', (3,)). Structures within are not read.
+bool take_fields(LiteralReader& reader, NpyHeader& header) {
+  constexpr std::size_t most_fields = 1000;
+  constexpr std::uint64_t most_count = std::uint64_t{1} << 20U;
+  while (!reader.take(']')) {
+    if (header.fields.size() >= most_fields || !reader.take('(')) return false;
+    NpyField field;
+    auto name = reader.take_string();
+    if (!name && reader.take('(')) {  // With a title: (('title', 'name'), '<f8').
+      if (!reader.take_string() || !reader.take(',')) return false;
+      name = reader.take_string();
+      if (!reader.take(')')) return false;
+    }
+    if (!name || !reader.take(',')) return false;
+    const auto type = reader.take_string();
+    if (!type) return false;
+    if (reader.take(',')) {
+      std::optional<std::vector<std::uint64_t>> shape = reader.take_tuple();
+      if (!shape) {
+        const auto size = reader.take_size();
+        if (!size) return false;
+        shape = {*size};
+      }
+      std::uint64_t count = 1;
+      for (const std::uint64_t size : *shape)
+        if (size > most_count || (count *= size) > most_count) return false;
+      field.count = static_cast<std::size_t>(count);
+    }
+    const auto bytes = bytes_of_type(*type);
+    if (!bytes || !reader.take(')')) return false;
+    field.name = *name;
+    field.type = *type;
+    field.bytes = *bytes;
+    field.offset = header.structure_bytes();
+    header.fields.push_back(std::move(field));
+    if (reader.take(',')) continue;
+    return reader.take(']');
+  }
+  return !header.fields.empty();
+}
+
 // Takes the value of one key; false where it is not what the key asks for.
 bool take_entry(LiteralReader& reader, const std::string& key, NpyHeader& header) {
   if (key == "descr") {
@@ -114,9 +166,14 @@ std::variant<NpyHeader, core::Problem> parse_dictionary(std::string_view text) {
   while (!reader.take('}')) {
     const auto key = reader.take_string();
     if (!key || !reader.take(':')) return malformed();
-    if (*key == "descr" && reader.take('['))
-      return problem("arrays of structures are not read", std::string(text.substr(0, 120)), "a complex type");
-    if (!take_entry(reader, *key, header)) return malformed();
+    if (*key == "descr" && reader.take('[')) {
+      if (!take_fields(reader, header))
+        return problem("arrays of structures of this kind are not read", std::string(text.substr(0, 60)),
+                       "fields of numbers: [('x', '<f8'), ...]");
+      header.type = "V";
+    } else if (!take_entry(reader, *key, header)) {
+      return malformed();
+    }
     ++entries;
     if (reader.take(',')) continue;
     if (!reader.take('}')) return malformed();

@@ -13,12 +13,27 @@
 
 namespace sarsim::raster {
 
+/// A field of an array of structures.
+struct NpyField {
+  std::string name;
+  std::string type;        ///< As NpyHeader::type.
+  std::size_t bytes = 0;   ///< Of one number or text,
+  std::size_t count = 1;   ///< of which there are so many.
+  std::size_t offset = 0;  ///< Within the structure.
+};
+
 /// What the header of a NumPy array file says.
 struct NpyHeader {
-  std::string type;                  ///< Array-protocol type, for instance "<c8".
-  bool fortran_order = false;        ///< First index fastest.
-  std::vector<std::uint64_t> shape;  ///< Empty for a single number.
-  std::size_t data_offset = 0;       ///< Bytes before the array.
+  std::string type;                   ///< Array-protocol type, for instance "<c8"; "V" of structures.
+  bool fortran_order = false;         ///< First index fastest.
+  std::vector<std::uint64_t> shape;   ///< Empty for a single number.
+  std::size_t data_offset = 0;        ///< Bytes before the array.
+  std::vector<NpyField> fields = {};  ///< Of structures, one behind the other; empty of numbers.
+
+  /// Bytes of a structure.
+  [[nodiscard]] std::size_t structure_bytes() const {
+    return fields.empty() ? 0 : fields.back().offset + fields.back().bytes * fields.back().count;
+  }
 };
 
 /// The header of a C-order array, version 1.0, padded with blanks so that the array begins at a multiple of 64 bytes.

@@ -13,6 +13,11 @@ namespace sarsim::raster {
 namespace {
 
 core::Problem wrong_type(const std::string& name, const NpyHeader& header) {
+  if (!header.fields.empty())
+    return file_problem(
+        name, "the array holds structures, not samples",
+        fmt::format("{} fields, the first is '{:.60}'", header.fields.size(), header.fields.front().name),
+        npy_sample_types(), "store one of its fields: numpy.save('a.npy', array['NAME'])");
   if (header.type.starts_with('>'))
     return file_problem(name, "the array is big-endian", header.type, npy_sample_types(),
                         "store it with array.astype(array.dtype.newbyteorder('<'))");
@@ -91,6 +96,7 @@ NpyReading read_partial_npy(const core::InputFile& file, const NpyHeader& header
   const std::string name = file.path().string();
   const auto refused = [](core::Problem problem) { return NpyReading{std::nullopt, {std::move(problem)}}; };
   const NpyType* const type = npy_type_of(header);
+  if (type == nullptr && !header.fields.empty()) return refused(wrong_type(name, header));
   if (type == nullptr)
     return refused(file_problem(name, "the array's type is not one of numbers", header.type,
                                 "c8, c16, f4, f8, i1 to i8 or u1 to u8, of either byte order"));

@@ -10,12 +10,16 @@
 #include <utility>
 #include <variant>
 
+#include <fmt/format.h>
+
 #include "core/os/input_file.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/text_start.hpp"
 #include "raster/format/zarr_store.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
+#include "raster/table/raster_gate.hpp"
+#include "scene/script/foreign_text.hpp"
 
 namespace sarsim::raster {
 
@@ -82,15 +86,33 @@ std::optional<std::filesystem::path> folder_of(const std::filesystem::path& path
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
 }
 
+// What a file of an unknown format seems to be, in words; empty where nothing tells.
+std::string guess_of(const core::InputFile& file) {
+  std::string begin(std::size_t{1} << 12U, '\0');
+  begin.resize(file.read_at(0, std::as_writable_bytes(std::span(begin))));
+  const std::string kind = scene::guess_of_content(begin);
+  return kind.empty() ? kind : "it seems to be " + kind;
+}
+
+// The gate that every file of samples passes, whatever its format. What is only looked at is shown as it is.
+OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesystem::path& path, Integrity integrity) {
+  if (!opened.raster) return opened;
+  opened.raster->set_format(format);
+  for (core::Problem& problem : problems_of_facts(*opened.raster, path.string())) {
+    if (integrity == Integrity::partial && problem.severity == core::Severity::error)
+      problem.severity = core::Severity::warning;
+    opened.problems.push_back(std::move(problem));
+  }
+  if (core::has_errors(opened.problems)) opened.raster.reset();
+  return opened;
+}
+
 }  // namespace
 
 OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path, const RasterHints& hints) {
   if (const auto folder = folder_of(path))
-    if (const Format* const format = format_of_folder(*folder)) {
-      OpenedRaster result = format->open_folder(*folder, *format, hints, integrity);
-      if (result.raster) result.raster->set_format(*format);
-      return result;
-    }
+    if (const Format* const format = format_of_folder(*folder); format != nullptr && hints.dataset.empty())
+      return passed(format->open_folder(*folder, *format, hints, integrity), *format, path, integrity);
   const bool whole = integrity == Integrity::whole;
   auto opened = core::InputFile::open(path);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return {nullptr, {std::move(*problem)}};
@@ -100,12 +122,14 @@ OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path,
   const Format* const format = format_of_file(file, hints, integrity);
   if (format == nullptr)
     return {nullptr,
-            {file_problem(path.string(), "the format of the file is not known", {}, {},
+            {file_problem(path.string(), "the format of the file is not known", guess_of(file), {},
                           whole ? "give the format; BINARY also needs the samples of a row and the A/D bits"
                                 : "describe it as a custom file, or name the script that made it")}};
-  OpenedRaster result = format->open(std::move(file), *format, hints, integrity);
-  if (result.raster) result.raster->set_format(*format);
-  return result;
+  if (!hints.dataset.empty() && format->recording != scene::FileFormat::hdf5)
+    return {nullptr,
+            {file_problem(path.string(), fmt::format("a dataset is named, but {} has none", word_of(*format)),
+                          fmt::format("{:.60}", hints.dataset), {}, "leave it out: it is for HDF5 files")}};
+  return passed(format->open(std::move(file), *format, hints, integrity), *format, path, integrity);
 }
 
 }  // namespace sarsim::raster

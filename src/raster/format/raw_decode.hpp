@@ -1,13 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <complex>
 #include <cstddef>
 #include <cstring>
-#include <limits>
 #include <type_traits>
 
+#include "raster/table/nearest_float.hpp"
 #include "raster/table/stored_grid.hpp"
 
 namespace sarsim::raster {
@@ -24,13 +23,6 @@ double raw_component(const std::byte* bytes) {
     std::memcpy(&value, bytes, sizeof value);
   }
   return static_cast<double>(value);
-}
-
-/// The nearest float; what is beyond all floats becomes infinite.
-inline float as_float(double value) {
-  constexpr double most = static_cast<double>(std::numeric_limits<float>::max());
-  if (std::abs(value) <= most || !std::isfinite(value)) return static_cast<float>(value);
-  return std::copysign(std::numeric_limits<float>::infinity(), value < 0.0 ? -1.0F : 1.0F);
 }
 
 /// The nearest number of the wanted precision.

@@ -208,6 +208,8 @@ TEST_F(SicdReader, RefusesWhatItCannotRead) {
       {replaced(good, "<NumRows>4<", "<NumRows>5<"), "rows of the image segments"},
       {replaced(good, "<NumCols>3<", "<NumCols>x<"), "NumCols"},
       {replaced(good, "<SS>0.5<", "<SS>0.0<"), "Grid/Row/SS"},
+      {replaced(good, "<SS>0.5<", "<SS>nan<"), "Grid/Row/SS"},
+      {replaced(good, "<FirstRow>0<", "<FirstRow>x<"), "ImageData/FirstRow"},
       {put(good, text, "<!DOCTYPE a>"), "XML"},
       {put(good, text + 60, "<<<<"), "XML"},
       {replaced(good, "IMSICD000 ", "IMsomewhat"), "rows of the image segments"},

@@ -5,10 +5,11 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
+#include "core/hash/sha512.hpp"
 #include "core/os/input_file.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/format_reader.hpp"
@@ -17,68 +18,13 @@
 #include "raster/format/sigmf.hpp"
 #include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/sigmf_meta.hpp"
 
 namespace sarsim::raster {
 
 namespace {
 
 constexpr std::uint64_t longest_meta_bytes = std::uint64_t{1} << 30U;
-constexpr std::string_view own_prefix = "sarsim:";
-
-const nlohmann::json& sigmf_member(const nlohmann::json& object, const char* name) {
-  static const nlohmann::json none;
-  const auto found = object.find(name);
-  return found == object.end() ? none : *found;
-}
-
-// What the metadata of a recording say, as far as it is read.
-struct SigmfMeta {
-  std::string datatype;
-  std::uint64_t columns = 0;  // 0: not said.
-  std::optional<double> sample_rate_hz;
-  FileAttributes attributes;
-  std::vector<double> range_m;  // Empty where they do not say.
-  std::vector<std::uint64_t> starts;
-  std::vector<double> time_s;      // Of each capture; shorter where one says none.
-  std::vector<double> carrier_hz;  // The same.
-};
-
-void take_global(const nlohmann::json& global, SigmfMeta& meta) {
-  for (const auto& [name, value] : global.items()) {
-    if (!name.starts_with(own_prefix)) continue;
-    const std::string own = name.substr(own_prefix.size());
-    if (value.is_string()) meta.attributes.emplace_back(own, value.get<std::string>());
-    if (value.is_number_integer()) meta.attributes.emplace_back(own, value.dump());
-    if (value.is_number_float()) meta.attributes.emplace_back(own, core::format_number(value.get<double>()));
-  }
-  if (const auto& type = sigmf_member(global, "core:datatype"); type.is_string())
-    meta.datatype = type.get<std::string>();
-  if (const auto& rate = sigmf_member(global, "core:sample_rate"); rate.is_number())
-    meta.sample_rate_hz = rate.get<double>();
-  if (const auto& columns = sigmf_member(global, "sarsim:samples_per_pulse"); columns.is_number_unsigned())
-    meta.columns = columns.get<std::uint64_t>();
-  if (const auto& ranges = sigmf_member(global, "sarsim:slant_range_m"); ranges.is_array())
-    for (const auto& range : ranges)
-      if (range.is_number()) meta.range_m.push_back(range.get<double>());
-}
-
-void take_captures(const nlohmann::json& captures, SigmfMeta& meta) {
-  for (const auto& capture : captures) {
-    if (!capture.is_object()) continue;
-    const auto& start = sigmf_member(capture, "core:sample_start");
-    const auto& time = sigmf_member(capture, "sarsim:pulse_time_s");
-    const auto& carrier = sigmf_member(capture, "core:frequency");
-    if (start.is_number_unsigned()) meta.starts.push_back(start.get<std::uint64_t>());
-    if (time.is_number()) meta.time_s.push_back(time.get<double>());
-    if (carrier.is_number()) meta.carrier_hz.push_back(carrier.get<double>());
-  }
-  // Captures as long as one another are pulses.
-  if (meta.columns > 0 || meta.starts.size() < 2 || meta.starts.front() != 0) return;
-  const std::uint64_t step = meta.starts[1];
-  bool equal = step > 0;
-  for (std::size_t i = 1; i < meta.starts.size(); ++i) equal = equal && meta.starts[i] - meta.starts[i - 1] == step;
-  if (equal) meta.columns = step;
-}
 
 std::variant<SigmfMeta, core::Problem> read_meta(const std::filesystem::path& path) {
   auto opened = core::InputFile::open(path);
@@ -88,17 +34,9 @@ std::variant<SigmfMeta, core::Problem> read_meta(const std::filesystem::path& pa
     return file_problem(path.string(), "the metadata are too long", core::bytes_text(static_cast<double>(file.size())));
   std::string text(static_cast<std::size_t>(file.size()), '\0');
   file.read_all_at(0, std::as_writable_bytes(std::span(text)));
-  try {
-    const nlohmann::json tree = nlohmann::json::parse(text);
-    if (!tree.is_object() || !sigmf_member(tree, "global").is_object())
-      return file_problem(path.string(), "the metadata have no object 'global'", {}, "those of SigMF");
-    SigmfMeta meta;
-    take_global(sigmf_member(tree, "global"), meta);
-    if (const auto& captures = sigmf_member(tree, "captures"); captures.is_array()) take_captures(captures, meta);
-    return meta;
-  } catch (const nlohmann::json::exception& error) {
-    return file_problem(path.string(), "this is not JSON", error.what());
-  }
+  auto meta = parse_sigmf_meta(text, sigmf_files(path).back());
+  if (auto* problem = std::get_if<core::Problem>(&meta)) problem->place.file = path.string();
+  return meta;
 }
 
 // NumPy's word for the numbers of a type, I and Q after one another; empty for those that are not read.
@@ -137,6 +75,31 @@ class SigmfRaster final : public Raster {
   SigmfMeta meta_;
 };
 
+// Bytes of samples in the file of them.
+std::uint64_t sample_bytes_of(const core::InputFile& data, const SigmfMeta& meta) {
+  const std::uint64_t behind = data.size() - std::min(data.size(), meta.header_bytes);
+  return behind - std::min(behind, meta.trailing_bytes);
+}
+
+// What the file of samples has to be, byte by byte.
+std::optional<core::Problem> problem_of_checksum(const core::InputFile& data, const SigmfMeta& meta) {
+  if (meta.sha512.empty()) return std::nullopt;
+  constexpr std::size_t at_once = std::size_t{1} << 20U;
+  core::Sha512 sum;
+  std::vector<std::byte> bytes(at_once);
+  for (std::uint64_t at = 0; at < data.size(); at += at_once) {
+    const auto part =
+        std::span(bytes).first(static_cast<std::size_t>(std::min<std::uint64_t>(at_once, data.size() - at)));
+    data.read_all_at(at, part);
+    sum.add(part);
+  }
+  const std::string found = sum.digest();
+  if (found == meta.sha512) return std::nullopt;
+  return file_problem(data.path().string(), "the samples have not the checksum of the metadata (core:sha512)",
+                      found.substr(0, 16) + "...", meta.sha512.substr(0, 16) + "...",
+                      "the file is damaged, or belongs to other metadata");
+}
+
 // The places of samples in the file of them, or what is wrong with it.
 std::variant<StoredGrid, core::Problem> grid_of(const core::InputFile& data, const SigmfMeta& meta,
                                                 const std::filesystem::path& name, const RasterHints& hints) {
@@ -152,18 +115,27 @@ std::variant<StoredGrid, core::Problem> grid_of(const core::InputFile& data, con
   grid.columns = static_cast<std::size_t>(columns);
   grid.sample_bytes = 2 * type->bytes;
   grid.decode = type->decoder(true, false, false);
+  grid.offset = meta.header_bytes;
+  const std::uint64_t bytes = sample_bytes_of(data, meta);
   const auto row_bytes = checked_product(columns, grid.sample_bytes);
-  if (!row_bytes || data.size() == 0 || data.size() % *row_bytes != 0)
+  if (!row_bytes || bytes == 0 || bytes % *row_bytes != 0)
     return file_problem(data.path().string(), "the samples are no whole number of rows",
-                        fmt::format("{} bytes", data.size()),
+                        meta.header_bytes + meta.trailing_bytes > 0
+                            ? fmt::format("{} bytes without the {} of core:header_bytes and core:trailing_bytes", bytes,
+                                          meta.header_bytes + meta.trailing_bytes)
+                            : fmt::format("{} bytes", bytes),
                         fmt::format("rows of {} samples of {} bytes", columns, grid.sample_bytes),
                         "the file is cut off, or belongs to other metadata");
+  if (auto problem = misfit_of_meta(meta, bytes / *row_bytes, columns)) {
+    problem->place.file = name.string();
+    return std::move(*problem);
+  }
   return grid;
 }
 
 }  // namespace
 
-OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& hints, Integrity) {
+OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
   const auto files = sigmf_files(file.path());
   const auto refused = [](core::Problem problem) { return OpenedRaster{nullptr, {std::move(problem)}}; };
   auto read = read_meta(files.front());
@@ -174,7 +146,10 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   auto& data = std::get<core::InputFile>(opened);
   auto placed = grid_of(data, meta, files.front(), hints);
   if (auto* problem = std::get_if<core::Problem>(&placed)) return refused(std::move(*problem));
+  if (integrity == Integrity::whole)
+    if (auto problem = problem_of_checksum(data, meta)) return refused(std::move(*problem));
   const auto& grid = std::get<StoredGrid>(placed);
+  const std::uint64_t rows = sample_bytes_of(data, meta) / grid.row_bytes();
   RasterInfo info = info_of(data, grid.columns, hints);
   info.path = file.path();
   info.attributes = meta.attributes;
@@ -184,7 +159,7 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   if (!info.sample_rate_hz) info.sample_rate_hz = meta.sample_rate_hz;
   info.counts = meta.datatype.starts_with("ci");
   RasterInfo plain = info;
-  auto samples = make_grid_raster(std::move(plain), std::move(data), grid, any_rows);
+  auto samples = make_grid_raster(std::move(plain), std::move(data), grid, rows);
   if (hints.rows > 0 && hints.rows != samples->rows())
     return refused(file_problem(files.front().string(), "the recording has another number of rows",
                                 fmt::format("{}", samples->rows()), fmt::format("{}", hints.rows)));
@@ -200,7 +175,7 @@ StoredArrays arrays_of_sigmf(const core::InputFile& file, const RasterHints& hin
   if (auto* problem = std::get_if<core::Problem>(&placed)) return std::move(*problem);
   const auto& grid = std::get<StoredGrid>(placed);
   const bool pairs = meta.datatype.starts_with("ci");
-  const std::uint64_t rows = file.size() / grid.row_bytes();
+  const std::uint64_t rows = sample_bytes_of(file, meta) / grid.row_bytes();
   std::string type = numpy_type(meta.datatype);
   if (type == "<i1") type = "|i1";
   std::vector<StoredArray> arrays{{.name = "samples",
@@ -208,6 +183,7 @@ StoredArrays arrays_of_sigmf(const core::InputFile& file, const RasterHints& hin
                                    .item_bytes = pairs ? grid.sample_bytes / 2 : grid.sample_bytes,
                                    .shape = {rows, grid.columns},
                                    .dimensions = {"pulse", "sample"},
+                                   .offset = grid.offset,
                                    .facts = {{"units", pairs ? "count" : "V"}, {"long_name", "complex envelope"}}}};
   if (pairs) {
     arrays.front().shape.push_back(2);

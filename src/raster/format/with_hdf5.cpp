@@ -111,8 +111,8 @@ OpenedRaster open_hdf5_file(core::InputFile file, const Format&, const RasterHin
   return opened;
 }
 
-StoredArrays arrays_of_hdf5(const core::InputFile& file, const RasterHints&) {
-  return hdf5_module(file.path()).arrays(file.path(), file.size());
+StoredArrays arrays_of_hdf5(const core::InputFile& file, const RasterHints& hints) {
+  return hdf5_module(file.path()).arrays(file.path(), file.size(), hints.dataset);
 }
 
 const FormatWriter hdf5_file_writer{.encode = encode_array,

@@ -108,6 +108,18 @@ std::optional<core::Problem> storage_problem(const Json& tree) {
   return std::nullopt;
 }
 
+// Some numbers or texts, separated by commas; of other lists something that is neither.
+std::string list_text(const Json& list) {
+  constexpr std::size_t most_listed = 16;
+  std::string text;
+  if (list.size() > most_listed) return "[ ... ]";
+  for (const Json& value : list)
+    text += (text.empty() ? "" : ", ") + (value.is_number()   ? core::format_number(value.get<double>())
+                                          : value.is_string() ? value.get<std::string>()
+                                                              : std::string("..."));
+  return text;
+}
+
 // The whole of a file of text, or why not; nothing where it is missing.
 std::variant<std::monostate, std::string, core::Problem> text_in(const std::filesystem::path& path,
                                                                  std::uint64_t longest) {
@@ -152,7 +164,7 @@ std::variant<ZarrArray, core::Problem> parse_zarr_array(std::string_view text) {
   return array;
 }
 
-std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text) {
+std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text, bool lists) {
   auto read = object_in(text);
   if (auto* problem = std::get_if<core::Problem>(&read)) return std::move(*problem);
   FileAttributes attributes;
@@ -160,6 +172,7 @@ std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_vi
     if (value.is_string()) attributes.emplace_back(name, value.get<std::string>());
     if (value.is_number_integer()) attributes.emplace_back(name, value.dump());
     if (value.is_number_float()) attributes.emplace_back(name, core::format_number(value.get<double>()));
+    if (lists && value.is_array()) attributes.emplace_back(name, list_text(value));
   }
   return attributes;
 }
@@ -174,13 +187,34 @@ std::variant<ZarrArray, core::Problem> read_zarr_array(const std::filesystem::pa
   return array;
 }
 
-std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file) {
+std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file, bool lists) {
   auto text = text_in(file, longest_attributes_text);
   if (auto* problem = std::get_if<core::Problem>(&text)) return std::move(*problem);
   if (std::holds_alternative<std::monostate>(text)) return FileAttributes();
-  auto attributes = parse_zarr_attributes(std::get<std::string>(text));
+  auto attributes = parse_zarr_attributes(std::get<std::string>(text), lists);
   if (auto* problem = std::get_if<core::Problem>(&attributes)) problem->place.file = file.string();
   return attributes;
+}
+
+std::optional<core::Problem> contradiction_of_zarr(const std::filesystem::path& store,
+                                                   const std::filesystem::path& name) {
+  const auto all = text_in(store / ".zmetadata", longest_attributes_text);
+  const auto own = text_in(store / name, longest_attributes_text);
+  const auto* const all_text = std::get_if<std::string>(&all);
+  const auto* const own_text = std::get_if<std::string>(&own);
+  if (all_text == nullptr || own_text == nullptr) return std::nullopt;
+  const auto all_read = object_in(*all_text);
+  const auto own_read = object_in(*own_text);
+  const auto* const tree = std::get_if<Json>(&all_read);
+  const auto* const object = std::get_if<Json>(&own_read);
+  if (tree == nullptr || object == nullptr) return std::nullopt;
+  const Json& metadata = member_of(*tree, "metadata");
+  if (!metadata.is_object()) return std::nullopt;
+  const Json& copy = member_of(metadata, name.generic_string().c_str());
+  if (copy.is_null() || copy == *object) return std::nullopt;
+  return file_problem((store / ".zmetadata").string(), "it contradicts the file itself", name.generic_string(),
+                      "the same in both",
+                      "remove .zmetadata, or have it written anew: zarr.consolidate_metadata(store)");
 }
 
 }  // namespace sarsim::raster

@@ -29,11 +29,18 @@ struct ZarrArray {
 
 /// The attributes of a `.zattrs` that are texts or numbers, as texts; a problem, without a place, for what is no JSON
 /// object.
-[[nodiscard]] std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text);
+/// @param lists  also up to 16 numbers or texts, separated by commas
+[[nodiscard]] std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text,
+                                                                                bool lists = false);
 
 /// Reads a `.zarray`; a problem with its place where it is missing, or longer than 1 MiB.
 [[nodiscard]] std::variant<ZarrArray, core::Problem> read_zarr_array(const std::filesystem::path& file);
 /// Reads a `.zattrs`, of at most 1 GiB; no attributes where it is missing.
-[[nodiscard]] std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file);
+[[nodiscard]] std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file,
+                                                                               bool lists = false);
+/// Compares what `.zmetadata` of a store, which other programs read in place of the files themselves, says of a file
+/// with that file: "samples/.zarray". Nothing where they agree, or one of them is missing.
+[[nodiscard]] std::optional<core::Problem> contradiction_of_zarr(const std::filesystem::path& store,
+                                                                 const std::filesystem::path& name);
 
 }  // namespace sarsim::raster

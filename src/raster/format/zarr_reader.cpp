@@ -16,8 +16,11 @@
 #include "raster/format/format_reader.hpp"
 #include "raster/format/npy_array.hpp"
 #include "raster/format/zarr_metadata.hpp"
+#include "raster/table/axis_words.hpp"
+#include "raster/table/cf_attributes.hpp"
 #include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/pose_axes.hpp"
 
 namespace sarsim::raster {
 
@@ -265,6 +268,8 @@ std::variant<Presence, core::Problem> look_through(const ChunkTable& table, cons
   return presence;
 }
 
+std::variant<AxisMeaning, core::Problem> meaning_of_zarr_axis(const fs::path& array, const std::string& name);
+
 class ZarrRaster final : public Raster {
  public:
   // @param group  folder of the arrays beside it; empty where there are none
@@ -308,7 +313,13 @@ class ZarrRaster final : public Raster {
     std::vector<std::complex<double>> read_values(length * width);
     table->read_rows(0, static_cast<std::size_t>(table->rows()), read_values);
     std::vector<double> values(read_values.size());
-    std::ranges::transform(read_values, values.begin(), [](const std::complex<double> value) { return value.real(); });
+    const auto said = meaning_of_zarr_axis(folder, folder.filename().string());
+    const auto* const meaning = std::get_if<AxisMeaning>(&said);
+    if (meaning == nullptr) return std::nullopt;
+    const auto si = [meaning](const std::complex<double> value) {
+      return value.real() * meaning->factor + meaning->offset;
+    };
+    std::ranges::transform(read_values, values.begin(), si);
     return values;
   }
 
@@ -319,6 +330,62 @@ class ZarrRaster final : public Raster {
 OpenedRaster refuse_store(const fs::path& folder, core::Problem problem) {
   if (problem.place.file.empty()) problem.place.file = folder.string();
   return {nullptr, {std::move(problem)}};
+}
+
+// Nothing of a store may be a link: what it leads to is not in the store.
+std::optional<core::Problem> problem_of_link(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_symlink(fs::symlink_status(path, ignored))) return std::nullopt;
+  return file_problem(path.string(), "a part of the store is a link", {}, "a folder or a file of the store",
+                      "links are not followed: put the files themselves into the store");
+}
+
+// How numbers become samples, by the attributes of their array.
+std::variant<SampleMeaning, core::Problem> meaning_in(const fs::path& array, bool integers) {
+  const auto attributes = read_zarr_attributes(array / ".zattrs", true);
+  if (const auto* problem = std::get_if<core::Problem>(&attributes)) return *problem;
+  const auto& known = std::get<FileAttributes>(attributes);
+  std::vector<std::string> dimensions;
+  const std::string names = attribute_of(known, "_ARRAY_DIMENSIONS");
+  for (std::string_view rest = names; !rest.empty();) {
+    const std::size_t comma = std::min(rest.find(", "), rest.size());
+    dimensions.emplace_back(rest.substr(0, comma));
+    rest.remove_prefix(std::min(comma + 2, rest.size()));
+  }
+  const std::string what = "the array " + array.filename().string();
+  if (auto problem = problem_of_dimensions(dimensions, what)) return std::move(*problem);
+  return meaning_of_samples(known, what, integers);
+}
+
+// The meaning of an axis, or nothing where it is refused, which is done when the store is opened.
+std::variant<AxisMeaning, core::Problem> meaning_of_zarr_axis(const fs::path& array, const std::string& name) {
+  const auto attributes = read_zarr_attributes(array / ".zattrs", true);
+  if (const auto* problem = std::get_if<core::Problem>(&attributes)) return *problem;
+  return meaning_of_axis(std::get<FileAttributes>(attributes), "the axis " + name, units_of_axis(name));
+}
+
+// An axis has to fit the samples, and its unit its name.
+std::optional<core::Problem> problem_of_zarr_axes(const fs::path& group, std::uint64_t rows, std::uint64_t columns) {
+  std::error_code ignored;
+  const auto problem_of_axis = [&](const std::string& name,
+                                   const std::vector<std::uint64_t>& shape) -> std::optional<core::Problem> {
+    if (!fs::exists(fs::symlink_status(group / name, ignored))) return std::nullopt;
+    for (const fs::path& part : {group / name, group / name / ".zarray", group / name / ".zattrs"})
+      if (auto problem = problem_of_link(part)) return problem;
+    const auto read = read_zarr_array(group / name / ".zarray");
+    if (const auto* problem = std::get_if<core::Problem>(&read)) return *problem;
+    if (const auto& array = std::get<ZarrArray>(read); array.shape != shape)
+      return file_problem((group / name).string(), "the axis has not the length of the samples",
+                          shape_text(array.shape), shape_text(shape), "correct it, or rename it");
+    const auto meaning = meaning_of_zarr_axis(group / name, name);
+    if (const auto* problem = std::get_if<core::Problem>(&meaning)) return *problem;
+    return std::nullopt;
+  };
+  for (const AxisWords& axis : axis_words)
+    if (auto problem = problem_of_axis(axis.name, {axis.of == AxisOf::columns ? columns : rows})) return problem;
+  for (const PoseAxis& axis : pose_axes)
+    if (auto problem = problem_of_axis(axis.name, {rows, 3})) return problem;
+  return std::nullopt;
 }
 
 // The array of samples of a group: that of this name, or the only one that can be.
@@ -372,6 +439,12 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
     if (auto* problem = std::get_if<core::Problem>(&found)) return refuse_store(folder, std::move(*problem));
     place = std::get<fs::path>(found);
   }
+  for (const fs::path& part : {folder / ".zattrs", place, place / ".zarray", place / ".zattrs"})
+    if (part != folder)
+      if (auto problem = problem_of_link(part)) return refuse_store(folder, std::move(*problem));
+  if (!alone)
+    for (const fs::path& name : {fs::path(".zattrs"), place.filename() / ".zarray", place.filename() / ".zattrs"})
+      if (auto problem = contradiction_of_zarr(folder, name)) return refuse_store(folder, std::move(*problem));
   auto read = read_zarr_array(place / ".zarray");
   if (auto* problem = std::get_if<core::Problem>(&read)) return refuse_store(folder, std::move(*problem));
   auto reading = table_of(place, std::get<ZarrArray>(read), true);
@@ -391,15 +464,21 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   take_known_attributes(info);
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
-  info.counts = npy_sample_type_of({std::get<ZarrArray>(read).type, false, {}, 0})->counts;
+  auto meaning = meaning_in(place, npy_sample_type_of({std::get<ZarrArray>(read).type, false, {}, 0})->counts);
+  if (auto* problem = std::get_if<core::Problem>(&meaning)) return refuse_store(folder, std::move(*problem));
+  info.counts = std::get<SampleMeaning>(meaning).counts;
+  if (!alone)
+    if (auto problem = problem_of_zarr_axes(folder, samples.rows(), samples.columns()))
+      return refuse_store(folder, std::move(*problem));
   core::Problems problems;
   if (const Presence& there = std::get<Presence>(presence); there.missing > 0) {
     const bool own = !attribute_of(info.attributes, "program_version").empty();
     problems.push_back(missing_chunks(samples, there, own, integrity == Integrity::whole));
     if (core::has_errors(problems)) return {nullptr, std::move(problems)};
   }
-  return {std::make_shared<ZarrRaster>(std::move(info), std::move(samples), alone ? fs::path() : folder),
-          std::move(problems)};
+  auto raster = std::make_shared<ZarrRaster>(std::move(info), std::move(samples), alone ? fs::path() : folder);
+  raster->set_value_rule(std::move(std::get<SampleMeaning>(meaning).rule));
+  return {std::move(raster), std::move(problems)};
 }
 
 OpenedRaster open_zarr_file(core::InputFile file, const Format&, const RasterHints&, Integrity) {

@@ -6,8 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "raster/hdf5/hdf5_attributes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
+#include "raster/hdf5/hdf5_numbers.hpp"
 #include "raster/table/axis_words.hpp"
+#include "raster/table/cf_attributes.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/pose_axes.hpp"
 
@@ -44,13 +47,12 @@ std::optional<SampleType> sample_type(hid_t type) {
     const auto number = numpy_number(type);  // Of 2015: I and Q as neighbours.
     return number ? std::optional(SampleType{number->first, number->second, true}) : std::nullopt;
   }
-  const int real = H5Tget_member_index(type, "r");
-  const int imaginary = H5Tget_member_index(type, "i");
-  if (real < 0 || imaginary < 0) return std::nullopt;
-  const Hdf5Handle part(H5Tget_member_type(type, static_cast<unsigned>(real)), H5Tclose);
+  const auto members = complex_members(type);
+  if (!members) return std::nullopt;
+  const auto& [real, imaginary] = *members;
+  const Hdf5Handle part(H5Tget_member_type(type, real), H5Tclose);
   const auto number = numpy_number(part.get());
-  if (!number || H5Tget_member_offset(type, static_cast<unsigned>(real)) != 0 ||
-      H5Tget_member_offset(type, static_cast<unsigned>(imaginary)) != number->second ||
+  if (!number || H5Tget_member_offset(type, real) != 0 || H5Tget_member_offset(type, imaginary) != number->second ||
       H5Tget_size(type) != 2 * number->second)
     return std::nullopt;
   if (H5Tget_class(part.get()) == H5T_INTEGER) return SampleType{number->first, number->second, true};
@@ -60,15 +62,19 @@ std::optional<SampleType> sample_type(hid_t type) {
 
 class ArrayFinder {
  public:
-  ArrayFinder(Hdf5Handle file, std::uint64_t file_bytes) : file_(std::move(file)), file_bytes_(file_bytes) {}
+  // @param dataset  path of the samples; empty: the usual one
+  ArrayFinder(Hdf5Handle file, std::uint64_t file_bytes, std::string dataset)
+      : file_(std::move(file)), file_bytes_(file_bytes), dataset_(std::move(dataset)) {}
 
   StoredArrays find() {
-    const bool old_layout = !has_object(file_.get(), samples_path) && has_object(file_.get(), old_samples_path);
-    const char* const path = old_layout ? old_samples_path : samples_path;
+    const bool old_layout = dataset_.empty() && is_of_2015(file_.get());
+    const std::string chosen = path_of_samples(file_.get(), dataset_);
+    const char* const path = chosen.c_str();
     auto opened = open_dataset(file_.get(), path, file_bytes_);
     if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
     const auto& dataset = std::get<Hdf5Dataset>(opened);
     const auto type = sample_type(dataset.type.get());
+    if (!are_as_stored(dataset, path)) return not_plain(path, "is scaled, or has values for missing samples");
     const auto offset = place_of(dataset);
     if (!type || dataset.shape.size() != 2) return not_plain(path, "holds no numbers of a usual kind");
     if (!offset) return not_plain(path, "is compressed, or stored in chunks");
@@ -95,6 +101,13 @@ class ArrayFinder {
     return offset == HADDR_UNDEF ? std::nullopt : std::optional<std::uint64_t>(offset);
   }
 
+  // Whether the numbers are the samples: a reference has no place for a rule.
+  [[nodiscard]] bool are_as_stored(const Hdf5Dataset& dataset, const char* path) const {
+    const auto meaning = meaning_of_samples(read_attributes(dataset.id.get(), file_bytes_, true), path, true);
+    const auto* const known = std::get_if<SampleMeaning>(&meaning);
+    return known == nullptr || known->rule.is_plain();
+  }
+
   // An axis as a stored array; false where it is not there, or not plain.
   bool add(const char* name, std::vector<std::uint64_t> shape, const char* units, const char* long_name) {
     auto opened = open_dataset(file_.get(), std::string("/") + name, file_bytes_);
@@ -103,6 +116,9 @@ class ArrayFinder {
     const auto number = numpy_number(dataset->type.get());
     const auto offset = place_of(*dataset);
     if (!number || !offset) return false;
+    const auto meaning = meaning_of_axis(read_attributes(dataset->id.get(), file_bytes_), name, units);
+    const auto* const known = std::get_if<AxisMeaning>(&meaning);
+    if (known == nullptr || known->factor != 1.0 || known->offset != 0.0) return false;
     arrays_.push_back({name, number->first, number->second, std::move(shape), {}, *offset, {}, {}});
     arrays_.back().facts = {{"units", units}, {"long_name", long_name}};
     return true;
@@ -143,6 +159,7 @@ class ArrayFinder {
 
   Hdf5Handle file_;
   std::uint64_t file_bytes_;
+  std::string dataset_;
   std::uint64_t rows_ = 0;
   std::uint64_t columns_ = 0;
   std::string down_ = "pulse";
@@ -152,11 +169,11 @@ class ArrayFinder {
 
 }  // namespace
 
-StoredArrays hdf5_arrays(const std::filesystem::path& path, std::uint64_t file_bytes) {
+StoredArrays hdf5_arrays(const std::filesystem::path& path, std::uint64_t file_bytes, const std::string& dataset) {
   const Hdf5Use use;
   auto opened = open_hdf5_file(path);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
-  return ArrayFinder(std::move(std::get<Hdf5Handle>(opened)), file_bytes).find();
+  return ArrayFinder(std::move(std::get<Hdf5Handle>(opened)), file_bytes, dataset).find();
 }
 
 }  // namespace sarsim::raster

@@ -1,6 +1,7 @@
 #include "raster/hdf5/hdf5_attributes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <new>
 
@@ -52,10 +53,26 @@ std::optional<std::string> read_float(hid_t attribute) {
   return core::format_number(value);
 }
 
-std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest) {
+// Some numbers, separated by commas.
+std::optional<std::string> read_list(hid_t attribute, hid_t type, hssize_t count) {
+  constexpr hssize_t most_listed = 16;
+  const H5T_class_t kind = H5Tget_class(type);
+  if (count < 1 || count > most_listed || (kind != H5T_INTEGER && kind != H5T_FLOAT)) return std::nullopt;
+  std::array<double, most_listed> values{};
+  if (H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
+  std::string text;
+  for (hssize_t i = 0; i < count; ++i)
+    text += (i > 0 ? ", " : "") + core::format_number(values[static_cast<std::size_t>(i)]);
+  return text;
+}
+
+std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest, bool lists) {
   const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
   const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  if (!space || !type || H5Sget_simple_extent_npoints(space.get()) != 1) return std::nullopt;
+  if (!space || !type) return std::nullopt;
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (lists && count > 1) return read_list(attribute, type.get(), count);
+  if (count != 1) return std::nullopt;
   const H5T_class_t kind = H5Tget_class(type.get());
   if (kind == H5T_STRING)
     return H5Tis_variable_str(type.get()) > 0 ? read_variable_string(attribute, type.get())
@@ -68,6 +85,7 @@ std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest) {
 
 struct AttributeWalk {
   std::uint64_t longest;
+  bool lists;
   hsize_t met;
   AttributeTexts texts;
 };
@@ -88,7 +106,7 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* /*info*/
   try {
     const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
     if (!attribute) return 1;
-    if (auto value = read_text(attribute.get(), walk.longest))
+    if (auto value = read_text(attribute.get(), walk.longest, walk.lists))
       walk.texts.emplace_back(name_of(attribute.get()), std::move(*value));
     return 0;
   } catch (const std::bad_alloc&) {
@@ -98,12 +116,34 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* /*info*/
 
 }  // namespace
 
-AttributeTexts read_attributes(hid_t object, std::uint64_t longest) {
+AttributeTexts read_attributes(hid_t object, std::uint64_t longest, bool lists) {
   // One walk over all of them: to open the one of a number, the library sorts them all.
-  AttributeWalk walk{longest, 0, {}};
+  AttributeWalk walk{longest, lists, 0, {}};
   hsize_t first = 0;
   H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &first, take_attribute, &walk);  // A damaged list ends early.
   return std::move(walk.texts);
+}
+
+std::vector<std::string> dimension_names(hid_t dataset) {
+  constexpr hssize_t most_dimensions = 32;
+  if (H5Aexists(dataset, "DIMENSION_LIST") <= 0) return {};
+  const Hdf5Handle attribute(H5Aopen(dataset, "DIMENSION_LIST", H5P_DEFAULT), H5Aclose);
+  const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose);
+  const Hdf5Handle stored(H5Aget_type(attribute.get()), H5Tclose);
+  const Hdf5Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (count < 1 || count > most_dimensions || H5Tequal(stored.get(), type.get()) <= 0) return {};
+  std::vector<hvl_t> lists(static_cast<std::size_t>(count));
+  if (H5Aread(attribute.get(), type.get(), lists.data()) < 0) return {};
+  std::vector<std::string> names(lists.size());
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    if (lists[i].len == 0) continue;
+    const Hdf5Handle scale(H5Rdereference2(dataset, H5P_DEFAULT, H5R_OBJECT, lists[i].p), H5Oclose);
+    std::array<char, 256> name{};
+    if (scale && H5Iget_name(scale.get(), name.data(), name.size()) > 1) names[i] = name.data() + 1;
+  }
+  H5Dvlen_reclaim(type.get(), space.get(), H5P_DEFAULT, lists.data());
+  return names;
 }
 
 std::optional<std::string> find_attribute(const AttributeTexts& attributes, std::string_view name) {

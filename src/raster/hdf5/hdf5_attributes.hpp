@@ -16,7 +16,12 @@ using AttributeTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// The attributes of an object as text: strings as they are, numbers in decimal, other types left out. At most 1000
 /// attributes, none longer than `longest` bytes.
-[[nodiscard]] AttributeTexts read_attributes(hid_t object, std::uint64_t longest);
+/// @param lists  up to 16 numbers too, separated by commas
+[[nodiscard]] AttributeTexts read_attributes(hid_t object, std::uint64_t longest, bool lists = false);
+
+/// The names of the dimensions of a dataset by its attribute DIMENSION_LIST, which refers to dimension scales; without
+/// a slash, empty for dimensions without a scale, none where the attribute is missing or of another type.
+[[nodiscard]] std::vector<std::string> dimension_names(hid_t dataset);
 
 /// The value of an attribute by its exact name.
 [[nodiscard]] std::optional<std::string> find_attribute(const AttributeTexts& attributes, std::string_view name);

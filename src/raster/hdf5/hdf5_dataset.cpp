@@ -1,9 +1,14 @@
 #include "raster/hdf5/hdf5_dataset.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
+#include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "raster/hdf5/hdf5_numbers.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -16,9 +21,36 @@ constexpr std::uint64_t small_chunk = std::uint64_t{1} << 20;
 constexpr std::size_t largest_element = 1024;
 constexpr int most_filters = 32;
 
+// Those that every build of the library has: of others it would look for a plug-in, which is foreign code.
+constexpr std::array<H5Z_filter_t, 6> built_in_filters{H5Z_FILTER_DEFLATE, H5Z_FILTER_SHUFFLE, H5Z_FILTER_FLETCHER32,
+                                                       H5Z_FILTER_SZIP,    H5Z_FILTER_NBIT,    H5Z_FILTER_SCALEOFFSET};
+
+// Whether the library itself has a filter: whatever HDF5_PLUGIN_PATH says, no code is loaded because of a file.
+bool is_built_in(H5Z_filter_t filter) {
+  if (std::ranges::find(built_in_filters, filter) == built_in_filters.end()) return false;
+  unsigned plugins = 0;
+  H5PLget_loading_state(&plugins);
+  H5PLset_loading_state(0);
+  const bool there = H5Zfilter_avail(filter) > 0;
+  H5PLset_loading_state(plugins);  // It is that of the whole process.
+  return there;
+}
+
 core::Problem problem_of(const std::string& path, const std::string& what, std::string found = {},
-                         std::string expected = {}) {
-  return file_problem({}, fmt::format("the dataset {} {}", path, what), std::move(found), std::move(expected));
+                         std::string expected = {}, std::string hint = {}) {
+  return file_problem({}, fmt::format("the dataset {} {}", path, what), std::move(found), std::move(expected),
+                      std::move(hint));
+}
+
+// The names of filters that the HDF Group has registered and people use; the file says some of them too.
+std::string name_of_filter(H5Z_filter_t filter, std::string_view said) {
+  constexpr std::pair<H5Z_filter_t, std::string_view> known[] = {
+      {H5Z_FILTER_SZIP, "szip"}, {305, "lzo"},   {307, "bzip2"},  {32000, "lzf"}, {32001, "blosc"}, {32004, "lz4"},
+      {32008, "bitshuffle"},     {32013, "zfp"}, {32015, "zstd"}, {32017, "sz"},  {32024, "sz3"},   {32026, "blosc2"}};
+  const auto* const found = std::ranges::find(known, filter, &std::pair<H5Z_filter_t, std::string_view>::first);
+  std::string name(found != std::end(known) ? found->second : said.substr(0, said.find(';')));
+  std::erase_if(name, [](char c) { return c < ' ' || c > '~'; });
+  return name.empty() ? fmt::format("{}", filter) : fmt::format("{} ({})", name, filter);
 }
 
 std::optional<core::Problem> filter_problem(hid_t properties, const std::string& path) {
@@ -32,8 +64,10 @@ std::optional<core::Problem> filter_problem(hid_t properties, const std::string&
     const H5Z_filter_t filter = H5Pget_filter2(properties, static_cast<unsigned>(i), &flags, &values, nullptr,
                                                name.size(), name.data(), &configuration);
     name.back() = '\0';
-    if (filter < 0 || H5Zfilter_avail(filter) <= 0)
-      return problem_of(path, "is stored with a filter that is not at hand", fmt::format("{} {}", filter, name.data()));
+    if (!is_built_in(filter))
+      return problem_of(path, "is stored with a filter that is not built in", name_of_filter(filter, name.data()),
+                        "deflate, shuffle, fletcher32, szip, nbit or scaleoffset, or none",
+                        fmt::format("where the filter's plug-in is installed: h5repack -f {}:NONE IN.h5 OUT.h5", path));
   }
   return std::nullopt;
 }
@@ -78,6 +112,46 @@ std::optional<core::Problem> storage_problem(const Hdf5Dataset& dataset, const s
   return std::nullopt;
 }
 
+// What a walk through a file has found.
+struct DatasetList {
+  hid_t file;
+  std::string text;
+  std::size_t count;
+};
+
+const char* word_of_type(hid_t type) {
+  switch (H5Tget_class(type)) {
+    case H5T_COMPOUND: return complex_members(type) ? "complex" : "compound";
+    case H5T_FLOAT: return "float";
+    case H5T_INTEGER: return "integer";
+    case H5T_STRING: return "text";
+    default: return "other";
+  }
+}
+
+herr_t note_dataset(hid_t root, const char* name, const H5O_info_t* info, void* data) {
+  constexpr std::size_t most_listed = 12;
+  constexpr std::size_t longest_name = 60;
+  auto& list = *static_cast<DatasetList*>(data);
+  if (info->type != H5O_TYPE_DATASET) return 0;
+  if (list.count++ == most_listed) {
+    list.text += ", ...";
+    return 1;
+  }
+  const Hdf5Handle dataset(H5Dopen2(root, name, H5P_DEFAULT), H5Dclose);
+  const Hdf5Handle space(H5Dget_space(dataset.get()), H5Sclose);
+  const Hdf5Handle type(H5Dget_type(dataset.get()), H5Tclose);
+  std::array<hsize_t, H5S_MAX_RANK> sizes{};
+  const int rank = H5Sget_simple_extent_dims(space.get(), sizes.data(), nullptr);
+  std::string shape;
+  for (int i = 0; i < rank; ++i) shape += fmt::format("{}{}", i > 0 ? " x " : "", sizes[static_cast<std::size_t>(i)]);
+  std::string shown = std::string(name).substr(0, longest_name);
+  std::erase_if(shown, [](char c) { return c >= 0 && c < ' '; });
+  list.text += fmt::format("{}/{} ({}{}{})", list.text.empty() ? "" : ", ", shown, shape, shape.empty() ? "" : ", ",
+                           word_of_type(type.get()));
+  return 0;
+}
+
 }  // namespace
 
 std::variant<Hdf5Handle, core::Problem> open_hdf5_file(const std::filesystem::path& path) {
@@ -101,6 +175,19 @@ bool has_object(hid_t file, const std::string& path) {
     if (H5Lget_info(file, part.c_str(), &link, H5P_DEFAULT) < 0 || link.type != H5L_TYPE_HARD) return false;
     if (end == std::string::npos) return true;
   }
+}
+
+bool is_of_2015(hid_t file) { return !has_object(file, samples_path) && has_object(file, old_samples_path); }
+
+std::string path_of_samples(hid_t file, const std::string& dataset) {
+  if (!dataset.empty()) return dataset.starts_with('/') ? dataset : "/" + dataset;
+  return is_of_2015(file) ? old_samples_path : samples_path;
+}
+
+std::string list_of_datasets(hid_t file) {
+  DatasetList list{file, {}, 0};
+  H5Ovisit_by_name2(file, "/", H5_INDEX_NAME, H5_ITER_INC, note_dataset, &list, H5O_INFO_BASIC, H5P_DEFAULT);
+  return list.text;
 }
 
 std::variant<Hdf5Dataset, core::Problem> open_dataset(hid_t file, const std::string& path, std::uint64_t file_bytes) {

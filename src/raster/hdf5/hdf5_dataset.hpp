@@ -15,6 +15,12 @@ namespace sarsim::raster {
 inline constexpr const char* samples_path = "/samples";
 inline constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
 
+/// Whether a file has its samples where the program of 2015 had them, and not where we do.
+[[nodiscard]] bool is_of_2015(hid_t file);
+
+/// Path of the samples: the dataset of that name, from the root with or without a slash; of none the usual one.
+[[nodiscard]] std::string path_of_samples(hid_t file, const std::string& dataset);
+
 /// A dataset whose shape and storage have been found sound: its bytes are in the file itself, no larger than the file
 /// can hold, and every filter that they need is at hand.
 struct Hdf5Dataset {
@@ -31,6 +37,10 @@ struct Hdf5Dataset {
 /// @param file_bytes  size of the file, against which the dataset's size is held
 [[nodiscard]] std::variant<Hdf5Dataset, core::Problem> open_dataset(hid_t file, const std::string& path,
                                                                     std::uint64_t file_bytes);
+
+/// The datasets of a file, the first twelve of them, each with its shape and type: "/raw (620 x 512,
+/// compound)". Empty where there are none.
+[[nodiscard]] std::string list_of_datasets(hid_t file);
 
 /// Whether the path leads to something over hard links only.
 [[nodiscard]] bool has_object(hid_t file, const std::string& path);

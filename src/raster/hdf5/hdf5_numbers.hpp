@@ -1,20 +1,26 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "raster/hdf5/hdf5_library.hpp"
 
 namespace sarsim::raster {
 
+/// The members of a compound that are the real and the imaginary part: r and i, as h5py and xarray write them, or real
+/// and imag, as MATLAB does. Nothing for another type, and where they differ in kind or are no numbers.
+[[nodiscard]] std::optional<std::array<unsigned, 2>> complex_members(hid_t type);
+
 /// How the numbers of a dataset are handed over: as they are stored, since the library converts numbers one by one,
 /// twenty times slower than it copies them. What is rare (wide integers, floats of other machines) comes as double.
 class Hdf5Numbers {
  public:
-  /// @param type  of a dataset: numbers, or pairs of them called r and i
+  /// @param type  of a dataset: numbers, or pairs of them, see `complex_members`
   explicit Hdf5Numbers(hid_t type);
 
-  /// The type to ask for; pairs have r first.
+  /// The type to ask for; pairs have the real part first.
   [[nodiscard]] hid_t type() const { return type_.get(); }
   /// Whether the bytes in the file are those that are handed over.
   [[nodiscard]] bool as_stored() const { return as_stored_; }

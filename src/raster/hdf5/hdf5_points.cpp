@@ -12,8 +12,10 @@
 
 #include "core/os/trial.hpp"
 #include "core/task/stop.hpp"
+#include "raster/hdf5/hdf5_attributes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
+#include "raster/table/cf_attributes.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -35,8 +37,9 @@ std::variant<PointsDataset, core::Problem> open_points(const std::filesystem::pa
   if (auto* problem = std::get_if<core::Problem>(&opened_file)) return std::move(*problem);
   Hdf5Handle file = std::move(std::get<Hdf5Handle>(opened_file));
   if (!has_object(file.get(), points_path))
-    return file_problem({}, fmt::format("the file has no dataset {}", points_path), {},
-                        "N rows and 3 or 4 columns: x, y, z and cross-section");
+    return file_problem({}, fmt::format("the file has no dataset {}", points_path), list_of_datasets(file.get()),
+                        "N rows and 3 or 4 columns: x, y, z and cross-section",
+                        "h5copy -i IN.h5 -s /NAME -o OUT.h5 -d /points copies a dataset to that name");
   auto opened = open_dataset(file.get(), points_path, file_bytes);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
   Hdf5Dataset& dataset = std::get<Hdf5Dataset>(opened);
@@ -48,6 +51,13 @@ std::variant<PointsDataset, core::Problem> open_points(const std::filesystem::pa
     return file_problem({}, fmt::format("the dataset {} is not a table", points_path),
                         fmt::format("{} dimension{}", dataset.shape.size(), dataset.shape.size() == 1 ? "" : "s"),
                         "rows and columns");
+  // Columns are metres and square metres, so that one factor means nothing.
+  const auto said = meaning_of_axis(read_attributes(dataset.id.get(), file_bytes, true), "the dataset /points", "m");
+  if (const auto* problem = std::get_if<core::Problem>(&said)) return *problem;
+  if (const auto& meaning = std::get<AxisMeaning>(said); meaning.factor != 1.0 || meaning.offset != 0.0)
+    return file_problem({}, "the numbers of /points are not metres and square metres (units, scale_factor, add_offset)",
+                        fmt::format("times {:g}, plus {:g}", meaning.factor, meaning.offset), "as they are",
+                        "convert them and remove the attributes");
   return PointsDataset{std::move(file), std::move(dataset)};
 }
 

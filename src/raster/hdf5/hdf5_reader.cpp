@@ -19,6 +19,7 @@
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
 #include "raster/table/axis_words.hpp"
+#include "raster/table/cf_attributes.hpp"
 #include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/pose_axes.hpp"
@@ -84,7 +85,7 @@ class Hdf5Raster final : public Raster {
     if (old_layout_) return std::nullopt;
     const Hdf5Use use;
     return raster::read_axes(rows(), columns(), [this](const std::string& name, std::size_t length, std::size_t width) {
-      return read_axis("/" + name, length, width);
+      return read_axis(name, length, width);
     });
   }
 
@@ -112,7 +113,7 @@ class Hdf5Raster final : public Raster {
     const Hdf5Use use;
     for (const AxisWords& axis : axis_words)
       try_axis(std::string("/") + axis.name, axis.of == AxisOf::columns ? columns() : rows());
-    for (const PoseAxis& axis : pose_axes) try_axis(axis.name, rows(), 3);
+    for (const PoseAxis& axis : pose_axes) try_axis(std::string("/") + axis.name, rows(), 3);
   }
 
  protected:
@@ -177,12 +178,18 @@ class Hdf5Raster final : public Raster {
     read_part(axis, H5T_NATIVE_DOUBLE, first, count, out.data(), fmt::format("{} of {}", path, name_));
   }
 
-  [[nodiscard]] std::optional<std::vector<double>> read_axis(const std::string& path, std::size_t length,
+  [[nodiscard]] std::optional<std::vector<double>> read_axis(const std::string& name, std::size_t length,
                                                              std::size_t width) const {
+    const std::string path = "/" + name;
     const auto axis = open_axis(path, length, width);
     if (!axis) return std::nullopt;
+    const auto said = meaning_of_axis(read_attributes(axis->id.get(), file_bytes_), path, units_of_axis(name));
+    const auto* const meaning = std::get_if<AxisMeaning>(&said);
+    if (meaning == nullptr) return std::nullopt;  // Refused before.
     std::vector<double> values(length * width);
     read_axis_part(*axis, path, 0, length, values);
+    if (meaning->factor != 1.0 || meaning->offset != 0.0)
+      for (double& value : values) value = value * meaning->factor + meaning->offset;
     return values;
   }
 
@@ -211,18 +218,6 @@ class Hdf5Raster final : public Raster {
   Hdf5Numbers numbers_;
   bool old_layout_;
 };
-
-// Whether the type is a compound of two numbers r and i, and whether these are integers; nothing for another type.
-std::optional<bool> complex_of_integers(hid_t type) {
-  if (H5Tget_class(type) != H5T_COMPOUND || H5Tget_nmembers(type) != 2) return std::nullopt;
-  const int real = H5Tget_member_index(type, "r");
-  const int imaginary = H5Tget_member_index(type, "i");
-  if (real < 0 || imaginary < 0) return std::nullopt;
-  const H5T_class_t kind = H5Tget_member_class(type, static_cast<unsigned>(real));
-  if (kind != H5Tget_member_class(type, static_cast<unsigned>(imaginary))) return std::nullopt;
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
-  return kind == H5T_INTEGER;
-}
 
 // Numbers that a file says of itself, read from the text of an attribute, 10^shift times its unit.
 std::optional<double> number_attribute(const AttributeTexts& attributes, std::string_view name, int shift = 0) {
@@ -285,6 +280,12 @@ OpenedRaster refused(const std::string& name, core::Problem problem) {
   return {nullptr, {std::move(problem)}};
 }
 
+std::string shape_of(const std::vector<std::uint64_t>& shape) {
+  std::string text;
+  for (const std::uint64_t size : shape) text += fmt::format("{}{}", text.empty() ? "" : " x ", size);
+  return text;
+}
+
 // Takes the shape over, or says why it is none of samples. `per_sample` is the number of stored columns of a sample.
 std::optional<core::Problem> take_shape(RasterInfo& info, const Hdf5Dataset& samples, const char* path,
                                         std::uint64_t per_sample) {
@@ -301,13 +302,53 @@ std::optional<core::Problem> take_shape(RasterInfo& info, const Hdf5Dataset& sam
   return std::nullopt;
 }
 
-std::optional<core::Problem> describe_samples(RasterInfo& info, const Hdf5Dataset& samples) {
-  const auto integers = complex_of_integers(samples.type.get());
-  if (!integers)
-    return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", samples_path), {},
-                        "a compound of r and i, both floating-point or both integer");
-  info.counts = *integers;
-  return take_shape(info, samples, samples_path, 1);
+// Takes over what the attributes of the samples say of their numbers.
+std::optional<core::Problem> take_meaning(RasterInfo& info, ValueRule& rule, const Hdf5Dataset& samples,
+                                          const std::string& path, std::uint64_t file_bytes) {
+  auto meaning =
+      meaning_of_samples(read_attributes(samples.id.get(), file_bytes, true), "the dataset " + path, info.counts);
+  if (auto* problem = std::get_if<core::Problem>(&meaning)) return std::move(*problem);
+  auto& known = std::get<SampleMeaning>(meaning);
+  info.counts = known.counts;
+  rule = std::move(known.rule);
+  return problem_of_dimensions(dimension_names(samples.id.get()), "the dataset " + path);
+}
+
+std::optional<core::Problem> describe_samples(RasterInfo& info, ValueRule& rule, const Hdf5Dataset& samples,
+                                              const std::string& path, std::uint64_t file_bytes) {
+  const auto members = complex_members(samples.type.get());
+  if (!members)
+    return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", path), {},
+                        "a compound of r and i or of real and imag, both floating-point or both integer");
+  info.counts = H5Tget_member_class(samples.type.get(), (*members)[0]) == H5T_INTEGER;
+  if (auto problem = take_shape(info, samples, path.c_str(), 1)) return problem;
+  return take_meaning(info, rule, samples, path, file_bytes);
+}
+
+// What axes say has to fit the samples: an axis of another length, or in another unit, is that of something else.
+std::optional<core::Problem> problem_of_axes(hid_t file, const RasterInfo& info, std::size_t rows,
+                                             std::uint64_t file_bytes) {
+  const auto problem_of_axis = [&](const std::string& path, std::vector<std::uint64_t> shape,
+                                   const char* units) -> std::optional<core::Problem> {
+    if (!has_object(file, path)) return std::nullopt;
+    auto opened = open_dataset(file, path, file_bytes);
+    if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
+    const auto& axis = std::get<Hdf5Dataset>(opened);
+    if (axis.shape != shape)
+      return file_problem({}, fmt::format("the axis {} has not the length of the samples", path), shape_of(axis.shape),
+                          shape_of(shape), "correct it, or rename it");
+    const auto meaning = meaning_of_axis(read_attributes(axis.id.get(), file_bytes), "the axis " + path, units);
+    if (const auto* problem = std::get_if<core::Problem>(&meaning)) return *problem;
+    return std::nullopt;
+  };
+  for (const AxisWords& axis : axis_words) {
+    const bool across = axis.of == AxisOf::columns;
+    if (auto problem = problem_of_axis(std::string("/") + axis.name, {across ? info.columns : rows}, axis.units))
+      return problem;
+  }
+  for (const PoseAxis& axis : pose_axes)
+    if (auto problem = problem_of_axis(std::string("/") + axis.name, {rows, 3}, axis.units)) return problem;
+  return std::nullopt;
 }
 
 std::optional<core::Problem> describe_old_samples(RasterInfo& info, const Hdf5Dataset& samples) {
@@ -324,14 +365,27 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
   auto opened_file = open_hdf5_file(path);
   if (auto* problem = std::get_if<core::Problem>(&opened_file)) return refused(name, std::move(*problem));
   Hdf5Handle file = std::move(std::get<Hdf5Handle>(opened_file));
-  const bool old_layout = !has_object(file.get(), samples_path) && has_object(file.get(), old_samples_path);
-  auto opened = open_dataset(file.get(), old_layout ? old_samples_path : samples_path, file_bytes);
-  if (auto* problem = std::get_if<core::Problem>(&opened)) return refused(name, std::move(*problem));
+  const bool old_layout = hints.dataset.empty() && is_of_2015(file.get());
+  const std::string samples_are_at = path_of_samples(file.get(), hints.dataset);
+  auto opened = open_dataset(file.get(), samples_are_at, file_bytes);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) {
+    if (!has_object(file.get(), samples_are_at)) {
+      problem->found = list_of_datasets(file.get());
+      problem->expected = "complex samples";
+      if (!problem->found.empty()) problem->hint = "name the dataset of the samples with --dataset NAME";
+    }
+    return refused(name, std::move(*problem));
+  }
   auto& samples = std::get<Hdf5Dataset>(opened);
   RasterInfo info;
   info.path = path;
-  if (auto problem = old_layout ? describe_old_samples(info, samples) : describe_samples(info, samples))
+  ValueRule rule;
+  if (auto problem = old_layout ? describe_old_samples(info, samples)
+                                : describe_samples(info, rule, samples, samples_are_at, file_bytes))
     return refused(name, std::move(*problem));
+  const auto rows = static_cast<std::size_t>(samples.shape[0]);
+  if (!old_layout)
+    if (auto problem = problem_of_axes(file.get(), info, rows, file_bytes)) return refused(name, std::move(*problem));
   if (hints.rows > 0 && hints.rows != samples.shape[0])
     return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", samples.shape[0]),
                                       fmt::format("{}", hints.rows)));
@@ -342,6 +396,7 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
   const auto raster =
       std::make_shared<Hdf5Raster>(info, name, std::move(file), std::move(samples), file_bytes, old_layout);
   raster->read_past_the_library();
+  raster->set_value_rule(std::move(rule));
   return {raster, {}};
 }
 

@@ -354,7 +354,7 @@ TEST(Hdf5Reader, MissingFiltersAreProblems) {
                }},
               numbers.data());
   ASSERT_GE(H5Zunregister(300), 0);
-  EXPECT_THAT(error_of(folder / "a.h5"), HasSubstr("filter that is not at hand"));
+  EXPECT_THAT(error_of(folder / "a.h5"), HasSubstr("filter that is not built in"));
 }
 
 TEST(Hdf5Sink, RecordsNoTimes) {

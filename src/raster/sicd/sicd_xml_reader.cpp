@@ -59,9 +59,16 @@ std::size_t needed_count(pugi::xml_node root, std::string_view path) {
   return static_cast<std::size_t>(*value);
 }
 
+// A number that may be missing, but that is one where it is there.
 double number_at(pugi::xml_node root, std::string_view path, double otherwise) {
-  const auto value = core::parse_number(text_at(root, path));
-  return value && std::isfinite(*value) ? *value : otherwise;
+  constexpr double most = 1e15;  // Beyond all places and spacings.
+  const std::string text = text_at(root, path);
+  if (text.empty()) return otherwise;
+  const auto value = core::parse_number(text.starts_with('+') ? text.substr(1) : text);
+  if (!value || !(std::abs(*value) <= most))
+    throw ElementFailure{fmt::format("the element {} is not a number that can be", path), fmt::format("{:.40}", text),
+                         "a number up to 1e15"};
+  return *value;
 }
 
 SicdPixel pixel_of(const std::string& word) {
@@ -85,7 +92,11 @@ std::vector<float> amplitudes_of(pugi::xml_node root) {
       throw ElementFailure{"an element ImageData/AmpTable/Amplitude is not a number with an index",
                            fmt::format("index {}: {}", entry.attribute("index").value(), entry.child_value()),
                            "index 0 to 255"};
-    amplitudes[static_cast<std::size_t>(*index)] = static_cast<float>(*value);
+    float& amplitude = amplitudes[static_cast<std::size_t>(*index)];
+    if (!std::isnan(amplitude))
+      throw ElementFailure{"an element ImageData/AmpTable/Amplitude is there twice", fmt::format("index {}", *index),
+                           "each index once"};
+    amplitude = static_cast<float>(*value);
   }
   for (const float amplitude : amplitudes)
     if (std::isnan(amplitude))

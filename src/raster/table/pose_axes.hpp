@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
+#include "raster/table/axis_words.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
@@ -25,5 +27,13 @@ inline constexpr std::array<PoseAxis, 3> pose_axes{
      {"platform_rotation_rad", "rad", "rotation of the radar's platform",
       "its rotation about x, y and z, rad: world = Rz(-rz) Ry(-ry) Rx(-rx) platform",
       &simulate::RowPose::rotation_rad}}};
+
+/// What an axis of that name is measured in, as `axis_words` and `pose_axes` have it; empty for another name.
+[[nodiscard]] constexpr std::string_view units_of_axis(std::string_view name) {
+  if (const AxisWords* const words = words_of_axis(name)) return words->units;
+  for (const PoseAxis& axis : pose_axes)
+    if (name == axis.name) return axis.units;
+  return {};
+}
 
 }  // namespace sarsim::raster

@@ -42,7 +42,9 @@ ImageWindow coarser(const ImageWindow& window, std::size_t row_factor, std::size
 void Raster::read_window(const ImageWindow& window, std::span<std::complex<float>> out,
                          const core::WorkControl& control) const {
   check_window(*this, window, out.size());
-  if (!out.empty()) read_samples(window, out, control);
+  if (out.empty()) return;
+  read_samples(window, out, control);
+  if (!rule_.is_plain()) rule_.apply(out);
 }
 
 void Raster::read_rgb(const ImageWindow& window, std::span<Rgb> out, const core::WorkControl& control) const {
@@ -62,7 +64,9 @@ void Raster::read_rows(std::size_t first, std::size_t count, std::span<std::comp
   if (checked_product(count, columns()) != out.size())
     throw std::invalid_argument(
         fmt::format("room for {} samples instead of {} rows of {}", out.size(), count, columns()));
-  if (!out.empty()) read_whole_rows(first, count, out);
+  if (out.empty()) return;
+  read_whole_rows(first, count, out);
+  if (!rule_.is_plain()) rule_.apply(out);
 }
 
 void Raster::read_whole_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const {

@@ -17,6 +17,7 @@
 #include "raster/table/image_places.hpp"
 #include "raster/table/image_value.hpp"
 #include "raster/table/image_window.hpp"
+#include "raster/table/value_rule.hpp"
 #include "simulate/plan/sink.hpp"
 
 namespace sarsim::raster {
@@ -61,6 +62,8 @@ class Raster {
   [[nodiscard]] const RasterInfo& info() const { return info_; }
   /// Says by which format the file was opened.
   void set_format(const Format& format) { info_.format = &format; }
+  /// Says how the numbers of the file become samples; every reading of samples follows it.
+  void set_value_rule(ValueRule rule) { rule_ = std::move(rule); }
   [[nodiscard]] std::size_t columns() const { return info_.columns; }
   /// Rows that can be read now.
   [[nodiscard]] virtual std::size_t rows() const = 0;
@@ -109,6 +112,7 @@ class Raster {
 
  private:
   RasterInfo info_;
+  ValueRule rule_;
   mutable std::atomic<double> slowness_{1.0};  // Seconds that drafts took for each that was estimated.
 };
 

@@ -34,14 +34,6 @@ bool any_line(std::string_view text, const Visit& visit) {
   return false;
 }
 
-bool states_format(std::string_view text) {
-  bool root = true;
-  return any_line(text, [&](std::string_view line) {
-    root = root && !line.starts_with('[');
-    return root && (line.starts_with("format") || line.starts_with("\"format\"")) && is_assignment(line);
-  });
-}
-
 // Whether free text is followed by commands of the language of 1998.
 bool holds_command(std::string_view text) {
   return any_line(text, [](std::string_view line) {
@@ -50,6 +42,14 @@ bool holds_command(std::string_view text) {
 }
 
 }  // namespace
+
+bool states_format(std::string_view text) {
+  bool root = true;
+  return any_line(text, [&](std::string_view line) {
+    root = root && !line.starts_with('[');
+    return root && (line.starts_with("format") || line.starts_with("\"format\"")) && is_assignment(line);
+  });
+}
 
 bool is_format_2(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);

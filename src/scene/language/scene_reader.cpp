@@ -19,6 +19,7 @@
 #include "scene/language/sources.hpp"
 #include "scene/model/object_lists.hpp"
 #include "scene/schema/trade_words.hpp"
+#include "scene/script/foreign_text.hpp"
 
 namespace sarsim::scene {
 
@@ -382,6 +383,13 @@ ScriptReading refuse_names(ScriptReading reading, const ReadControl& control) {
   return reading;
 }
 
+// Whether a text that might be TOML is something else: lines that begin with '#' or hold '=' are found in many files.
+bool is_foreign(std::string_view text) {
+  if (is_json(text) || states_format(text)) return false;
+  const std::string kind = guess_of_content(text);
+  return !kind.empty() && kind != "an INI file" && kind != "an empty file";
+}
+
 }  // namespace
 
 ScriptReading read_format_2(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
@@ -409,8 +417,14 @@ ScriptReading read_scene_text(std::string_view text, const std::string& file_nam
                               const ReadControl& control) {
   const bool is_text = text.find('\0') == std::string_view::npos;  // UTF-16 is refused as what it is.
   const bool named_so = file_name.ends_with(".toml") && text.find('$') == std::string_view::npos;
-  if (is_text && (is_json(text) || is_format_2(text) || named_so))
+  if (is_text && (is_json(text) || is_format_2(text) || named_so)) {
+    if (is_foreign(text)) {
+      ScriptReading reading;
+      reading.problems.push_back(no_scene(text, file_name));
+      return reading;
+    }
     return read_format_2(text, file_name, loader, control);
+  }
   return refuse_names(read_script(text, file_name, loader, control), control);
 }
 

@@ -283,4 +283,18 @@ TEST(Format2, EitherLanguageIsReadByItsContent) {
       1U);
 }
 
+TEST(ReadSceneText, NamesWhatIsNoSceneAlthoughItsLinesMightBeToml) {
+  const std::pair<const char*, const char*> cases[] = {{"# a comment\nradar:\n  carrier: 9.6 GHz\n", "YAML"},
+                                                       {"#!/bin/sh\nNAME=1\n", "a shell script"},
+                                                       {"# a program\nimport math\nx = 3\n", "a Python program"}};
+  for (const auto& [text, kind] : cases) {
+    const ScriptReading reading = read_scene_text(text, "a", {});
+    ASSERT_EQ(reading.problems.size(), 1U) << text;
+    EXPECT_EQ(reading.problems[0].message, std::string("this is no scene: it seems to be ") + kind);
+  }
+  const ScriptReading unmarked = read_scene_text("# a scene\n[world]\nframe = \"flat\"\n", "a", {});
+  ASSERT_FALSE(unmarked.problems.empty());
+  EXPECT_EQ(unmarked.problems[0].message, "the format of the scene is not stated");
+}
+
 }  // namespace sarsim::scene

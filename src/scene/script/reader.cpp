@@ -8,6 +8,7 @@
 #include "core/text/number_text.hpp"
 #include "scene/model/object.hpp"
 #include "scene/schema/grammar.hpp"
+#include "scene/script/foreign_text.hpp"
 #include "scene/script/make_room.hpp"
 #include "scene/script/pieces.hpp"
 #include "scene/script/read_commands.hpp"
@@ -213,6 +214,21 @@ void warn_of_hidden_line(std::string_view text, const std::string& file_name, co
   for (core::Problem& problem : log.take()) problems.push_back(std::move(problem));
 }
 
+// Whether a text has a command, known or not: a '$' with a word.
+bool has_command(const Tokens& text) {
+  Tokens tokens = text;
+  for (tokens.skip_values(); tokens.peek().kind == TokenKind::command; tokens.skip_values())
+    if (!tokens.take().text.empty()) return true;
+  return false;
+}
+
+// A draft may still be empty, or hold its first words only.
+bool may_be_begun(std::string_view text, const ReadControl& control) {
+  if (!control.draft) return false;
+  const std::string kind = guess_of_content(text);
+  return kind.empty() || kind == "an empty file";
+}
+
 }  // namespace
 
 ScriptReading read_script(std::string_view text, const std::string& file_name, const DataFileLoader& loader,
@@ -220,7 +236,12 @@ ScriptReading read_script(std::string_view text, const std::string& file_name, c
   const Tokens whole(text);
   const std::size_t control_byte = find_control_byte(text, control.work);
   ScriptReading result;
-  if (control_byte == std::string_view::npos) {
+  const bool is_text = control_byte == std::string_view::npos;
+  if (is_text ? !has_command(whole) && !may_be_begun(text, control) : is_known_format(text)) {
+    result.problems.push_back(no_scene(text, file_name));
+    return result;
+  }
+  if (is_text) {
     result = PiecewiseReader(file_name, loader, whole, control).read();
     warn_of_hidden_line(text, file_name, result.problems);
     return result;

@@ -201,12 +201,40 @@ class Conversion {
       for (auto& sample : volts_) sample *= product_.lsb_v;
     if (!options_.counts) {
       raster::expect_single_precision(volts_, first, product_.columns);
+      note_what_is_not_finite(first);
       return;
     }
     counts_.resize(2 * volts_.size());
     // Counts pass through a converter of 1 V a count: unchanged as long as they fit its bits.
     radar::Converter{product_.bits, change_ == Change::to_counts ? product_.lsb_v : 1.0}.convert(volts_, counts_,
                                                                                                  tally_);
+  }
+
+  // They are copied as they are, and every focusing of them will be refused.
+  void note_what_is_not_finite(std::size_t first_row) {
+    for (std::size_t i = 0; i < volts_.size(); ++i) {
+      if (std::isfinite(volts_[i].real()) && std::isfinite(volts_[i].imag())) continue;
+      if (not_finite_++ == 0) first_not_finite_ = first_row * product_.columns + i;
+    }
+  }
+
+  [[nodiscard]] core::Problem what_is_not_finite() const {
+    return warning(fmt::format(
+        "{} of {} samples are not finite and were copied so; the first is row {}, sample {} (from 0)", not_finite_,
+        product_.rows * product_.columns, first_not_finite_ / product_.columns, first_not_finite_ % product_.columns));
+  }
+
+  // Whether all samples have become count 0 although they were something.
+  [[nodiscard]] bool lost_all() const {
+    return change_ == Change::to_counts && tally_.maximum_v > 0.0 && tally_.zero == product_.rows * product_.columns;
+  }
+
+  [[nodiscard]] core::Problem loss() const {
+    core::Problem problem = warning(fmt::format("all counts are 0: the LSB is {:g} V, the largest voltage {:g} V",
+                                                product_.lsb_v, tally_.maximum_v));
+    problem.hint =
+        fmt::format("give a smaller one: --lsb {:.6G}", tally_.maximum_v / radar::full_scale_count(product_.bits));
+    return problem;
   }
 
   [[nodiscard]] core::Problem clipping() const {
@@ -244,6 +272,8 @@ class Conversion {
     report.remarks = header_.notes;
     if (tally_.saturated > 0) report.remarks.push_back(clipping());
     if (tally_.not_numbers > 0) report.remarks.push_back(what_is_no_number());
+    if (not_finite_ > 0) report.remarks.push_back(what_is_not_finite());
+    if (lost_all()) report.remarks.push_back(loss());
     return report;
   }
 
@@ -266,6 +296,8 @@ class Conversion {
   std::vector<std::complex<double>> volts_;
   std::vector<std::int64_t> counts_;
   radar::ConversionTally tally_;
+  std::size_t not_finite_ = 0;
+  std::size_t first_not_finite_ = 0;
 };
 
 }  // namespace

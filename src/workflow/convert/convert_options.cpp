@@ -18,6 +18,8 @@ OptionTable<SampleArguments> sample_option_table() {
   table.whole("--columns", 1, std::uint64_t{1} << 40, "samples of a row (BINARY)", &SampleArguments::columns);
   table.whole("--bits", 1, 64, "A/D bits of its counts", &SampleArguments::bits);
   table.number("--lsb", "V", "volts of a count", &SampleArguments::lsb_v);
+  table.text("--dataset", "NAME", "dataset of the samples in an HDF5 file (default: /samples)",
+             &SampleArguments::dataset);
   table.text("--script", "SCENE", "script whose simulation wrote the file, instead of the above",
              &SampleArguments::script);
   return table;

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "core/report/refused.hpp"
+#include "raster/format/npy_header.hpp"
 #include "raster/format/open_raster.hpp"
 
 namespace sarsim::workflow {
@@ -83,6 +84,24 @@ TEST_F(Convert, CountsBecomeVolts) {
   auto expected = samples_of("in.asc");
   for (auto& sample : expected) sample *= 0.25;
   EXPECT_EQ(samples_of("out.npy"), expected);
+}
+
+TEST_F(Convert, SaysThatSamplesAreNotFiniteAndThatAllCountsAreZero) {
+  std::ofstream(path("volts.npy"), std::ios::binary)
+      << raster::npy_header_text("<c8", std::vector<std::size_t>{1, 2})
+      << std::string("\0\0\xC0\x7F\0\0\x80\x3F\0\0\x80\x3F\0\0\0\x40", 16);  // NaN + i, 1 + 2i
+  request_.input = path("volts.npy");
+  request_.sample.bits = {};
+  const ConvertReport copied = converted("copy.npy");
+  ASSERT_EQ(copied.remarks.size(), 1U);
+  EXPECT_THAT(core::to_string(copied.remarks[0]), testing::HasSubstr("1 of 2 samples are not finite"));
+  EXPECT_THAT(core::to_string(copied.remarks[0]), testing::HasSubstr("row 0, sample 0"));
+  request_.sample.bits = 8;
+  request_.sample.lsb_v = 100.0;
+  const ConvertReport zeros = converted("zeros.csv");
+  std::string text;
+  for (const core::Problem& problem : zeros.remarks) text += core::to_string(problem);
+  EXPECT_THAT(text, testing::HasSubstr("all counts are 0: the LSB is 100 V"));
 }
 
 TEST_F(Convert, CountsWhatItClips) {

@@ -127,6 +127,7 @@ Collection open_collection(const CollectionArguments& arguments, const core::Wor
   std::ranges::move(place.remarks, std::back_inserter(remarks));
   Collection collection{.plan = opened.plan,
                         .rows = std::move(opened.rows),
+                        .computed = names_script(arguments.input),
                         .earth = place.earth,
                         .flat = opened.world.frame == scene::World::Frame::flat,
                         .start = {},

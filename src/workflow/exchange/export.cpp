@@ -51,7 +51,11 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
                                        "the pulse has hard edges, whose spectrum does not end at half the sampling "
                                        "rate: the samples of each vector are "
                                        "off by 3 to 7 % (root of the mean square)",
-                                       {}, {}, "add --pulse band-limited, with which they are off by less than 0.1 %"));
+                                       {}, {},
+                                       collection.computed
+                                           ? "add --pulse band-limited, with which they are off by less than 0.1 %"
+                                           : "convert the scene in place of its recording, with which they are off by "
+                                             "less than 0.1 %: sarsim convert SCENE OUT.cphd --pulse band-limited"));
 }
 
 // Several vectors as bytes: enough work for a thread.

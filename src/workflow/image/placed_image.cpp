@@ -91,9 +91,10 @@ raster::RasterAxes axes_of(const simulate::Plan& plan) {
 
 void expect_no_hints(const PlacedImageRequest& request) {
   const SampleArguments& samples = request.samples;
-  if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty())
+  if (samples.format || samples.columns || samples.bits || samples.lsb_v || !samples.script.empty() ||
+      !samples.dataset.empty())
     throw core::Refused(fmt::format("'{}' has a header, which says all about its samples", request.path),
-                        "leave out --from, --columns, --bits, --lsb and --script");
+                        "leave out --from, --columns, --bits, --lsb, --dataset and --script");
 }
 
 }  // namespace

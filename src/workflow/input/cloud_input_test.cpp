@@ -65,6 +65,47 @@ class ReadClouds : public testing::Test {
   core::Problems problems_;
 };
 
+// A header of structures, as numpy.save writes it.
+std::string structures_header(const std::string& fields, std::size_t points) {
+  std::string text = raster::npy_header_text("<f8", std::vector<std::size_t>{points});
+  const std::string old = "'<f8'";
+  const std::size_t at = text.find(old);
+  text.replace(at, old.size(), "[" + fields + "]");
+  // What the padding of 64 bytes does not take up makes the header longer.
+  std::string header = text.substr(10);
+  header.resize((header.find_last_not_of(" \n") + 1 + 10 + 63) / 64 * 64 + 64 - 10 - 1, ' ');
+  header += '\n';
+  return text.substr(0, 8) + static_cast<char>(header.size() & 0xFFU) + static_cast<char>(header.size() >> 8U) + header;
+}
+
+TEST_F(ReadClouds, TakesStructuresByTheNamesOfTheirFields) {
+  struct Point {
+    double rcs, z;
+    std::int32_t id;
+    double x, y;
+  } __attribute__((packed));
+  const std::vector<Point> points{{4.0, 3.25, 1, 1.5, -2.0}, {0.25, 0.0, 2, -0.5, 1e6}};
+  const std::string bytes(reinterpret_cast<const char*>(points.data()), points.size() * sizeof(Point));
+  const std::string fields = "('rcs', '<f8'), ('z', '<f8'), ('id', '<i4'), ('x', '<f8'), ('y', '<f8')";
+  write("points.npy", structures_header(fields, 2) + bytes);
+  const scene::Cloud cloud = read("points.npy");
+  ASSERT_TRUE(cloud.points) << core::to_string(problems_.at(0));
+  const radar::PointArrays& arrays = cloud.points->arrays;
+  EXPECT_EQ(arrays.x_m, (std::vector<double>{1.5, -0.5}));
+  EXPECT_EQ(arrays.y_m, (std::vector<double>{-2.0, 1e6}));
+  EXPECT_EQ(arrays.z_m, (std::vector<double>{3.25, 0.0}));
+  EXPECT_EQ(arrays.root_rcs_m, (std::vector<double>{2.0, 0.5}));
+  write("without.npy", structures_header("('x', '<f8'), ('y', '<f8'), ('height', '<f8')", 2) + std::string(48, '\0'));
+  expect_refused("without.npy", "x, y, height");
+  write("mixed.npy", structures_header("('x', '<f8'), ('y', '<f4'), ('z', '<f8')", 2) + std::string(40, '\0'));
+  expect_refused("mixed.npy", "'y' of the array is not of the type of the others");
+  write("twice.npy",
+        structures_header("('x', '<f8'), ('x_m', '<f8'), ('y', '<f8'), ('z', '<f8')", 2) + std::string(64, '\0'));
+  expect_refused("twice.npy", "two fields of the array mean the same");
+  write("cut.npy", structures_header("('x', '<f8'), ('y', '<f8'), ('z', '<f8')", 3) + std::string(48, '\0'));
+  expect_refused("cut.npy", "shorter than its array");
+}
+
 TEST_F(ReadClouds, TakesTheSamePointsFromEachFormat) {
   const std::vector<double> rows{1.5, -2.0, 3.25, 4.0, -0.5, 1e6, 0.0, 0.25, 7.0, 8.0, 9.0, 0.0};
   std::vector<double> columns(rows.size());

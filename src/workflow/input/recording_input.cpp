@@ -11,12 +11,15 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/os/input_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
+#include "raster/table/pose_axes.hpp"
+#include "raster/table/product_attributes.hpp"
 #include "scene/check/check.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"
@@ -159,32 +162,88 @@ void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const 
                       "name the script and the simulation that wrote it with --script and --simulation");
 }
 
-// The axes that a file says of itself. The script's own are those that count: a file whose axes are others was changed,
-// or is not of this script.
-void remark_on_axes(const raster::Raster& file, const simulate::Plan& plan, core::Problems& problems) {
-  const std::optional<raster::RasterAxes> axes = file.axes();
-  if (!axes) return;
-  const simulate::Product product = simulate::product_of(plan, {});
-  const auto remark = [&](const char* name, std::size_t at, double found, double expected) {
+// Compares what a file says of itself with its scene, which is what counts: a file that says something else was
+// changed, or is not of this scene. One rule for all of it: a warning that names it, once each.
+class Comparison {
+ public:
+  Comparison(const raster::Raster& file, const simulate::Plan& plan, core::Problems& problems)
+      : file_(file), plan_(plan), product_(simulate::product_of(plan, {})), problems_(problems) {}
+
+  void run() {
+    compare_facts();
+    const std::optional<raster::RasterAxes> axes = file_.axes();
+    if (!axes) return;
+    compare("pulse_time_s", axes->row_time_s, product_.row_time_s, plan_.radar.repetition.mean_interval_s());
+    compare("carrier_hz", axes->row_carrier_hz, product_.row_carrier_hz, 0.0);
+    const double spacing_m = plan_.columns > 1 ? product_.column_range_m(1) - product_.column_range_m(0) : 1.0;
+    compare("slant_range_m", axes->column_range_m, product_.column_range_m, spacing_m);
+    compare_poses(axes->row_pose);
+  }
+
+ private:
+  void remark(const std::string& what, std::string found, std::string expected) {
     core::Problem problem = core::problem_of(
-        core::Severity::warning, fmt::format("the axis {} of the file is not that of its script, which counts", name),
-        fmt::format("{} at position {}", core::format_number(found), at), core::format_number(expected),
-        "name the script that wrote it with --script");
-    problem.place.file = file.info().path.string();
-    problems.push_back(std::move(problem));
-  };
-  const auto compare = [&](const char* name, const std::vector<double>& found, const auto& expected, double step) {
+        core::Severity::warning, fmt::format("{} of the file is not that of its script, which counts", what),
+        std::move(found), std::move(expected), "name the script that wrote it with --script");
+    problem.place.file = file_.info().path.string();
+    problems_.push_back(std::move(problem));
+  }
+
+  static bool differ(double found, double expected, double step) {
+    return !(std::abs(found - expected) <= 1e-3 * step + 1e-9 * std::abs(expected));  // True for NaN.
+  }
+
+  template <class Expected>
+  void compare(const std::string& name, const std::vector<double>& found, const Expected& expected, double step) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       const double value = expected(i);
-      if (std::abs(found[i] - value) <= 1e-3 * step + 1e-9 * std::abs(value)) continue;  // False for NaN.
-      return remark(name, i, found[i], value);
+      if (!differ(found[i], value, step)) continue;
+      return remark("the axis " + name, fmt::format("{} at position {}", core::format_number(found[i]), i),
+                    core::format_number(value));
     }
-  };
-  compare("pulse_time_s", axes->row_time_s, product.row_time_s, plan.radar.repetition.mean_interval_s());
-  compare("carrier_hz", axes->row_carrier_hz, product.row_carrier_hz, 0.0);
-  const double spacing_m = plan.columns > 1 ? product.column_range_m(1) - product.column_range_m(0) : 1.0;
-  compare("slant_range_m", axes->column_range_m, product.column_range_m, spacing_m);
-}
+  }
+
+  // Numbers that only the scene gives otherwise: an LSB that the data have chosen is the file's own.
+  void compare_facts() {
+    const raster::RasterInfo& info = file_.info();
+    const auto compare_fact = [&](const char* name, std::optional<double> found, double expected) {
+      if (found && *found > 0.0 && expected > 0.0 && differ(*found, expected, 0.0))
+        remark(name, core::format_number(*found), core::format_number(expected));
+    };
+    compare_fact("sample_rate_hz", info.sample_rate_hz, product_.sample_rate_hz);
+    compare_fact("lsb_v", info.lsb_v, plan_.simulation.lsb_v);
+    if (info.counts && info.bits > 0) compare_fact("bits", info.bits, plan_.simulation.bits);
+    const std::string radar = raster::attribute_of(info.attributes, "radar");
+    if (!radar.empty() && radar != product_.radar) remark("radar", radar, product_.radar);
+  }
+
+  // To a thousandth of a wavelength, which is what focusing needs, and what rounding leaves of large numbers.
+  void compare_poses(const std::vector<simulate::RowPose>& found) {
+    if (!product_.row_pose || found.size() != plan_.rows) return;
+    const double place_m = core::exact_light_speed_mps / plan_.radar.carrier.highest_hz();
+    for (const raster::PoseAxis& axis : raster::pose_axes) {
+      const bool is_place = axis.part == &simulate::RowPose::position_m;
+      compare_part(axis, found, is_place ? place_m : 1.0);
+    }
+  }
+  void compare_part(const raster::PoseAxis& axis, const std::vector<simulate::RowPose>& found, double step) {
+    for (std::size_t row = 0; row < found.size(); ++row) {
+      const std::array<double, 3> expected = product_.row_pose(row).*axis.part;
+      for (std::size_t k = 0; k < expected.size(); ++k) {
+        const double value = (found[row].*axis.part)[k];
+        if (!differ(value, expected[k], step)) continue;
+        return remark(fmt::format("the axis {}", axis.name),
+                      fmt::format("{} for {} at position {}", core::format_number(value), "xyz"[k], row),
+                      core::format_number(expected[k]));
+      }
+    }
+  }
+
+  const raster::Raster& file_;
+  const simulate::Plan& plan_;
+  simulate::Product product_;
+  core::Problems& problems_;
+};
 
 // Volts of a number of the file; 1 with a remark where counts have no known LSB.
 double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core::Problems& problems) {
@@ -330,6 +389,8 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
                               const core::WorkControl& control) {
   if (!arguments.script.empty())
     throw core::Refused("--script is for files of samples", "a script needs no other script");
+  if (!arguments.dataset.empty())
+    throw core::Refused("--dataset is for HDF5 files of samples", "leave it out: the echoes of a script are computed");
   ScriptedRecording recording{
       arguments.held ? check_again(arguments.held->input, Scrutiny::echoes, control, {}, arguments.overrides)
                      : read_scene(arguments.path, arguments.overrides, Scrutiny::echoes, control)};
@@ -348,7 +409,9 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   std::shared_ptr<const raster::Raster> file;
   if (arguments.script.empty()) {
     expect_no_overrides(arguments);
-    file = opened(arguments.path, {}, recording.problems);
+    raster::RasterHints hints;
+    hints.dataset = arguments.dataset;
+    file = opened(arguments.path, hints, recording.problems);
   }
   recording.scene =
       file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording, control);
@@ -356,9 +419,13 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
-  if (!file) file = opened(arguments.path, hints_of(*recording.plan), recording.problems);
+  if (!file) {
+    raster::RasterHints hints = hints_of(*recording.plan);
+    hints.dataset = arguments.dataset;
+    file = opened(arguments.path, hints, recording.problems);
+  }
   expect_shape(*file, *recording.plan, arguments.path);
-  remark_on_axes(*file, *recording.plan, recording.problems);
+  Comparison(*file, *recording.plan, recording.problems).run();
   const double scale = scale_of(file->info(), *recording.plan, recording.problems);
   recording.rows = rows_of(std::move(file), scale);
   return recording;

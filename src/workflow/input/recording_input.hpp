@@ -26,6 +26,7 @@ struct RecordingArguments {
   std::string script;                       ///< For a file that does not carry its script.
   std::optional<std::int64_t> simulation;   ///< Its number in the script, from 1.
   SceneOverrides overrides;                 ///< Of a script that is read.
+  std::string dataset{};                    ///< Of an HDF5 file: where its samples are, if not at the usual place.
   std::shared_ptr<const HeldScene> held{};  ///< In place of the file `path`, which is then only a name; null: none.
 };
 

@@ -42,6 +42,8 @@ OptionTable<RecordingArguments> script_options(const std::string& otherwise) {
       "--simulation", 1, std::uint64_t{1} << 40,
       "which simulation of the script (default: the one with the file's name; of a script, " + otherwise + ")",
       [](RecordingArguments& arguments, std::uint64_t n) { arguments.simulation = static_cast<std::int64_t>(n); });
+  table.text("--dataset", "NAME", "dataset of the samples in an HDF5 file (default: /samples)",
+             &RecordingArguments::dataset);
   return table;
 }
 

@@ -10,7 +10,7 @@ namespace sarsim::workflow {
 /// --script alone.
 [[nodiscard]] OptionTable<RecordingArguments> script_file_option();
 
-/// The same and --simulation.
+/// The same, --simulation and --dataset.
 /// @param otherwise  the simulation of a script that is taken where none is named, in words
 [[nodiscard]] OptionTable<RecordingArguments> script_options(const std::string& otherwise = "the first");
 

@@ -86,6 +86,7 @@ raster::RasterHints hints_said(const std::string& path, const SampleArguments& a
     hints.columns = static_cast<std::size_t>(*arguments.columns);
     hints.rows = 0;
   }
+  hints.dataset = arguments.dataset;
   if (arguments.bits) hints.bits = static_cast<int>(*arguments.bits);
   if (arguments.lsb_v) {
     if (!(*arguments.lsb_v > 0.0)) throw core::Refused("--lsb must be above 0", "give the volts of one count");

@@ -1,0 +1,293 @@
+#include "raster/cphd/vector_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "raster/table/file_problem.hpp"
+
+namespace sarsim::raster {
+
+namespace {
+
+using V = PhaseVector;
+
+// Beyond these there is no radar: a year, the distance of the Moon ten times, the speed of meteors, gamma rays.
+constexpr double most_time_s = 3.2e7;
+constexpr double most_place_m = 4e9;
+constexpr double most_speed_mps = 1e5;
+constexpr double most_frequency_hz = 1e14;
+constexpr double most_delay_s = 100.0;
+constexpr double most_amplitude = 1e28;  // As of the samples of recordings.
+
+// A number of a vector and between what it has to be.
+struct Bounds {
+  std::string_view name;
+  double V::*number;
+  double least;
+  double most;
+  const char* expected;
+};
+
+constexpr Bounds number_bounds[] = {
+    {"TxTime", &V::tx_time_s, -most_time_s, most_time_s, "seconds after the start of the collection"},
+    {"RcvTime", &V::rcv_time_s, -most_time_s, most_time_s, "seconds after the start of the collection"},
+    {"AmpSF", &V::amplitude, std::numeric_limits<double>::min(), most_amplitude, "a number above 0, up to 1e28"},
+    {"aFDOP", &V::doppler, -1e-2, 1e-2, "-0.01 to 0.01: the rate of the path over the speed of light"},
+    {"aFRR1", &V::rate1, -1e30, 1e30, "a finite number"},
+    {"aFRR2", &V::rate2, -1e30, 1e30, "a finite number"},
+    {"FX1", &V::fx1_hz, 1.0, most_frequency_hz, "a frequency, 1 Hz to 1e14 Hz"},
+    {"FX2", &V::fx2_hz, 1.0, most_frequency_hz, "a frequency, 1 Hz to 1e14 Hz"},
+    {"TOA1", &V::toa1_s, -most_delay_s, most_delay_s, "-100 s to 100 s"},
+    {"TOA2", &V::toa2_s, -most_delay_s, most_delay_s, "-100 s to 100 s"},
+    {"TDTropoSRP", &V::tropo_s, -1e-3, 1e-3, "-1 ms to 1 ms"},
+};
+
+struct PlaceBounds {
+  std::string_view name;
+  core::Vec3 V::*place;
+  double most;
+  const char* expected;
+};
+
+constexpr PlaceBounds place_bounds[] = {
+    {"TxPos", &V::tx_m, most_place_m, "Earth-fixed metres, up to 4e9"},
+    {"TxVel", &V::tx_mps, most_speed_mps, "up to 1e5 m/s"},
+    {"RcvPos", &V::rcv_m, most_place_m, "Earth-fixed metres, up to 4e9"},
+    {"RcvVel", &V::rcv_mps, most_speed_mps, "up to 1e5 m/s"},
+    {"SRPPos", &V::srp_m, most_place_m, "Earth-fixed metres, up to 4e9"},
+};
+
+std::string text_of(const core::Vec3& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
+
+// What is wrong with a parameter, in words; the vector is known elsewhere.
+struct VectorFault {
+  std::string parameter;
+  std::string found;
+  std::string expected;
+};
+
+bool is_within(double value, double low, double high) { return value >= low && value <= high; }  // False for NaN.
+
+std::optional<VectorFault> fault_of_numbers(const V& v) {
+  for (const Bounds& bounds : number_bounds)
+    if (!is_within(v.*bounds.number, bounds.least, bounds.most))
+      return VectorFault{std::string(bounds.name), fmt::format("{:g}", v.*bounds.number), bounds.expected};
+  for (const PlaceBounds& bounds : place_bounds)
+    if (!(core::norm(v.*bounds.place) <= bounds.most))
+      return VectorFault{std::string(bounds.name), text_of(v.*bounds.place), bounds.expected};
+  return std::nullopt;
+}
+
+// @param samples  of a vector
+std::optional<VectorFault> fault_of_samples(const V& v, PhaseDomain domain, std::size_t samples) {
+  const bool fx = domain == PhaseDomain::fx;
+  const double lowest = fx ? 1.0 : -most_delay_s;
+  const double highest = fx ? most_frequency_hz : most_delay_s;
+  const char* const expected = fx ? "a frequency, 1 Hz to 1e14 Hz" : "-100 s to 100 s";
+  if (!is_within(v.first, lowest, highest)) return VectorFault{"SC0", fmt::format("{:g}", v.first), expected};
+  if (!(v.step > 0.0) || !std::isfinite(1.0 / v.step))
+    return VectorFault{"SCSS", fmt::format("{:g}", v.step), "an interval above 0"};
+  const double last = v.first + static_cast<double>(samples - 1) * v.step;
+  if (is_within(last, lowest, highest)) return std::nullopt;
+  return VectorFault{
+      "SCSS", fmt::format("{:g}", v.step),
+      fmt::format("an interval with which the last of {} samples lies at most at {:g}", samples, highest)};
+}
+
+std::optional<VectorFault> fault_of_order(const V& v) {
+  if (!(v.fx1_hz < v.fx2_hz))
+    return VectorFault{"FX1", fmt::format("{:g} Hz", v.fx1_hz), fmt::format("below FX2, {:g} Hz", v.fx2_hz)};
+  if (!(v.toa1_s < v.toa2_s))
+    return VectorFault{"TOA1", fmt::format("{:g} s", v.toa1_s), fmt::format("below TOA2, {:g} s", v.toa2_s)};
+  if (!(v.rcv_time_s >= v.tx_time_s))
+    return VectorFault{"RcvTime", fmt::format("{:.12g} s", v.rcv_time_s),
+                       fmt::format("TxTime, {:.12g} s, or later", v.tx_time_s)};
+  if (!(v.rcv_time_s - v.tx_time_s <= most_delay_s))
+    return VectorFault{"RcvTime", fmt::format("{:.12g} s", v.rcv_time_s),
+                       fmt::format("at most {:g} s after TxTime, {:.12g} s", most_delay_s, v.tx_time_s)};
+  return std::nullopt;
+}
+
+// What is remarkable without being wrong beyond use, with the first vector of which it is true.
+class Remark {
+ public:
+  void note(std::size_t vector, std::string found, std::string expected) {
+    if (count_++ > 0) return;
+    first_ = vector;
+    found_ = std::move(found);
+    expected_ = std::move(expected);
+  }
+  void report(const std::string& file, const PhaseChannel& channel, const char* what, const char* hint,
+              core::Problems& problems) const {
+    if (count_ == 0) return;
+    problems.push_back(with_severity(file_problem(file,
+                                                  fmt::format("channel '{}', {} of {} vectors: {}; the first is "
+                                                              "vector {} (from 0)",
+                                                              channel.id, count_, channel.vectors, what, first_),
+                                                  found_, expected_, hint),
+                                     core::Severity::warning));
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::size_t first_ = 0;
+  std::string found_;
+  std::string expected_;
+};
+
+// The vectors of one channel, one after the other.
+class ChannelCheck {
+ public:
+  ChannelCheck(const CphdFile& file, std::size_t channel) : file_(file), number_(channel) {}
+
+  void run(core::Problems& problems) {
+    constexpr std::size_t together = 4096;
+    std::vector<V> vectors;
+    for (std::size_t first = 0; first < channel().vectors; first += together) {
+      vectors.resize(std::min(together, channel().vectors - first));
+      file_.read_vectors(number_, first, vectors);
+      for (std::size_t i = 0; i < vectors.size(); ++i)
+        if (auto fault = look_at(vectors[i], first + i)) return refuse(*fault, first + i, problems);
+    }
+    report(problems);
+  }
+
+ private:
+  [[nodiscard]] const CphdDescription& description() const { return file_.description(); }
+  [[nodiscard]] const PhaseChannel& channel() const { return description().channels[number_]; }
+  [[nodiscard]] std::string name() const { return file_.file().path().string(); }
+
+  void refuse(const VectorFault& fault, std::size_t vector, core::Problems& problems) const {
+    problems.push_back(file_problem(
+        name(), fmt::format("channel '{}', vector {} (from 0): {} cannot be", channel().id, vector, fault.parameter),
+        fault.found, fault.expected, "the file is damaged, or its writer counts in other units"));
+  }
+
+  std::optional<VectorFault> look_at(const V& v, std::size_t i) {
+    constexpr std::int64_t most_signal = 3;
+    if (v.signal < 0 || v.signal > most_signal)
+      return VectorFault{"SIGNAL", fmt::format("{}", v.signal), "a whole number: 0 without a signal, 1 with one"};
+    if (v.signal == 0) return std::nullopt;  // Its parameters mean nothing.
+    if (auto fault = fault_of_numbers(v)) return fault;
+    if (auto fault = fault_of_samples(v, description().domain, channel().samples)) return fault;
+    if (auto fault = fault_of_order(v)) return fault;
+    compare_times(v, i);
+    compare_places(v, i);
+    compare_bands(v, i);
+    return std::nullopt;
+  }
+
+  void compare_times(const V& v, std::size_t i) {
+    if (last_time_s_ && v.tx_time_s <= *last_time_s_)
+      descending_.note(i, fmt::format("TxTime {:.12g} s after {:.12g} s", v.tx_time_s, *last_time_s_),
+                       "ascending times");
+    last_time_s_ = v.tx_time_s;
+    // A tenth: vendors put the time of reception at other places of the receive window.
+    constexpr double share = 0.1;
+    const double way_s = v.reference_way_m() / core::exact_light_speed_mps;
+    const double under_way_s = v.rcv_time_s - v.tx_time_s;
+    if (std::abs(under_way_s - way_s) > share * way_s)
+      late_.note(i, fmt::format("RcvTime {:.6g} s after TxTime", under_way_s),
+                 fmt::format("{:.6g} s, as the ways to SRPPos are long", way_s));
+  }
+
+  void compare_places(const V& v, std::size_t i) {
+    constexpr double deepest_m = -12e3;        // Of seas and mines.
+    constexpr double surely_out_m = 6.3662e6;  // From the centre: the equator's radius less that.
+    for (const auto& [place, name_of_place] :
+         {std::pair(&V::tx_m, "TxPos"), std::pair(&V::rcv_m, "RcvPos"), std::pair(&V::srp_m, "SRPPos")}) {
+      if (core::norm(v.*place) >= surely_out_m) continue;
+      const double height_m = radar::geodetic_of(v.*place).height_m;
+      if (!(height_m < deepest_m)) continue;
+      inside_.note(i, fmt::format("{} {:.6g} m below the ellipsoid", name_of_place, -height_m),
+                   "Earth-fixed places (ECF), m");
+      break;
+    }
+    const double under_way_s = v.rcv_time_s - v.tx_time_s;
+    // Some files have no motion while the echo is under way: the antenna stops for it.
+    if (description().bistatic || !(under_way_s > 0.0) || core::norm(v.rcv_m - v.tx_m) < 1e-3) return;
+    const double moved_m = core::norm(v.rcv_m - v.tx_m - (0.5 * under_way_s) * (v.tx_mps + v.rcv_mps));
+    const double expected_m = core::norm((0.5 * under_way_s) * (v.tx_mps + v.rcv_mps));
+    if (moved_m > 0.1 * expected_m + 1e-3)
+      velocity_.note(i, fmt::format("RcvPos {:.6g} m from TxPos", core::norm(v.rcv_m - v.tx_m)),
+                     fmt::format("{:.6g} m by TxVel and RcvVel", expected_m));
+  }
+
+  void compare_bands(const V& v, std::size_t i) {
+    least_hz_ = std::min(least_hz_, v.fx1_hz);
+    most_hz_ = std::max(most_hz_, v.fx2_hz);
+    if (!first_) first_ = v;
+    const PhaseChannel& c = channel();
+    // The rounding of texts and of sums.
+    const auto differ = [](double a, double b, double of) { return std::abs(a - b) > 1e-6 * std::abs(of); };
+    if (c.fx_fixed && (differ(v.fx1_hz, first_->fx1_hz, v.fx1_hz) || differ(v.fx2_hz, first_->fx2_hz, v.fx2_hz)))
+      flags_.note(i, fmt::format("FX1 {:.9g} Hz, FX2 {:.9g} Hz", v.fx1_hz, v.fx2_hz),
+                  "those of the first vector, as FXFixed is true");
+    if (c.toa_fixed && (differ(v.toa1_s, first_->toa1_s, v.toa2_s - v.toa1_s) ||
+                        differ(v.toa2_s, first_->toa2_s, v.toa2_s - v.toa1_s)))
+      flags_.note(i, fmt::format("TOA1 {:.9g} s, TOA2 {:.9g} s", v.toa1_s, v.toa2_s),
+                  "those of the first vector, as TOAFixed is true");
+    if (c.srp_fixed && core::norm(v.srp_m - first_->srp_m) > 1e-3)
+      flags_.note(i, "SRPPos " + text_of(v.srp_m), "that of the first vector, as SRPFixed is true");
+    if (description().domain == PhaseDomain::toa) return;
+    const double last_hz = v.first + static_cast<double>(c.samples - 1) * v.step;
+    const double room_hz = v.step + 1e-6 * v.fx2_hz;
+    if (v.fx1_hz < v.first - room_hz || v.fx2_hz > last_hz + room_hz)
+      band_.note(i, fmt::format("FX1 {:.9g} Hz, FX2 {:.9g} Hz", v.fx1_hz, v.fx2_hz),
+                 fmt::format("within the samples, {:.9g} Hz to {:.9g} Hz", v.first, last_hz));
+  }
+
+  void report(core::Problems& problems) const {
+    const std::string file = name();
+    const auto report = [&](const Remark& remark, const char* what, const char* hint = "") {
+      remark.report(file, channel(), what, hint, problems);
+    };
+    report(descending_, "their times do not ascend", "sort the vectors by TxTime");
+    report(late_, "the time of reception contradicts the places", "the speed of the antenna is taken from both");
+    report(inside_, "a place lies inside the Earth", "places are Earth-fixed (ECF), in metres");
+    report(velocity_, "the velocities contradict the places", "the speed of the antenna is taken from the places");
+    report(flags_, "they differ although the XML says that they do not");
+    report(band_, "the band lies beyond the samples");
+    compare_channel(problems);
+  }
+
+  // FxC is the carrier of the image, so it has to be that of the vectors.
+  void compare_channel(core::Problems& problems) const {
+    const PhaseChannel& c = channel();
+    if (!first_ || !(c.centre_hz > 0.0)) return;
+    const double band_hz = most_hz_ - least_hz_;
+    const double centre_hz = 0.5 * (least_hz_ + most_hz_);
+    constexpr double share = 0.01;
+    if (std::abs(c.centre_hz - centre_hz) <= share * band_hz && std::abs(c.band_hz - band_hz) <= share * band_hz)
+      return;
+    problems.push_back(with_severity(
+        file_problem(name(), fmt::format("channel '{}': FxC and FxBW of the XML are not those of the vectors", c.id),
+                     fmt::format("{:.9g} Hz, {:.9g} Hz wide", c.centre_hz, c.band_hz),
+                     fmt::format("{:.9g} Hz, {:.9g} Hz wide, as FX1 and FX2 say", centre_hz, band_hz),
+                     "the phase of the image is that about FxC"),
+        core::Severity::warning));
+  }
+
+  const CphdFile& file_;
+  std::size_t number_;
+  std::optional<double> last_time_s_;
+  std::optional<V> first_;
+  double least_hz_ = std::numeric_limits<double>::infinity();
+  double most_hz_ = -std::numeric_limits<double>::infinity();
+  Remark descending_, late_, inside_, velocity_, flags_, band_;
+};
+
+}  // namespace
+
+void check_vectors(const CphdFile& file, core::Problems& problems) {
+  for (std::size_t i = 0; i < file.description().channels.size(); ++i) ChannelCheck(file, i).run(problems);
+}
+
+}  // namespace sarsim::raster

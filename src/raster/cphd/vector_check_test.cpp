@@ -1,0 +1,204 @@
+#include "raster/cphd/vector_check.hpp"
+
+#include <gmock/gmock.h>
+
+#include <functional>
+#include <limits>
+#include <random>
+
+#include <fmt/format.h>
+
+#include "raster/cphd/cphd_test_support.hpp"
+
+namespace sarsim::raster::vector_check_test {
+
+using namespace cphd_test;
+using testing::HasSubstr;
+using Change = std::function<void(PhaseVector&)>;
+
+constexpr std::size_t vectors = 9;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// A file of nine vectors, the fifth of them changed.
+Opened changed(const CphdScratch& scratch, const Change& change, SignalEncoding encoding = SignalEncoding::cf8) {
+  const CphdDescription d = small_description(vectors, 6, encoding);
+  {
+    CphdWriter writer(scratch.path, d, true);
+    for (std::size_t i = 0; i < vectors; ++i) {
+      PhaseVector v = small_vector(d, i);
+      if (i == 5) change(v);
+      writer.append(encode_vector(v, small_samples(d, i), d.encoding));
+    }
+    writer.finish();
+  }
+  return opened_of(scratch.path);
+}
+
+struct Case {
+  const char* name;  // Of the parameter, which the message has to say.
+  Change change;
+};
+
+TEST(CphdVectors, RefusesWhatNoCollectionHasByTheNameOfItsParameter) {
+  const CphdScratch scratch("vectors_refused");
+  const Case cases[] = {
+      {"SC0", [](PhaseVector& v) { v.first = 1e300; }},
+      {"SC0", [](PhaseVector& v) { v.first = -1e9; }},
+      {"SC0", [](PhaseVector& v) { v.first = nan; }},
+      {"SCSS", [](PhaseVector& v) { v.step = 0.0; }},
+      {"SCSS", [](PhaseVector& v) { v.step = -1e6; }},
+      {"SCSS", [](PhaseVector& v) { v.step = 1e200; }},
+      {"TxTime", [](PhaseVector& v) { v.tx_time_s = 1e30; }},
+      {"RcvTime", [](PhaseVector& v) { v.rcv_time_s = v.tx_time_s - 1e-3; }},
+      {"RcvTime", [](PhaseVector& v) { v.rcv_time_s = nan; }},
+      {"RcvTime", [](PhaseVector& v) { v.rcv_time_s += 1e4; }},
+      {"SRPPos",
+       [](PhaseVector& v) {
+         v.srp_m = {1e30, 0.0, 0.0};
+       }},
+      {"TxPos", [](PhaseVector& v) { v.tx_m.y = nan; }},
+      {"RcvPos", [](PhaseVector& v) { v.rcv_m.z = std::numeric_limits<double>::infinity(); }},
+      {"TxVel",
+       [](PhaseVector& v) {
+         v.tx_mps = {3e8, 0.0, 0.0};
+       }},
+      {"RcvVel",
+       [](PhaseVector& v) {
+         v.rcv_mps = {0.0, nan, 0.0};
+       }},
+      {"aFDOP", [](PhaseVector& v) { v.doppler = 10.0; }},
+      {"aFRR1", [](PhaseVector& v) { v.rate1 = nan; }},
+      {"aFRR2", [](PhaseVector& v) { v.rate2 = nan; }},
+      {"FX1", [](PhaseVector& v) { std::swap(v.fx1_hz, v.fx2_hz); }},
+      {"FX1", [](PhaseVector& v) { v.fx1_hz = -1.0; }},
+      {"FX2", [](PhaseVector& v) { v.fx2_hz = 1e300; }},
+      {"TOA1", [](PhaseVector& v) { std::swap(v.toa1_s, v.toa2_s); }},
+      {"TOA2", [](PhaseVector& v) { v.toa2_s = nan; }},
+      {"TDTropoSRP", [](PhaseVector& v) { v.tropo_s = 1.0; }},
+      {"SIGNAL", [](PhaseVector& v) { v.signal = 0x7ff8000000000000; }},
+      {"SIGNAL", [](PhaseVector& v) { v.signal = -1; }},
+  };
+  for (const Case& c : cases) {
+    const Opened opened = changed(scratch, c.change);
+    EXPECT_FALSE(opened.file) << c.name;
+    EXPECT_THAT(opened.text(), HasSubstr(fmt::format("vector 5 (from 0): {} cannot be", c.name)));
+  }
+}
+
+TEST(CphdVectors, WarnsOfWhatContradictsItself) {
+  const CphdScratch scratch("vectors_warned");
+  const Case cases[] = {
+      {"times do not ascend", [](PhaseVector& v) { v.tx_time_s -= 2e-3, v.rcv_time_s -= 2e-3; }},
+      {"the time of reception contradicts the places", [](PhaseVector& v) { v.rcv_time_s += 1e-5; }},
+      {"a place lies inside the Earth",
+       [](PhaseVector& v) {
+         v.srp_m = {6300000.0, 0.0, 0.0};
+       }},
+      {"the velocities contradict the places", [](PhaseVector& v) { v.rcv_m.y += 10.0; }},
+      {"the band lies beyond the samples", [](PhaseVector& v) { v.fx2_hz += 1e9; }},
+      {"they differ although the XML says that they do not", [](PhaseVector& v) { v.toa1_s *= 0.5; }},
+  };
+  for (const Case& c : cases) {
+    const Opened opened = changed(scratch, c.change);
+    EXPECT_TRUE(opened.file) << c.name << opened.text();
+    EXPECT_THAT(opened.text(), HasSubstr(c.name));
+    EXPECT_THAT(opened.text(), HasSubstr("vector 5 (from 0)"));
+  }
+}
+
+TEST(CphdVectors, LeavesOutVectorsWithoutASignal) {
+  const CphdScratch scratch("vectors_silent");
+  const Opened opened = changed(scratch, [](PhaseVector& v) {
+    v = {};
+    v.signal = 0;
+    v.first = nan;
+  });
+  EXPECT_TRUE(opened.file) << opened.text();
+  EXPECT_EQ(opened.text(), "");
+}
+
+TEST(CphdVectors, RefusesAnAmplitudeThatIsNone) {
+  const CphdScratch scratch("vectors_amplitude");
+  for (const double amplitude : {0.0, -1.0, nan, 1e300}) {
+    const CphdDescription d = small_description(3, 4, SignalEncoding::ci2);
+    CphdWriter writer(scratch.path, d, true);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EncodedVector encoded = encode_vector(small_vector(d, i), small_samples(d, i), d.encoding);
+      const auto [slots, bytes] = pvp_slots(d.encoding);
+      PhaseVector other;
+      other.amplitude = amplitude;
+      for (const PvpSlot& slot : slots)
+        if (slot.field->name == "AmpSF") put_pvp(*slot.field, other, encoded.pvp.data() + slot.offset);
+      writer.append(encoded);
+    }
+    writer.finish();
+    EXPECT_THAT(opened_of(scratch.path).text(), HasSubstr("AmpSF cannot be")) << amplitude;
+  }
+}
+
+// Any bit of any parameter: what the file says afterwards is refused or warned of, or what was not touched is as it was
+// and no number lies beyond the bounds.
+TEST(CphdVectors, ChangedBitsGiveRefusalsOrFiniteNumbers) {
+  const CphdScratch scratch("vectors_bits");
+  const CphdDescription d = small_description(vectors, 6, SignalEncoding::cf8);
+  write_small(scratch.path, d);
+  const std::string bytes = bytes_of(scratch.path);
+  const auto block = read_block_header(opened_of(scratch.path).file->file())->block("PVP").value();
+  std::mt19937_64 random(54);
+  std::size_t refused = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    std::string other = bytes;
+    const std::uint64_t at = block.offset + random() % block.bytes;
+    other[at] = static_cast<char>(static_cast<unsigned char>(other[at]) ^ (1U << random() % 8));
+    const Opened opened = opened_of(other, scratch.path);
+    if (!opened.file) {
+      ++refused;
+      EXPECT_THAT(opened.text(), HasSubstr("cannot be"));
+      continue;
+    }
+    std::vector<PhaseVector> read(vectors);
+    opened.file->read_vectors(0, 0, read);
+    for (std::size_t i = 0; i < vectors; ++i) {
+      if (read[i].signal == 0) continue;
+      for (const PvpField& field : pvp_fields()) {
+        if (field.number != nullptr) {
+          EXPECT_LE(std::abs(read[i].*field.number), 1e30) << field.name;
+        }
+        if (field.place != nullptr) {
+          EXPECT_LE(core::norm(read[i].*field.place), 4e9) << field.name;
+        }
+      }
+    }
+  }
+  EXPECT_GT(refused, 20U);
+}
+
+TEST(CphdXml, RefusesWhatContradictsTheStandardOrItself) {
+  const CphdScratch scratch("cphd_xml");
+  write_small(scratch.path, small_description(3, 5, SignalEncoding::cf8));
+  const std::string bytes = bytes_of(scratch.path);
+  const auto pvp_format = [&](const std::string& name, const std::string& old, const std::string& format) {
+    std::string other = bytes;
+    const std::size_t at = other.find(old, other.find("<" + name + ">"));
+    return at == std::string::npos ? std::string() : other.replace(at, format.size(), format);
+  };
+  const std::pair<std::string, const char*> cases[] = {
+      {pvp_format("TxTime", ">F8<", ">F4<"), "PVP/TxTime are not those of the standard (Format)"},
+      {pvp_format("TxPos", "X=F8;Y=F8;Z=F8", "X=F4;Y=F4;Z=F4"), "PVP/TxPos are not those of the standard"},
+      {pvp_format("SIGNAL", ">I8<", ">F8<"), "PVP/SIGNAL are not those of the standard"},
+      {pvp_format("TxVel", "<Offset>4<", "<Offset>3<"), "lie at one place"},
+      {with(bytes, "<NumCPHDChannels>1<", "<NumCPHDChannels>2<"), "NumCPHDChannels is not the number of channels"},
+      {with(bytes, "<NumVectors>3<", "<NumVectors>9<"), "do not fit into the block"},
+  };
+  for (const auto& [other, message] : cases) {
+    ASSERT_FALSE(other.empty()) << message;
+    const Opened opened = opened_of(other, scratch.path);
+    EXPECT_FALSE(opened.file) << message;
+    EXPECT_THAT(opened.text(), HasSubstr(message));
+  }
+  const Opened fewer = opened_of(with(bytes, "<NumVectors>3<", "<NumVectors>2<"), scratch.path);
+  EXPECT_THAT(fewer.text(), HasSubstr("do not fill the block PVP"));
+  EXPECT_THAT(fewer.text(), HasSubstr("do not fill the block SIGNAL"));
+}
+
+}  // namespace sarsim::raster::vector_check_test

@@ -1,0 +1,264 @@
+#include "raster/table/cf_attributes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "core/maths/constants.hpp"
+#include "core/text/letters.hpp"
+#include "core/text/number_text.hpp"
+#include "raster/table/axis_words.hpp"
+#include "raster/table/file_problem.hpp"
+
+namespace sarsim::raster {
+
+namespace {
+
+struct UnitWord {
+  std::string_view word;
+  double factor;
+  std::string_view si;
+};
+
+constexpr double degree = core::pi / 180.0;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// As udunits writes them, and as people do.
+constexpr std::array<UnitWord, 59> unit_words{{
+    {"s", 1.0, "s"},
+    {"sec", 1.0, "s"},
+    {"second", 1.0, "s"},
+    {"seconds", 1.0, "s"},
+    {"ms", 1e-3, "s"},
+    {"millisecond", 1e-3, "s"},
+    {"milliseconds", 1e-3, "s"},
+    {"us", 1e-6, "s"},
+    {"\xC2\xB5s", 1e-6, "s"},
+    {"\xCE\xBCs", 1e-6, "s"},
+    {"microsecond", 1e-6, "s"},
+    {"microseconds", 1e-6, "s"},
+    {"ns", 1e-9, "s"},
+    {"nanosecond", 1e-9, "s"},
+    {"nanoseconds", 1e-9, "s"},
+    {"min", 60.0, "s"},
+    {"minutes", 60.0, "s"},
+    {"h", 3600.0, "s"},
+    {"hours", 3600.0, "s"},
+    {"m", 1.0, "m"},
+    {"metre", 1.0, "m"},
+    {"metres", 1.0, "m"},
+    {"meter", 1.0, "m"},
+    {"meters", 1.0, "m"},
+    {"km", 1e3, "m"},
+    {"kilometre", 1e3, "m"},
+    {"kilometres", 1e3, "m"},
+    {"kilometer", 1e3, "m"},
+    {"kilometers", 1e3, "m"},
+    {"cm", 1e-2, "m"},
+    {"mm", 1e-3, "m"},
+    {"ft", 0.3048, "m"},
+    {"feet", 0.3048, "m"},
+    {"nmi", 1852.0, "m"},
+    {"Hz", 1.0, "Hz"},
+    {"hertz", 1.0, "Hz"},
+    {"s-1", 1.0, "Hz"},
+    {"1/s", 1.0, "Hz"},
+    {"kHz", 1e3, "Hz"},
+    {"MHz", 1e6, "Hz"},
+    {"GHz", 1e9, "Hz"},
+    {"THz", 1e12, "Hz"},
+    {"m s-1", 1.0, "m s-1"},
+    {"m/s", 1.0, "m s-1"},
+    {"m.s-1", 1.0, "m s-1"},
+    {"km s-1", 1e3, "m s-1"},
+    {"km/s", 1e3, "m s-1"},
+    {"rad", 1.0, "rad"},
+    {"radian", 1.0, "rad"},
+    {"radians", 1.0, "rad"},
+    {"deg", degree, "rad"},
+    {"degree", degree, "rad"},
+    {"degrees", degree, "rad"},
+    {"V", 1.0, "V"},
+    {"volt", 1.0, "V"},
+    {"volts", 1.0, "V"},
+    {"mV", 1e-3, "V"},
+    {"uV", 1e-6, "V"},
+    {"nV", 1e-9, "V"},
+}};
+
+core::Problem key_problem(const std::string& what, std::string_view key, std::string found, std::string expected,
+                          std::string hint) {
+  return file_problem({}, fmt::format("{}: its attribute {} cannot be followed", what, key), std::move(found),
+                      std::move(expected), std::move(hint));
+}
+
+const std::string* word_of(const FileAttributes& attributes, std::string_view name) {
+  const auto found = std::ranges::find(attributes, name, &std::pair<std::string, std::string>::first);
+  return found == attributes.end() ? nullptr : &found->second;
+}
+
+// The numbers of an attribute, separated by commas; nothing where one is none.
+std::optional<std::vector<double>> numbers_of(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const std::size_t comma = std::min(text.find(','), text.size());
+    const std::string word(core::trimmed(text.substr(0, comma)));
+    const auto number = core::parse_number(word);
+    if (number)
+      numbers.push_back(*number);
+    else if (core::equal_ignoring_case(word, "nan"))
+      numbers.push_back(std::numeric_limits<double>::quiet_NaN());
+    else if (word == "inf" || word == "-inf")
+      numbers.push_back(word == "inf" ? infinity : -infinity);
+    else
+      return std::nullopt;
+    if (comma == text.size()) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+// Reads attributes of numbers and keeps the first problem.
+class CfReader {
+ public:
+  CfReader(const FileAttributes& attributes, const std::string& what) : attributes_(attributes), what_(what) {}
+
+  [[nodiscard]] const std::optional<core::Problem>& problem() const { return problem_; }
+
+  // As many numbers as are wanted, at least one; empty where the attribute is not there or no such.
+  std::vector<double> numbers(std::string_view key, std::size_t least, std::size_t most) {
+    const std::string* const text = word_of(attributes_, key);
+    if (text == nullptr) return {};
+    auto found = numbers_of(*text);
+    if (found && found->size() >= least && found->size() <= most) return std::move(*found);
+    refuse(key, *text, least == most && least == 1 ? "a number" : fmt::format("{} numbers", least), "correct it");
+    return {};
+  }
+  double number(std::string_view key, double otherwise) {
+    const std::vector<double> found = numbers(key, 1, 1);
+    if (found.empty()) return otherwise;
+    if (std::isfinite(found.front()) || found.front() == otherwise) return found.front();
+    refuse(key, fmt::format("{}", found.front()), "a finite number", "correct it");
+    return otherwise;
+  }
+  void refuse(std::string_view key, std::string found, std::string expected, std::string hint) {
+    if (!problem_) problem_ = key_problem(what_, key, std::move(found), std::move(expected), std::move(hint));
+  }
+
+ private:
+  const FileAttributes& attributes_;
+  const std::string& what_;
+  std::optional<core::Problem> problem_;
+};
+
+bool is_count_word(std::string_view word) {
+  return word == "count" || word == "counts" || word == "digital_number" || word == "DN";
+}
+
+// Without a unit: the number itself, as CF writes it.
+bool is_one(std::string_view word) {
+  return word.empty() || word == "1" || word == "dimensionless" || word == "none" || word == "arbitrary" ||
+         word == "a.u.";
+}
+
+// The multiple of a volt; counts and numbers without unit are what they are.
+double take_units(CfReader& reader, const std::string* units, bool integers, SampleMeaning& meaning) {
+  if (units == nullptr) return 1.0;
+  const std::string_view word = core::trimmed(*units);
+  if (is_one(word)) return 1.0;
+  if (is_count_word(word)) {
+    if (!integers)
+      reader.refuse("units", *units, "V, as the numbers are not whole", "multiply them by the LSB, or store integers");
+    return 1.0;
+  }
+  const auto unit = si_unit_of(word);
+  if (unit && unit->second == "V") {
+    meaning.counts = false;
+    return unit->first;
+  }
+  reader.refuse("units", fmt::format("{:.60}", *units), "V, mV, uV, nV or count",
+                "convert the samples to volts: complex amplitudes, not powers or decibels");
+  return 1.0;
+}
+
+}  // namespace
+
+std::optional<std::pair<double, std::string_view>> si_unit_of(std::string_view word) {
+  const auto found = std::ranges::find(unit_words, core::trimmed(word), &UnitWord::word);
+  if (found == unit_words.end()) return std::nullopt;
+  return std::pair{found->factor, found->si};
+}
+
+std::variant<SampleMeaning, core::Problem> meaning_of_samples(const FileAttributes& attributes, const std::string& what,
+                                                              bool integers) {
+  CfReader reader(attributes, what);
+  SampleMeaning meaning;
+  meaning.counts = integers;
+  // Older files of ours say `unit` alone, newer ones both.
+  const std::string* units = word_of(attributes, "units");
+  const std::string* const unit_too = word_of(attributes, "unit");
+  if (units != nullptr && unit_too != nullptr && *units != *unit_too)
+    reader.refuse("units", fmt::format("{:.60}", *units), fmt::format("{:.60}, as its attribute unit says", *unit_too),
+                  "correct one of them");
+  if (units == nullptr) units = unit_too;
+  const double unit = take_units(reader, units, integers, meaning);
+  const double scale = reader.number("scale_factor", 1.0);
+  if (scale == 0.0) reader.refuse("scale_factor", "0", "a number other than 0", "correct it");
+  if (const double offset = reader.number("add_offset", 0.0); offset != 0.0)
+    reader.refuse("add_offset", core::format_number(offset), "0",
+                  "what an offset means for I and Q is not defined: add it to the samples and remove the attribute");
+  meaning.rule.scale = scale * unit;
+  if (scale != 1.0) {
+    if (units != nullptr && is_count_word(core::trimmed(*units)))
+      reader.refuse("scale_factor", core::format_number(scale), "1 for counts", "say the LSB by the attribute lsb_v");
+    meaning.counts = false;
+  }
+  for (const char* const key : {"_FillValue", "missing_value"})
+    for (const double value : reader.numbers(key, 1, 16))
+      if (!std::isnan(value)) meaning.rule.missing.push_back(value);
+  const std::vector<double> range = reader.numbers("valid_range", 2, 2);
+  if (!range.empty()) {
+    meaning.rule.least = range[0];
+    meaning.rule.most = range[1];
+  }
+  meaning.rule.least = std::max(meaning.rule.least, reader.number("valid_min", meaning.rule.least));
+  meaning.rule.most = std::min(meaning.rule.most, reader.number("valid_max", meaning.rule.most));
+  if (!(meaning.rule.least <= meaning.rule.most))
+    reader.refuse("valid_range", fmt::format("{:g}, {:g}", meaning.rule.least, meaning.rule.most),
+                  "the least and the largest valid number", "correct it");
+  if (reader.problem()) return *reader.problem();
+  return meaning;
+}
+
+std::optional<core::Problem> problem_of_dimensions(const std::vector<std::string>& names, const std::string& what) {
+  for (std::size_t i = 0; i < std::min<std::size_t>(names.size(), 2); ++i) {
+    const AxisWords* const axis = words_of_axis(names[i]);
+    if (axis == nullptr || (axis->of == AxisOf::columns) == (i == 1)) continue;
+    return file_problem({}, fmt::format("{}: its dimensions are in the wrong order", what),
+                        fmt::format("dimension {} is {}", i, names[i]), "rows (pulses) first, then columns",
+                        "store it transposed: array.T in NumPy, .' in MATLAB");
+  }
+  return std::nullopt;
+}
+
+std::variant<AxisMeaning, core::Problem> meaning_of_axis(const FileAttributes& attributes, const std::string& what,
+                                                         std::string_view units) {
+  CfReader reader(attributes, what);
+  AxisMeaning meaning{reader.number("scale_factor", 1.0), reader.number("add_offset", 0.0)};
+  if (meaning.factor == 0.0) reader.refuse("scale_factor", "0", "a number other than 0", "correct it");
+  if (const std::string* const said = word_of(attributes, "units"); said != nullptr && !core::trimmed(*said).empty()) {
+    const auto unit = si_unit_of(*said);
+    if (!unit || unit->second != units)
+      reader.refuse("units", fmt::format("{:.60}", *said), fmt::format("{} or a multiple of it", units),
+                    "convert the numbers, or correct the attribute");
+    else
+      meaning = {meaning.factor * unit->first, meaning.offset * unit->first};
+  }
+  if (reader.problem()) return *reader.problem();
+  return meaning;
+}
+
+}  // namespace sarsim::raster

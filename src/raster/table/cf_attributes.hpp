@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/report/problem.hpp"
+#include "raster/table/product_attributes.hpp"
+#include "raster/table/value_rule.hpp"
+
+/// What the attributes of arrays say of their numbers (NetCDF Climate and Forecast Metadata Conventions), in one place
+/// for all formats that have them (HDF5, Zarr). A key is honoured, or refused by its name; docs/formats/samples.md.
+namespace sarsim::raster {
+
+/// The attributes of the samples: how their numbers become samples, and whether these are counts.
+struct SampleMeaning {
+  ValueRule rule;
+  bool counts = false;
+};
+
+/// Understands `units`, `scale_factor`, `_FillValue`, `missing_value`, `valid_range`, `valid_min`, `valid_max`;
+/// `add_offset` other than 0 is refused, as it is not said what it means for I and Q. A problem without a place.
+/// @param what      the array, for the problems: "/samples"
+/// @param integers  its numbers are whole; without units they are counts then
+[[nodiscard]] std::variant<SampleMeaning, core::Problem> meaning_of_samples(const FileAttributes& attributes,
+                                                                            const std::string& what, bool integers);
+
+/// How the numbers of an axis become those of its SI unit: number * factor + offset.
+struct AxisMeaning {
+  double factor = 1.0;
+  double offset = 0.0;
+};
+
+/// Understands `units`, `scale_factor` and `add_offset` of an axis. Units of the same kind are converted, others
+/// refused. Without units the numbers have those of the axis' name.
+/// @param what   the axis, for the problems: "/pulse_time_s"
+/// @param units  what it is measured in, as `axis_words` and `pose_axes` write it
+[[nodiscard]] std::variant<AxisMeaning, core::Problem> meaning_of_axis(const FileAttributes& attributes,
+                                                                       const std::string& what, std::string_view units);
+
+/// What is wrong with the dimensions of the samples by their names: an axis of columns that runs down, or one of rows
+/// that runs across, as where the array is transposed. Other names may be any. A problem without a place.
+/// @param names  of the dimensions in their order; empty where one has none
+[[nodiscard]] std::optional<core::Problem> problem_of_dimensions(const std::vector<std::string>& names,
+                                                                 const std::string& what);
+
+/// A unit as a multiple of that of SI: "km" is 1000 "m". Nothing for unknown ones.
+[[nodiscard]] std::optional<std::pair<double, std::string_view>> si_unit_of(std::string_view word);
+
+}  // namespace sarsim::raster
