@@ -95,8 +95,10 @@ TEST(StateConsistency, NamesTheStateThatIsOff) {
     samples.position_m[index].y += size_m;
     const StateFindings found = findings_of(samples);
     const bool right = found.odd.size() == 1 && found.odd.front().index == index;
-    if (right) EXPECT_NEAR(found.odd.front().position_off_m / size_m, 1.0, 0.1) << k;
-    if (right) ++found_right;
+    if (right) {
+      EXPECT_NEAR(found.odd.front().position_off_m / size_m, 1.0, 0.1) << k;
+      ++found_right;
+    }
     for (const OddState& odd : found.odd) EXPECT_EQ(odd.index, index) << k;  // No other one is blamed.
   }
   EXPECT_GT(found_right, files * 97 / 100);

@@ -42,7 +42,7 @@ TEST(FunctionEnds, OfAGainByRangeAreHeld) {
 
 // Each block of the language has a row of docs/theory/echo-model.md with the words of the table.
 TEST(FunctionEnds, AreThoseOfTheTheorysTable) {
-  std::ifstream file(test::source_folder() / "docs/theory/echo-model.md");
+  std::ifstream file(sarsim::test::source_folder() / "docs/theory/echo-model.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   for (const FunctionBlock* block : function_blocks::all)
     for (std::size_t part = 0; part < block->count; ++part) {

@@ -183,7 +183,7 @@ class SweepRunner {
     };
     const scene::Scene scene = plan_.sweep.scene(request_.scene, variation, none);
     if (!none.empty()) throw core::Refused(std::move(none));
-    SweptScene swept{scene, {request_.script, {}, {}, request_.overrides, request_.held}};
+    SweptScene swept{scene, {request_.script, {}, {}, request_.overrides, {}, request_.held}};
     plan_.sweep.add_to(swept.source.overrides, variation);
     remarks_.add(variation, 1, run_variation(swept, plan_.products, rows, rules_, observer_.stop, note));
   }

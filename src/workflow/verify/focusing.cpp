@@ -83,7 +83,7 @@ scene::Scene low_band(double nearest_m) {
   return scene;
 }
 
-Echoes recorded(scene::Scene scene) {
+Echoes recorded_echoes(scene::Scene scene) {
   const simulate::Plan window = simulate::make_plan(scene, 0);
   scene.simulations[0] = recorded_for_sar(scene.simulations[0], window);
   auto plan =
@@ -121,7 +121,7 @@ signal::FocusedImage back_projected_strip(const Echoes& echoes, signal::FocusedI
 
 // A slant grid is made of points of level ground, off the middle of the scene too.
 void measure_ground(Record& record) {
-  const Echoes echoes = recorded(blown_strip());
+  const Echoes echoes = recorded_echoes(blown_strip());
   const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}, true).at(0);
   const core::WorkControl control{2, record.rules().stop};
   signal::FocusedImage axes = signal::image_of(echoes.rows, {});
@@ -175,11 +175,11 @@ void measure_method(Record& record, const Echoes& echoes, std::optional<signal::
 }
 
 // The near edge of the window decides which directions the nearest column is seen in: not how strong an image is.
-void measure_windows(Record& record) {
+void measure_near_edges(Record& record) {
   constexpr double most = 0.0116;  // 0.1 dB
   const core::WorkControl control{2, record.rules().stop};
   for (const double nearest_m : {490.0, 300.0, 20.0}) {
-    const Echoes echoes = recorded(low_band(nearest_m));
+    const Echoes echoes = recorded_echoes(low_band(nearest_m));
     signal::FocusOptions options;
     options.spectrum = seen_spectrum(*echoes.plan, echoes.rows, {}, SeenPulses::sampled, control);
     const double expected = theory_of_targets(*echoes.plan, echoes.rows, options).at(0).amplitude;
@@ -252,7 +252,7 @@ Response annulus_response() {
 
 void measure_wide_aperture(Record& record) {
   const core::WorkControl control{2, record.rules().stop};
-  const Echoes echoes = recorded(wide_strip());
+  const Echoes echoes = recorded_echoes(wide_strip());
   signal::FocusedImage axes = signal::image_of(echoes.rows, {});
   axes.range.step_m *= 0.25;  // The directions widen the band four times.
   axes.range.count *= 4;
@@ -276,11 +276,11 @@ void measure_wide_aperture(Record& record) {
 }  // namespace
 
 void measure_focusing(Record& record) {
-  const Echoes echoes = recorded(strip());
+  const Echoes echoes = recorded_echoes(strip());
   const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}).at(0);
   measure_method(record, echoes, signal::FocusMethod::omega_k, theory, "Omega-k");
   measure_method(record, echoes, {}, theory, "Back-projection");
-  measure_windows(record);
+  measure_near_edges(record);
   measure_ground(record);
   measure_wide_aperture(record);
   if (record.quick()) return;
