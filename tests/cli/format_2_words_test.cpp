@@ -71,7 +71,7 @@ const std::vector<std::string> lines_of_platform{
     "position_error = [5, 5, 5]",
 };
 
-class Words : public CommandTest {
+class Format2Words : public CommandTest {
  protected:
   std::string scene_of(std::mt19937_64& random) const {
     const auto some = [&](const std::vector<std::string>& lines, std::size_t most) {
@@ -119,7 +119,7 @@ std::string forbidden_in(const std::string& text) {
   return {};
 }
 
-TEST_F(Words, OfMessagesAboutFormat2AreThoseOfFormat2) {
+TEST_F(Format2Words, OfMessagesAboutFormat2AreThoseOfFormat2) {
   std::mt19937_64 random(54);
   std::set<std::string> said;
   std::size_t with_problems = 0;

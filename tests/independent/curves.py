@@ -51,7 +51,8 @@ class Curve:
         if gap < -1e-9 or steps or (wide and not closed):
             return None
         points = self.points[:-1] if closed else self.points
-        return Curve(self.kind, [(x + 360 * turn, y) for turn in range(-40, 41) for x, y in points])
+        turns = [(x + 360 * turn, y) for turn in range(-40, 40) for x, y in points]
+        return Curve(self.kind, [*turns, (points[0][0] + 360 * 40, points[0][1])])
 
     def derivative(self, x, order):
         """Of order 0 to 3."""

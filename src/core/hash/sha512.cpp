@@ -76,15 +76,15 @@ void Sha512::add(std::span<const std::byte> bytes) {
 }
 
 std::string Sha512::digest() {
-  // A one bit, zeros, and the number of bits in 16 bytes, of which 2^64 bytes never need the first 8.
-  constexpr std::size_t length_at = block_bytes - 8;
+  // A one bit, zeros, and the number of bits in 16 bytes at the end of a block; the first 8 of them are 0.
+  constexpr std::size_t length_at = block_bytes - 16;
   const std::uint64_t bits = bytes_ * 8;
   const std::byte one{0x80};
   add(std::span(&one, 1));
   const std::byte zero{0};
   while (rest_bytes_ != length_at) add(std::span(&zero, 1));
-  std::array<std::byte, 8> length{};
-  for (std::size_t i = 0; i < 8; ++i) length[i] = static_cast<std::byte>(bits >> (56U - 8U * i));
+  std::array<std::byte, 16> length{};
+  for (std::size_t i = 0; i < 8; ++i) length[8 + i] = static_cast<std::byte>(bits >> (56U - 8U * i));
   add(length);
   std::string text;
   for (const std::uint64_t word : state_) text += fmt::format("{:016x}", word);

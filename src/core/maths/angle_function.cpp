@@ -29,14 +29,16 @@ bool runs_across(const std::vector<Knot>& knots) {
 }
 
 // The points of a turn, repeated before and behind it. What a cubic spline does at an end falls to 0.27 from point to
-// point, to 1e-14 over these; a low-pass value sums eleven points to either side.
+// point, to 1e-14 over these; a low-pass value sums eleven points to either side. The first point of one turn more ends
+// them, so that the grid of low-pass values is that of whole turns: 360 degrees over the number of points.
 std::vector<Knot> repeated(std::vector<Knot> knots) {
   constexpr std::size_t enough = 25;
   if (gap_deg(knots) <= rounding_deg) knots.pop_back();
-  const auto turns = static_cast<int>((enough + knots.size() - 1) / knots.size());
+  const auto turns = static_cast<int>((enough + knots.size() - 1) / knots.size()) + 1;
   std::vector<Knot> all;
-  for (int turn = -turns; turn <= turns; ++turn)
+  for (int turn = -turns; turn < turns; ++turn)
     for (const Knot& knot : knots) all.push_back({knot.x + turn * turn_deg, knot.y});
+  all.push_back({knots.front().x + turns * turn_deg, knots.front().y});
   return all;
 }
 

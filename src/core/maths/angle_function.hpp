@@ -17,7 +17,8 @@ enum class AngleRule {
 /// mirrored, f(-x) = f(x). Any other is signed, and an angle that lies outside of it by itself and inside after a whole
 /// turn is taken there. What no point reaches has the value of the nearer end of the table; but an azimuth table whose
 /// gap from its last point over 180 degrees to its first is at most twice its largest spacing goes round: its method
-/// runs across the gap, as if the points were repeated for ever.
+/// runs across the gap, as if the points were repeated for ever; of low-pass tables on a grid of 360 degrees over their
+/// number.
 class AngleFunction {
  public:
   /// 0 everywhere.

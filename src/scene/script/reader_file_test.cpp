@@ -108,7 +108,7 @@ TEST_F(ScriptOnDisk, ReportsWhatIsNoScript) {
   EXPECT_TRUE(holds(only_problem_of("/dev/zero").message, "is not a file"));
   EXPECT_TRUE(holds(only_problem_of("").message, "cannot read the script"));
   write(folder_ / "b.scr", std::string_view("\x89PNG\r\n\x1A\n\0\0", 10));
-  EXPECT_TRUE(holds(only_problem_of(folder_ / "b.scr").message, "not a text file"));
+  EXPECT_TRUE(holds(only_problem_of(folder_ / "b.scr").message, "it seems to be a PNG picture"));
 }
 
 TEST_F(ScriptOnDisk, ReportsAFileThatMayNotBeRead) {

@@ -202,7 +202,9 @@ class LimitRules {
     ends.set_pulse(plan_.pulses.first);
     const core::Vec3 first_m = ends.radar_pose().position_world_m;
     ends.set_pulse(plan_.pulses.last);
-    const double flown_m = core::norm(ends.radar_pose().position_world_m - first_m);
+    // A flight around the scene ends where it began.
+    const double flown_m = std::max(core::norm(ends.radar_pose().position_world_m - first_m),
+                                    core::norm(geometry_.radar_pose().position_world_m - first_m));
     const double wavelength_m = radar::wavelength_of(geometry_.carrier_hz(), light_mps_);
     return 2.0 * flown_m * flown_m > wavelength_m * placed_.front().distance_m;
   }

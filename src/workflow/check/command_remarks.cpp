@@ -62,8 +62,12 @@ Movement movement_of(const simulate::Plan& plan) {
   geometry.set_pulse(plan.pulses.first);
   const core::Vec3 first_m = geometry.radar_pose().position_world_m;
   geometry.set_pulse(plan.pulses.last);
-  const core::Vec3 flown_m = geometry.radar_pose().position_world_m - first_m;
+  core::Vec3 flown_m = geometry.radar_pose().position_world_m - first_m;
   geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
+  // A flight around the scene ends where it began.
+  if (const core::Vec3 half_m = geometry.radar_pose().position_world_m - first_m;
+      core::norm(half_m) > core::norm(flown_m))
+    flown_m = half_m;
   movement.radar = core::norm(geometry.radar_pose().velocity_world_mps) > rest_mps;
   const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), plan.scene->conventions.light_speed_mps);
   for (const simulate::Scatterer& s : plan.scene->scatterers) {

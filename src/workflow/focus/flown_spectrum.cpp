@@ -32,7 +32,7 @@ class FlownImage {
              const DopplerBand& kept)
       : echoes_(echoes), image_(image), kept_(kept), line_(signal::fitted_track(echoes.track)), scene_m_(scene_m) {}
 
-  [[nodiscard]] FlownSpectrum spectrum_of(std::span<const TargetSight> sights) const {
+  [[nodiscard]] FlownSpectrum spectrum_of(std::span<const PulseSight> sights) const {
     constexpr double beyond = 0.003;
     constexpr double least_used = 0.05;  // of the echoes: what is beyond counts as part of all of them
     const ImageSlopes slopes = slopes_at(sights[sights.size() / 2].point_m);
@@ -40,7 +40,7 @@ class FlownImage {
     seen.reserve(sights.size());
     double all = 0.0;
     double used = 0.0;
-    for (const TargetSight& sight : sights) {
+    for (const PulseSight& sight : sights) {
       all += sight.amplitude;
       const core::Vec3 r = sight.point_m - sight.antenna_m;
       const core::Vec3 direction = (1.0 / core::norm(r)) * r;
@@ -100,7 +100,7 @@ std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan, 
   if (every == 0) return std::nullopt;
   const FlownImage flown(echoes, image, scene_m, kept);
   std::vector<FlownSpectrum> targets((plan.scene->scatterers.size() + every - 1) / every);
-  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const TargetSight> sights) {
+  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const PulseSight> sights) {
     targets[target / every] = flown.spectrum_of(sights);
   });
   double strongest = 0.0;

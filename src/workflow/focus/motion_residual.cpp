@@ -39,7 +39,7 @@ class ResidualsOfFlight {
                flight.kind == TakenFlight::Kind::compensated ? flight.how.squint_rad : 0.0),
         per_m_(radar::turns_per_m(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps)) {}
 
-  [[nodiscard]] ResidualEcho of(const TargetSight& sight) const {
+  [[nodiscard]] ResidualEcho of(const PulseSight& sight) const {
     ResidualEcho echo = error_of(sight);
     echo.weight = sight.amplitude;
     return echo;
@@ -47,7 +47,7 @@ class ResidualsOfFlight {
   [[nodiscard]] double turns_per_m() const { return per_m_; }
 
  private:
-  [[nodiscard]] ResidualEcho error_of(const TargetSight& sight) const {
+  [[nodiscard]] ResidualEcho error_of(const PulseSight& sight) const {
     switch (flight_.kind) {
       case TakenFlight::Kind::even: return even(sight);
       case TakenFlight::Kind::compensated: return compensated(sight);
@@ -56,7 +56,7 @@ class ResidualsOfFlight {
     return flown(sight);
   }
 
-  [[nodiscard]] ResidualEcho even(const TargetSight& sight) const {
+  [[nodiscard]] ResidualEcho even(const PulseSight& sight) const {
     const double along_m = straight_.speed_mps * straight_.time_s(static_cast<double>(sight.pulse));
     const core::Vec3 from_line_m = sight.point_m - (straight_.origin_m + along_m * straight_.along);
     const double assumed_m = core::norm(from_line_m);
@@ -64,7 +64,7 @@ class ResidualsOfFlight {
     return {0.0, error_m, error_m, per_m_ * core::dot(from_line_m, straight_.along) / assumed_m};
   }
 
-  [[nodiscard]] ResidualEcho compensated(const TargetSight& sight) const {
+  [[nodiscard]] ResidualEcho compensated(const PulseSight& sight) const {
     const core::Vec3 foot_m = sight_.foot_of(sight.antenna_m);
     const core::Vec3 from_foot_m = sight.point_m - foot_m;
     const double distance_m = core::norm(from_foot_m);
@@ -81,7 +81,7 @@ class ResidualsOfFlight {
     return core::norm(antenna_m - ground_m) - core::norm(foot_m - ground_m);
   }
 
-  [[nodiscard]] ResidualEcho flown(const TargetSight& sight) const {
+  [[nodiscard]] ResidualEcho flown(const PulseSight& sight) const {
     core::Vec3 point_m = sight.point_m;
     if (flight_.on_grid) {
       point_m.z = flight_.how.scene_m.z;
@@ -107,12 +107,12 @@ struct KeptEchoes {
   double ideal = 0.0;
 };
 
-KeptEchoes kept_echoes(std::span<const TargetSight> sights, const ResidualsOfFlight& residuals,
+KeptEchoes kept_echoes(std::span<const PulseSight> sights, const ResidualsOfFlight& residuals,
                        const TakenFlight& flight) {
   double strongest = 0.0;
-  for (const TargetSight& sight : sights) strongest = std::max(strongest, sight.amplitude);
+  for (const PulseSight& sight : sights) strongest = std::max(strongest, sight.amplitude);
   KeptEchoes kept;
-  for (const TargetSight& sight : sights) {
+  for (const PulseSight& sight : sights) {
     if (!(sight.amplitude > 0.0 && sight.amplitude >= 0.1 * strongest)) continue;
     const ResidualEcho echo = residuals.of(sight);
     const bool inside = echo.cycles_per_m >= flight.kept.least_per_m && echo.cycles_per_m <= flight.kept.most_per_m;
@@ -239,7 +239,7 @@ std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan, 
   if (every == 0 || echoes.track.size() < 2) return std::nullopt;
   const ResidualsOfFlight residuals(echoes, flight);
   std::vector<std::optional<MotionResidual>> all((plan.scene->scatterers.size() + every - 1) / every);
-  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const TargetSight> sights) {
+  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const PulseSight> sights) {
     all[target / every] =
         residual_of(target, kept_echoes(sights, residuals, flight), echoes.waveform, flight, residuals.turns_per_m());
   });

@@ -53,9 +53,9 @@ LitArea lit_area(const FocusInput& input, const signal::ImageFrame& frame, const
   if (every == 0) return area;
   std::vector<LitTarget> lit((input.plan->scene->scatterers.size() + every - 1) / every);
   each_target_in_sight(*input.plan, input.echoes, limits, control,
-                       [&](std::size_t target, std::span<const TargetSight> sights) {
+                       [&](std::size_t target, std::span<const PulseSight> sights) {
                          LitTarget& one = lit[target / every];
-                         for (const TargetSight& sight : sights)
+                         for (const PulseSight& sight : sights)
                            if (sight.amplitude > one.amplitude) one = {sight.amplitude, sight.point_m};
                        });
   double strongest = 0.0;

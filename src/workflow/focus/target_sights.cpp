@@ -29,14 +29,14 @@ std::size_t target_stride(const simulate::Plan& plan, const SightLimits& limits)
 
 void each_target_in_sight(const simulate::Plan& plan, const signal::EchoRows& echoes, const SightLimits& limits,
                           const core::WorkControl& control,
-                          const std::function<void(std::size_t target, std::span<const TargetSight> sights)>& body) {
+                          const std::function<void(std::size_t target, std::span<const PulseSight> sights)>& body) {
   const std::size_t every = target_stride(plan, limits);
   const std::size_t step = (echoes.track.size() + limits.pulses - 1) / limits.pulses;
   if (every == 0 || step == 0) return;
   const std::size_t looks = (echoes.track.size() + step - 1) / step;
   const std::size_t targets = (plan.scene->scatterers.size() + every - 1) / every;
   core::parallel_ranges(targets, sights_at_once(plan), control, [&](std::size_t begin, std::size_t end) {
-    std::vector<TargetSight> sights((end - begin) * looks);
+    std::vector<PulseSight> sights((end - begin) * looks);
     simulate::PulseGeometry geometry(*plan.scene, plan.radar);
     for (std::size_t look = 0; look < looks; ++look) {
       const std::size_t pulse = look * step;
@@ -52,7 +52,7 @@ void each_target_in_sight(const simulate::Plan& plan, const signal::EchoRows& ec
       }
     }
     for (std::size_t t = begin; t < end; ++t)
-      body(t * every, std::span<const TargetSight>(sights).subspan((t - begin) * looks, looks));
+      body(t * every, std::span<const PulseSight>(sights).subspan((t - begin) * looks, looks));
   });
 }
 

@@ -12,7 +12,7 @@
 namespace sarsim::workflow {
 
 /// One pulse's sight of one target, from where the antenna is believed to have been.
-struct TargetSight {
+struct PulseSight {
   std::size_t pulse = 0;
   core::Vec3 antenna_m;    ///< World.
   core::Vec3 point_m;      ///< World.
@@ -31,7 +31,7 @@ struct SightLimits {
 /// @throw  Interrupted
 void each_target_in_sight(const simulate::Plan& plan, const signal::EchoRows& echoes, const SightLimits& limits,
                           const core::WorkControl& control,
-                          const std::function<void(std::size_t target, std::span<const TargetSight> sights)>& body);
+                          const std::function<void(std::size_t target, std::span<const PulseSight> sights)>& body);
 
 /// How many targets `each_target_in_sight` skips from one to the next; 0 where there are none.
 [[nodiscard]] std::size_t target_stride(const simulate::Plan& plan, const SightLimits& limits);
