@@ -172,8 +172,9 @@ void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const f
   header.fields.emplace_back("source from image", seen_from(image, origin.source));
   header.fields.emplace_back("script from image", seen_from(image, origin.script));
   header.fields.emplace_back("script checksum", checksum_of(origin.source, origin.script).value_or(""));
-  header.fields.emplace_back("source checksum",
-                             samples_checksum_of(origin.source, origin.script, origin.simulation).value_or(""));
+  // Of a scene that is the source itself there are no samples.
+  if (auto sum = samples_checksum_of(origin.source, origin.script, origin.simulation))
+    header.fields.emplace_back("source checksum", std::move(*sum));
 }
 
 WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image,
@@ -204,8 +205,6 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
   const auto sum = header.field("source checksum");
   if (!sum)
     way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems);
-  else if (sum->empty())
-    way.source = sources.front().path;
   else
     way.source = source_with_samples(sources, *sum, way.script, origin, image, way.problems);
   return way;
