@@ -298,7 +298,7 @@ def worst_width(axis, *focus):
 
     def measure(lab):
         return max(
-            abs(target["found"][axis]["width_m"] / target["theory"][axis]["width_m"] - 1.0)
+            abs(response_of(target)[axis]["width_m"] / target["theory"][axis]["width_m"] - 1.0)
             for target in measured_targets(lab, *focus)
         )
 
@@ -312,11 +312,16 @@ def measured_targets(lab, focus="sarsim focus examples/sar_r.toml --out sar_r.im
     return json.loads(lab.once(f"sarsim measure {words[words.index('--out') + 1]} --json"))["targets"]
 
 
+def response_of(target):
+    """The peak that was measured, displaced or not."""
+    return target["found"] or target["peak"]
+
+
 def of_target(number, focus, *path):
     """A figure that was found of one target, counted from 1."""
 
     def measure(lab):
-        found = measured_targets(lab, focus)[number - 1]["found"]
+        found = response_of(measured_targets(lab, focus)[number - 1])
         return functools.reduce(lambda value, name: value[name], path, found)
 
     return measure
@@ -363,8 +368,8 @@ def found_targets(lab, *focus):
 
 
 def worst_place(lab, *focus):
-    """Largest distance of a found target from where it has to be, in metres."""
+    """Largest distance of a measured target from where it has to be, in metres."""
     return max(
-        math.hypot(t["found"]["azimuth_m"] - t["theory"]["azimuth_m"], t["found"]["range_m"] - t["theory"]["range_m"])
+        math.hypot(t["azimuth_error_m"], t["range_error_m"])
         for t in measured_targets(lab, *focus)
     )

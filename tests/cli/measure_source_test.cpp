@@ -91,7 +91,7 @@ TEST_F(MeasureSource, IsFoundFromTheFolderOfTheImage) {
 // Another recording of the name, of another seed: its targets are those of another flight.
 TEST_F(MeasureSource, AnotherRecordingOfTheSameNameIsNotTakenForTheTruth) {
   const auto recorded = [&](const std::string& folder, const char* seed) {
-    ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--seed", seed, "--set", "Radar1.noise_temperature=290K",
+    ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--seed", seed, "--set", "Radar1.noise_temperature=0.01K",
                       "--out", folder, "--quiet"})
                   .status,
               0);
@@ -158,7 +158,7 @@ range = ["2850 m", "2990 m"]
 time = ["-0.7 s", "0.7 s"]
 )";
   write_text(folder_ / "strip.toml", scene);
-  const std::string earth = "[world]\nframe = \"earth\"\nlatitude = \"47.5 deg\"\nlongitude = \"8.25 deg\"\n";
+  const std::string earth = "[world]\nframe = \"earth\"\nanchor = { latitude = \"47.5 deg\", longitude = \"8.25 deg\" }\n";
   std::string anchored = scene;
   write_text(folder_ / "earth.toml", anchored.insert(anchored.find('\n') + 1, earth));
   const auto measured = [&](const std::string& script, const std::vector<std::string>& anchor) {

@@ -153,7 +153,7 @@ ExitStatus run_measure(const MeasureArguments& arguments, Streams& streams) {
   flush_out(streams);
   draw_cuts(arguments, report, streams.stop);
   const workflow::MeasureSummary sum = workflow::summary_of(report);
-  return sum.found == 0 ? exit_failed : exit_done;
+  return sum.found + sum.displaced + sum.weak + sum.strong == 0 ? exit_failed : exit_done;
 }
 
 }  // namespace

@@ -20,13 +20,9 @@ struct Column {
   double (*value)(const workflow::MeasuredTarget& target);
 };
 
-const signal::PointResponse* found(const workflow::MeasuredTarget& target) {
-  return target.found ? &*target.found : nullptr;
-}
-
 template <class Value>
 double if_found(const workflow::MeasuredTarget& target, const Value& value) {
-  const signal::PointResponse* const response = found(target);
+  const signal::PointResponse* const response = target.response();
   return response != nullptr ? value(*response) : nothing;
 }
 
@@ -35,11 +31,11 @@ constexpr Column all_columns[] = {
      [](const workflow::MeasuredTarget& t) { return t.theory.place.azimuth_m; }},
     {"Range (m)", "Where the scene says that the target is imaged", 3, false,
      [](const workflow::MeasuredTarget& t) { return t.theory.place.range_m; }},
-    {"Offset az. (m)", "The peak found less the place expected, along azimuth", 4, true,
+    {"Offset az. (m)", "The peak measured less the position expected, along azimuth", 4, true,
      [](const workflow::MeasuredTarget& t) {
        return if_found(t, [&](const auto& r) { return r.place.azimuth_m - t.theory.place.azimuth_m; });
      }},
-    {"Offset rg. (m)", "The peak found less the place expected, along range", 4, true,
+    {"Offset rg. (m)", "The peak measured less the position expected, along range", 4, true,
      [](const workflow::MeasuredTarget& t) {
        return if_found(t, [&](const auto& r) { return r.place.range_m - t.theory.place.range_m; });
      }},
@@ -67,7 +63,7 @@ std::string words_of(const Column& column, double value) {
 std::string state_of(const workflow::MeasuredTarget& target) {
   if (target.outside) return "outside the image";
   if (!target.expected()) return "no echoes";
-  return target.found ? "found" : "not found";
+  return target.found ? "found" : to_string(target.state);
 }
 
 TargetTable::Row row_of(const workflow::MeasuredTarget& target) {
@@ -91,7 +87,7 @@ TargetTable::Row row_of(const workflow::MeasuredTarget& target) {
 TargetTable target_table(const workflow::MeasureReport& report) {
   TargetTable table;
   table.columns = {"Target", "State"};
-  table.meanings = {"Its number in the script", "Whether a peak stands out of the noise near the place expected"};
+  table.meanings = {"Its number in the script", "Whether a peak has the position and the strength expected"};
   for (const Column& column : all_columns) {
     table.columns.emplace_back(column.heading);
     table.meanings.emplace_back(column.meaning);

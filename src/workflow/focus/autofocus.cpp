@@ -292,9 +292,11 @@ std::string failure_of(const AutofocusFinding& finding) {
   if (finding.points == 0) return "no point stands out of the image";
   if (finding.point_level_db && *finding.point_level_db < dead_db)
     return fmt::format("the points stay {:.1f} dB below what their echoes give", -*finding.point_level_db);
-  if (!(finding.point_gain_db >= least_gain_db(finding.rms_rad)))
-    return fmt::format("the peaks of the points change by {:+.2f} dB, and should gain {:.2f} dB or more",
-                       finding.point_gain_db, least_gain_db(finding.rms_rad));
+  const double snr_gain_db = finding.point_snr_after_db - finding.point_snr_before_db;
+  if (!(std::max(finding.point_gain_db, snr_gain_db) >= least_gain_db(finding.rms_rad)))
+    return fmt::format("the peaks of the points change by {:+.2f} dB and their SNR by {:+.2f} dB, and should gain {:.2f} "
+                       "dB or more",
+                       finding.point_gain_db, snr_gain_db, least_gain_db(finding.rms_rad));
   return {};
 }
 

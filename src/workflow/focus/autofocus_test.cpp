@@ -43,7 +43,9 @@ TEST(AutofocusFailure, IsAGainThatNoiseHasAsWell) {
   EXPECT_THAT(failure_of(found), HasSubstr("no point stands out"));
   found = finding(2.44, 12.326, 12.262);
   found.point_gain_db = 1.1;
-  EXPECT_THAT(failure_of(found), HasSubstr("+1.10 dB, and should gain 3.00 dB"));
+  EXPECT_THAT(failure_of(found), HasSubstr("+1.10 dB and their SNR by +0.00 dB, and should gain 3.00 dB"));
+  found.point_snr_after_db = 5.8;  // The smear around them is gone.
+  EXPECT_EQ(failure_of(found), "");
   found = finding(2.44, 12.326, 12.262);
   found.point_level_db = -31.0;
   EXPECT_THAT(failure_of(found), HasSubstr("31.0 dB below what their echoes give"));

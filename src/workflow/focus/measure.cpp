@@ -265,7 +265,7 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
 TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
                      const signal::ResponseAxes& axes) {
   constexpr double most_db = 3.0;
-  constexpr double hopeless_db = -10.0;
+  constexpr double hopeless_db = -20.0;
   constexpr double deviations = 3.0;
   const TargetTheory& theory = target.theory;
   const double noise_w = target.noise_v * target.noise_v;

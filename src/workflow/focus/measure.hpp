@@ -37,7 +37,7 @@ struct MeasureRequest {
 enum class TargetState {
   no_echoes,  ///< Theory has none of it.
   outside,    ///< Its place is not in the image: it was not looked for.
-  not_found,  ///< No peak that noise alone may not reach, or one far from its place and 10 dB or more too weak.
+  not_found,  ///< No peak that noise alone may not reach, or one far from its place and 20 dB or more too weak.
   displaced,  ///< A peak farther from its place than half the width of a response and three standard deviations.
   weak,       ///< A peak at its place, more than 3 dB below theory and less than noise takes from it once in 700 times.
   strong,     ///< A peak at its place, more than 3 dB above theory and more than noise adds to it once in 700 times.

@@ -76,6 +76,7 @@ TEST(TargetStates, AreThoseOfPlaceAndStrength) {
   EXPECT_EQ(state_at(target, 0.99, -0.49, 0.0), TargetState::found);
   EXPECT_EQ(state_at(target, 1.01, 0.0, 0.0), TargetState::displaced);
   EXPECT_EQ(state_at(target, 0.0, 0.51, -5.3), TargetState::displaced);
+  EXPECT_EQ(state_at(target, 0.0, 0.51, -19.0), TargetState::displaced);
   EXPECT_EQ(state_at(target, 0.0, 0.51, -29.0), TargetState::not_found);
   EXPECT_EQ(state_at(target, 0.3, 0.1, -2.9), TargetState::found);
   EXPECT_EQ(state_at(target, 0.3, 0.1, -3.1), TargetState::weak);

