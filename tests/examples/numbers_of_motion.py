@@ -166,7 +166,7 @@ def gusts(run, report):
             for number, target in enumerate(targets, 1):
                 ratio = peak_of(target)["azimuth"]["width_m"] / target["theory"]["azimuth"]["width_m"]
                 report.near(f"{name}: width of point {number} along the track over theory", ratio, 1.0, 0.02)
-                height = 20.0 * math.log10(targepeak_of(t)["amplitude_v"] / target["theory"]["amplitude_v"])
+                height = 20.0 * math.log10(peak_of(target)["amplitude_v"] / target["theory"]["amplitude_v"])
                 report.within(f"{name}: point {number} against theory [dB]", height, -0.5, 0.1)
     report.within("peaks with the navigation, against the truth [dB]", found["nav"] - found["true"], -0.3, 0.05)
     report.within("peaks without compensation, against the truth [dB]", found["straight"] - found["true"], -30.0, -12.0)
