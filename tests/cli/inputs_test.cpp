@@ -134,8 +134,7 @@ TEST_F(Inputs, WhatIsNoSceneIsNamedByEveryCommandThatReadsScenes) {
   using Words = std::vector<std::string>;
   for (const Words& words : {Words{"check", "a.yaml"}, Words{"run", "a.yaml"}}) expect_named(words, "YAML");
   for (const Words& words : {Words{"check", "b.scr"}, Words{"run", "b.scr"}, Words{"info", "b.scr"},
-                             Words{"focus", "b.scr", "--out", "i.img"}, 
-                             Words{"convert", "b.scr", "b.toml"}})
+                             Words{"focus", "b.scr", "--out", "i.img"}, Words{"convert", "b.scr", "b.toml"}})
     expect_named(words, "a table of numbers (CSV)");
 }
 

@@ -158,7 +158,8 @@ range = ["2850 m", "2990 m"]
 time = ["-0.7 s", "0.7 s"]
 )";
   write_text(folder_ / "strip.toml", scene);
-  const std::string earth = "[world]\nframe = \"earth\"\nanchor = { latitude = \"47.5 deg\", longitude = \"8.25 deg\" }\n";
+  const std::string earth =
+      "[world]\nframe = \"earth\"\nanchor = { latitude = \"47.5 deg\", longitude = \"8.25 deg\" }\n";
   std::string anchored = scene;
   write_text(folder_ / "earth.toml", anchored.insert(anchored.find('\n') + 1, earth));
   const auto measured = [&](const std::string& script, const std::vector<std::string>& anchor) {

@@ -117,10 +117,9 @@ class StartTest : public QObject {
 
   void fields_are_found_by_what_the_trade_calls_them() {
     Bench bench;
-    for (const auto& [typed, found] : {std::pair{"wavelength", "Radar: Frequency"},
-                                       std::pair{"pri", "Radar: Pulse repetition frequency"},
-                                       std::pair{"noise figure", "Radar: Noise temperature"},
-                                       std::pair{"tx power", "Radar: Power output"}})
+    for (const auto& [typed, found] :
+         {std::pair{"wavelength", "Radar: Frequency"}, std::pair{"pri", "Radar: Pulse repetition frequency"},
+          std::pair{"noise figure", "Radar: Noise temperature"}, std::pair{"tx power", "Radar: Power output"}})
       QCOMPARE(bench.search(typed, {}), QString(found));
   }
 

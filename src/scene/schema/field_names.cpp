@@ -193,8 +193,8 @@ std::string_view kind_in_format_2(ObjectKind kind) {
   return kind == ObjectKind::cloud ? "target" : name_of(kind);
 }
 
-// Whether a field that means nothing now was named by a word that the trade has for a number elsewhere: "pri=1 ms" where
-// there is no list of intervals.
+// Whether a field that means nothing now was named by a word that the trade has for a number elsewhere: "pri=1 ms"
+// where there is no list of intervals.
 bool is_other_word(const Scene& scene, const NamedField& named, std::string_view name, std::string_view value) {
   const std::string_view last = name.substr(name.rfind('.') + 1);
   const TradeWord* const word = trade_word(last, kind_in_format_2(named.objects.front().kind));

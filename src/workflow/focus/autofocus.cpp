@@ -294,9 +294,10 @@ std::string failure_of(const AutofocusFinding& finding) {
     return fmt::format("the points stay {:.1f} dB below what their echoes give", -*finding.point_level_db);
   const double snr_gain_db = finding.point_snr_after_db - finding.point_snr_before_db;
   if (!(std::max(finding.point_gain_db, snr_gain_db) >= least_gain_db(finding.rms_rad)))
-    return fmt::format("the peaks of the points change by {:+.2f} dB and their SNR by {:+.2f} dB, and should gain {:.2f} "
-                       "dB or more",
-                       finding.point_gain_db, snr_gain_db, least_gain_db(finding.rms_rad));
+    return fmt::format(
+        "the peaks of the points change by {:+.2f} dB and their SNR by {:+.2f} dB, and should gain {:.2f} "
+        "dB or more",
+        finding.point_gain_db, snr_gain_db, least_gain_db(finding.rms_rad));
   return {};
 }
 

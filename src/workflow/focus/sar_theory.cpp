@@ -300,9 +300,9 @@ class CutLooks {
   core::Vec3 point_m_;
 };
 
-// Whether range and azimuth are one rectangle of wave numbers. The curvature of the aperture moves its ends by less than
-// a hundredth; the relative bandwidth changes the farthest side lobe that counts by less than a fortieth, the first by
-// less than a thousandth.
+// Whether range and azimuth are one rectangle of wave numbers. The curvature of the aperture moves its ends by less
+// than a hundredth; the relative bandwidth changes the farthest side lobe that counts by less than a fortieth, the
+// first by less than a thousandth.
 bool is_separable(const std::vector<signal::ApertureLook>& along_sight, const signal::ApertureBand& band) {
   constexpr double part = 0.01;
   constexpr double relative_band = 0.02;
