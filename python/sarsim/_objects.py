@@ -636,13 +636,28 @@ class Radar(SceneObject):
     )
     window = ChoiceField(
         "window",
-        {"rectangular": "Rectangular", "hanning": "Hanning", "bartlett": "Bartlett", "hamming": "Hamming", "points": "User-defined"},
-        "Weights the matched filter: lower range side lobes for a wider main lobe. One of \"rectangular\" (matched filter without weighting), \"hanning\" (matched filter with a Hanning window), \"bartlett\" (matched filter with a triangular window), \"hamming\" (matched filter with a Hamming window), \"points\" (matched filter with a window given by points).",
+        {"rectangular": "Rectangular", "hann": "Hann", "bartlett": "Bartlett", "hamming": "Hamming", "blackman": "Blackman", "kaiser": "Kaiser", "taylor": "Taylor", "points": "User-defined"},
+        "Weights the matched filter: lower range side lobes for a wider main lobe. One of \"rectangular\" (matched filter without weighting), \"hann\" (matched filter with a Hann window), \"bartlett\" (matched filter with a triangular window), \"hamming\" (matched filter with a Hamming window), \"blackman\" (matched filter with a Blackman window), \"kaiser\" (matched filter with a Kaiser window), \"taylor\" (matched filter with a Taylor window), \"points\" (matched filter with a window given by points).",
     )
     hanning_pedestal = NumberField(
         "hanning_pedestal",
         "",
-        "Window k + (1 - k) sin^2(pi x) for x from 0 to 1: 1 is no weighting, 0 falls to zero at the ends. Takes 0 to 1. Only where window is hanning.",
+        "Window k + (1 - k) sin^2(pi x) for x from 0 to 1: 1 is no weighting, 0 falls to zero at the ends. Takes 0 to 1. Only where window is hann.",
+    )
+    kaiser_beta = NumberField(
+        "kaiser_beta",
+        "",
+        "I0(beta sqrt(1 - (2x - 1)^2))/I0(beta) for x from 0 to 1; 0 is no weighting. Takes 0 to 20. Only where window is kaiser.",
+    )
+    taylor_sidelobes_db = NumberField(
+        "taylor_sidelobes_db",
+        "dB",
+        "How far the first sidelobes lie below the peak. Takes 10 to 100 dB. Only where window is taylor.",
+    )
+    taylor_equal_sidelobes = NumberField(
+        "taylor_equal_sidelobes",
+        "",
+        "Number of sidelobes of nearly equal height on either side. Takes 1 to 30. Only where window is taylor.",
     )
     window_gain = PointsField(
         "window_gain",
