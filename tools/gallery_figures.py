@@ -10,6 +10,7 @@ from gallery_measures import (
     begins,
     compressed_chirp,
     counts,
+    displaced_targets,
     ends,
     first_null_s,
     first_side_lobe_db,
@@ -21,6 +22,7 @@ from gallery_measures import (
     mean_step_rad,
     moved,
     of_report,
+    peak_v,
     of_target,
     peak_between,
     peaks_above,
@@ -628,14 +630,13 @@ FIGURES = [
         "A light aircraft in moderate turbulence. The track that its inertial navigation believes is a metre off, but smooth: it"
         " makes sharp points, a little beside their places.",
         [
-            Number("points found with the navigation", "1", 3, "script", 0, "d",
-                   after_gusts(lambda lab: found_targets(lab, FOCUS_GUSTS))),
+            Number("points beside their places with the navigation", "1", 3, "script", 0, "d",
+                   after_gusts(lambda lab: displaced_targets(lab, FOCUS_GUSTS))),
             Number("their widths along the track differ from theory by", "1", 0.0, "theory", 0.02, ".4f",
                    after_gusts(worst_width("azimuth", FOCUS_GUSTS))),
             Number("a point's height over that of straight flight", "dB", 21.0, "12 to 30 dB", 9.0, ".1f",
                    after_gusts(lambda lab: 20.0 * math.log10(
-                       of_target(1, FOCUS_GUSTS, "amplitude_v")(lab)
-                       / of_target(1, FOCUS_GUSTS_NONE, "amplitude_v")(lab)))),
+                       peak_v(1, FOCUS_GUSTS)(lab) / peak_v(1, FOCUS_GUSTS_NONE)(lab)))),
         ],
     ),
     Figure(
