@@ -427,7 +427,7 @@ def motions():
         plane('waves = { type = "ship", height = @"50 m" }', "No sea is so high.", "wave height is out of range"),
         plane('navigation = @"gps"', "There is no such navigation.", "unknown kind of navigation"),
         plane('navigation = { type = "ins", position_time = @"0 s" }', "Errors cannot wander so fast.", "correlation time"),
-        plane('rotation = @"zerodoppler"', "A hyphen is missing.", "did you mean .zero-doppler"),
+        plane('rotation = @"zerodoppler"', "A hyphen is missing.", "write .zero-doppler"),
         Mistake("The scene has no navigation.", "has no navigation", whole=SCENE, typed="",
                 command="motion scene.toml --platform Plane --navigation --out nav.csv"),
         Mistake("Dates need an epoch.", "has no epoch", whole=SCENE, typed="", command="motion scene.toml --out plane.oem"),

@@ -71,6 +71,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .signature = "\x89HDF\r\n\x1a\n",
       .carries_axes = true,
       .carries_script = true,
+      .datasets = true,
       .places = {.saved = 6, .exported = 1, .image = 2},
       .most_sample_bytes = volts_bytes,
       .open = open_hdf5_file,

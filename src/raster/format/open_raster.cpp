@@ -125,7 +125,7 @@ OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path,
             {file_problem(path.string(), "the format of the file is not known", guess_of(file), {},
                           whole ? "give the format; BINARY also needs the samples of a row and the A/D bits"
                                 : "describe it as a custom file, or name the script that made it")}};
-  if (!hints.dataset.empty() && format->recording != scene::FileFormat::hdf5)
+  if (!hints.dataset.empty() && !format->datasets)
     return {nullptr,
             {file_problem(path.string(), fmt::format("a dataset is named, but {} has none", word_of(*format)),
                           fmt::format("{:.60}", hints.dataset), {}, "leave it out: it is for HDF5 files")}};

@@ -61,6 +61,7 @@ struct Format {
   bool envi_header = false;     ///< An ENVI header beside the file makes it an image with axes.
   bool picture = false;         ///< Levels and colours made for the eye.
   bool folder = false;          ///< It is a folder of files.
+  bool datasets = false;        ///< A file of it has datasets with names, one of which may be asked for.
   bool by_hand = false;         ///< Somebody says how it is stored: it does not say itself what its numbers are.
   /// The files that an output of that name becomes, where they are several: all of them, or none is there.
   std::vector<std::filesystem::path> (*in_files)(const std::filesystem::path& path) = nullptr;

@@ -28,6 +28,7 @@ const std::vector<Spelling>& spellings_of_format_2() {
     });
     made.emplace_back("$OPTIONS", "[options]");
     made.emplace_back(": in a script the elevation comes first", "");
+    made.emplace_back("(BINARY, ASCII, BRACKET, CSV)", R"(("binary", "ascii", "bracket", "csv"))");
     made.emplace_back("NONE leaves them", "\"none\" leaves them");
     made.emplace_back(" STRONG or ALL", " \"strong\" or \"all\"");
     made.emplace_back("by points (OTHER)", "by points");
@@ -48,7 +49,9 @@ const std::vector<Spelling>& words_of_format_2() {
           made.emplace_back(choice.word, fmt::format("\"{}\"", type_word(choice)));
     };
     for (const FieldOf<Radar>& field : table_of<Radar>().fields()) add(field.spec);
-    for (const FieldOf<Simulation>& field : table_of<Simulation>().fields()) add(field.spec);
+    // Formats of files have their names outside scenes, too: "a CSV table", "an ASCII grid".
+    for (const FieldOf<Simulation>& field : table_of<Simulation>().fields())
+      if (field.spec.key != "format") add(field.spec);
     return made;
   }();
   return all;

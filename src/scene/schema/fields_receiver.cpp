@@ -54,6 +54,7 @@ void add_receiver(FieldTable<Radar>& table) {
        .words = "Hanning constant",
        .range = {0.0, 1.0},
        .usable = Range{0.0, 1.0},
+       .example = "0.1",
        .tip = "Window k + (1 - k) sin^2(pi x) for x from 0 to 1: 1 is no weighting, 0 falls to zero at the ends.",
        .detail = "1 is no weighting, 0 falls to zero at the ends",
        .rare = true});

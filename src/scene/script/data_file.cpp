@@ -191,7 +191,8 @@ DataFileReading read_data_file(std::string_view text, const std::string& file_na
   if (is_text && is_table_name(file_name))
     if (auto table = read_text_table(text, file_name, block, false)) return *std::move(table);
   DataFileReading counted = read_counted(text, file_name, block);
-  if (counted.problems.empty() || !is_text) return counted;
+  const bool is_script = script::Tokens(text).peek().kind == script::TokenKind::command;
+  if (counted.problems.empty() || !is_text || is_script) return counted;
   if (auto table = read_text_table(text, file_name, block, is_table_name(file_name))) return *std::move(table);
   return counted;
 }

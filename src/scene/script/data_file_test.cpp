@@ -93,6 +93,7 @@ TEST(DataFile, ReportsEmptinessScriptsAndBytes) {
   EXPECT_TRUE(holds(data_problem("").message, "holds no numbers"));
   EXPECT_TRUE(holds(data_problem("! only words\n").message, "holds no numbers"));
   EXPECT_TRUE(holds(data_problem("! x\n$PLATFORM P").message, "is a script"));
+  EXPECT_TRUE(holds(data_problem("! x\n$PLATFORM P\n0 0 0 0\n1 0 0 0\n").message, "is a script"));
   EXPECT_TRUE(holds(data_problem(std::string_view("1 0\0", 4)).message, "not a text file"));
 }
 

@@ -284,9 +284,13 @@ void FieldReader::read_file(const Field& field, const FunctionBlock& block, std:
   }
   DataFileReading read = read_data_file(data.text, data.path, block);
   for (core::Problem& problem : read.problems) {
-    Complaint complaint{fmt::format("data file {}:{}:{}: {}", problem.place.file, problem.place.line,
-                                    problem.place.column, problem.message),
-                        problem.found, problem.expected, problem.hint};
+    // Rows of tables have no columns of text, arrays no lines.
+    const auto& [name, line, column] = problem.place;
+    const std::string place = line == 0     ? name
+                              : column == 0 ? fmt::format("{}:{}", name, line)
+                                            : fmt::format("{}:{}:{}", name, line, column);
+    Complaint complaint{fmt::format("data file {}: {}", place, problem.message), problem.found, problem.expected,
+                        problem.hint};
     if (problem.severity == core::Severity::error)
       reporter_.error(token, field.member, std::move(complaint));
     else

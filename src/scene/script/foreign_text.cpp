@@ -258,7 +258,7 @@ core::Problem no_scene(std::string_view content, const std::string& file) {
   Guess guess = guess_with_hint(content);
   core::Problem problem = core::problem_of(
       core::Severity::error,
-      guess.kind.empty() ? std::string("this is no scene: it holds no command")
+      guess.kind.empty() ? std::string("this is no scene: it has no command")
                          : fmt::format("this is no scene: it seems to be {}", guess.kind),
       {}, "TOML with format = \"sarsim 2\", the same as JSON, or a script with commands such as $PLATFORM",
       std::move(guess.hint));
