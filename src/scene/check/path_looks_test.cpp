@@ -13,8 +13,9 @@ Scene scene_of_ship() {
   Scene scene = sound_scene();
   scene.platforms.clear();
   scene.targets.clear();
-  scene.radars.assign(2, scene.radars.front());
-  scene.simulations.assign(2, scene.simulations.front());
+  // Copies: an element of the list itself must not be assigned to it.
+  scene.radars.assign(2, Radar(scene.radars.front()));
+  scene.simulations.assign(2, Simulation(scene.simulations.front()));
   for (const char* const name : {"Ship", "Rotor", "Beside", "Ground"}) scene.platforms.emplace_back().name = name;
   scene.platforms[1].parent = "Ship";
   scene.platforms[1].position_m = {0.0, 0.0, 20.0};
