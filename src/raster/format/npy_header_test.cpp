@@ -53,6 +53,20 @@ TEST(NpyHeader, ReadsEveryVersionAndSpelling) {
   }
 }
 
+TEST(NpyHeader, ReadsStructures) {
+  const std::string text =
+      "{'descr': [('x', '<f8'), ('name', '<U3'), (('title', 'v'), '<f4', (2, 3)), ('n', '|u1', 4)], "
+      "'fortran_order': False, 'shape': (5,), }";
+  const auto header = std::get<NpyHeader>(parsed(with_text(1, text)));
+  ASSERT_EQ(header.fields.size(), 4U);
+  EXPECT_EQ(header.fields[1].offset, 8U);
+  EXPECT_EQ(header.fields[2].name, "v");
+  EXPECT_EQ(header.fields[2].offset, 8U + 12U);
+  EXPECT_EQ(header.fields[2].count, 6U);
+  EXPECT_EQ(header.fields[3].offset, 8U + 12U + 24U);
+  EXPECT_EQ(header.structure_bytes(), 8U + 12U + 24U + 4U);
+}
+
 TEST(NpyHeader, RefusesMalformedOnes) {
   const std::string good = "{'descr': '<c8', 'fortran_order': False, 'shape': (3, 5), }";
   ASSERT_TRUE(std::holds_alternative<NpyHeader>(parsed(with_text(1, good))));
@@ -64,7 +78,10 @@ TEST(NpyHeader, RefusesMalformedOnes) {
         "{'descr': '<c8', 'fortran_order': False, 'shape': (-3, 5), }",
         "{'descr': '<c8', 'fortran_order': False, 'shape': (99999999999999999999, 5), }",
         "{'descr': '<c8', 'fortran_order': False, 'shape': (3 5), }",
-        "{'descr': [('r', '<f4'), ('i', '<f4')], 'fortran_order': False, 'shape': (3, 5), }",
+        "{'descr': [], 'fortran_order': False, 'shape': (3, 5), }",
+        "{'descr': [('r', '<f4'), ('i', [('a', '<f4')])], 'fortran_order': False, 'shape': (3, 5), }",
+        "{'descr': [('r', 'O')], 'fortran_order': False, 'shape': (3, 5), }",
+        "{'descr': [('r', '<f4', (2,)], 'fortran_order': False, 'shape': (3, 5), }",
         "{'descr': '<c8, 'fortran_order': False, 'shape': (3, 5), }", "{'other': 1}", "{'shape': (1, 2"})
     EXPECT_TRUE(std::holds_alternative<core::Problem>(parsed(with_text(1, text)))) << text;
 }

@@ -14,6 +14,7 @@
 
 #include "core/os/input_file.hpp"
 #include "raster/format/envi.hpp"
+#include "raster/format/format_reader.hpp"
 #include "raster/format/text_start.hpp"
 #include "raster/format/zarr_store.hpp"
 #include "raster/table/file_problem.hpp"

@@ -237,7 +237,8 @@ Guess guess_with_hint(std::string_view content) {
   if (!is_text(content)) return {"binary data", see_info};
   std::string kind = guess_of_text(content);
   if (kind == "an empty file") return {kind, "sarsim new A.toml writes a scene to begin with"};
-  if (kind.starts_with("a table")) return {kind, "points of targets: name it as the file of a [[cloud]]"};
+  if (kind.starts_with("a table"))
+    return {kind, "samples: sarsim info FILE; points of targets: name it as the file of a [[cloud]]"};
   if (kind.starts_with("an orbit") || kind.starts_with("orbital"))
     return {kind, "name it as the file of a platform's orbit (sarsim explain platform.orbit)"};
   if (kind == "a Python program" || kind == "a shell script")

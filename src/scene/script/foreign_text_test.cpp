@@ -58,8 +58,9 @@ std::string errors_of(std::string_view text, bool draft = false) {
 
 TEST(ForeignText, AScriptWithoutACommandIsNone) {
   EXPECT_THAT(errors_of("radar:\n  carrier: 9.6 GHz\n"), HasSubstr("this is no scene: it seems to be YAML"));
-  EXPECT_THAT(errors_of("! only a comment\n"), HasSubstr("this is no scene"));
   EXPECT_THAT(errors_of("a price of 5 $\n"), HasSubstr("this is no scene"));
+  EXPECT_THAT(errors_of("a price of 5 $ or more\n"), HasSubstr("unknown command"));
+  EXPECT_EQ(errors_of("! a scene without objects, as it is written\n"), "");
   EXPECT_THAT(errors_of("\x89PNG\r\n\x1a\n\0\0"sv), HasSubstr("it seems to be a PNG picture"));
   EXPECT_EQ(errors_of("", true), "") << "an editor's new text";
   EXPECT_EQ(errors_of("Radar", true), "") << "its first words";

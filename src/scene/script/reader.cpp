@@ -222,8 +222,10 @@ bool has_command(const Tokens& text) {
   return false;
 }
 
-// A draft may still be empty, or hold its first words only.
+// Comments alone are a script that describes nothing, as the writer makes of a scene without objects. A draft may still
+// be empty, or hold its first words only.
 bool may_be_begun(std::string_view text, const ReadControl& control) {
+  if (text.substr(std::min(text.find_first_not_of(" \t\r\n"), text.size())).starts_with('!')) return true;
   if (!control.draft) return false;
   const std::string kind = guess_of_content(text);
   return kind.empty() || kind == "an empty file";

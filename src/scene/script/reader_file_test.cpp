@@ -109,6 +109,8 @@ TEST_F(ScriptOnDisk, ReportsWhatIsNoScript) {
   EXPECT_TRUE(holds(only_problem_of("").message, "cannot read the script"));
   write(folder_ / "b.scr", std::string_view("\x89PNG\r\n\x1A\n\0\0", 10));
   EXPECT_TRUE(holds(only_problem_of(folder_ / "b.scr").message, "it seems to be a PNG picture"));
+  write(folder_ / "b.scr", std::string_view("$OPTIONS\n\1\2\n"));
+  EXPECT_TRUE(holds(only_problem_of(folder_ / "b.scr").message, "not a text file"));
 }
 
 TEST_F(ScriptOnDisk, ReportsAFileThatMayNotBeRead) {

@@ -219,9 +219,9 @@ TEST(ReaderProblem, WarnsOfACommentThatTouchesAValue) {
   EXPECT_EQ(reading.scene.targets.at(0).rcs_m2, 12.0);
 }
 
-TEST(ReaderProblem, RefusesAnEmptyScript) {
-  EXPECT_TRUE(holds(only_problem("").message, "it seems to be an empty file"));
-  EXPECT_TRUE(holds(only_problem("! only a comment").message, "this is no scene"));
+TEST(ReaderProblem, WarnsOfAnEmptyScript) {
+  EXPECT_TRUE(holds(only_problem("").message, "this is no scene: it seems to be an empty file"));
+  EXPECT_TRUE(holds(only_problem("! only a comment").message, "no command"));
 }
 
 TEST(ReaderProblem, HintsAtADollarWithoutABlankBefore) {
