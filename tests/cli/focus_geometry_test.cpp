@@ -277,7 +277,12 @@ TEST_F(FocusGeometry, SaysThatTheAntennaTurnsBack) {
   Flight flight;
   flight.along_m = [](double t) { return -100.0 * t - 100.0 * t * t; };
   write(flight);
-  expect_refused({}, "the antenna turns back along its line", "use --algorithm back-projection");
+  expect_refused({"--algorithm", "omega-k"}, "the antenna turns back along its line",
+                 "use --algorithm back-projection");
+  const Finished left_open = sarsim({"focus", "scene.scr", "--out", "image.img", "--json"});
+  EXPECT_EQ(left_open.status, 0) << left_open.err;
+  EXPECT_THAT(left_open.out, HasSubstr("\"algorithm\": \"back-projection\""));
+  EXPECT_THAT(left_open.err, HasSubstr("back-projection instead of omega-k: the antenna turns back along its line"));
 }
 
 TEST_F(FocusGeometry, OfAFewPulsesOrRowsIsLeftWithoutAutofocus) {

@@ -101,14 +101,15 @@ double residual_rad(const std::string& csv, double error_m) {
 
 class FocusMotion : public CommandTest {
  protected:
-  // Focuses, and measures the image.
-  [[nodiscard]] std::string measured(std::vector<std::string> words, const std::string& image = "image.img") const {
+  // Focuses, and measures the image; status 1 is that of an image in which no target is found.
+  [[nodiscard]] std::string measured(std::vector<std::string> words, const std::string& image = "image.img",
+                                     int status = 0) const {
     words.insert(words.begin(), "focus");
     for (const char* word : {"--out", image.c_str(), "--force", "--quiet"}) words.emplace_back(word);
     const Finished focus = sarsim(words);
     EXPECT_EQ(focus.status, 0) << focus.err;
     const Finished measure = sarsim({"measure", image, "--json"});
-    EXPECT_EQ(measure.status, 0) << measure.err;
+    EXPECT_EQ(measure.status, status) << measure.err;
     return measure.out;
   }
 };
@@ -129,10 +130,11 @@ TEST_F(FocusMotion, IsCompensatedToTheSecondOrderWithoutBeingAsked) {
 }
 
 TEST_F(FocusMotion, IsBlurredWithoutCompensationAndTurnedAtOtherRangesWithTheFirstOrder) {
-  const auto losses = [&](const char* order) {
-    return magnitudes_of(measured({strip, "--motion-compensation", order}), "amplitude_error_db");
-  };
-  EXPECT_GT(mean_of(losses("none")), 10.0);
+  // The peaks that are left lie beside their places and are weaker by 6 dB; most are lost in all of 10 dB and more.
+  const std::string blurred = measured({strip, "--motion-compensation", "none"}, "none.img", 1);
+  EXPECT_EQ(number_of(blurred, "found_targets"), 0.0);
+  EXPECT_LT(number_of(blurred, "displaced_targets"), 5.0);
+  EXPECT_THAT(magnitudes_of(blurred, "amplitude_error_db"), Each(testing::Gt(5.0)));
   const auto errors = [&](const char* order) {
     return mean_of(magnitudes_of(measured({strip, "--motion-compensation", order}), "phase_error_rad"));
   };
@@ -218,7 +220,7 @@ TEST_F(FocusMotion, ThatNavigationDoesNotKnowIsTakenOutByAutofocus) {
   write_text(folder_ / "told.scr", script_with_error(0.0));
   ASSERT_EQ(sarsim({"run", "true.scr", "--format", "npy", "--quiet"}).status, 0);
   const std::vector<std::string> told{"stripmap_motion.npy", "--script", "told.scr"};
-  const double blurred_db = mean_of(magnitudes_of(measured(told), "amplitude_error_db"));
+  const double blurred_db = mean_of(magnitudes_of(measured(told, "image.img", 1), "amplitude_error_db"));
   const Finished focus = sarsim({"focus", "stripmap_motion.npy", "--script", "told.scr", "--autofocus",
                                  "--autofocus-phase", "phase.csv", "--out", "sharp.img", "--json"});
   ASSERT_EQ(focus.status, 0) << focus.err;
@@ -274,11 +276,14 @@ std::string script_of_odd_times() {
 
 TEST_F(FocusMotion, OfPulsesAtOddTimesIsLeftToBackProjection) {
   write_text(folder_ / "odd.scr", script_of_odd_times());
-  const Finished focus = sarsim({"focus", "odd.scr", "--quiet"});
+  const Finished focus = sarsim({"focus", "odd.scr", "--quiet", "--algorithm", "omega-k"});
   EXPECT_EQ(focus.status, 2);
   EXPECT_THAT(focus.err, HasSubstr("the distance between pulses changes by up to"));
   EXPECT_THAT(focus.err, HasSubstr("use --algorithm back-projection"));
-  EXPECT_EQ(sarsim({"focus", "odd.scr", "--quiet", "--algorithm", "back-projection", "--azimuth", "-20:20"}).status, 0);
+  const Finished left_open = sarsim({"focus", "odd.scr", "--json", "--azimuth", "-20:20"});
+  EXPECT_EQ(left_open.status, 0) << left_open.err;
+  EXPECT_THAT(left_open.out, HasSubstr("\"algorithm\": \"back-projection\""));
+  EXPECT_THAT(left_open.err, HasSubstr("back-projection instead of omega-k: the distance between pulses changes by"));
 }
 
 // An aircraft that speeds up is at both ends of the flight farther than the line that fits it best: the compensated
@@ -330,7 +335,8 @@ TEST_F(FocusMotion, OfPulsesAtOddTimesKeepsItsDopplerCentroid) {
   const double even_hz = centroid_hz("even.scr", "geometry");
   EXPECT_GT(even_hz, 30.0);
   EXPECT_NEAR(centroid_hz("odd.scr", "geometry"), even_hz, 1.0);
-  EXPECT_NEAR(centroid_hz("odd.scr", "measured"), even_hz, 20.0);
+  // Measured it is that of the echoes as they came, which the flown sway moves.
+  EXPECT_NEAR(centroid_hz("odd.scr", "measured"), centroid_hz("even.scr", "measured"), 20.0);
 }
 
 }  // namespace focus_motion_test

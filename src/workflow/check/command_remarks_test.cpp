@@ -137,13 +137,13 @@ TEST(RemarksOfCommands, DoNotLookAtMoreThanAMillionEchoesForFocus) {
 }
 
 // Intervals of 1/600 s and 1.3/600 s in turn: methods in the frequency domain need even ones.
-TEST(RemarksOfCommands, SayThatFocusWillRefuseAFlight) {
+TEST(RemarksOfCommands, SayThatOnlyBackProjectionFocusesUnevenPulses) {
   scene::Scene scene = sar_scene(600.0, {{}});
   ASSERT_EQ(said(scene), "");
   scene.radars[0].repetition = scene::Radar::Repetition::user;
   scene.radars[0].pri_s.part[0] = {core::Interpolation::linear, {{0.0, 1.0 / 600.0}, {1.0, 1.3 / 600.0}}};
   EXPECT_THAT(said(scene),
-              HasSubstr("note: sarsim focus: will refuse this recording: the pulses are not evenly spaced"));
+              HasSubstr("note: sarsim focus: back-projection instead of omega-k: the distance between pulses changes"));
 }
 
 TEST(RemarksOfCommands, AskEachCommandOnceForARadar) {

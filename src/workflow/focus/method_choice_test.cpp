@@ -155,7 +155,7 @@ TEST_F(MethodChoice, MakesImagesOfLevelGroundRightWhateverTheFlight) {
 }
 
 TEST_F(MethodChoice, SaysWhatBothMethodsLeave) {
-  write(stray_scene({.aside_m = 1.5, .up_m = 1.0, .period_s = 1.1}, {{-90.0, 12.0, 0.0}, {85.0, 5.0, 0.0}}));
+  write(stray_scene({.aside_m = 3.0, .up_m = 2.0, .period_s = 1.1}, {{-90.0, 60.0, 0.0}, {85.0, -60.0, 0.0}}));
   const FocusReport report = focus(request_, {});
   EXPECT_EQ(report.algorithm, FocusAlgorithm::back_projection);
   const core::Problem note = one_that_says(report.problems, "back-projection instead of omega-k");
@@ -182,7 +182,7 @@ TEST_F(MethodChoice, KeepsOmegaKWhereItIsRightAndCompensatesWhatWouldShow) {
 }
 
 TEST_F(MethodChoice, WarnsOfATargetOffTheGroundThatNoMethodGetsRight) {
-  write(stray_scene({.aside_m = 1.5, .up_m = 1.0, .period_s = 1.1}, {{0.0, 0.0, 40.0}}));
+  write(stray_scene({.aside_m = 1.5, .up_m = 1.0, .period_s = 1.1}, {{0.0, 0.0, 8.0}}));
   const FocusReport report = focus(request_, {});
   const core::Problem warning = one_that_says(report.problems, "rad rms in the echoes of target 1");
   EXPECT_EQ(warning.severity, core::Severity::warning);
