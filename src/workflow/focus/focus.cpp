@@ -74,10 +74,10 @@ double measured_centroid_hz(const FocusRequest& request, const signal::EchoRows&
 }
 
 // From the line where compensation of motion moves the echoes there, else as it is flown.
-double geometric_centroid_hz(const FocusInput& input, const core::WorkControl& control) {
+double geometric_centroid_hz(const FocusRequest& request, const FocusInput& input, const core::WorkControl& control) {
   const signal::SarWaveform& wave = input.echoes.waveform;
   const double limit_m = radar::wavelength_of(wave.carrier_hz, wave.light_speed_mps) / 16.0;
-  if (signal::fit_straight(input.echoes.track).worst_position_m > limit_m)
+  if (!in_time(request) && signal::fit_straight(input.echoes.track).worst_position_m > limit_m)
     if (const auto of_line = line_doppler_centroid_hz(*input.plan, input.echoes, control)) return *of_line;
   return geometric_doppler_centroid_hz(*input.plan);
 }
@@ -86,7 +86,7 @@ double geometric_centroid_hz(const FocusInput& input, const core::WorkControl& c
 double first_centroid_hz(const FocusRequest& request, const FocusInput& input, const core::WorkControl& control) {
   if (request.centroid == CentroidSource::given) return request.given_centroid_hz;
   if (!moves(input.echoes)) return 0.0;
-  return measured_centroid_hz(request, input.echoes, geometric_centroid_hz(input, control), control);
+  return measured_centroid_hz(request, input.echoes, geometric_centroid_hz(request, input, control), control);
 }
 
 core::Problems problems_of_echoes(const FocusRequest& request, const signal::EchoRows& echoes,
