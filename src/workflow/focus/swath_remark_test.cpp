@@ -5,7 +5,6 @@
 #include <cmath>
 #include <random>
 #include <string>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -50,10 +49,10 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
 }
 
 // What is found of the target that is named, against its theory, which knows of the antenna.
-signal::SwathLoss found_loss(const simulate::Plan& plan, const signal::EchoRows& rows,
+signal::SwathLoss found_loss(const simulate::Plan& plan, const signal::EchoRows& rows, const signal::SarEchoes& echoes,
                              const signal::FocusOptions& options) {
   const TargetTheory theory = theory_of_targets(plan, rows, options).at(0);
-  const signal::FocusedImage image = signal::focus(signal::sar_echoes(rows, {.threads = 2}), options, {.threads = 2});
+  const signal::FocusedImage image = signal::focus(echoes, options, {.threads = 2});
   const signal::PointResponse found = signal::measure_point(image, signal::reader_of(image), theory.place, 2.0).value();
   signal::SwathLoss loss;
   loss.shift = {found.place.azimuth_m - theory.place.azimuth_m, found.place.range_m - theory.place.range_m};
@@ -64,28 +63,36 @@ signal::SwathLoss found_loss(const simulate::Plan& plan, const signal::EchoRows&
   return loss;
 }
 
-// An antenna of 3 degrees, whose beam tapers the Doppler spectrum, and windows: neither is even over the band.
+// An antenna of 3 degrees, whose beam tapers the Doppler spectrum, and windows: neither is even over the band. Up to 27
+// m off the middle of the swath 2 dB are lost, and side lobes stay 6 dB below the peak: farther off the response has
+// peaks of equal height, and which of them is the largest is left to chance.
 TEST(SwathRemark, PredictsLossAndPhaseOfTaperedSpectra) {
   std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> off(30.0, 110.0);
-  for (int i = 0; i < 3; ++i) {
+  std::uniform_real_distribution<double> off(8.0, 27.0);
+  using Kind = signal::SarWindow::Kind;
+  for (int i = 0; i < 2; ++i) {
     scene::Scene scene = wide_band_scene(0.0);
     scene.targets.resize(1);
-    scene.targets[0].position_m = {i % 2 == 0 ? off(random) : -off(random), 0.0, 0.0};
+    const double middle_m = std::sqrt(2988.0 * 2988.0 - 1000.0 * 1000.0) - 2800.0;
+    scene.targets[0].position_m = {middle_m + (i == 0 ? off(random) : -off(random)), 0.0, 0.0};
+    scene.simulations[0].range_start_m = 3020.0;
+    scene.simulations[0].range_end_m = 3140.0;
+    scene.radars[0].pulse_width_s = 300e-9;
     scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
     scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(3.0);
     scene.radars[0].transmit_antenna.elevation_beamwidth = core::Angle::from_deg(40.0);
     scene.radars[0].beam_azimuth = core::Angle::from_deg(90.0 - std::atan2(750.0, 2800.0) * 180.0 / core::pi);
     scene.radars[0].beam_elevation = core::Angle::from_deg(-19.0);
     const auto [plan, rows] = sar_recording(scene);
-    for (const auto& [method, kind] :
-         {std::pair(signal::FocusMethod::range_doppler, signal::SarWindow::Kind::rectangular),
-          std::pair(signal::FocusMethod::chirp_scaling, signal::SarWindow::Kind::hamming)}) {
+    const signal::SarEchoes echoes = signal::sar_echoes(rows, {.threads = 2});
+    for (const signal::FocusMethod method : {signal::FocusMethod::range_doppler, signal::FocusMethod::chirp_scaling}) {
+      const bool scaled = method == signal::FocusMethod::chirp_scaling;
+      const Kind kind = scaled == (i == 0) ? Kind::hamming : Kind::rectangular;
       signal::FocusOptions options{.method = method, .range_window = {.kind = kind}, .azimuth_window = {.kind = kind}};
       options.doppler_centroid_hz = geometric_doppler_centroid_hz(*plan);
       const auto predicted = worst_method_loss(*plan, rows, options);
       ASSERT_TRUE(predicted);
-      const signal::SwathLoss found = found_loss(*plan, rows, options);
+      const signal::SwathLoss found = found_loss(*plan, rows, echoes, options);
       const double predicted_db = 20.0 * std::log10(predicted->loss.amplitude);
       EXPECT_NEAR(20.0 * std::log10(found.amplitude), predicted_db, 0.1 - 0.2 * predicted_db);
       EXPECT_NEAR(found.phase_rad, predicted->loss.phase_rad,
@@ -112,7 +119,8 @@ TEST(SwathRemark, SaysWhatOmegaKLosesAtTheUpperEndOfTheBand) {
     const auto predicted = worst_method_loss(*plan, rows, options);
     ASSERT_TRUE(predicted);
     const double predicted_db = 20.0 * std::log10(predicted->loss.amplitude);
-    EXPECT_NEAR(20.0 * std::log10(found_loss(*plan, rows, options).amplitude), predicted_db, 0.1);
+    EXPECT_NEAR(20.0 * std::log10(found_loss(*plan, rows, signal::sar_echoes(rows, {.threads = 2}), options).amplitude),
+                predicted_db, 0.1);
     const core::Problems problems = remarks_on_swath_loss(*plan, rows, options);
     if (prf_hz == 400.0) {
       EXPECT_TRUE(problems.empty());
