@@ -367,6 +367,20 @@ def found_targets(lab, *focus):
     return sum(target["found"] is not None for target in measured_targets(lab, *focus))
 
 
+def displaced_targets(lab, *focus):
+    return sum(target["state"] == "displaced" for target in measured_targets(lab, *focus))
+
+
+def peak_v(number, focus):
+    """The largest peak where a target is looked for, found or not."""
+
+    def measure(lab):
+        target = measured_targets(lab, focus)[number - 1]
+        return target["noise_v"] * 10.0 ** (target["snr_db"] / 20.0)
+
+    return measure
+
+
 def worst_place(lab, *focus):
     """Largest distance of a measured target from where it has to be, in metres."""
     return max(
