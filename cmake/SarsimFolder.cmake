@@ -48,12 +48,14 @@ endif()
 
 # Hundreds of tests are linked with nearly the same libraries, in a fifth of the time of the usual linker. What is installed
 # has no part in it. Without relro: where thread-local variables begin just before the end of a page, mold 1.10 has the
-# loader protect a page that is not there, and the program does not start.
+# loader protect a page that is not there, and the program does not start; and with segments apart, as where they share pages
+# it can shift them for ever.
 option(SARSIM_FAST_LINKER "Link with mold where it is found" OFF)
 if(SARSIM_FAST_LINKER)
   find_program(SARSIM_MOLD NAMES mold)
   if(SARSIM_MOLD)
-    target_link_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:-fuse-ld=mold> $<BUILD_INTERFACE:-Wl,-z,norelro>)
+    target_link_options(sarsim_flags INTERFACE $<BUILD_INTERFACE:-fuse-ld=mold> $<BUILD_INTERFACE:-Wl,-z,norelro>
+                        $<BUILD_INTERFACE:-Wl,-z,separate-loadable-segments>)
   endif()
 endif()
 

@@ -241,7 +241,9 @@ TEST_F(FocusMotion, LeavesAnImageAloneThatAutofocusWouldNotSharpen) {
   ASSERT_EQ(focus.status, 0) << focus.err;
   ASSERT_EQ(sarsim({"focus", script, "--out", "b.img", "--quiet"}).status, 0);
   const bool applied = focus.out.find("\"applied\": true") != std::string::npos;
-  if (applied) EXPECT_LT(number_of(focus.out, "entropy_after"), number_of(focus.out, "entropy_before"));
+  if (applied) {
+    EXPECT_LT(number_of(focus.out, "entropy_after"), number_of(focus.out, "entropy_before"));
+  }
   EXPECT_EQ(text_of(folder_ / "a.img") == text_of(folder_ / "b.img"), !applied);
 }
 

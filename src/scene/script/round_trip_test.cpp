@@ -73,7 +73,7 @@ TEST(RoundTrip, KeepsAThousandRandomScenesBitForBit) {
 }
 
 TEST(RoundTrip, KeepsAnEmptyScene) {
-  const ScriptReading reading = read_script(write_script({}), "", {}, {.draft = true});
+  const ScriptReading reading = read_script(write_script({}), "", {}, {.work = {}, .draft = true});
   EXPECT_FALSE(core::has_errors(reading.problems));
   EXPECT_TRUE(reading.scene == Scene{});
 }
