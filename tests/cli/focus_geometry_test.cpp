@@ -282,7 +282,8 @@ TEST_F(FocusGeometry, SaysThatTheAntennaTurnsBack) {
   const Finished left_open = sarsim({"focus", "scene.scr", "--out", "image.img", "--json"});
   EXPECT_EQ(left_open.status, 0) << left_open.err;
   EXPECT_THAT(left_open.out, HasSubstr("\"algorithm\": \"back-projection\""));
-  EXPECT_THAT(left_open.err, HasSubstr("back-projection instead of omega-k: the antenna turns back along its line"));
+  EXPECT_THAT(left_open.err,
+              HasSubstr("back-projection instead of omega-k: the antenna flies around, not along a line"));
 }
 
 TEST_F(FocusGeometry, OfAFewPulsesOrRowsIsLeftWithoutAutofocus) {

@@ -284,7 +284,7 @@ TEST_F(Words, EveryRefusalIsJsonWhereJsonIsAskedFor) {
        std::vector<std::vector<std::string>>{{"info", "no.h5", "--json"},
                                              {"info", "no.scr", "--json"},
                                              {"focus", "no.h5", "--json"},
-                                             {"doppler", "scene.scr", "--json", "--window", "none"},
+                                             {"doppler", "scene.scr", "--json", "--window", "no such"},
                                              {"measure", "no.img", "--json"},
                                              {"merge", "no.parts", "--json"},
                                              {"run", "scene.scr", "--json", "--bogus"},
@@ -313,7 +313,7 @@ TEST_F(Words, NothingIsAnOptionBehindTwoDashes) {
   EXPECT_EQ(sarsim({"check", "--", "-x.scr"}).status, 0);
   EXPECT_EQ(sarsim({"run", "--quiet", "--", "-x.scr"}).status, 0);
   EXPECT_THAT(entries("."), ElementsAre("-x.scr", "sim.bin"));
-  expect_refusal({"run", "--", "-x.scr", "--quiet"}, "the script has no product '--quiet'");
+  expect_refusal({"run", "--", "-x.scr", "--quiet"}, "the scene has no product '--quiet'");
 }
 
 TEST_F(Words, OnlyNearWordsAreSuggested) {

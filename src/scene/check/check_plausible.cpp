@@ -272,7 +272,8 @@ void check_plausible_radar(Findings& findings, const Radar& radar) {
   const auto carriers = carrier_span(radar);
   check_beams(findings, "transmit_antenna", radar.transmit_antenna, carriers);
   if (!radar.same_antenna) check_beams(findings, "receive_antenna", radar.receive_antenna, carriers);
-  if (radar.noise_temperature_k > 0.0 && std::isfinite(radar.noise_temperature_k) && radar.transmit_antenna.pattern == Antenna::Pattern::sinx)
+  if (radar.noise_temperature_k > 0.0 && std::isfinite(radar.noise_temperature_k) &&
+      radar.transmit_antenna.pattern == Antenna::Pattern::sinx)
     check_gain(findings, "transmit_gain", radar.transmit_antenna, radar.transmit_gain);
   check_hanning(findings, radar);
 }

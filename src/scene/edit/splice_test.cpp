@@ -265,7 +265,8 @@ std::vector<fs::path> all_scripts() {
 
 // What must hold after each edit of a document.
 void expect_text_says_scene(const Document& document, const fs::path& path) {
-  const ScriptReading reading = read_script(document.text(), "", disk_loader(path.parent_path()), {.work = {}, .draft = true});
+  const ScriptReading reading =
+      read_script(document.text(), "", disk_loader(path.parent_path()), {.work = {}, .draft = true});
   ASSERT_FALSE(core::has_errors(reading.problems)) << document.text();
   ASSERT_TRUE(reading.scene == document.scene()) << document.text();
   ASSERT_TRUE(document.commands() == find_commands(document.text())) << document.text();

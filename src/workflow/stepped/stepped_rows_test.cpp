@@ -273,8 +273,8 @@ TEST(ProblemsOfStepped, SayWhatKeepsARecordingFromBeingUsed) {
   make_chirped(scene);
   EXPECT_EQ(problems(scene, SteppedUse::isar), "");
   scene.radars[0].carrier = scene::Radar::Carrier::user;
-  scene.radars[0].carrier_list_hz.part[0].knots = {{0.0, 9e9}, {1.0, 9.1e9}};
-  EXPECT_THAT(problems(scene, SteppedUse::isar), HasSubstr("does not step evenly"));
+  scene.radars[0].carrier_list_hz.part[0].knots = {{0.0, 9e9}, {1.0, 9.1e9}, {2.0, 9.25e9}};
+  EXPECT_THAT(problems(scene, SteppedUse::isar), HasSubstr("evenly"));
   scene = stepped_scene(0.007);
   EXPECT_THAT(problems(scene), HasSubstr("no whole burst"));
   scene = stepped_scene();
