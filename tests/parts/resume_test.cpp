@@ -44,7 +44,8 @@ class Resume : public PartsTest {
     const Finished again = run({"--out", "out", "--resume", "--json"});
     ASSERT_EQ(again.status, 0) << again.err;
     EXPECT_GT(member(again.out, "computed_rows"), 0);
-    EXPECT_LT(member(again.out, "computed_rows"), 136000);
+    // A fifth was computed when it ended; what came after the last save is computed again, a few per cent under load.
+    EXPECT_LT(member(again.out, "computed_rows"), 153000);
     ASSERT_EQ(run({"--out", "whole"}).status, 0);
     expect_same_bytes("whole/sim.bin", "out/sim.bin");
     EXPECT_THAT(entries("out"), ElementsAre("sim.bin", "sim.bin.journal"));
