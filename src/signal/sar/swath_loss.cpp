@@ -114,26 +114,10 @@ std::complex<double> sum_at(const std::vector<SpectrumPiece>& pieces, const Imag
   return sum;
 }
 
-// The largest of a lattice about the ideal place, `steps` to either side: a spectrum with much phase has several peaks.
-ImagePlace best_of_lattice(const std::vector<SpectrumPiece>& pieces, double azimuth_step_m, double range_step_m) {
-  constexpr int steps = 4;
-  ImagePlace best;
-  double height = std::abs(sum_at(pieces, best));
-  for (int a = -steps; a <= steps; ++a)
-    for (int r = -steps; r <= steps; ++r) {
-      const ImagePlace place{a * azimuth_step_m, r * range_step_m};
-      const double there = std::abs(sum_at(pieces, place));
-      if (!(there > height)) continue;
-      height = there;
-      best = place;
-    }
-  return best;
-}
-
-// Climbs from there, in steps that are halved when none of them leads higher.
+// Climbs from the ideal place, in steps that are halved when none of them leads higher.
 ImagePlace peak_of_pieces(const std::vector<SpectrumPiece>& pieces, double azimuth_step_m, double range_step_m) {
   constexpr int halvings = 8;
-  ImagePlace peak = best_of_lattice(pieces, 2.0 * azimuth_step_m, 2.0 * range_step_m);
+  ImagePlace peak;
   double height = std::abs(sum_at(pieces, peak));
   for (int i = 0; i < halvings; ++i, azimuth_step_m *= 0.5, range_step_m *= 0.5) {
     for (bool higher = true; higher;) {
