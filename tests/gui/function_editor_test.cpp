@@ -411,6 +411,30 @@ class FunctionEditorTest : public QObject {
     QCOMPARE(bench.stored().part[0].knots.size(), std::size_t{3});
   }
 
+  void tables_of_hdf5_are_shown_and_replaced_only_after_a_question() {
+    Bench bench;
+    // Two rows of time and three coordinates; their times descend until the first has its sign.
+    std::string table = file_text(SARSIM_SOURCE_DIR "/fuzz/corpus/point_table/points.h5");
+    const std::filesystem::path file = bench.script.parent_path() / "path.h5";
+    write_file(file, table);
+    QVERIFY(!bench.editor->load_file("path.h5"));
+    QVERIFY(bench.problems().contains("must ascend"));
+    const std::size_t time = table.find(std::string("\0\0\xc0\x3f", 4));
+    QVERIFY(time != std::string::npos);
+    table[time + 3] = '\xbf';
+    write_file(file, table);
+    QVERIFY(bench.editor->load_file("path.h5"));
+    const std::vector<core::Knot> x{{-1.5, -2.0}, {-0.5, 1e6}};
+    QVERIFY(bench.editor->draft().parts[0].knots == x);
+    bench.editor->accept();
+    QCOMPARE(bench.stored().file, std::string("path.h5"));
+    gui::FunctionEditor again(bench.session, ship, "trajectory_m");
+    QVERIFY(again.draft().parts[0].knots == x);
+    again.ask_replace = [](const QString&) { return false; };
+    QVERIFY(!again.save_file("path.h5"));
+    QCOMPARE(file_text(file), table);
+  }
+
   void an_existing_file_of_somebody_else_is_replaced_only_after_a_question() {
     Bench bench;
     const std::filesystem::path other = bench.script.parent_path() / "other.dat";

@@ -22,7 +22,10 @@
 #include "gui/objects/function_plot.hpp"
 #include "gui/objects/function_table.hpp"
 #include "scene/edit/edit.hpp"
+#include "scene/schema/function_table.hpp"
 #include "scene/script/reader.hpp"
+#include "scene/script/table_file.hpp"
+#include "workflow/input/function_tables.hpp"
 
 namespace sarsim::gui {
 
@@ -87,6 +90,7 @@ FunctionEditor::FunctionEditor(Session& session, scene::ObjectId object, const s
       object_(scene::object_of(session.scene(), object)),
       info_(scene::function_info(object_, field)),
       draft_(scene::function_of(object_, field)) {
+  const core::Problems unread = take_points_of_file();
   // The editor's rule: at least one sample, in order. A function without any is 0, and so is this one.
   for (core::SampledFunction& part : draft_.parts) {
     if (part.knots.empty())
@@ -94,12 +98,29 @@ FunctionEditor::FunctionEditor(Session& session, scene::ObjectId object, const s
     if (!info_.per_pulse) std::ranges::stable_sort(part.knots, {}, &core::Knot::x);
   }
   states_ = {draft_};
-  own_file_ = draft_.file;
   make_questions();
   make_layout();
   make_undo();
   connect_points();
   show_part(0);
+  if (!unread.empty()) say(core::Severity::error, {problem_text(unread.front())});
+}
+
+// A scene has the points of text files; those of HDF5 come with the other files that a run reads.
+core::Problems FunctionEditor::take_points_of_file() {
+  if (draft_.file.empty()) return {};
+  const scene::DataFileText file = scene::disk_loader(script_folder())(draft_.file);
+  if (file.failure.empty() && !scene::is_hdf5(file.text)) own_file_ = draft_.file;
+  if (!file.failure.empty() || !scene::is_hdf5(file.text)) return {};
+  scene::FunctionReading reading = read(file, draft_.file);
+  if (core::has_errors(reading.problems)) return std::move(reading.problems);
+  for (std::size_t i = 0; i < draft_.parts.size(); ++i) draft_.parts[i].knots = std::move(reading.draft.parts[i].knots);
+  return {};
+}
+
+scene::FunctionReading FunctionEditor::read(const scene::DataFileText& file, const std::string& name) const {
+  const scene::FunctionBlock& block = scene::function_tables::function_kind(object_, field_).block;
+  return scene::read_function_file(object_, field_, workflow::read_function_data(file, block), name);
 }
 
 // A field that goes while it has the keyboard says once more that it is finished.
@@ -358,8 +379,8 @@ bool FunctionEditor::load_file(const QString& name) {
     say(core::Severity::error, {QString::fromStdString(file.failure)});
     return false;
   }
-  if (!take_reading(scene::read_function_file(object_, field_, file.text, name.toStdString()))) return false;
-  own_file_ = name.toStdString();
+  if (!take_reading(read(file, name.toStdString()))) return false;
+  own_file_ = scene::is_hdf5(file.text) ? std::string() : name.toStdString();
   return true;
 }
 
@@ -402,7 +423,7 @@ bool FunctionEditor::save_file(const QString& name) {
 bool FunctionEditor::stands_in_file() const {
   const scene::DataFileText file = scene::disk_loader(script_folder())(draft_.file);
   if (!file.failure.empty()) return false;
-  const scene::FunctionReading reading = scene::read_function_file(object_, field_, file.text, draft_.file);
+  const scene::FunctionReading reading = read(file, draft_.file);
   return !core::has_errors(reading.problems) && same_points(reading.draft, draft_);
 }
 

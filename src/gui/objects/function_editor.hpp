@@ -92,6 +92,8 @@ class FunctionEditor : public QDialog {
   void take_source();
   void take_window(FieldEditor& editor, std::size_t end, const QString& text);
   void browse();
+  [[nodiscard]] core::Problems take_points_of_file();
+  [[nodiscard]] scene::FunctionReading read(const scene::DataFileText& file, const std::string& name) const;
   [[nodiscard]] bool take_reading(scene::FunctionReading reading);
   [[nodiscard]] bool stands_in_file() const;
   [[nodiscard]] std::filesystem::path script_folder() const;
@@ -109,7 +111,7 @@ class FunctionEditor : public QDialog {
   scene::FunctionDraft before_drag_;
   bool dragging_ = false;
   std::size_t part_ = 0;
-  std::string own_file_;  // read or written here, or the function's from the beginning
+  std::string own_file_;  // a text that was read or written here, or is the function's from the beginning
 
   QRadioButton* inline_ = nullptr;
   QRadioButton* in_file_ = nullptr;

@@ -148,10 +148,9 @@ std::string function_file_text(const AnyObject& object, std::string_view field, 
   return write_data_file(draft.parts, function_kind(object, field).block);
 }
 
-FunctionReading read_function_file(const AnyObject& object, std::string_view field, std::string_view text,
+FunctionReading read_function_file(const AnyObject& object, std::string_view field, DataFileReading data,
                                    const std::string& file_name) {
   FunctionReading reading{function_of(object, field), {}};
-  DataFileReading data = read_data_file(text, file_name, function_kind(object, field).block);
   reading.problems = std::move(data.problems);
   if (core::has_errors(reading.problems)) return reading;
   for (std::size_t i = 0; i < reading.draft.parts.size(); ++i)

@@ -10,6 +10,7 @@
 #include "core/report/problem.hpp"
 #include "scene/model/function_role.hpp"
 #include "scene/model/object.hpp"
+#include "scene/script/data_file.hpp"
 
 namespace sarsim::scene {
 
@@ -73,7 +74,8 @@ struct FunctionReading {
   FunctionDraft draft;
   core::Problems problems;
 };
-[[nodiscard]] FunctionReading read_function_file(const AnyObject& object, std::string_view field, std::string_view text,
+/// @param data  what the file has for the function's block: `read_data_file`, or the table of an HDF5 file
+[[nodiscard]] FunctionReading read_function_file(const AnyObject& object, std::string_view field, DataFileReading data,
                                                  const std::string& file_name);
 /// Reads CSV: x in the first column, one column for each part; a first line of names is skipped, but its units in
 /// brackets are taken ("f [GHz]"), else the units of FunctionInfo. A function of the pulse number may do without the

@@ -13,6 +13,8 @@
 
 #include "core/maths/interpolator.hpp"
 #include "scene/schema/fields.hpp"
+#include "scene/schema/function_table.hpp"
+#include "scene/script/data_file.hpp"
 #include "scene/script/random_scene_test_support.hpp"
 
 namespace sarsim::scene {
@@ -206,6 +208,12 @@ TEST(FunctionModel, ACurveIsDrawnWhateverTheKnots) {
   EXPECT_EQ(curve_points({}, FunctionRole::stc, core::Interpolation::cubic, 0.0, 1.0, 3)[1].y, 0.0);
 }
 
+FunctionReading read_text(const AnyObject& object, std::string_view field, std::string_view text,
+                          const std::string& name) {
+  return read_function_file(object, field,
+                            read_data_file(text, name, function_tables::function_kind(object, field).block), name);
+}
+
 TEST(FunctionModel, AFileThatIsWrittenIsReadBackExactly) {
   test::RandomScenes random(5);
   for (const auto& [object, field] : all_functions()) {
@@ -218,7 +226,7 @@ TEST(FunctionModel, AFileThatIsWrittenIsReadBackExactly) {
       }
     const std::string text = function_file_text(object, field, draft);
     EXPECT_TRUE(text.starts_with("! Data of: ")) << text.substr(0, 50);
-    const FunctionReading reading = read_function_file(object, field, text, "saved.dat");
+    const FunctionReading reading = read_text(object, field, text, "saved.dat");
     EXPECT_EQ(printed(reading.problems), "") << field;
     draft.file = "saved.dat";
     EXPECT_TRUE(reading.draft == draft) << field;
@@ -229,7 +237,7 @@ TEST(FunctionModel, ABadFileIsExplainedAndLeavesTheFunctionAsItWas) {
   Platform platform;
   platform.trajectory_m.part[0] = {core::Interpolation::cubic, {{0.0, 5.0}}};
   for (const char* text : {"", "two", "2 0 0 1", "1 0 0 1 0 0", "2 1 0 0 0 1 0 0 1 0 0", "$PLATFORM Earth"}) {
-    const FunctionReading reading = read_function_file(platform, "trajectory_m", text, "bad.dat");
+    const FunctionReading reading = read_text(platform, "trajectory_m", text, "bad.dat");
     EXPECT_TRUE(core::has_errors(reading.problems)) << text;
     EXPECT_EQ(reading.problems.front().place.file, "bad.dat");
     EXPECT_TRUE(reading.draft == function_of(platform, "trajectory_m")) << text;
@@ -239,7 +247,7 @@ TEST(FunctionModel, ABadFileIsExplainedAndLeavesTheFunctionAsItWas) {
 TEST(FunctionModel, InterpolationStaysThatOfTheObjectWhenAFileIsRead) {
   Radar radar;
   radar.window_gain.part[0].method = core::Interpolation::low_pass;
-  const FunctionReading reading = read_function_file(radar, "window_gain", "2  0 0  1 1", "w.dat");
+  const FunctionReading reading = read_text(radar, "window_gain", "2  0 0  1 1", "w.dat");
   EXPECT_EQ(reading.draft.parts[0].method, core::Interpolation::low_pass);
   EXPECT_EQ(reading.draft.file, "w.dat");
 }

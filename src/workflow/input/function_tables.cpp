@@ -48,7 +48,7 @@ core::Problems read_table(const scene::FieldSpec& spec, const scene::FunctionRef
   if (function.file->empty() || is_read) return {};
   const scene::DataFileText file = loader(*function.file);
   if (!file.failure.empty() || !scene::is_hdf5(file.text)) return {};
-  scene::DataFileReading read = read_hdf5_table(file, *spec.block, control);
+  scene::DataFileReading read = read_function_data(file, *spec.block, control);
   if (core::has_errors(read.problems)) return std::move(read.problems);
   for (std::size_t i = 0; i < function.parts.size(); ++i) function.parts[i].knots = std::move(read.functions[i]);
   return std::move(read.problems);
@@ -91,6 +91,12 @@ core::Problems read_tables_of_targets(std::vector<scene::Target>& targets, const
 }
 
 }  // namespace
+
+scene::DataFileReading read_function_data(const scene::DataFileText& file, const scene::FunctionBlock& block,
+                                          const core::WorkControl& control) {
+  return scene::is_hdf5(file.text) ? read_hdf5_table(file, block, control)
+                                   : scene::read_data_file(file.text, file.path, block);
+}
 
 core::Problems read_function_tables(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
   const scene::DataFileLoader loader = scene::disk_loader(folder);
