@@ -155,9 +155,11 @@ FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkContr
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
   work.motion = wanted_motion(request, work.input.echoes, work.problems);
   expect_focusable(work.input, work.problems, work.motion);
+  if (!around) work.options.spectrum = spectrum_of_image(request, work, control);
+  const bool was_in_time = in_time(request);
   choose_method(request, work, control);
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
-  if (!around) work.options.spectrum = spectrum_of_image(request, work, control);
+  if (!around && in_time(request) != was_in_time) work.options.spectrum = spectrum_of_image(request, work, control);
   return work;
 }
 

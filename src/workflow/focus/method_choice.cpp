@@ -14,6 +14,7 @@
 #include "workflow/focus/motion_residual.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/focus/scene_grid.hpp"
+#include "workflow/focus/swath_remark.hpp"
 
 namespace sarsim::workflow {
 
@@ -61,8 +62,10 @@ class Chooser {
       kind = TakenFlight::Kind::compensated;
       left = residual(kind);
     }
-    if (free && kind == TakenFlight::Kind::compensated && !request_.motion && !request_.autofocus)
-      compare(left);
+    const bool open = free && !request_.motion && !request_.autofocus;
+    const std::optional<MethodLoss> lost = open ? lost_of_omega_k() : std::nullopt;
+    if (open && (kind == TakenFlight::Kind::compensated || excess_of(lost) > 1.0))
+      compare({kind, left, lost});
     else
       add(remarks_on_residual(left, kind));
   }
@@ -71,32 +74,54 @@ class Chooser {
   void add(core::Problems problems) { std::ranges::move(problems, std::back_inserter(work_.input.problems)); }
   void note(std::string text) { add({core::problem_of(core::Severity::note, std::move(text), {}, {}, {})}); }
 
-  // Compares what motion compensation leaves with what back-projection does.
-  void compare(const std::optional<MotionResidual>& compensated) {
-    const auto flown = residual(TakenFlight::Kind::flown);
-    const std::string left = text_of(compensated);
-    const std::string on_grid = text_of(flown);
-    if (!(excess_of(compensated) > 1.0)) {
-      note(fmt::format("omega-k with motion compensation, which leaves {}; back-projection on its grid would leave {}",
-                       left, on_grid));
-      return;
+  // What omega-k does to an image.
+  struct OmegaK {
+    TakenFlight::Kind kind;              // compensated, or even
+    std::optional<MotionResidual> left;  // by the flight
+    std::optional<MethodLoss> lost;      // whatever the flight
+
+    [[nodiscard]] double excess() const { return std::max(excess_of(left), excess_of(lost)); }
+    // "motion compensation would leave 0.240 rad and 0.10 dB at target 3"
+    [[nodiscard]] std::string would() const {
+      std::string words;
+      if (kind == TakenFlight::Kind::compensated)
+        words = fmt::format("motion compensation would leave {}", text_of(left));
+      else if (left)
+        words = fmt::format("the straight line would leave {}", text_of(left));
+      if (!(excess_of(lost) > 1.0)) return words;
+      return fmt::format(
+          "{}{}omega-k would lose {}, whose Doppler frequencies the pulses alias at the upper end of the "
+          "band",
+          words, words.empty() ? "" : ", and ", text_of(*lost));
     }
-    const bool better = excess_of(flown) < excess_of(compensated);
+  };
+
+  [[nodiscard]] std::optional<MethodLoss> lost_of_omega_k() const {
+    return worst_method_loss(*work_.input.plan, work_.input.echoes, work_.options, control_);
+  }
+
+  // Compares what omega-k leaves with what back-projection does.
+  void compare(const OmegaK& by_line) {
+    const auto flown = residual(TakenFlight::Kind::flown);
+    const std::string on_grid = text_of(flown);
+    const bool better = by_line.excess() > 1.0 && excess_of(flown) < by_line.excess();
     const std::string unaffordable = work_.input.echoes.columns < 2 ? "a row has one sample only" : too_much(work_);
     if (better && unaffordable.empty()) {
       request_.algorithm = FocusAlgorithm::back_projection;
       work_.motion = MotionOrder::none;
-      note(
-          fmt::format("back-projection instead of omega-k: motion compensation would leave {}, back-projection on its "
-                      "grid {}",
-                      left, on_grid));
+      note(fmt::format("back-projection instead of omega-k: {}, back-projection on its grid {}", by_line.would(),
+                       on_grid));
       add(remarks_on_residual(flown, TakenFlight::Kind::flown));
       return;
     }
-    note(
-        fmt::format("omega-k with motion compensation, which leaves {}; back-projection on its grid would leave {}{}{}",
-                    left, on_grid, better ? ", but " : "", better ? unaffordable : ""));
-    add(remarks_on_residual(compensated, TakenFlight::Kind::compensated));
+    const std::string but = better ? ", but " + unaffordable : std::string();
+    if (by_line.kind == TakenFlight::Kind::compensated)
+      note(
+          fmt::format("omega-k with motion compensation, which leaves {}; back-projection on its grid would leave {}{}",
+                      text_of(by_line.left), on_grid, but));
+    else if (better)
+      note(fmt::format("omega-k; back-projection on its grid would leave {}{}", on_grid, but));
+    add(remarks_on_residual(by_line.left, by_line.kind));
   }
 
   // Nothing of a flight that is straight and even to a thousandth of a cycle.

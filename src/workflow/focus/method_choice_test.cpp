@@ -168,6 +168,31 @@ TEST_F(MethodChoice, SaysWhatBothMethodsLeave) {
             note.message.substr(0, 60));
 }
 
+// 211 pulses a second tell all Doppler frequencies at the carrier, not those at the upper end of its half octave.
+TEST_F(MethodChoice, LeavesABandWhoseUpperEndThePulsesAliasToBackProjection) {
+  scene::Scene scene = sar_scene(600.0, {{0.0, 0.0, 0.0}}, 3.0);
+  scene.platforms[1] = simulate::moving("Plane", {-500.0, 0.0, 0.0}, {0.0, 100.0, 0.0});
+  scene.radars[0].carrier_hz = 300e6;
+  scene.radars[0].bandwidth_hz = 150e6;
+  scene.simulations[0].sample_rate_hz = 225e6;
+  scene.simulations[0].range_start_m = 400.0;
+  scene.simulations[0].range_end_m = 800.0;
+  for (const double prf_hz : {211.0, 400.0}) {
+    scene.radars[0].prf_hz = prf_hz;
+    write(scene);
+    const FocusReport report = focus(request_, {});
+    const bool aliased = prf_hz == 211.0;
+    EXPECT_EQ(report.algorithm, aliased ? FocusAlgorithm::back_projection : FocusAlgorithm::omega_k);
+    const core::Problem note = one_that_says(report.problems, "back-projection instead of omega-k: omega-k would lose");
+    EXPECT_THAT(note.message, HasSubstr(aliased ? "back-projection on its grid nothing" : ""));
+    EXPECT_EQ(note.message.empty(), !aliased);
+    const MeasuredTarget found = measured().targets.front();
+    ASSERT_TRUE(found.found) << prf_hz;
+    EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1) << prf_hz;
+    EXPECT_NEAR(found.phase_error_rad(), 0.0, 0.02) << prf_hz;
+  }
+}
+
 TEST_F(MethodChoice, KeepsOmegaKWhereItIsRightAndCompensatesWhatWouldShow) {
   // 2 mm of sway: a twenty-eighth of the wavelength, below a sixteenth, but 0.4 rad.
   write(stray_scene({.aside_m = 0.002, .up_m = 0.002, .period_s = 0.9}, {{}}));

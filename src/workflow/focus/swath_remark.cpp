@@ -89,6 +89,15 @@ double grade_of(const signal::SwathLoss& loss) {
                   std::abs(loss.phase_rad) / most_loss_rad);
 }
 
+double lost_db(const MethodLoss& loss) {
+  constexpr double nothing_left = 1e-6;
+  return -core::amplitude_db(std::max(loss.loss.amplitude, nothing_left));
+}
+
+std::string name_of_target(const MethodLoss& loss) {
+  return loss.target ? fmt::format("target {}", *loss.target + 1) : "a point at the edge of the swath";
+}
+
 MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptions& options,
                         const signal::PointLosses& losses) {
   constexpr int count = 65;
@@ -135,25 +144,27 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
   return worst;
 }
 
+double excess_of(const std::optional<MethodLoss>& loss) { return loss ? grade_of(loss->loss) : 0.0; }
+
+std::string text_of(const MethodLoss& loss) {
+  return fmt::format("{:.3g} dB of {}", lost_db(loss), name_of_target(loss));
+}
+
 core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                      const signal::FocusOptions& options, const core::WorkControl& control) {
   const std::optional<MethodLoss> worst = worst_method_loss(plan, echoes, options, control);
   if (!worst) return {};
-  const double grade = grade_of(worst->loss);
+  const double grade = excess_of(worst);
   if (grade < 0.1) return {};
   const signal::SwathLoss& loss = worst->loss;
-  const std::string name =
-      worst->target ? fmt::format("target {}", *worst->target + 1) : "a point at the edge of the swath";
-  constexpr double nothing_left = 1e-6;
-  const double lost_db = -core::amplitude_db(std::max(loss.amplitude, nothing_left));
   const bool warns = grade >= 1.0;
   const core::Severity severity = warns ? core::Severity::warning : core::Severity::note;
   const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", most_loss_db, most_loss_rad) : "";
   if (options.method == signal::FocusMethod::omega_k)
     return {core::problem_of(severity,
-                             fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "
-                                         "frequencies at the upper end of the band, or see it along the track",
-                                         lost_db, name),
+                             fmt::format("omega-k loses {}: the pulses alias a part of its Doppler frequencies at the "
+                                         "upper end of the band, or see it along the track",
+                                         text_of(*worst)),
                              {}, expected, "use --algorithm back-projection, or send more pulses per second")};
   const bool scaled = options.method == signal::FocusMethod::chirp_scaling;
   return {core::problem_of(
@@ -161,8 +172,8 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
       fmt::format(
           "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
           "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
-          scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name, std::abs(loss.from_middle_m), lost_db,
-          loss.phase_rad, std::abs(loss.shift.range_m)),
+          scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name_of_target(*worst),
+          std::abs(loss.from_middle_m), lost_db(*worst), loss.phase_rad, std::abs(loss.shift.range_m)),
       {}, expected, "use --algorithm omega-k, which compresses each range correctly")};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 
 #include "core/report/problem.hpp"
 #include "signal/sar/focusing.hpp"
@@ -28,6 +29,12 @@ struct MethodLoss {
 [[nodiscard]] std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                                           const signal::FocusOptions& options,
                                                           const core::WorkControl& control = {});
+
+/// By how many times what is lost exceeds what an image may lose, 0.1 dB and 0.02 rad, the larger; 0 for none.
+[[nodiscard]] double excess_of(const std::optional<MethodLoss>& loss);
+
+/// "1.2 dB of target 3".
+[[nodiscard]] std::string text_of(const MethodLoss& loss);
 
 /// What it says of that loss: a warning from 0.1 dB or 0.02 rad on, a note from a tenth of that on.
 /// @param echoes  their track, waveform and window; no rows are read
