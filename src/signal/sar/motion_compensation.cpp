@@ -78,30 +78,59 @@ void expect_sound(const EchoRows& echoes) {
                "motion compensation: sampling rate and speed of light must be above 0");
 }
 
-// The range-dependent turn is smooth: it is computed at every so many samples, and by parabolas between.
-constexpr std::size_t knot_spacing = 16;
+// Turns samples by what is computed at every so many of them, by parabolas between. Near the antenna, where as many
+// samples are a large part of the range, halves are taken until the parabola is right at a quarter of its span.
+class RangeTurns {
+ public:
+  RangeTurns(const PulseShift& shift, const EchoRows& echoes, double common_s)
+      : shift_(shift),
+        carrier_hz_(echoes.waveform.carrier_hz),
+        common_s_(common_s),
+        first_m_(radar::range_of(echoes.first_delay_s, echoes.waveform.light_speed_mps)),
+        spacing_m_(radar::range_of_cycle(echoes.waveform.sample_rate_hz, echoes.waveform.light_speed_mps)) {}
 
-void turn_by_range(std::span<std::complex<double>> row, const PulseShift& shift, const EchoRows& echoes,
-                   double common_s) {
-  const SarWaveform& wave = echoes.waveform;
-  const double spacing_m = radar::range_of_cycle(wave.sample_rate_hz, wave.light_speed_mps);
-  const double first_m = radar::range_of(echoes.first_delay_s, wave.light_speed_mps);
-  const auto turns_at = [&](double sample) {
-    const double range_m = std::max(first_m + sample * spacing_m, spacing_m);
-    return wave.carrier_hz * (shift.late_s(range_m) - common_s);
-  };
-  for (std::size_t first = 0; first < echoes.columns; first += knot_spacing) {
-    constexpr auto span = static_cast<double>(knot_spacing);
-    const auto begin = static_cast<double>(first);
-    const double a = turns_at(begin);
-    const double b = turns_at(begin + 0.5 * span);
-    const double c = turns_at(begin + span);
-    for (std::size_t i = first; i < std::min(first + knot_spacing, echoes.columns); ++i) {
-      const double x = (static_cast<double>(i) - begin) / span;
-      row[i] *= core::turned_exactly(a + x * (4.0 * b - 3.0 * a - c + x * (2.0 * a - 4.0 * b + 2.0 * c)));
+  void turn(std::span<std::complex<double>> row) const {
+    constexpr std::size_t knot_spacing = 16;
+    double left = at(0.0);
+    for (std::size_t first = 0; first < row.size(); first += knot_spacing) {
+      const double right = at(static_cast<double>(first + knot_spacing));
+      turn_between(row, first, knot_spacing, left, right);
+      left = right;
     }
   }
-}
+
+ private:
+  [[nodiscard]] double at(double sample) const {
+    const double range_m = std::max(first_m_ + sample * spacing_m_, spacing_m_);
+    return carrier_hz_ * (shift_.late_s(range_m) - common_s_);
+  }
+
+  // @param left, right  at the first sample and at that behind the last; a power of two of them
+  void turn_between(std::span<std::complex<double>> row, std::size_t first, std::size_t count, double left,
+                    double right) const {
+    constexpr double most_turns = 1e-5;
+    if (first >= row.size()) return;
+    const auto begin = static_cast<double>(first);
+    const auto span = static_cast<double>(count);
+    const double middle = at(begin + 0.5 * span);
+    if (count > 2 && !(std::abs(at(begin + 0.25 * span) - 0.125 * (3.0 * left + 6.0 * middle - right)) < most_turns)) {
+      turn_between(row, first, count / 2, left, middle);
+      turn_between(row, first + count / 2, count / 2, middle, right);
+      return;
+    }
+    for (std::size_t i = first; i < std::min(first + count, row.size()); ++i) {
+      const double x = (static_cast<double>(i) - begin) / span;
+      row[i] *= core::turned_exactly(left + x * (4.0 * middle - 3.0 * left - right +
+                                                 x * (2.0 * left - 4.0 * middle + 2.0 * right)));
+    }
+  }
+
+  const PulseShift& shift_;
+  double carrier_hz_;
+  double common_s_;
+  double first_m_;
+  double spacing_m_;
+};
 
 // Where pulses are along a reference track, from its `position_m`.
 std::vector<double> places_along_m(const std::vector<TrackPoint>& track, const ReferenceTrack& reference) {
@@ -153,7 +182,8 @@ class Compensator {
     }
     const std::complex<double> turn = core::turned_exactly(wave.carrier_hz * common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) row[i] *= turn;
-    if (how_.second_order) turn_by_range(row, shift, echoes_, common_s);
+    if (how_.second_order)
+      RangeTurns(shift, echoes_, common_s).turn(std::span(row).first(samples.size()));
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::complex<float>(row[i]);
   }
 

@@ -147,6 +147,37 @@ TEST(CompensateMotion, OfSecondOrderRestoresOtherRanges) {
   EXPECT_LT(figures(compensate_motion(pass.strayed, how, one), far).height, 0.9 * want.height);
 }
 
+// A small plane over level ground, seen from straight below to ten times its height, in samples of half that height: the
+// turn of each of them is that of the geometry, also where it changes by radians from one to the next.
+TEST(CompensateMotion, TurnsEachSampleByItsOwnRangeNearTheAntenna) {
+  constexpr double height_m = 25.0;
+  SarEchoes echoes = test::thesis_echoes(2, 100.0, 0.0);
+  SarWaveform& wave = echoes.waveform;
+  wave.carrier_hz = 15e9;
+  wave.sample_rate_hz = 0.5 * wave.light_speed_mps / (0.5 * height_m);
+  echoes.samples = 64;
+  echoes.first_delay_s = 2.0 * 30.0 / wave.light_speed_mps;
+  echoes.volts.assign(2 * 64, {1.0F, 0.0F});
+  const core::Vec3 strays_m{0.0, 0.08, 0.06};
+  MotionCompensation how;
+  how.resample = false;
+  how.reference = {.time_s = 0.0, .position_m = {0.0, 0.0, height_m}, .velocity_mps = {10.0, 0.0, 0.0}};
+  how.scene_m = {0.0, 200.0, 0.0};
+  for (std::size_t p = 0; p < 2; ++p)
+    echoes.track[p] = {0.01 * static_cast<double>(p),
+                       how.reference.position_m + core::Vec3{0.1 * static_cast<double>(p), 0.0, 0.0} + strays_m,
+                       how.reference.velocity_mps};
+  const SarEchoes got = compensate_motion(echoes, how, one);
+  for (std::size_t i = 0; i < 40; ++i) {
+    const double range_m = 30.0 + 0.5 * height_m * static_cast<double>(i);
+    const core::Vec3 ground_m{0.0, std::sqrt(range_m * range_m - height_m * height_m), -height_m};
+    const double turns = 2.0 * wave.carrier_hz * (core::norm(ground_m - strays_m) - range_m) / wave.light_speed_mps;
+    const std::complex<double> left =
+        std::complex<double>(got.volts[i]) * std::polar(1.0, -2.0 * core::pi * (turns - std::round(turns)));
+    EXPECT_NEAR(std::arg(left), 0.0, 2e-3) << i;
+  }
+}
+
 TEST(CompensateMotion, ResamplesPulsesToEvenSpacing) {
   const Pass pass = make_pass({{{}}}, {0.5, 0.3, 3.0});
   const CutFigures want = figures(pass.ideal);
