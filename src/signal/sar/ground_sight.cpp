@@ -42,12 +42,11 @@ core::Vec3 GroundSight::point_at(const core::Vec3& from_m, double range_m) const
   return from_m + along_m * ahead_ + across_m * (std::sqrt(1.0 - sine * sine) * side_ + sine * down_);
 }
 
-GroundSight::Tangents GroundSight::tangents_at(const core::Vec3& from_m, double range_m) const {
-  const double step_m = 1e-4 * range_m;
-  const double per_m = 0.5 / step_m;
-  const core::Vec3 step = step_m * ahead_;
+GroundSight::Tangents GroundSight::tangents_at(const core::Vec3& from_m, double range_m, double reach_m) const {
+  const double per_m = 0.5 / reach_m;
+  const core::Vec3 step = reach_m * ahead_;
   return {per_m * (point_at(from_m + step, range_m) - point_at(from_m - step, range_m)),
-          per_m * (point_at(from_m, range_m + step_m) - point_at(from_m, range_m - step_m))};
+          per_m * (point_at(from_m, range_m + reach_m) - point_at(from_m, range_m - reach_m))};
 }
 
 core::Vec3 GroundSight::from_line(const core::Vec3& point_m) const {

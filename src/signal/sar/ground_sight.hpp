@@ -26,8 +26,8 @@ class GroundSight {
     core::Vec3 along;
     core::Vec3 across;
   };
-  /// Those of `point_at`, as means over a ten thousandth of the distance to either side.
-  [[nodiscard]] Tangents tangents_at(const core::Vec3& from_m, double range_m) const;
+  /// Those of `point_at`, as means over some metres to either side, less than the distance.
+  [[nodiscard]] Tangents tangents_at(const core::Vec3& from_m, double range_m, double reach_m) const;
 
  private:
   [[nodiscard]] core::Vec3 from_line(const core::Vec3& point_m) const;

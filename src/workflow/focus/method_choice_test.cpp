@@ -216,6 +216,49 @@ TEST_F(MethodChoice, WarnsOfATargetOffTheGroundThatNoMethodGetsRight) {
   EXPECT_GT(std::max(std::abs(found.phase_error_rad()) / 0.02, -found.amplitude_error_db() / 0.1), 1.0);
 }
 
+// From a straight line the image of a point is the same for any height of the ground; so is what is measured in it.
+TEST_F(MethodChoice, MeasuresByBackProjectionPointsOffTheGround) {
+  std::mt19937 random(21);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  request_.algorithm = FocusAlgorithm::back_projection;
+  for (int number = 0; number < 5; ++number) {
+    const double above_m = between(-150.0, 250.0);
+    write(stray_scene({.climb = number % 2 == 0 ? 0.0 : between(-0.1, 0.1)}, {{between(-60.0, 20.0), 8.0, above_m}}));
+    for (const double ground_m : {0.0, 0.5 * above_m, 2.0 * above_m}) {
+      request_.ground_m = ground_m;
+      static_cast<void>(focus(request_, {}));
+      const MeasuredTarget found = measured().targets.front();
+      ASSERT_TRUE(found.found) << number << ' ' << ground_m;
+      EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1) << number << ' ' << ground_m;
+      EXPECT_NEAR(found.phase_error_rad(), 0.0, 0.02) << number << ' ' << ground_m;
+    }
+  }
+}
+
+// Where the ground lies straight below, a metre of range is many of the ground.
+TEST_F(MethodChoice, MeasuresByBackProjectionPointsBelowTheLine) {
+  request_.algorithm = FocusAlgorithm::back_projection;
+  request_.ground_m.reset();
+  for (const double aside_m : {0.0, 0.5, 2.0, 5.0, 15.0}) {
+    scene::Scene scene = sar_scene(200.0, {{aside_m, 0.0, 0.0}}, 1.0);
+    scene.platforms[1] = simulate::moving("Plane", {0.0, 0.0, 100.0}, {0.0, 10.0, 0.0});
+    scene.radars[0].carrier_hz = 5e9;
+    scene.radars[0].bandwidth_hz = 300e6;
+    scene.radars[0].pulse_width_s = 250e-9;
+    scene.simulations[0].sample_rate_hz = 420e6;
+    scene.simulations[0].range_start_m = 90.0;
+    scene.simulations[0].range_end_m = 150.0;
+    write(scene);
+    static_cast<void>(focus(request_, {}));
+    const MeasuredTarget found = measured().targets.front();
+    ASSERT_TRUE(found.found) << aside_m;
+    EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1) << aside_m;
+    EXPECT_NEAR(found.phase_error_rad(), 0.0, 0.02) << aside_m;
+  }
+}
+
 // A spotlight around the scene.
 std::string turn_text(double angle_rad, double radius_m, double prf_hz) {
   constexpr double speed_mps = 100.0;
