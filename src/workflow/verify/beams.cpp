@@ -71,6 +71,25 @@ Place towards(double azimuth_deg, double elevation_deg) {
   return {std::sin(az) * std::cos(el), std::cos(az) * std::cos(el), std::sin(el)};
 }
 
+// Cuts that are not the same on both sides: elevation counts upwards, azimuth to the right of the beam, and beyond the
+// last point its gain is held.
+void measure_uneven_cuts(Record& record) {
+  scene::Scene scene = beam_scene(true);
+  auto& cuts = scene.radars[0].transmit_antenna.gain_db.part;
+  cuts[0] = {core::Interpolation::linear, {{-40.0, -12.0}, {0.0, 0.0}, {40.0, -4.0}}};
+  cuts[1] = {core::Interpolation::linear, {{-20.0, -30.0}, {0.0, 0.0}, {10.0, -6.0}}};
+  const auto expect = [&](const std::string& what, double azimuth_deg, double elevation_deg, const auto& gain_db) {
+    scene.radars[0].beam_azimuth = core::Angle::from_deg(azimuth_deg);
+    scene.radars[0].beam_elevation = core::Angle::from_deg(elevation_deg);
+    const Offsets o = offsets_of(towards(azimuth_deg, elevation_deg), place(seen_m));
+    record.near("Two-way gain of uneven cuts, the target " + what, "dB", 2.0 * gain_db(o.azimuth_deg, o.elevation_deg),
+                two_way_db(scene), 1e-9, "the points' straight lines");
+  };
+  expect("below and to the right", 15.0, 9.0, [](double az, double el) { return -0.1 * az + 1.5 * el; });
+  expect("above and to the left", 30.0, -3.0, [](double az, double el) { return 0.3 * az - 0.6 * el; });
+  expect("beyond all points", 70.0, -45.0, [](double, double) { return -12.0 - 6.0; });
+}
+
 void measure_beams(Record& record) {
   constexpr const char* source = "docs/theory/frames.md, antenna frame";
   scene::Scene spot = beam_scene(false);
@@ -106,6 +125,7 @@ void measure_beams(Record& record) {
   record.near("Two-way gain of an antenna given by points", "dB",
               2.0 * (-0.5 * std::abs(o.azimuth_deg) - 1.0 - 0.25 * std::abs(o.elevation_deg)), two_way_db(user), 1e-9,
               "the points' straight lines");
+  measure_uneven_cuts(record);
 }
 
 void measure_reflectivity(Record& record) {
