@@ -223,7 +223,7 @@ def judged(program, number, methods, keep):
         if out["coherent"] < 0.999:
             out["failed"] = f"the judge finds {out['coherent']:.4f} of the echoes at the point"
             return out
-        out["theory_db"] = 20 * math.log10(abs(truth) / radar_equation(draw, recording)) if draw.spot else None
+        out["theory_db"] = 20 * math.log10(abs(truth) / radar_equation(draw, recording)) if draw.spot and not draw.aim else None
         for method in methods:
             out["methods"][method] = focused(program, draw, recording, truth, folder, method)
         if keep:

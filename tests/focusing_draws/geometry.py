@@ -2,7 +2,7 @@
 
 Everything is drawn from wide ranges, then made smaller until samples and pulses are few: the aperture is shortened, the
 near edge of the window moved up. Pulses are as close as the Doppler frequencies of the point need, at the upper end of
-the band."""
+the band. Draws from MIXED on sway besides climbing or turning, and the beam points beside the point."""
 
 import dataclasses
 import math
@@ -15,6 +15,7 @@ MOST_SAMPLES = 500
 MOST_IMAGE = 1.5e6
 LEAST_CELLS = 12.0
 MOST_ACCELERATION = 20.0  # Of sways and turns, m/s^2.
+MIXED = 1_000_000
 PATHS = ("line", "line", "line", "climb", "sway", "sway", "turn")
 
 
@@ -42,6 +43,7 @@ class Draw:
     near: float
     far: float
     target: tuple
+    aim: tuple = None  # Where the beam points; None: at the target.
 
     @property
     def cell(self):
@@ -59,7 +61,7 @@ class Draw:
             f"{self.carrier / 1e9:.4g} GHz, B/f0 {self.bandwidth / self.carrier:.3g}, range {self.slant:.4g} m, "
             f"height {self.height:.3g} m, squint {math.degrees(self.squint):.1f}, beam {math.degrees(self.beam):.3g} "
             f"{'spot' if self.spot else 'strip'}, {self.path}"
-            + (f" {math.degrees(self.climb):.2g} deg" if self.path == "climb" else "")
+            + (f" {math.degrees(self.climb):.2g} deg" if self.climb else "")
             + (f" {math.degrees(self.turn):.3g} deg" if self.path == "turn" else "")
             + (f" {[round(s[1] / self.cell, 2) for s in self.sways]} cells" if self.sways else "")
             + f", window {self.near:.4g} to {self.far:.4g} m, {round(self.prf * self.duration) + 1} pulses"
@@ -113,7 +115,7 @@ def scene(draw):
         f'{{ axis = "{a}", amplitude = "{m!r} m", frequency = "{f!r} Hz", phase = "{math.degrees(p)!r} deg" }}'
         for a, m, f, p in draw.sways
     )
-    x, y, z = draw.target
+    x, y, z = draw.aim or draw.target
     elevation = math.degrees(math.atan2(z - draw.height, math.hypot(x, y)))
     azimuth = math.degrees(math.atan2(x, y))
     beam = (
@@ -132,7 +134,7 @@ name = "Plane"
 path = {path}
 {f"oscillations = [{sways}]" if sways else ""}
 [[target]]
-position = [{x!r}, {y!r}, {z!r}]
+position = [{draw.target[0]!r}, {draw.target[1]!r}, {draw.target[2]!r}]
 rcs = "100 m2"
 [[radar]]
 name = "Radar"
@@ -172,7 +174,8 @@ def attempt(random, number):
     squint = 0.0 if random.random() < 0.4 else math.radians(random.uniform(0.0, 60.0))
     beam = math.radians(log_uniform(random, 0.3, 90.0))
     path = PATHS[random.integers(len(PATHS))]
-    climb = math.radians(random.uniform(-10.0, 10.0)) if path == "climb" else 0.0
+    mixed = number >= MIXED
+    climb = math.radians(random.uniform(-10.0, 10.0)) if path == "climb" or (mixed and path != "turn") else 0.0
     sine, cosine = math.sin(climb), math.cos(climb)
     x = (slant * math.sin(squint) + height * sine) / cosine
     across = slant * slant - height * height - x * x
@@ -200,6 +203,9 @@ def attempt(random, number):
         far=0.0,
         target=(x, math.sqrt(across), 0.0),
     )
+    if mixed:
+        aside = random.uniform(-0.25, 0.25) * beam * slant
+        draw.aim = (x + aside, draw.target[1] * random.uniform(0.97, 1.03), 0.0)
     return shaped(random, draw)
 
 
@@ -220,7 +226,7 @@ def shaped(random, draw):
         most_turn = acceleration * draw.duration / draw.speed
         draw.turn = math.copysign(min(abs(turn) * angle, most_turn), turn) if draw.path == "turn" else 0.0
         draw.sways = []
-        if draw.path == "sway":
+        if draw.path == "sway" or draw.number >= MIXED:
             for axis, cells, periods, phase in sway:
                 frequency = periods / draw.duration
                 rate = 2 * math.pi * frequency
