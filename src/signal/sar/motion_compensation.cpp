@@ -120,8 +120,8 @@ class RangeTurns {
     }
     for (std::size_t i = first; i < std::min(first + count, row.size()); ++i) {
       const double x = (static_cast<double>(i) - begin) / span;
-      row[i] *= core::turned_exactly(left + x * (4.0 * middle - 3.0 * left - right +
-                                                 x * (2.0 * left - 4.0 * middle + 2.0 * right)));
+      row[i] *= core::turned_exactly(
+          left + x * (4.0 * middle - 3.0 * left - right + x * (2.0 * left - 4.0 * middle + 2.0 * right)));
     }
   }
 
@@ -182,8 +182,7 @@ class Compensator {
     }
     const std::complex<double> turn = core::turned_exactly(wave.carrier_hz * common_s);
     for (std::size_t i = 0; i < samples.size(); ++i) row[i] *= turn;
-    if (how_.second_order)
-      RangeTurns(shift, echoes_, common_s).turn(std::span(row).first(samples.size()));
+    if (how_.second_order) RangeTurns(shift, echoes_, common_s).turn(std::span(row).first(samples.size()));
     for (std::size_t i = 0; i < samples.size(); ++i) samples[i] = std::complex<float>(row[i]);
   }
 

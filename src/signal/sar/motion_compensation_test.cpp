@@ -147,8 +147,8 @@ TEST(CompensateMotion, OfSecondOrderRestoresOtherRanges) {
   EXPECT_LT(figures(compensate_motion(pass.strayed, how, one), far).height, 0.9 * want.height);
 }
 
-// A small plane over level ground, seen from straight below to ten times its height, in samples of half that height: the
-// turn of each of them is that of the geometry, also where it changes by radians from one to the next.
+// A small plane over level ground, seen from straight below to ten times its height, in samples of half that height:
+// the turn of each of them is that of the geometry, also where it changes by radians from one to the next.
 TEST(CompensateMotion, TurnsEachSampleByItsOwnRangeNearTheAntenna) {
   constexpr double height_m = 25.0;
   SarEchoes echoes = test::thesis_echoes(2, 100.0, 0.0);

@@ -180,7 +180,8 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
   std::ranges::move(remarks_on_area(work.input.echoes, work.options), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, control), std::back_inserter(problems));
+  std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, in_time(request), control),
+                    std::back_inserter(problems));
   std::ranges::move(remarks_on_air(*work.input.plan), std::back_inserter(problems));
   if (!in_time(request))
     std::ranges::move(remarks_on_swath_loss(*work.input.plan, work.input.echoes, work.options, control),
@@ -276,7 +277,7 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
     std::ranges::move(remarks_on_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
   std::ranges::move(remarks_on_movers(plan, echoes, std::nullopt, control), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(remarks_on_ghosts(plan, echoes, kept, control), std::back_inserter(problems));
+  std::ranges::move(remarks_on_ghosts(plan, echoes, kept, in_time(request), control), std::back_inserter(problems));
   std::ranges::move(remarks_on_air(plan), std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }

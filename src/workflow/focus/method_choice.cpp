@@ -81,7 +81,7 @@ class Chooser {
     std::optional<MethodLoss> lost;      // whatever the flight
 
     [[nodiscard]] double excess() const { return std::max(excess_of(left), excess_of(lost)); }
-    // "motion compensation would leave 0.240 rad and 0.10 dB at target 3"
+    // "motion compensation would leave 0.240 rad and 0.10 dB at target 3, and omega-k would lose ..."
     [[nodiscard]] std::string would() const {
       std::string words;
       if (kind == TakenFlight::Kind::compensated)
@@ -89,10 +89,7 @@ class Chooser {
       else if (left)
         words = fmt::format("the straight line would leave {}", text_of(left));
       if (!(excess_of(lost) > 1.0)) return words;
-      return fmt::format(
-          "{}{}omega-k would lose {}, whose Doppler frequencies the pulses alias at the upper end of the "
-          "band",
-          words, words.empty() ? "" : ", and ", text_of(*lost));
+      return fmt::format("{}{}omega-k would lose {}", words, words.empty() ? "" : ", and ", text_of(*lost));
     }
   };
 
@@ -109,7 +106,7 @@ class Chooser {
     if (better && unaffordable.empty()) {
       request_.algorithm = FocusAlgorithm::back_projection;
       work_.motion = MotionOrder::none;
-      note(fmt::format("back-projection instead of omega-k: {}, back-projection on its grid {}", by_line.would(),
+      note(fmt::format("back-projection instead of omega-k: {}; back-projection on its grid leaves {}", by_line.would(),
                        on_grid));
       add(remarks_on_residual(flown, TakenFlight::Kind::flown));
       return;
@@ -145,7 +142,6 @@ class Chooser {
     flight.carrier_per_m = work_.options.doppler_centroid_hz / speed_mps;
     // In the frequency domain what lies beyond half the repetition frequency is taken for something else.
     double kept_hz = work_.options.doppler_bandwidth_hz;
-    flight.loses_others = kind == TakenFlight::Kind::compensated && !(kept_hz > 0.0);
     if (kind != TakenFlight::Kind::flown && !(kept_hz > 0.0)) kept_hz = 1.0 / fit.interval_s;
     if (kept_hz > 0.0) {
       const double half_per_m = 0.5 * kept_hz / speed_mps;

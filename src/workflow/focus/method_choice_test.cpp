@@ -161,7 +161,7 @@ TEST_F(MethodChoice, SaysWhatBothMethodsLeave) {
   const core::Problem note = one_that_says(report.problems, "back-projection instead of omega-k");
   EXPECT_EQ(note.severity, core::Severity::note);
   EXPECT_THAT(note.message, HasSubstr("motion compensation would leave"));
-  EXPECT_THAT(note.message, HasSubstr("back-projection on its grid 0.000 rad and 0.00 dB"));
+  EXPECT_THAT(note.message, HasSubstr("back-projection on its grid leaves 0.000 rad and 0.00 dB"));
   // What check says is the same.
   const core::Problems early = remarks_of_focus(open_focus_input(request_.input, {}));
   EXPECT_EQ(one_that_says(early, "back-projection instead of omega-k").message.substr(0, 60),
@@ -184,13 +184,28 @@ TEST_F(MethodChoice, LeavesABandWhoseUpperEndThePulsesAliasToBackProjection) {
     const bool aliased = prf_hz == 211.0;
     EXPECT_EQ(report.algorithm, aliased ? FocusAlgorithm::back_projection : FocusAlgorithm::omega_k);
     const core::Problem note = one_that_says(report.problems, "back-projection instead of omega-k: omega-k would lose");
-    EXPECT_THAT(note.message, HasSubstr(aliased ? "back-projection on its grid nothing" : ""));
+    EXPECT_THAT(note.message, HasSubstr(aliased ? "back-projection on its grid leaves nothing" : ""));
     EXPECT_EQ(note.message.empty(), !aliased);
     const MeasuredTarget found = measured().targets.front();
     ASSERT_TRUE(found.found) << prf_hz;
     EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1) << prf_hz;
     EXPECT_NEAR(found.phase_error_rad(), 0.0, 0.02) << prf_hz;
   }
+}
+
+// A straight flight, whose 120 pulses a second alias most of what an isotropic antenna sees.
+TEST_F(MethodChoice, LeavesEchoesThatThePulsesAliasToBackProjection) {
+  scene::Scene scene = stray_scene({}, {{}});
+  scene.radars[0].prf_hz = 120.0;
+  write(scene);
+  const FocusReport report = focus(request_, {});
+  EXPECT_EQ(report.algorithm, FocusAlgorithm::back_projection);
+  const core::Problem note = one_that_says(report.problems, "back-projection instead of omega-k: omega-k would lose");
+  EXPECT_THAT(note.message, HasSubstr("dB of target 1, whose Doppler frequencies the pulses alias; back-projection"));
+  const MeasuredTarget found = measured().targets.front();
+  ASSERT_TRUE(found.found);
+  EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1);
+  EXPECT_NEAR(found.phase_error_rad(), 0.0, 0.02);
 }
 
 TEST_F(MethodChoice, KeepsOmegaKWhereItIsRightAndCompensatesWhatWouldShow) {

@@ -101,7 +101,8 @@ class ResidualsOfFlight {
   double per_m_;
 };
 
-// The echoes of a target that are within 20 dB of the strongest and kept, and the sum of those that are to be kept.
+// The echoes of a target that are within 20 dB of the strongest and kept, and the sum of their weights. What folds away
+// is missing from the image whatever the flight.
 struct KeptEchoes {
   std::vector<ResidualEcho> echoes;
   double ideal = 0.0;
@@ -116,8 +117,9 @@ KeptEchoes kept_echoes(std::span<const PulseSight> sights, const ResidualsOfFlig
     if (!(sight.amplitude > 0.0 && sight.amplitude >= 0.1 * strongest)) continue;
     const ResidualEcho echo = residuals.of(sight);
     const bool inside = echo.cycles_per_m >= flight.kept.least_per_m && echo.cycles_per_m <= flight.kept.most_per_m;
-    if (inside || flight.loses_others) kept.ideal += echo.weight;
-    if (inside) kept.echoes.push_back(echo);
+    if (!inside) continue;
+    kept.ideal += echo.weight;
+    kept.echoes.push_back(echo);
   }
   return kept;
 }

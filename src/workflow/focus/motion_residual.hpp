@@ -23,7 +23,6 @@ struct TakenFlight {
   bool on_grid = false;            ///< flown: for points of a ground grid, straight below or above the targets.
   double carrier_per_m = 0.0;      ///< Centre of the image's azimuth spectrum, cycles.
   signal::SpectrumExtent kept{-1e300, 1e300};  ///< Of the azimuth spectrum, cycles per metre.
-  bool loses_others = false;  ///< Echoes beyond what is kept fold away, and are missing; else they are not wanted.
 };
 
 /// What a method leaves in the image of a target, because of the flight.

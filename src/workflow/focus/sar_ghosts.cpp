@@ -119,7 +119,9 @@ std::vector<SarGhost> in_order(const std::vector<std::vector<SarGhost>>& ghosts_
   return all;
 }
 
-void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, core::Problems& problems) {
+// By back-projection peaks are whole, and what adds up elsewhere counts from a tenth of the echoes on.
+void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, bool in_time,
+                        core::Problems& problems) {
   if (ghosts.empty()) return;
   std::vector<std::size_t> wrapped;
   double nearest_m = INFINITY;
@@ -138,14 +140,17 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
     farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
     largest = std::max(largest, ghost.share);
   }
+  const double lost_db = -core::amplitude_db(std::max(1.0 - most_missing, 1e-6));
+  constexpr double little = 0.1;
   problems.push_back(core::problem_of(
-      core::Severity::warning,
+      in_time && largest < little ? core::Severity::note : core::Severity::warning,
       fmt::format(
           "echoes of {} of {} targets ({}) have Doppler frequencies beyond half the pulse repetition frequency of "
           "{:.6g} Hz: they show as smeared ghosts of up to {:.0f} % of their echoes, at azimuths from {:.0f} to {:.0f} "
-          "m, and peaks lose up to {:.2g} dB, except by back-projection",
+          "m{}",
           wrapped.size(), looks.targets(), target_list(wrapped), 1.0 / looks.track().interval_s, 100.0 * largest,
-          nearest_m, farthest_m, -core::amplitude_db(std::max(1.0 - most_missing, 1e-6))),
+          nearest_m, farthest_m,
+          in_time ? "" : fmt::format(", and peaks lose up to {:.2g} dB, except by back-projection", lost_db)),
       {}, {}, "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
 }
 
@@ -241,14 +246,14 @@ std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoR
 }
 
 core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                                 const core::WorkControl& control) {
+                                 bool in_time, const core::WorkControl& control) {
   core::Problems problems;
-  remark_on_wrapping(SarLooks(plan, echoes), sar_ghosts(plan, echoes, kept, control), problems);
+  remark_on_wrapping(SarLooks(plan, echoes), sar_ghosts(plan, echoes, kept, control), in_time, problems);
   return problems;
 }
 
 core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                              const core::WorkControl& control) {
+                              bool in_time, const core::WorkControl& control) {
   core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
   if (plan.scene->scatterers.size() > most_examined_targets) return problems;
@@ -259,7 +264,7 @@ core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows
     targets[t] = target_of(looks, t, seen);
     add_ghosts(looks, t, seen, kept, ghosts_of[t]);
   });
-  remark_on_wrapping(looks, in_order(ghosts_of), problems);
+  remark_on_wrapping(looks, in_order(ghosts_of), in_time, problems);
   remark_on_swath(targets, problems);
   remark_on_cut_echoes(targets, problems);
   remark_on_beam(plan, looks, kept, problems);

@@ -64,16 +64,20 @@ struct SarTarget {
 [[nodiscard]] std::string target_list(const std::vector<std::size_t>& targets);
 
 /// A warning where echoes of targets wrap around, and where their ghosts appear.
+/// @param in_time  by back-projection, which keeps the peaks: then a note where ghosts have less than a tenth of echoes
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                               const DopplerBand& kept, const core::WorkControl& control = {});
+                                               const DopplerBand& kept, bool in_time,
+                                               const core::WorkControl& control = {});
 
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
 /// the pulses sample, ranges sampled more coarsely than the band allows. Nothing is said of more
 /// than `most_examined_targets`.
+/// @param in_time  as for `remarks_on_ghosts`
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                            const DopplerBand& kept, const core::WorkControl& control = {});
+                                            const DopplerBand& kept, bool in_time,
+                                            const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

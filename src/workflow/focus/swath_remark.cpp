@@ -29,7 +29,8 @@ struct Candidate {
   double low_sine = 0.0;
   double high_sine = 0.0;
   bool in_swath = false;
-  double told = 1.0;  // Share of its echoes whose Doppler frequencies the pulses tell.
+  double amplitude = 0.0;  // Sum of its echoes.
+  double told = 1.0;       // Share of them whose Doppler frequencies the pulses tell.
 };
 
 // Those of pulses whose Doppler frequency the pulses tell; the others have no weight.
@@ -56,6 +57,7 @@ Candidate candidate_of(const SarLooks& looks, std::size_t target, std::span<cons
     told += directions[i].weight;
     all += seen[i].amplitude * seen[i].share;
   }
+  candidate.amplitude = all;
   if (all > 0.0) candidate.told = told / all;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!(strongest > 0.0) || directions[i].weight < 0.1 * strongest) continue;
@@ -83,15 +85,14 @@ std::vector<std::size_t> likely_worst(const std::vector<Candidate>& candidates, 
   return likely;
 }
 
-// Of two losses the one that is farther beyond what is right.
-double grade_of(const signal::SwathLoss& loss) {
-  return std::max(-core::amplitude_db(std::max(loss.amplitude, 1e-6)) / most_loss_db,
-                  std::abs(loss.phase_rad) / most_loss_rad);
+double lost_db(double amplitude) {
+  constexpr double nothing_left = 1e-6;
+  return -core::amplitude_db(std::max(amplitude, nothing_left));
 }
 
-double lost_db(const MethodLoss& loss) {
-  constexpr double nothing_left = 1e-6;
-  return -core::amplitude_db(std::max(loss.loss.amplitude, nothing_left));
+// Of two losses the one that is farther beyond what is right.
+double grade_of(const signal::SwathLoss& loss) {
+  return std::max(lost_db(loss.amplitude) / most_loss_db, std::abs(loss.phase_rad) / most_loss_rad);
 }
 
 std::string name_of_target(const MethodLoss& loss) {
@@ -140,21 +141,34 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
     const signal::SwathLoss loss = losses.of(candidates[i].range_m, directions[i]);
     if (!worst || grade_of(loss) > grade_of(worst->loss)) worst = {candidates[i].target, losses.middle_m(), loss, 1.0};
   }
-  if (worst) worst->told = std::ranges::min(candidates, {}, &Candidate::told).told;
+  if (!worst) return worst;
+  constexpr double weakest = 0.03;  // What is seen through side lobes alone decides nothing.
+  const double strongest = std::ranges::max(candidates, {}, &Candidate::amplitude).amplitude;
+  for (const Candidate& candidate : candidates) {
+    if (!(candidate.amplitude >= weakest * strongest && candidate.told < worst->told)) continue;
+    worst->told = candidate.told;
+    worst->least_told = candidate.target;
+  }
   return worst;
 }
 
-double excess_of(const std::optional<MethodLoss>& loss) { return loss ? grade_of(loss->loss) : 0.0; }
+double excess_of(const std::optional<MethodLoss>& loss) {
+  return loss ? std::max(grade_of(loss->loss), lost_db(loss->told) / most_loss_db) : 0.0;
+}
 
 std::string text_of(const MethodLoss& loss) {
-  return fmt::format("{:.3g} dB of {}", lost_db(loss), name_of_target(loss));
+  if (lost_db(loss.told) > lost_db(loss.loss.amplitude))
+    return fmt::format("{:.3g} dB of target {}, whose Doppler frequencies the pulses alias", lost_db(loss.told),
+                       loss.least_told + 1);
+  return fmt::format("{:.3g} dB of {}, whose Doppler frequencies the pulses alias at the upper end of the band",
+                     lost_db(loss.loss.amplitude), name_of_target(loss));
 }
 
 core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                      const signal::FocusOptions& options, const core::WorkControl& control) {
   const std::optional<MethodLoss> worst = worst_method_loss(plan, echoes, options, control);
   if (!worst) return {};
-  const double grade = excess_of(worst);
+  const double grade = grade_of(worst->loss);
   if (grade < 0.1) return {};
   const signal::SwathLoss& loss = worst->loss;
   const bool warns = grade >= 1.0;
@@ -162,9 +176,9 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
   const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", most_loss_db, most_loss_rad) : "";
   if (options.method == signal::FocusMethod::omega_k)
     return {core::problem_of(severity,
-                             fmt::format("omega-k loses {}: the pulses alias a part of its Doppler frequencies at the "
-                                         "upper end of the band, or see it along the track",
-                                         text_of(*worst)),
+                             fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "
+                                         "frequencies at the upper end of the band, or see it along the track",
+                                         lost_db(worst->loss.amplitude), name_of_target(*worst)),
                              {}, expected, "use --algorithm back-projection, or send more pulses per second")};
   const bool scaled = options.method == signal::FocusMethod::chirp_scaling;
   return {core::problem_of(
@@ -173,7 +187,7 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
           "{} compresses all ranges like the middle of the swath at {:.1f} m: {}, {:.1f} m off it, loses {:.3g} "
           "dB, its phase is wrong by {:.3g} rad, and it is displaced by {:.2g} m in range",
           scaled ? "chirp scaling" : "range-Doppler", worst->middle_m, name_of_target(*worst),
-          std::abs(loss.from_middle_m), lost_db(*worst), loss.phase_rad, std::abs(loss.shift.range_m)),
+          std::abs(loss.from_middle_m), lost_db(loss.amplitude), loss.phase_rad, std::abs(loss.shift.range_m)),
       {}, expected, "use --algorithm omega-k, which compresses each range correctly")};
 }
 

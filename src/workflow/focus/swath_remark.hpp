@@ -19,6 +19,7 @@ struct MethodLoss {
   /// Least share of a target's echoes whose Doppler frequencies at the carrier the pulses tell: the rest is missing
   /// from its peak besides, which `remarks_on_ghosts` says. 1 where no targets are examined.
   double told = 1.0;
+  std::size_t least_told = 0;  ///< The target of that share, counted from 0.
 };
 
 /// What the method of `options` makes of the echoes as they come from the straight line, of all targets that are in the
@@ -30,10 +31,11 @@ struct MethodLoss {
                                                           const signal::FocusOptions& options,
                                                           const core::WorkControl& control = {});
 
-/// By how many times what is lost exceeds what an image may lose, 0.1 dB and 0.02 rad, the larger; 0 for none.
+/// By how many times what is lost exceeds what an image may lose, 0.1 dB and 0.02 rad, the largest, with what is not
+/// told; 0 for none.
 [[nodiscard]] double excess_of(const std::optional<MethodLoss>& loss);
 
-/// "1.2 dB of target 3".
+/// "1.2 dB of target 3, whose Doppler frequencies the pulses alias at the upper end of the band".
 [[nodiscard]] std::string text_of(const MethodLoss& loss);
 
 /// What it says of that loss: a warning from 0.1 dB or 0.02 rad on, a note from a tenth of that on.
