@@ -61,7 +61,7 @@ def recorded(draw, folder):
     step = 1e-4 / draw.prf
     velocities = (geometry.flight(draw, times + step) - geometry.flight(draw, times - step)) / (2 * step)
     return judge.Recording(
-        samples, first, draw.sample_rate, draw.carrier, draw.bandwidth, draw.pulse_width, of_file, velocities
+        samples, first, draw.sample_rate, draw.carrier, draw.bandwidth, draw.pulse_width, of_file, velocities, times
     )
 
 
@@ -74,12 +74,14 @@ def radar_equation(draw, recording):
 def compared(draw, recording, truth, image):
     """Errors of an image at the point: decibels, radians, metres along and in range, widths over those of the judge."""
     point = np.array(draw.target)
-    place = judge.closest(image.origin, image.along, point)
+    place = image.place_of(point)
     if not image.holds(place):
         return {"outside": True}
     azimuth_cell, range_cell = cells_of(draw, recording, image)
     peak = peak_near(image, place, azimuth_cell, range_cell)
-    turns = 2 * draw.carrier * place[1] / judge.LIGHT
+    # Phases are taken from the distance to the line; a grid of level ground says nothing of it.
+    distance = place[1] if image.across is None else judge.distance_from_line(recording.times, recording.places, point)
+    turns = 2 * draw.carrier * distance / judge.LIGHT
     value = image.at(peak) * image.carrier_between(peak, place) * np.exp(2j * np.pi * (turns - round(turns)))
     found = {
         "db": 20 * math.log10(abs(value) / abs(truth)),
@@ -149,7 +151,7 @@ def width_ratio(recording, image, point, place, peak, axis, cell):
         move = (offset, 0.0) if axis == 0 else (0.0, offset)
         ours.append(abs(image.at((peak[0] + move[0], peak[1] + move[1]))))
         if cached is None:
-            at = judge.ground_point(image.origin, image.along, place[0] + move[0], place[1] + move[1], point)
+            at = image.point_at((place[0] + move[0], place[1] + move[1]), point)
             theirs.append(abs(judge.integrated(recording, at)[0]))
     if cached is None:
         cached = CUTS[key] = np.array(theirs)

@@ -17,6 +17,29 @@ class Image:
     along: np.ndarray
     carrier: float
     algorithm: str
+    across: np.ndarray = None  # Of a grid of level ground; None: the second axis is the distance from the line.
+
+    def place_of(self, point):
+        """Azimuth and range of a point."""
+        if self.across is not None:
+            return float(np.dot(point - self.origin, self.along)), float(np.dot(point - self.origin, self.across))
+        azimuth = float(np.dot(point - self.origin, self.along))
+        return azimuth, float(np.linalg.norm(point - self.origin - azimuth * self.along))
+
+    def point_at(self, place, near):
+        """The point at the height of `near` at some coordinates: by Newton's method from it."""
+        if self.across is not None:
+            return self.origin + place[0] * self.along + place[1] * self.across
+        point = np.array(near, dtype=float)
+        for _ in range(30):
+            a, r = self.place_of(point)
+            across = (point - self.origin - a * self.along) / r
+            matrix = np.array([[self.along[0], self.along[1]], [across[0], across[1]]])
+            step = np.linalg.solve(matrix, [place[0] - a, place[1] - r])
+            point[:2] += step
+            if np.abs(step).max() < 1e-9 * (1 + abs(place[1])):
+                break
+        return point
 
     def index(self, place):
         """Row and column of a place."""
@@ -67,4 +90,5 @@ def read(path):
         along=vector("along"),
         carrier=float(number["carrier hz"]),
         algorithm=number["algorithm"],
+        across=vector("across") if fields.get("image plane", "").startswith("ground") else None,
     )

@@ -21,6 +21,7 @@ class Recording:
     pulse_width: float
     places: np.ndarray
     velocities: np.ndarray
+    times: np.ndarray = None
 
 
 def echo_terms(recording, point):
@@ -61,24 +62,12 @@ def integrated(recording, point):
     return peaks.mean(), np.abs(peaks).mean()
 
 
-def closest(origin, along, point):
-    """Azimuth and range of a point in an image about a line."""
-    azimuth = float(np.dot(point - origin, along))
-    return azimuth, float(np.linalg.norm(point - origin - azimuth * along))
-
-
-def ground_point(origin, along, azimuth, range_m, near):
-    """The point at the height of `near` at these coordinates of the image, by Newton's method from it."""
-    point = np.array(near, dtype=float)
-    for _ in range(30):
-        a, r = closest(origin, along, point)
-        across = (point - origin - a * along) / r
-        matrix = np.array([[along[0], along[1]], [across[0], across[1]]])
-        step = np.linalg.solve(matrix, [azimuth - a, range_m - r])
-        point[:2] += step
-        if np.abs(step).max() < 1e-9 * (1 + abs(range_m)):
-            break
-    return point
+def distance_from_line(times, places, point):
+    """Distance of a point from the straight line that fits a flight."""
+    fit = np.polyfit(times - times.mean(), places, 1)
+    along = fit[0] / np.linalg.norm(fit[0])
+    off = point - fit[1]
+    return float(np.linalg.norm(off - np.dot(off, along) * along))
 
 
 def half_width(offsets, magnitudes):

@@ -74,14 +74,23 @@ class Judge(unittest.TestCase):
         value, whole = judge.integrated(found, POINT + np.array([6.0, 0.0, 0.0]))
         self.assertLess(abs(value), 0.5 * whole)
 
-    def test_finds_the_place_of_coordinates_on_the_ground(self):
-        origin, along = np.array([0.0, 20.0, 300.0]), np.array([180.0, 0.0, 11.0]) / np.hypot(180.0, 11.0)
-        azimuth, range_m = judge.closest(origin, along, POINT)
-        at = judge.ground_point(origin, along, azimuth, range_m, POINT + np.array([5.0, -7.0, 0.0]))
-        self.assertLess(np.abs(at - POINT).max(), 1e-6)
+    def test_measures_from_the_line_that_fits_a_flight(self):
+        times = np.linspace(0, 1, 11)
+        places = np.stack([5 + 40 * times, 3 * np.where(np.arange(11) % 2, 1, -1), 7 + 0 * times], 1)
+        places[:, 1] -= np.polyval(np.polyfit(times, places[:, 1], 1), times)
+        self.assertAlmostEqual(judge.distance_from_line(times, places, np.array([999.0, 3.0, 3.0])), 5.0)
 
 
 class Image(unittest.TestCase):
+    def test_finds_the_place_of_coordinates_on_the_ground(self):
+        along = np.array([180.0, 0.0, 11.0]) / np.hypot(180.0, 11.0)
+        frame = (np.zeros((2, 2)), (0.0, 0.0), (1.0, 1.0), (0.0, 0.0), np.array([0.0, 20.0, 300.0]), along, 1e9, "none")
+        image = images.Image(*frame)
+        at = image.point_at(image.place_of(POINT), POINT + np.array([5.0, -7.0, 0.0]))
+        self.assertLess(np.abs(at - POINT).max(), 1e-6)
+        level = images.Image(*frame, across=np.array([0.0, 1.0, 0.0]))
+        self.assertEqual(level.place_of(frame[4] + 4 * level.across), (0.0, 4.0))
+
     def test_is_read_between_samples_about_its_centre(self):
         step, centre = (0.7, 1.1), (0.9, -0.4)
         rows, columns = np.meshgrid(np.arange(200) * step[0], np.arange(180) * step[1], indexing="ij")

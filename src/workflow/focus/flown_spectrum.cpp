@@ -8,6 +8,7 @@
 #include "radar/path/path.hpp"
 #include "signal/sar/ground_sight.hpp"
 #include "signal/sar/reference_track.hpp"
+#include "workflow/focus/seen_spectrum.hpp"
 #include "workflow/focus/target_sights.hpp"
 
 namespace sarsim::workflow {
@@ -99,7 +100,6 @@ class FlownImage {
  private:
   template <class Point>
   [[nodiscard]] FlownSpectrum spectrum_of(std::span<const PulseSight> sights, const Point& point) const {
-    constexpr double beyond = 0.003;
     constexpr double least_used = 0.05;  // of the echoes: what is beyond counts as part of all of them
     std::vector<signal::SeenSlopes> seen;
     seen.reserve(sights.size());
@@ -115,7 +115,7 @@ class FlownImage {
     }
     if (!(used > least_used * all)) return {};
     return {used / static_cast<double>(sights.size()),
-            signal::spectrum_of(seen, point.baseband(), echoes_.waveform, beyond * all / used)};
+            signal::spectrum_of(seen, point.baseband(), echoes_.waveform, left_out_of_image * all / used)};
   }
 
   [[nodiscard]] bool is_kept(const core::Vec3& direction) const {

@@ -9,7 +9,7 @@
 namespace sarsim::workflow {
 
 /// The wave numbers that the targets fill in an image of back-projection, from the places that the antenna really had:
-/// also of a flight that is not straight. As `seen_spectrum`: all but 0.3 % of each target's echoes at either end.
+/// also of a flight that is not straight. As `seen_spectrum`: all but `left_out_of_image`.
 /// @param image    its frame: in slant range the line that fits the track, with the points on level ground
 /// @param scene_m  world; a point that says on which side of the line, and how high, the ground is
 /// @param kept     directions from that line by their Doppler frequencies

@@ -129,6 +129,11 @@ bool around_scene(const FocusRequest& request, const signal::EchoRows& echoes) {
   return in_time(request) && request.grid == FocusGrid::ground && moves(echoes) && !flies_along_a_line(echoes);
 }
 
+GhostsIn ghosts_in(const FocusRequest& request, const signal::EchoRows& echoes) {
+  if (around_scene(request, echoes)) return GhostsIn::circle;
+  return in_time(request) ? GhostsIn::time : GhostsIn::frequency;
+}
+
 core::Vec3 ground_of(const FocusRequest& request, const simulate::Plan& plan) {
   core::Vec3 scene_m = scene_middle_m(plan);
   if (request.ground_m) scene_m.z = *request.ground_m;
@@ -180,8 +185,9 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
   std::ranges::move(remarks_on_area(work.input.echoes, work.options), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(remarks_on_sar(*work.input.plan, work.input.echoes, kept, in_time(request), control),
-                    std::back_inserter(problems));
+  std::ranges::move(
+      remarks_on_sar(*work.input.plan, work.input.echoes, kept, ghosts_in(request, work.input.echoes), control),
+      std::back_inserter(problems));
   std::ranges::move(remarks_on_air(*work.input.plan), std::back_inserter(problems));
   if (!in_time(request))
     std::ranges::move(remarks_on_swath_loss(*work.input.plan, work.input.echoes, work.options, control),
@@ -277,7 +283,8 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
     std::ranges::move(remarks_on_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
   std::ranges::move(remarks_on_movers(plan, echoes, std::nullopt, control), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(remarks_on_ghosts(plan, echoes, kept, in_time(request), control), std::back_inserter(problems));
+  std::ranges::move(remarks_on_ghosts(plan, echoes, kept, ghosts_in(request, work.input.echoes), control),
+                    std::back_inserter(problems));
   std::ranges::move(remarks_on_air(plan), std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }

@@ -16,9 +16,9 @@ void choose_beforehand(FocusRequest& request, FocusInput& input);
 ///
 /// What a method leaves counts: omega-k on the line that fits the track, with and without motion compensation, with
 /// what it loses of a band whose upper end the pulses alias (`worst_method_loss`); and back-projection on its grid. Of
-/// the flight that is phase and amplitude of the worst target (`worst_motion_residual`). Omega-k is taken where its
-/// image is right; else the better of both that is affordable. Both numbers are added to the input's problems as a
-/// note, and a warning where the image that is made is not right.
+/// the flight that is phase and amplitude of the worst target (`worst_motion_residual`). Omega-k is taken where it
+/// leaves at most half of what an image may have; else the better of both that is affordable. Both numbers are added to
+/// the input's problems as a note, and a warning where the image that is made is not right.
 /// @param[in,out] request  its algorithm becomes the one that will be used
 /// @param[in,out] work     its motion, at first that which the shape of the track asks for, becomes what is
 /// compensated;

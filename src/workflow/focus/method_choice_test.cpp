@@ -87,7 +87,7 @@ Found found_in(const FocusReport& report, const FocusRequest& request, const cor
           -20.0 * std::log10(peak.amplitude / sar_targets(*input.plan, input.echoes).at(0).amplitude), moved_m};
 }
 
-// 20 % or 0.02 rad are promised. The grid leaves out up to 0.6 % of the echoes of each axis, 0.06 dB, and the sampled
+// 20 % or 0.02 rad are promised. The grid leaves out up to 0.2 % of the echoes of each axis, and the sampled
 // band the skirts of the chirp.
 void expect_predicted(const MotionResidual& predicted, const Found& found, const std::string& what) {
   EXPECT_NEAR(predicted.phase_rad, found.phase_rad, std::max(0.02, 0.2 * std::abs(predicted.phase_rad))) << what;

@@ -119,10 +119,10 @@ std::vector<SarGhost> in_order(const std::vector<std::vector<SarGhost>>& ghosts_
   return all;
 }
 
-// By back-projection peaks are whole, and what adds up elsewhere counts from a tenth of the echoes on.
-void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, bool in_time,
+void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghosts, GhostsIn image,
                         core::Problems& problems) {
-  if (ghosts.empty()) return;
+  if (ghosts.empty() || image == GhostsIn::circle) return;
+  const bool in_time = image == GhostsIn::time;
   std::vector<std::size_t> wrapped;
   double nearest_m = INFINITY;
   double farthest_m = -INFINITY;
@@ -246,14 +246,14 @@ std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoR
 }
 
 core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                                 bool in_time, const core::WorkControl& control) {
+                                 GhostsIn image, const core::WorkControl& control) {
   core::Problems problems;
-  remark_on_wrapping(SarLooks(plan, echoes), sar_ghosts(plan, echoes, kept, control), in_time, problems);
+  remark_on_wrapping(SarLooks(plan, echoes), sar_ghosts(plan, echoes, kept, control), image, problems);
   return problems;
 }
 
 core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                              bool in_time, const core::WorkControl& control) {
+                              GhostsIn image, const core::WorkControl& control) {
   core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
   if (plan.scene->scatterers.size() > most_examined_targets) return problems;
@@ -264,7 +264,7 @@ core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows
     targets[t] = target_of(looks, t, seen);
     add_ghosts(looks, t, seen, kept, ghosts_of[t]);
   });
-  remark_on_wrapping(looks, in_order(ghosts_of), in_time, problems);
+  remark_on_wrapping(looks, in_order(ghosts_of), image, problems);
   remark_on_swath(targets, problems);
   remark_on_cut_echoes(targets, problems);
   remark_on_beam(plan, looks, kept, problems);

@@ -63,21 +63,26 @@ struct SarTarget {
 /// Numbers of targets as messages list them, from 1: "1, 2, 3 and 5 more".
 [[nodiscard]] std::string target_list(const std::vector<std::size_t>& targets);
 
+/// By what an image is made, which decides what ghosts do to it.
+enum class GhostsIn {
+  frequency,  ///< By Doppler frequencies: what folds away is missing from the peaks.
+  time,       ///< By back-projection, which keeps the peaks: a note where ghosts have less than a tenth of the echoes.
+  circle,     ///< By back-projection of a flight that goes around: Doppler frequencies from a line tell nothing.
+};
+
 /// A warning where echoes of targets wrap around, and where their ghosts appear.
-/// @param in_time  by back-projection, which keeps the peaks: then a note where ghosts have less than a tenth of echoes
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                               const DopplerBand& kept, bool in_time,
+                                               const DopplerBand& kept, GhostsIn image,
                                                const core::WorkControl& control = {});
 
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
 /// the pulses sample, ranges sampled more coarsely than the band allows. Nothing is said of more
 /// than `most_examined_targets`.
-/// @param in_time  as for `remarks_on_ghosts`
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                            const DopplerBand& kept, bool in_time,
+                                            const DopplerBand& kept, GhostsIn image,
                                             const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

@@ -72,11 +72,10 @@ TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
   EXPECT_NEAR(ghost / (ghost + truth), ghosts[0].share, 0.03);
 }
 
-std::string remarks(const scene::Scene& scene, const DopplerBand& kept = {}, bool in_time = false) {
+std::string remarks(const scene::Scene& scene, const DopplerBand& kept = {}, GhostsIn image = GhostsIn::frequency) {
   const auto [plan, rows] = sar_recording(scene);
   std::string text;
-  for (const core::Problem& problem : remarks_on_sar(*plan, rows, kept, in_time))
-    text += core::to_string(problem) + "\n";
+  for (const core::Problem& problem : remarks_on_sar(*plan, rows, kept, image)) text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -90,11 +89,12 @@ TEST(RemarksOnSar, NameTheTargetsThatWrapAround) {
 
 // An image by back-projection that is right is not warned of for a ghost of a few per cent somewhere else.
 TEST(RemarksOnSar, OfBackProjectionSayNothingOfPeaks) {
-  const std::string large = remarks(sar_scene(300.0, {{0.0, 150.0, 0.0}}), {}, true);
+  const std::string large = remarks(sar_scene(300.0, {{0.0, 150.0, 0.0}}), {}, GhostsIn::time);
   EXPECT_NE(large.find("warning: echoes of 1 of 1 targets (1)"), std::string::npos) << large;
   EXPECT_EQ(large.find("peaks lose"), std::string::npos) << large;
-  const std::string small = remarks(sar_scene(300.0, {{0.0, 112.0, 0.0}}), {}, true);
+  const std::string small = remarks(sar_scene(300.0, {{0.0, 40.0, 0.0}}), {}, GhostsIn::time);
   EXPECT_NE(small.find("note: echoes of 1 of 1 targets (1)"), std::string::npos) << small;
+  EXPECT_EQ(remarks(sar_scene(300.0, {{0.0, 150.0, 0.0}}), {}, GhostsIn::circle), "");
 }
 
 TEST(RemarksOnSar, NameTargetsBeyondTheSwathAndWideBeams) {
@@ -125,7 +125,7 @@ TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
   EXPECT_TRUE(targets[0].in_swath);
   EXPECT_FALSE(targets[0].whole);
   EXPECT_TRUE(targets[1].whole);
-  const core::Problems problems = remarks_on_sar(*plan, recorded, {}, false);
+  const core::Problems problems = remarks_on_sar(*plan, recorded, {}, GhostsIn::frequency);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
       << problems[0].message;
@@ -156,7 +156,8 @@ TEST(SarTargets, EndWhenAskedTo) {
   core::StopFlag stop;
   stop.request();
   EXPECT_THROW((void)sar_targets(*plan, rows, {.threads = 2, .stop = &stop}), core::Interrupted);
-  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, false, {.threads = 2, .stop = &stop}), core::Interrupted);
+  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, GhostsIn::frequency, {.threads = 2, .stop = &stop}),
+               core::Interrupted);
 }
 
 }  // namespace sar_ghosts_test

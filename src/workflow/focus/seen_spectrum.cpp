@@ -24,7 +24,6 @@ struct TargetSpectrum {
 
 TargetSpectrum spectrum_of_target(std::span<const SarLook> seen, const signal::EchoRows& echoes, double band_hz,
                                   double centroid_hz, double speed_mps) {
-  constexpr double beyond = 0.003;
   const double per_hz = radar::range_of_cycle(echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps) / speed_mps;
   TargetSpectrum target;
   std::vector<signal::SeenDirection> directions;
@@ -43,7 +42,7 @@ TargetSpectrum spectrum_of_target(std::span<const SarLook> seen, const signal::E
   constexpr double least_used = 0.05;
   if (!(used > least_used * all)) return target;
   target.amplitude = used / static_cast<double>(seen.size());
-  target.spectrum = signal::spectrum_of(directions, echoes.waveform, beyond * all / used);
+  target.spectrum = signal::spectrum_of(directions, echoes.waveform, left_out_of_image * all / used);
   return target;
 }
 

@@ -15,9 +15,13 @@ enum class SeenPulses {
   all,
 };
 
-/// The wave numbers that the images of a scene's targets fill, but for 0.3 % of each target's echoes at either end:
-/// what is left out changes a peak by less than 0.06 dB. Targets whose echoes are 40 dB below the strongest do not
-/// count, of more than `most_examined_targets` some are looked at. Nothing where there are no echoes.
+/// Share of a target's echoes that an image's spectrum may leave out at either end of each axis: together at most 0.04
+/// dB of a peak.
+inline constexpr double left_out_of_image = 0.001;
+
+/// The wave numbers that the images of a scene's targets fill, but for `left_out_of_image`. Targets whose echoes are 40
+/// dB below the strongest do not count, of more than `most_examined_targets` some are looked at. Nothing where there
+/// are no echoes.
 /// @param echoes  their waveform, track and window; no rows are read. Directions are those from the track's line
 /// @throw  Interrupted
 [[nodiscard]] std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
