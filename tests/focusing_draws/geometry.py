@@ -1,8 +1,8 @@
 """Random geometries for synthetic aperture: a radar, a flight and one point, as a scene of the program and as numbers.
 
-Everything is drawn from wide ranges, then made smaller until samples and pulses are few: the aperture is shortened, the
-near edge of the window moved up. Pulses are as close as the Doppler frequencies of the point need, at the upper end of
-the band."""
+Everything is drawn from wide ranges, then reduced until samples and pulses are few: the aperture is shortened and the
+near edge of the window moved outwards. The PRF follows from the Doppler bandwidth of the point at the upper end of the
+band."""
 
 import dataclasses
 import math
