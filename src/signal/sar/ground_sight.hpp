@@ -21,12 +21,12 @@ class GroundSight {
   /// The point of the ground at a distance from a point of the line; straight below where the ground is farther away
   /// than that.
   [[nodiscard]] core::Vec3 point_at(const core::Vec3& from_m, double range_m) const;
-  /// How a point of the ground moves for each metre along the line, and for each metre of distance.
+  /// Derivatives of a ground point with respect to the position along the line and to the distance, m/m, world.
   struct Tangents {
     core::Vec3 along;
     core::Vec3 across;
   };
-  /// Those of `point_at`, as means over a ten thousandth of the distance to either side.
+  /// Those of `point_at`, as central differences over a ten thousandth of the distance to either side.
   [[nodiscard]] Tangents tangents_at(const core::Vec3& from_m, double range_m) const;
 
  private:

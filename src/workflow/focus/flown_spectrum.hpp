@@ -8,11 +8,12 @@
 
 namespace sarsim::workflow {
 
-/// The wave numbers that the targets fill in an image of back-projection, from the places that the antenna really had:
-/// also of a flight that is not straight. As `seen_spectrum`: all but 0.3 % of each target's echoes at either end.
+/// The wave numbers that the targets fill in an image of back-projection, cycles per metre, from the true positions of
+/// the antenna: also for a flight that is not straight. As `seen_spectrum`: all but 0.3 % of each target's echoes at
+/// either end. Nothing if there are no echoes.
 /// @param image    its frame: in slant range the line that fits the track, with the points on level ground
-/// @param scene_m  world; a point that says on which side of the line, and how high, the ground is
-/// @param kept     directions from that line by their Doppler frequencies
+/// @param scene_m  world; a point of the ground, which gives its height and side of the line
+/// @param kept     directions from that line that are kept, by their Doppler frequencies
 /// @throw  Interrupted
 [[nodiscard]] std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan,
                                                                   const signal::EchoRows& echoes,

@@ -5,23 +5,22 @@
 
 namespace sarsim::workflow {
 
-/// Takes back-projection where a request leaves the algorithm open and only it can focus: carriers that change, flights
-/// that turn back or around, pulses that are too unevenly spaced; a note says why. Decides what the columns of the
-/// image are where the request leaves it open: slant ranges, or, of a flight that goes around, places on level ground.
+/// Chooses back-projection if a request leaves the algorithm open and only it can focus: carriers that change, flights
+/// that turn back or around, pulses that are too unevenly spaced; a note gives the reason. Chooses the columns of the
+/// image if the request leaves them open: slant ranges, or positions on level ground for flights around the scene.
 /// @param[in,out] request  its algorithm may still be open; its grid is not
-/// @param[in,out] input    its problems
+/// @param[in,out] input    its problems receive the note
 void choose_beforehand(FocusRequest& request, FocusInput& input);
 
-/// Decides the rest: the algorithm, and what motion is compensated.
+/// Decides the rest: the algorithm and the order of motion compensation.
 ///
-/// What the flight leaves counts: of omega-k on the line that fits the track, with and without motion compensation, and
-/// of back-projection on its grid, as phase and amplitude of the worst target (`worst_motion_residual`). Omega-k is
-/// taken where its image is right; else the better of both that is affordable. Both numbers are added to the input's
-/// problems as a note, and a warning where the image that is made is not right.
+/// Compares the residual errors of omega-k on the line that fits the track, with and without motion compensation, and
+/// of back-projection on its grid, as phase, amplitude and displacement of the worst target (`worst_motion_residual`).
+/// Omega-k is chosen if its image is within the tolerance (`excess_of`), otherwise the better affordable method. Both
+/// errors are added to the input's problems as a note, and a warning if the image is outside the tolerance.
 /// @param[in,out] request  its algorithm becomes the one that will be used
-/// @param[in,out] work     its motion, at first that which the shape of the track asks for, becomes what is
-/// compensated;
-///                         its Doppler centroid is known
+/// @param[in,out] work     its motion, first that which the shape of the track requires, becomes the order used; its
+///                         Doppler centroid is known
 /// @throw  core::Refused where the ground is out of the reach of motion compensation; Interrupted
 void choose_method(FocusRequest& request, FocusWork& work, const core::WorkControl& control);
 
