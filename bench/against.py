@@ -1,10 +1,10 @@
-"""Two builds of sarsim, command by command in turn: which commands became slower.
+"""Compares two builds of sarsim command by command: which commands became slower.
 
-Each workload is a whole command of one thread, run by both builds alternately (A B, B A, A B, ...). What counts is the
-processor time of the child, user and system, as the kernel accounts it; wall time is not used. Printed are the medians of both
-builds, the median of the ratios now/before of the pairs, and the spread of that median: 1.253 times the standard error that
-the quartiles of the ratios give (the standard error of a median of normal values). A workload is slower where its ratio exceeds
-both its limit and 1 plus three times its spread.
+Each workload is a whole command on one thread, run by both builds alternately (A B, B A, A B, ...). Measured is the processor
+time of the child, user and system; wall time is not used. Prints the medians of both builds, the median of the ratios
+now/before of the pairs, and the spread of that median: 1.253 times the standard error from the quartiles of the ratios (the
+standard error of a median of normal values). A workload is slower if its ratio exceeds both its limit and 1 plus three times
+its spread.
 """
 
 import json
@@ -87,7 +87,7 @@ def write(folder, name, text):
 
 
 def echo_commands(folder):
-    """Recordings of the fixed workloads, all forms that the engine treats differently."""
+    """Recordings of the fixed workloads, in all variants that the engine treats differently."""
     pulses = {"one": 1000, "field": 200, "scene": 40, "long": 60, "million": 2, "moving": 200}
     commands = {}
     for name, (workload, changes) in workloads.FORECASTS.items():
@@ -111,7 +111,7 @@ def focus_commands(folder, program):
 
 
 def example_commands(folder, program, examples):
-    """What people do with the examples: check, info, record, focus, measure, maps, pictures, conversions."""
+    """Typical commands on the examples: check, info, run, focus, measure, maps, plots, conversions."""
     recordings = {}
     for example in ("sar_r", "mti", "search_radar", "stepped_aircraft", "turning_ship", "spotlight"):
         out = os.path.join(folder, example)

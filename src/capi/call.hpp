@@ -85,13 +85,15 @@ Options taken(const Options* from, const char* name) {
   return options;
 }
 
-/// How work is wanted; BadArgument for more threads than any machine has, as a negative number becomes.
+/// The options of a call, the defaults for null. Throws BadArgument for more than 65 535 threads, which a negative
+/// number turns into.
 [[nodiscard]] sarsim_work work_of(const sarsim_work* work);
 
-/// A number of things that a caller says it has; BadArgument above `most`, as a negative number becomes.
+/// A count given by a caller, unchanged. Throws BadArgument above `most`, which a negative number turns into.
+/// @param name  of the argument, for the message
 std::size_t told_count(std::size_t count, std::size_t most, const char* name);
 
-/// Most options, and most values of [let], that anyone gives.
+/// Largest number of options, and of values of [let], that is accepted.
 inline constexpr std::size_t most_words = 1'000'000;
 
 /// Fills in a structure of results, of which the caller may know less, or more, which is then zero.

@@ -6,10 +6,10 @@
     focusing_draws.py SARSIM --show K            the scene of draw K
 
 Each draw is simulated, focused by the default command (and by each method that is named), and compared at its point with
-the judge: amplitude, phase, place, widths. It is right within 0.1 dB, 0.02 rad and a twentieth of a cell; else the
-program has to refuse it, or to warn of it with a number within a factor of two of what the judge finds. Exit status: 0
-by the default command nine of ten draws are right, all others refused or warned of so, and at most one of fifty warned of
-that is right; 1 not so; 77 no Python with NumPy and h5py."""
+the judge: amplitude, phase, position, widths. It is right within 0.1 dB, 0.02 rad and a twentieth of a cell; otherwise the
+program has to refuse it, or to give a warning with a number within a factor of two of what the judge finds. Exit status:
+0 if with the first method at least nine of ten draws are right, all others are refused or warned of in this way, and at
+most one of fifty right draws gets a warning; 1 otherwise; 77 without Python with NumPy and h5py."""
 
 import argparse
 import collections
@@ -48,7 +48,7 @@ def run(program, *arguments):
 
 
 def recorded(draw, folder):
-    """The recording of a draw; its flight is our own, which that of the file has to agree with."""
+    """The recording of a draw; the flight is computed here and compared with that of the file."""
     with h5py.File(folder / "echoes.h5") as file:
         samples = file["samples"][:].astype(complex)
         times = file["pulse_time_s"][:]
@@ -72,7 +72,7 @@ def radar_equation(draw, recording):
 
 
 def compared(draw, recording, truth, image):
-    """Errors of an image at the point: decibels, radians, metres along and in range, widths over those of the judge."""
+    """Errors of an image at the point: dB, rad, metres in azimuth and range, ratios of widths to those of the judge."""
     point = np.array(draw.target)
     place = image.place_of(point)
     if not image.holds(place):
@@ -98,7 +98,7 @@ def compared(draw, recording, truth, image):
 
 
 def cells_of(draw, recording, image):
-    """Resolution along both axes, from the directions that the point is seen in."""
+    """Resolution along both axes [m], from the directions in which the point is seen."""
     sight = np.array(draw.target) - recording.places
     distances = np.linalg.norm(sight, axis=1)
     sines = sight @ image.along / distances
@@ -160,13 +160,13 @@ def width_ratio(recording, image, point, place, peak, axis, cell):
 
 
 def is_right(found):
-    """Whether errors are within what is promised."""
+    """Whether the errors are within the tolerance."""
     if found.get("outside"):
         return False
     return abs(found["db"]) <= MOST_DB and abs(found["rad"]) <= MOST_RAD and found["cells"] <= MOST_CELLS
 
 
-# Warnings about something else than what focusing makes of an echo.
+# Warnings about something other than the focused point.
 OTHER = re.compile("the azimuth beamwidth|the elevation beamwidth|left and right|ambigu|beam holds|echo of|in flight")
 
 
@@ -176,13 +176,13 @@ def warnings_of(report):
 
 
 def numbers_before(unit, texts):
-    """Magnitudes of the numbers that stand before a unit."""
+    """Magnitudes of the numbers before a unit."""
     pattern = re.compile(r"([-+]?\d[\d.]*(?:e[-+]?\d+)?) (?:dB|rad|m)\b".replace("(?:dB|rad|m)", unit), re.IGNORECASE)
     return [abs(float(x)) for text in texts for x in pattern.findall(text)]
 
 
 def fits(found, texts):
-    """Whether warnings have a number within a factor of two of one of the errors that are too large."""
+    """Whether a warning has a number within a factor of two of an error that is too large."""
     wrong = []
     if found.get("outside"):
         return bool(texts)
@@ -196,7 +196,7 @@ def fits(found, texts):
 
 
 def kind_of(status, found, texts):
-    """Of a draw: right, refused, warned (with a right number), misnumbered, silent, or false (right, but warned of)."""
+    """Kind of a draw: right, refused, warned (with a right number), misnumbered, silent, or false (right, but with a warning)."""
     if status != 0:
         return "refused"
     if is_right(found):
@@ -207,7 +207,7 @@ def kind_of(status, found, texts):
 
 
 def judged(program, number, methods, keep):
-    """What became of a draw: its words, and for each method its kind, errors and warnings."""
+    """Result of a draw: its description, and for each method its kind, errors and warnings."""
     CUTS.clear()
     draw = geometry.draw_of(number)
     out = {"number": number, "words": draw.words(), "methods": {}}
@@ -234,7 +234,7 @@ def judged(program, number, methods, keep):
 
 
 def focused(program, draw, recording, truth, folder, method):
-    """What a method makes of a recording."""
+    """Result of a method on a recording."""
     picture = folder / f"{method}.npy"
     more = [] if method == "default" else ["--algorithm", method]
     command = ["focus", folder / "echoes.h5", "--out", picture, "--force", "--json", "--threads", 1, *more]
@@ -276,7 +276,7 @@ def table(results, methods):
 
 
 def as_promised(results, method):
-    """Whether all draws were made, and their kinds are what the goal says."""
+    """Whether all draws were made and the goal is met."""
     kinds = collections.Counter(r["methods"][method]["kind"] if method in r["methods"] else "failed" for r in results)
     right = kinds["right"] + kinds["false"]
     failed = kinds["silent"] + kinds["misnumbered"] + kinds["failed"]
@@ -284,7 +284,7 @@ def as_promised(results, method):
 
 
 def report_of(result, methods):
-    """Lines on what is not as promised in a draw."""
+    """Lines about the methods of a draw that are not simply right."""
     lines = []
     for method in methods:
         m = result["methods"].get(method)

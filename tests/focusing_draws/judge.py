@@ -1,6 +1,6 @@
-"""What an image of a point should be, from the recorded samples and the true flight alone: back-projection by direct
-summation, each echo through its own matched filter with the Doppler shift within the pulse (docs/theory/echo-model.md).
-Nothing of the program is in it."""
+"""The expected image of a point, from the recorded samples and the true flight alone: back-projection by direct summation,
+each echo through its own matched filter with the Doppler shift within the pulse (docs/theory/echo-model.md). Shares no
+code with the program."""
 
 import dataclasses
 
@@ -11,7 +11,7 @@ LIGHT = 299792458.0
 
 @dataclasses.dataclass
 class Recording:
-    """Raw echoes, a row for each pulse, and where the antenna was in the middle of each."""
+    """Raw echoes, a row for each pulse, and the antenna's position and velocity at the middle of each pulse; SI units."""
 
     samples: np.ndarray
     first_delay: float
@@ -42,8 +42,8 @@ def echo_terms(recording, point):
 
 
 def integrated(recording, point):
-    """The mean over the pulses of what the matched filter of this point gives, in volts; its phase is 0 for an echo of
-    the phase -2 pi f0 tau. And the mean of the magnitudes, which a point alone has for its peak."""
+    """The mean over the pulses of the matched filter's output for this point, in volts; its phase is 0 for an echo with
+    the phase -2 pi f0 tau. Also the mean of the magnitudes, which is the peak of an isolated point."""
     delay, doppler = echo_terms(recording, point)
     count = int(np.ceil(recording.pulse_width * recording.sample_rate)) + 1
     first = np.ceil((delay - recording.first_delay) * recording.sample_rate - 1e-9).astype(int)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Whether the judge finds closed forms, and what is wrong on purpose. Echoes are made sample by sample, by the light time
-of each instant; nothing of the judge is in them."""
+"""Tests of the judge against closed forms and deliberate errors. Echoes are made sample by sample, by the light time of
+each instant, without any code of the judge."""
 
 import os
 import sys

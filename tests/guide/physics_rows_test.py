@@ -4,7 +4,7 @@
     physics_rows_test.py CHECKOUT     the pages as they are
     physics_rows_test.py --self       whether faults of the pages are found
 
-The reference of docs/formats/scene.md is compared with the program by another test, so it stands for the language here. Reports
+The reference of docs/formats/scene.md is compared with the program by another test, so it represents the language here. Reports
   * each object, choice and field of the reference without a word in the table, and each word that the reference does not have;
   * what is modelled by a field of the language and listed as not modelled, in physics.md or limits.md.
 Exit status: 0 nothing found, 1 something found.
@@ -47,7 +47,7 @@ HEADING = re.compile(r"^### `?\[+(\w+)\]+`?\s*$|^#### `?([\w.]+)`?\s*$")
 
 
 def language_of(page):
-    """Tables of the reference, {"radar.pulse": {"mono", ...}}, of fields that stand below no choice their first part."""
+    """Tables of the reference, {"radar.pulse": {"mono", ...}}; of fields outside of choices only their first part."""
     tables = {}
     here = None
     for line in page[page.index("## Reference") :].split("\n"):

@@ -3,10 +3,9 @@
 
     inputs_test.py [WORD...]     cases whose names contain all of the words
 
-Each option of each command that names a file is an input or an output here; an option that is in no case fails the test
-(the options are those of --help). Each output is made to stand for each input in turn: by the input's own name, by a
-way around with "..", by a link, by a second name. The command must end with an error, and all that it reads must be what
-it was. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment.
+Each option of each command that names a file is an input or an output here; an option that no case covers fails the test
+(the options are those of --help). Each output is pointed at each input in turn: by the input's own name, through "..", by
+a symbolic link, by a hard link. The command must end with an error, and all that it reads must be unchanged. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment.
 """
 
 import hashlib
@@ -80,7 +79,7 @@ time = ["0 s", "0.1 s"]
 
 
 class Case:
-    """A command line with the files that it reads, and its outputs: the word that stands for each, and its ending."""
+    """A command line with the files that it reads, and its outputs: the placeholder of each, and its extension."""
 
     def __init__(self, line, inputs, **outputs):
         self.words = line.split()
@@ -141,7 +140,7 @@ CASES = [
     Case("isar stepped.bin --script steps.toml --out OUT --force", "stepped.bin " + STEPS, OUT=".img"),
     Case("format scene.toml --targets extra.csv --out OUT --force", STRIP + " extra.csv", OUT=".toml"),
 ]  # fmt: skip
-# Options that name no file of these kinds: commands that read no file, or write none.
+# Options of commands that read no file, or write none.
 ALONE = {
     ("new", "--out"), ("explain", "--out"), ("verify", "--html"), ("check", "--targets"), ("check", "scenes"),
     ("info", "file"), ("info", "--script"), ("info", "--targets"),
@@ -153,7 +152,7 @@ def call(*words, folder):
 
 
 def options_with_files():
-    """(command, option) of all that --help knows, of options the last and longest of their names."""
+    """(command, option) for all options in --help, with the last and longest of their names."""
     found = set()
     commands = re.findall(r"^  (\w+) ", call("--help", folder=".").stdout.split("SUBCOMMANDS:")[-1], re.M)
     for command in commands:
@@ -252,7 +251,7 @@ def separated(words):
 
 
 def check_free_names(base, work, case):
-    """What is wrong with a case whose outputs have names of their own; empty where nothing is."""
+    """Fault of a case whose outputs have free names; empty if there is none."""
     folder = fresh(base, work)
     words = ["made" if word == "FOLDER" else f"own{case.outputs[word]}" if word in case.outputs else word for word in case.words]
     before = sums(folder, case.inputs)
@@ -265,7 +264,7 @@ def check_free_names(base, work, case):
 
 
 def check_one(base, work, case, placeholder, kind, word, name):
-    """What is wrong; empty where nothing is."""
+    """The fault; empty if there is none."""
     folder = fresh(base, work)
     words = list(case.words)
     if placeholder == "FOLDER":

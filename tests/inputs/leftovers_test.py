@@ -1,11 +1,10 @@
 #!/usr/bin/env python3
-"""What a killed process leaves is the program's own: the same command goes on, and gives the same bytes.
+"""A killed process leaves nothing that hinders the same command: it continues and gives the same bytes.
 
     leftovers_test.py [--kills N] [--seed S]
 
-Commands that keep parts, journals or unfinished files are killed (SIGKILL) at random moments, several times in one
-folder, and then left to end. Moments are drawn from the time that the command usually takes on the machine as busy as it
-is; nothing else depends on time. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment.
+Commands that keep parts, journals or unfinished files are killed (SIGKILL) at random times, several times in one folder,
+and then allowed to finish. The times are drawn from the measured duration of the command; nothing else depends on time. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment.
 """
 
 import argparse
@@ -50,7 +49,7 @@ ENDINGS = {"npy": "npy", "hdf5": "h5", "zarr": "zarr", "binary": "bin", "ascii":
 
 
 class Story:
-    """Command lines one after the other; the last is the one that is killed, unless `all_killed`."""
+    """Command lines in sequence; the last one is killed, or all of them with `all_killed`."""
 
     def __init__(self, name, lines, word, half=8, all_killed=False, resume=""):
         self.name = name
@@ -92,7 +91,7 @@ def ended(folder, words):
 
 
 def contents(folder):
-    """Of what has a final name; tables and journals of sweeps hold times, images the paths of their sources."""
+    """Checksums of files with final names; tables and journals of sweeps contain times, images the paths of their sources."""
     result = {}
     for path in sorted(folder.rglob("*")):
         name = str(path.relative_to(folder))
@@ -105,7 +104,7 @@ def contents(folder):
 
 
 def killed(folder, words, after_s):
-    """Whether it was killed in time."""
+    """Whether it was killed before it ended."""
     process = command(folder, words)
     time.sleep(after_s)
     process.send_signal(signal.SIGKILL)

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Messages tell at most a word of any file, and names give no orders to a terminal.
+"""Messages quote at most one word of any file, and names send no control characters to a terminal.
 
     secrets_test.py
 
-Every place of a scene, a recording and a command line that names a file is given one that was never meant to be read; no
-command may tell more of it than one word of at most 60 letters. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of
+Fields of scenes and recordings and options that name a file get a file with private content; no command may quote more of
+it than one word of at most 60 bytes. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of
 the environment.
 """
 
@@ -66,7 +66,7 @@ def scene(top="", path=LINE, rotation="", positions="[[0, 0, 0], [31, 23, 0]]", 
 
 
 def places(file):
-    """Scenes that name the file in one place each."""
+    """Scenes that name the file in one field each."""
     yield "include", scene(top=f'include = ["{file}"]')
     yield "positions", scene(positions=f'{{ file = "{file}" }}')
     yield "path", scene(path=f'{{ type = "ephemeris", file = "{file}" }}')
@@ -83,7 +83,7 @@ def call(folder, *words):
 
 
 def told(text):
-    """What is wrong with what was printed."""
+    """Faults of a printed text, and the words of the file in it."""
     # Whoever named the file knows its name; the text of the scene is the user's own.
     found = sorted(WORDS & set(re.findall(r"[A-Za-z0-9_]+", text)))
     wrong = [f"{len(found)} words: {' '.join(found)}: {text[:160]}"] if len(found) > 1 else []
@@ -132,7 +132,7 @@ def put_script(folder, text):
 
 
 def check_recordings(folder):
-    """Scripts that stand in recordings."""
+    """Scripts inside recordings."""
     wrong = []
     (folder / "m.toml").write_text(scene(ending="zarr", word="zarr"))
     (folder / "points.csv").write_text("x,y,z\n5,5,0\n")

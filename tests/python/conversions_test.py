@@ -1,4 +1,4 @@
-"""What Python gives the library: every kind of array, number and text, what becomes of it, and what is said where it is refused.
+"""Conversions from Python to the library: every kind of array, number and text, the result, and the message if it is refused.
 
 The environment has SARSIM_LIBRARY and PYTHONPATH.
 """
@@ -85,7 +85,7 @@ SAME_POSITIONS = {
     "a subclass": POSITIONS.view(type("Mine", (np.ndarray,), {})),
 }
 
-# What is refused, and a word of what is said.
+# Refused values, with a word of the message.
 BAD_POSITIONS = {
     "complex": (POSITIONS + 1j, TypeError, "complex"),
     "complex without imaginary parts": (POSITIONS.astype(complex), TypeError, "complex"),

@@ -2,10 +2,10 @@
 
     sound_scenes.py SARSIM [--count N] [--seed N] [--all]
 
-Draws N scenes of eight kinds (strip and spotlight SAR from the air, in gusts, from orbit, search radar, MTI, stepped
-frequencies, short range, an antenna by points), checks each and counts the warnings and errors by their words without
-numbers. Exit status 1 where one of them appears on more than 1 % of the scenes (two of the scenes where they are fewer than
-200). --all lists the scenes' names with each message.
+Draws N scenes of nine kinds (strip and spotlight SAR from the air, in gusts, with an antenna by points, from orbit, search
+radar, MTI, stepped frequencies, short range), checks each and counts the warnings and errors by their text without numbers.
+Exit status 1 if one of them appears on more than 1 % of the scenes (on more than two if there are fewer than 300 scenes).
+--all prints one scene of each message.
 """
 
 import argparse
@@ -198,7 +198,7 @@ KINDS = {"strip": strip, "gusts": lambda draw: strip(draw, True), "spotlight": s
          "search": search, "mti": mti, "stepped": stepped, "short range": short_range}
 
 
-# What is said of every scene of a kind, as it is usual there.
+# Warnings that are normal for a kind of scene.
 USUAL = {"orbit": ["the slant range window reaches beyond the unambiguous range"]}
 
 

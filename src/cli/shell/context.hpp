@@ -33,7 +33,7 @@ struct Streams {
   bool terminal = false;  ///< `err` is a terminal: progress is drawn in place.
   const core::StopFlag* stop = nullptr;
   bool written = false;       ///< Something went to `out`.
-  bool out_terminal = false;  ///< `out` is a terminal: it is given no control characters, whatever is written.
+  bool out_terminal = false;  ///< `out` is a terminal: control characters are escaped in data, too (`write_data`).
 };
 
 /// Thrown where nobody reads standard output any more; ends the command without a message.
@@ -41,16 +41,16 @@ struct OutputClosed : std::runtime_error {
   OutputClosed() : std::runtime_error("nobody reads the output") {}
 };
 
-/// Writes a text for people, or JSON, to standard output: control characters of names that stand in it are spelled out
-/// (`core::printable`), here and in no other place. Throws OutputClosed where the reader has gone and std::system_error
-/// for other failures.
+/// Writes a text for people, or JSON, to standard output, with control characters in names escaped (`core::printable`):
+/// the only place that does so. Throws OutputClosed if the reader has closed the pipe and std::system_error for other
+/// failures.
 void write_out(Streams& streams, std::string_view text);
-/// Writes what programs read (scenes, tables) byte for byte, unless a terminal reads it; throws like `write_out`.
+/// Writes data for other programs (scenes, tables) byte for byte, except to a terminal; throws like `write_out`.
 void write_data(Streams& streams, std::string_view data);
 /// Brings what was written to its reader; throws like `write_out`.
 void flush_out(Streams& streams);
 
-/// Writes to standard error what is no data, with control characters spelled out as by `write_out`.
+/// Writes messages to standard error, with control characters escaped as by `write_out`.
 void write_err(Streams& streams, std::string_view text);
 
 /// Prints every problem, one paragraph each, to stderr.

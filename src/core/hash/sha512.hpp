@@ -8,12 +8,12 @@
 
 namespace sarsim::core {
 
-/// The digest SHA-512 of bytes that come in pieces (FIPS 180-4), for checksums that other programs have written.
+/// SHA-512 (FIPS 180-4) of bytes that come in pieces, to verify checksums written by other programs.
 class Sha512 {
  public:
   /// Adds the next bytes.
   void add(std::span<const std::byte> bytes);
-  /// The digest of all bytes that were added, 128 hexadecimal digits in lower case. The last call.
+  /// The digest of all bytes that were added, 128 hexadecimal digits in lower case. No member may be called after it.
   [[nodiscard]] std::string digest();
 
  private:

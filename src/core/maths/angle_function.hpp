@@ -4,9 +4,9 @@
 
 namespace sarsim::core {
 
-/// What the angles of a table mean.
+/// How the angles of a table are interpreted.
 enum class AngleRule {
-  magnitude,  ///< Magnitudes: the function is even, and continued as its Interpolator is.
+  magnitude,  ///< Magnitudes: the function is even, and beyond its points its Interpolator's Beyond applies.
   azimuth,    ///< Signed, with a period of 360 degrees.
   elevation,  ///< Signed, from -90 to 90 degrees.
 };
@@ -14,19 +14,20 @@ enum class AngleRule {
 /// A function of an angle, given by points.
 ///
 /// AngleRule::azimuth and AngleRule::elevation: a table without negative angles that ends at 180 degrees or before is
-/// mirrored, f(-x) = f(x). Any other is signed, and an angle that lies outside of it by itself and inside after a whole
-/// turn is taken there. What no point reaches has the value of the nearer end of the table; but an azimuth table whose
-/// gap from its last point over 180 degrees to its first is at most twice its largest spacing goes round: its method
-/// runs across the gap, as if the points were repeated for ever; of low-pass tables on a grid of 360 degrees over their
-/// number.
+/// mirrored, f(-x) = f(x). Any other table is signed, and an angle outside it is shifted by 360 degrees if that brings
+/// it inside. Beyond the points the function keeps the value of the nearer end; but an azimuth table whose gap from its
+/// last point over 180 degrees to its first is at most twice its largest spacing is periodic: its method interpolates
+/// across the gap as if the points were repeated with a period of 360 degrees; low-pass tables then use a grid of 360
+/// degrees over their number of points.
 class AngleFunction {
  public:
   /// 0 everywhere.
   AngleFunction() = default;
-  /// A function of the angle's magnitude [deg]; implicit, as such a function is one of the angle.
+  /// A function of the angle's magnitude [deg]; implicit, since that is also a function of the angle.
   AngleFunction(Interpolator of_magnitude);  // NOLINT(google-explicit-constructor)
   /// @param function  against degrees, ascending
-  /// @param rules     Beyond and LowPassRule count for AngleRule::magnitude alone: the others hold, from the first knot
+  /// @param rules     Beyond and LowPassRule apply to AngleRule::magnitude only; the other rules keep the end values
+  ///                  and anchor low-pass grids at the first knot
   AngleFunction(const SampledFunction& function, InterpolationRules rules, AngleRule rule);
 
   /// @param angle_deg  -180 to 180
@@ -36,13 +37,13 @@ class AngleFunction {
   [[nodiscard]] bool covers(double angle_deg) const;
   /// Whether f(-x) = f(x) by the rule: of magnitudes, or mirrored.
   [[nodiscard]] bool is_even() const { return even_; }
-  /// Whether it goes round: the gap over 180 degrees is interpolated across.
+  /// Whether it is periodic: the gap over 180 degrees is interpolated across.
   [[nodiscard]] bool goes_round() const { return round_; }
 
   /// The function of the argument that `value` evaluates.
   [[nodiscard]] const Interpolator& function() const { return function_; }
-  /// Where `function()` is evaluated for an angle of -180 to 180 degrees: a constant apart from it, but for a jump of
-  /// 360 degrees where the gap of a signed table has its middle.
+  /// Argument of `function()` for an angle of -180 to 180 degrees [deg]: the magnitude for even functions; otherwise
+  /// the angle plus a constant, with a jump of 360 degrees in the middle of the gap of a signed table.
   [[nodiscard]] double argument_deg(double angle_deg) const;
   /// Middle of the table, half a turn from that of its gap [deg]; AngleRule::azimuth and elevation, if not even.
   [[nodiscard]] double middle_deg() const { return 0.5 * (first_deg_ + last_deg_); }

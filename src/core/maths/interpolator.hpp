@@ -43,8 +43,8 @@ struct InterpolationRules {
 ///   With LowPassRule::first_knot the sinc carries a Hann taper that ends 11 steps away (22 points then), the weights
 ///   are normalised to sum 1, and a grid point without a knot near takes the linearly interpolated value.
 ///
-/// What is said of places outside the knots is Beyond::extended. With Beyond::held the value is that at the nearer end
-/// (of the first or last grid point, low pass), with Beyond::zero it is 0, and derivatives are 0.
+/// The above describes Beyond::extended outside the knots. With Beyond::held the value is that at the nearer end (of
+/// the first or last grid point, low pass), with Beyond::zero it is 0; derivatives are 0 for both.
 ///
 /// Const members are safe to call from many threads. Knots must ascend in x.
 class Interpolator {

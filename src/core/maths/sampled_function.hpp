@@ -23,10 +23,10 @@ struct SampledFunction {
   friend bool operator==(const SampledFunction&, const SampledFunction&) = default;
 };
 
-/// What a sampled function is before its first knot and behind its last. Which functions of a scene have which is in
-/// scene/model/function_role.hpp. A single knot is a constant everywhere.
+/// The value of a sampled function before its first knot and after its last. scene/model/function_role.hpp assigns one
+/// to each function of a scene. A single knot is a constant everywhere.
 enum class Beyond {
-  extended,  ///< It goes on as its method does: along straight lines, or as low-pass filters end (LowPassRule).
+  extended,  ///< Extrapolated by its method: along straight lines, or as its low-pass filter ends (LowPassRule).
   held,      ///< It keeps the value of the nearer end.
   zero,      ///< It is 0.
 };

@@ -19,7 +19,7 @@ inline double hamming_window(double x) { return 0.54 - 0.46 * std::cos(2.0 * pi 
 /// The triangle from 0 at the ends to 1 in the middle.
 inline double bartlett_window(double x) { return x <= 0.5 ? 2.0 * x : 2.0 - 2.0 * x; }
 
-/// 0.42 - 0.5 cos 2 pi x + 0.08 cos 4 pi x.
+/// 0.42 - 0.5 cos 2 pi x + 0.08 cos 4 pi x, x from 0 to 1.
 inline double blackman_window(double x) { return 0.42 - 0.5 * std::cos(2.0 * pi * x) + 0.08 * std::cos(4.0 * pi * x); }
 
 /// Whether weights cancel to rounding, so that nothing is left to divide by: |sum w| <= 1e-9 sum |w|.

@@ -43,8 +43,8 @@ class InputFile {
   std::uint64_t size_;
 };
 
-/// The first bytes of a regular file, at most so many; empty where there is none, it is something else (which might be
-/// waited for) or it cannot be read.
+/// The first `most` bytes of a regular file, or fewer. Empty if there is no file, if it is not a regular one (opening
+/// it might block) or if it cannot be read.
 [[nodiscard]] std::string beginning_of(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace sarsim::core

@@ -7,8 +7,8 @@
 
 namespace sarsim::core {
 
-/// How a trial ended. Too much work: it took all the processor time that it may. Stopped: by a signal that asks
-/// programs to end, which says nothing of the work.
+/// How a trial ended. Too much work: it used up its processor time. Stopped: by a signal that asks programs to end,
+/// which says nothing about the work.
 enum class TrialResult { passed, crashed, too_much_work, stopped };
 
 /// Address space that a trial may take beyond that of the process that begins it.
@@ -25,8 +25,8 @@ struct TrialReport {
 ///
 /// The child has its own copy of everything; but for the text, what it computes is lost. An exception counts as
 /// survival with an empty text. The child prints nothing and may map at most 512 MB more than this process; one that
-/// has used more than `seconds` of processor time is ended, however long it had to wait for its processor or its disk:
-/// no clock judges a file. The text may have up to 60 000 bytes. SIGINT, SIGTERM and SIGHUP end the child,
+/// has used more than `seconds` of processor time is ended; time spent waiting for a processor or a disk does not
+/// count. The text may have up to 60 000 bytes. SIGINT, SIGTERM and SIGHUP end the child,
 /// but those that this process ignores; it ends with this process, too.
 /// @param lock  that of the library: no other thread may be inside it while the child begins, because the child would
 ///              have its copy of what that thread was changing, for ever; null for none

@@ -58,8 +58,9 @@ using Problems = std::vector<Problem>;
 /// True where at least one problem is an error.
 [[nodiscard]] bool has_errors(const Problems& problems);
 
-/// A text whose control characters, which could give orders to a terminal or turn around what is read, stand as "\x1b"
-/// or "\u009b"; line feeds and tabs stay. What is no UTF-8 stays, too, but for the bytes that are such characters.
+/// A text with its control characters, which could control a terminal or reverse the reading direction, escaped as
+/// "\x1b" or "\u009b"; line feeds and tabs stay. Bytes that are not UTF-8 stay, except for those that are such
+/// characters.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// One printable paragraph: "file:line:column: error: message; found 'x', expected y" and a second,

@@ -8,9 +8,9 @@
 
 namespace sarsim::core {
 
-/// What a message quotes of a file that somebody else wrote: its first word, at most 60 bytes of it, with "..." where
-/// more follows. All readers of files quote through it, so that no message tells the lines of a file that was never
-/// meant to be read. UTF-8 is cut between characters.
+/// Quotation from a file for a message: the first word, at most 60 bytes of it, with "..." if more follows. All readers
+/// of files quote through it, so that no message discloses lines of a file that was not meant to be read. UTF-8 is cut
+/// between characters.
 [[nodiscard]] inline std::string quoted_word(std::string_view text) {
   constexpr std::size_t longest = 60;
   text = trimmed(text);

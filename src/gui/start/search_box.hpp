@@ -21,7 +21,7 @@ struct SearchEntry {
   QString detail;  ///< At the right: keys, a value, a page.
   QString tip;
   std::function<void()> work;
-  QStringList also = {};  ///< Words of the trade for it: what is typed so, or its beginning, comes first.
+  QStringList also = {};  ///< Synonyms: an entry with a synonym that begins with the typed text comes first.
 };
 
 /// One box over commands, fields of the scene and pages of the guide, found by a few letters ("search_box"). Up and

@@ -6,10 +6,10 @@
 
 namespace sarsim::picture {
 
-/// How a profile completes functions.
+/// How a profile interpolates functions and continues them beyond their points.
 struct FunctionProfile {
   core::InterpolationRules rules = {};
-  bool ends_by_role = true;  ///< What lies beyond the points: scene::FunctionEnds, or as the interpolation goes on.
+  bool ends_by_role = true;  ///< Beyond the points: by scene::FunctionEnds; false: extrapolated by the interpolation.
 };
 
 /// A user-defined function (thesis 4.6): a panel for each part, its points as crosses and the curve between them; of

@@ -9,8 +9,8 @@
 
 namespace sarsim::picture {
 
-/// Where the middle of a beam is off its axis [rad]: at the highest gain of each cut that tells one side from the
-/// other, unless the gain on the axis is within half a decibel of it. 0 of all other patterns.
+/// Offset of the centre of a beam from its axis [rad]: the highest gain of each cut that is not even, unless the gain
+/// on the axis is within half a decibel of it. 0 for all other patterns.
 [[nodiscard]] radar::BeamOffset beam_middle(const radar::AntennaPattern& pattern);
 
 /// Offsets from the axis of a beam [rad] at which one antenna's power has fallen to half that of its middle

@@ -74,7 +74,7 @@ struct Snapshot {
     std::array<std::vector<core::Vec3>, 2> swath_world_m = {};
     /// Footprints from the beginning of its first recording to now, where they are asked for.
     std::vector<std::vector<std::optional<core::Vec3>>> illuminated_world_m = {};
-    radar::BeamOffset beam_middle = {};  ///< Of the highest gain off the axis (`picture::beam_middle`).
+    radar::BeamOffset beam_middle = {};  ///< Highest gain, as an offset from the axis (`picture::beam_middle`), rad.
   };
   double time_s = 0.0;
   std::vector<Platform> platforms;

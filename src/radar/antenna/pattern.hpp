@@ -29,8 +29,8 @@ struct AntennaPattern {
 
 /// Factor by which the antenna multiplies a voltage that passes it once, in the given direction:
 /// isotropic 1; sinx the product of the cuts (PatternRule::amplitude) or the root of its magnitude
-/// (PatternRule::power); user 10^((A + E)/20) of the two cuts at the wrapped offsets, of which they take the sign or
-/// the magnitude (decision 10, core::AngleFunction).
+/// (PatternRule::power); user 10^((A + E)/20) of the two cuts at the wrapped offsets, signed or as magnitudes (decision
+/// 10, core::AngleFunction).
 /// Azimuth offsets are positive to the right of the beam, elevation offsets above it.
 /// The two-way factor is the product of those of the two antennas.
 [[nodiscard]] double one_way_amplitude(const AntennaPattern& pattern, double azimuth_offset_rad,

@@ -63,8 +63,8 @@ struct LinearRefractivity {
 [[nodiscard]] double excess_path_m(const ExponentialRefractivity& air, const StraightPath& path);
 [[nodiscard]] double excess_path_m(const LinearRefractivity& air, const StraightPath& path);
 
-/// By how much the bent ray between the ends of a path is quicker than the straight line, m, one way: what
-/// `excess_path_m` leaves out. Second order of the ray's deviation, 1/2 integral theta^2 ds with theta the angle
+/// Optical path along the straight line minus that along the bent ray between the same ends, m, one way, at least 0:
+/// what `excess_path_m` neglects. Second order in the ray's deviation: 1/2 integral theta^2 ds, with theta the angle
 /// between ray and line, d theta/ds = -1e-6 dN/dh cos(elevation), whose mean over the path is 0. Within 5 % of the
 /// table above from 5 deg of elevation on, and 25 % at 2 deg, where higher orders count.
 [[nodiscard]] double bending_gain_m(const ExponentialRefractivity& air, const StraightPath& path);

@@ -9,8 +9,8 @@
 
 namespace sarsim::radar {
 
-/// Functions of an angle as polynomials piece by piece, laid out for look-up in SIMD: over 0 to 180 degrees where none
-/// tells -x from x, else over -180 to 180 degrees.
+/// Functions of an angle as polynomials piece by piece, laid out for look-up in SIMD: over 0 to 180 degrees if all are
+/// even, otherwise over -180 to 180 degrees.
 ///
 /// Pieces end at the knots, so that linear and cubic curves are met to rounding, kinks and all; low-pass curves, which
 /// are smooth between points of their grid, are cut further until the error is small enough. To find the piece of an
@@ -22,8 +22,8 @@ struct CurveTables {
   /// first.
   enum Field : std::size_t { left_end, centre, coefficients };
 
-  double first_deg = 0.0;                 ///< Where the angles of all tables begin: 0, or -180 where they have a sign.
-  double span_deg = 180.0;                ///< From there to where they end. Records count from `first_deg`.
+  double first_deg = 0.0;                 ///< First angle of all tables: 0, or -180 if they are signed.
+  double span_deg = 180.0;                ///< Range of angles from there. Records count from `first_deg`.
   std::vector<std::uint32_t> number;      ///< Of the table of each given curve; equal curves share one.
   std::size_t count = 0;                  ///< Tables.
   std::size_t cells = 1;                  ///< Of each table; a table's first cell is its number times `cells`.
@@ -44,7 +44,7 @@ struct CurveTables {
 /// @param curves        decibels against degrees
 /// @param tolerance_db  largest error; not below the rounding of the curves themselves, 1e-13 of their ordinates
 [[nodiscard]] CurveTables tabulate(std::span<const core::Interpolator* const> curves, double tolerance_db);
-/// Tabulates curves that may tell -x from x.
+/// The same for curves that need not be even.
 [[nodiscard]] CurveTables tabulate(std::span<const core::AngleFunction* const> curves, double tolerance_db);
 
 }  // namespace sarsim::radar

@@ -9,7 +9,7 @@
 
 namespace sarsim::radar {
 
-/// A look at the states of a motion; nothing is copied.
+/// View of the states of a motion in any frame that is the same for all; nothing is copied.
 struct StateView {
   std::span<const double> time_s;  ///< Ascending.
   std::span<const core::Vec3> position_m;
@@ -19,17 +19,19 @@ struct StateView {
 /// Most states that a polynomial goes through.
 inline constexpr std::size_t most_polynomial_states = 20;
 
-/// The values at a time of the polynomials through the first, the first two, ... of some states: Newton's form gives
-/// all of them in one pass. With velocities each polynomial has positions and velocities of its states (Hermite),
+/// Values at one time of the polynomials through the first, the first two, ... of some states: Newton's form gives all
+/// of them in one pass. With velocities each polynomial matches positions and velocities of its states (Hermite),
 /// otherwise positions (Lagrange). Positions are taken relative to the first of the states, so that rounding is that of
-/// differences.
-/// @param through  different indices of states, at most `most_polynomial_states`
-/// @param sums     as many as `through`: position and velocity at `time_s` of the polynomial through the first k + 1
+/// their differences.
+/// @param through  indices of states, all different, 1 to `most_polynomial_states`, in the order of adding
+/// @param time_s   in the time of `states`
+/// @param sums     as many as `through`; sums[k] becomes position [m] and velocity [m/s] at `time_s` of the polynomial
+///                 through the first k + 1
 void polynomial_sums(const StateView& states, std::span<const std::size_t> through, double time_s,
                      std::span<OrbitState> sums);
 
-/// Indices within [begin, end) from near to far of the interval that begins at `left`: left, left + 1, left - 1,
-/// left + 2, ...; where one side is used up, those of the other. At most `count`.
+/// Indices within [begin, end), from near to far of the interval that begins at `left`: left, left + 1, left - 1,
+/// left + 2, ...; if one side is used up, those of the other. At most `count`.
 [[nodiscard]] std::vector<std::size_t> neighbours_of(std::size_t left, std::size_t begin, std::size_t end,
                                                      std::size_t count);
 

@@ -5,15 +5,15 @@
 
 namespace sarsim::raster {
 
-/// Judges the parameters of every vector of a CPHD file that has a signal, and compares them with what the XML says of
-/// them (docs/formats/cphd.md).
+/// Checks the parameters of every vector with a signal in a CPHD file, and compares them with the XML
+/// (docs/formats/cphd.md).
 ///
-/// Errors, one for each channel: parameters that are no finite numbers or lie beyond what any collection has, bands and
-/// swaths whose ends are exchanged, an echo that arrives before its pulse leaves, and intervals of samples that are not
-/// above 0. Warnings, each once with its count: times that do not ascend, places inside the Earth, a reception that
-/// contradicts the ways, velocities that contradict the places, bands, swaths and flags that contradict the XML.
-/// Takes time linear in the vectors and constant memory.
-/// @param[in,out] problems  gets what is found
+/// Errors, one for each channel: parameters that are not finite or outside the range of any collection, bands and
+/// swaths with exchanged ends, an echo that arrives before its pulse leaves, and sample spacings that are not above 0.
+/// Warnings, each once with its count: times that do not ascend, positions inside the Earth, receive times that
+/// contradict the two-way path, velocities that contradict the positions, bands, swaths and flags that contradict the
+/// XML. Takes time linear in the vectors and constant memory.
+/// @param[in,out] problems  receives the findings
 void check_vectors(const CphdFile& file, core::Problems& problems);
 
 }  // namespace sarsim::raster

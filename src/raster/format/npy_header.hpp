@@ -17,8 +17,8 @@ namespace sarsim::raster {
 struct NpyField {
   std::string name;
   std::string type;        ///< As NpyHeader::type.
-  std::size_t bytes = 0;   ///< Of one number or text,
-  std::size_t count = 1;   ///< of which there are so many.
+  std::size_t bytes = 0;   ///< Of one number or text.
+  std::size_t count = 1;   ///< Numbers or texts in the field.
   std::size_t offset = 0;  ///< Within the structure.
 };
 

@@ -26,7 +26,7 @@ struct RasterHints {
   std::size_t rows = 0;     ///< Checked against the file where given.
   int bits = 0;             ///< Of the A/D converter: needed for BINARY, and for CSV with an offset.
   double lsb_v = 0.0;
-  std::string dataset = {};  ///< Of HDF5: path of the dataset of the samples, where it is not the usual one.
+  std::string dataset = {};                     ///< Of HDF5: path of the samples; empty: the usual one.
   std::optional<RawLayout> raw = std::nullopt;  ///< Given, the file is read so, whatever it holds.
 };
 

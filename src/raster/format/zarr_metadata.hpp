@@ -29,7 +29,7 @@ struct ZarrArray {
 
 /// The attributes of a `.zattrs` that are texts or numbers, as texts; a problem, without a place, for what is no JSON
 /// object.
-/// @param lists  also up to 16 numbers or texts, separated by commas
+/// @param lists  also lists of up to 16 numbers or texts, as one text separated by commas
 [[nodiscard]] std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text,
                                                                                 bool lists = false);
 
@@ -38,8 +38,9 @@ struct ZarrArray {
 /// Reads a `.zattrs`, of at most 1 GiB; no attributes where it is missing.
 [[nodiscard]] std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file,
                                                                                bool lists = false);
-/// Compares what `.zmetadata` of a store, which other programs read in place of the files themselves, says of a file
-/// with that file: "samples/.zarray". Nothing where they agree, or one of them is missing.
+/// Compares the entry of a metadata file in the store's `.zmetadata`, which other programs read instead of the file,
+/// with the file itself. Nothing if they agree or one of them is missing.
+/// @param name  of the file below the store: "samples/.zarray"
 [[nodiscard]] std::optional<core::Problem> contradiction_of_zarr(const std::filesystem::path& store,
                                                                  const std::filesystem::path& name);
 

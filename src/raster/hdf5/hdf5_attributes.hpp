@@ -16,7 +16,7 @@ using AttributeTexts = std::vector<std::pair<std::string, std::string>>;
 
 /// The attributes of an object as text: strings as they are, numbers in decimal, other types left out. At most 1000
 /// attributes, none longer than `longest` bytes.
-/// @param lists  up to 16 numbers too, separated by commas
+/// @param lists  also lists of up to 16 numbers, as one text separated by commas
 [[nodiscard]] AttributeTexts read_attributes(hid_t object, std::uint64_t longest, bool lists = false);
 
 /// The names of the dimensions of a dataset by its attribute DIMENSION_LIST, which refers to dimension scales; without

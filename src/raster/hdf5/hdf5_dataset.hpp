@@ -15,10 +15,10 @@ namespace sarsim::raster {
 inline constexpr const char* samples_path = "/samples";
 inline constexpr const char* old_samples_path = "/Data/PulseNo_x_SampleNo_I&Q";
 
-/// Whether a file has its samples where the program of 2015 had them, and not where we do.
+/// Whether a file has its samples at `old_samples_path` and not at `samples_path`.
 [[nodiscard]] bool is_of_2015(hid_t file);
 
-/// Path of the samples: the dataset of that name, from the root with or without a slash; of none the usual one.
+/// Path of the samples: `dataset`, from the root with or without a slash; if it is empty, the usual path.
 [[nodiscard]] std::string path_of_samples(hid_t file, const std::string& dataset);
 
 /// A dataset whose shape and storage have been found sound: its bytes are in the file itself, no larger than the file
@@ -38,8 +38,8 @@ struct Hdf5Dataset {
 [[nodiscard]] std::variant<Hdf5Dataset, core::Problem> open_dataset(hid_t file, const std::string& path,
                                                                     std::uint64_t file_bytes);
 
-/// The datasets of a file, the first twelve of them, each with its shape and type: "/raw (620 x 512,
-/// compound)". Empty where there are none.
+/// The first twelve datasets of a file, each with shape and type, for messages: "/raw (620 x 512, compound)". Empty if
+/// there are none.
 [[nodiscard]] std::string list_of_datasets(hid_t file);
 
 /// Whether the path leads to something over hard links only.

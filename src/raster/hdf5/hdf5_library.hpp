@@ -81,7 +81,7 @@ class Hdf5Handle {
 /// Processor time in seconds that a trial of a file may take (core/os/trial.hpp).
 inline constexpr unsigned hdf5_trial_s = 20;
 
-/// What is said of a file whose trial takes more: it may be sound.
+/// The error for a file whose trial takes more; the file may be sound.
 [[nodiscard]] core::Problem too_much_hdf5_work();
 
 }  // namespace sarsim::raster

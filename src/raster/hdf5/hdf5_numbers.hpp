@@ -9,8 +9,9 @@
 
 namespace sarsim::raster {
 
-/// The members of a compound that are the real and the imaginary part: r and i, as h5py and xarray write them, or real
-/// and imag, as MATLAB does. Nothing for another type, and where they differ in kind or are no numbers.
+/// Indices of the real and the imaginary member of a compound of two: r and i (h5py, xarray), real and imag (MATLAB),
+/// re and im, Re and Im, Real and Imag, real and imaginary. Nothing for another type, and if they differ in kind or are
+/// not numbers.
 [[nodiscard]] std::optional<std::array<unsigned, 2>> complex_members(hid_t type);
 
 /// How the numbers of a dataset are handed over: as they are stored, since the library converts numbers one by one,

@@ -26,11 +26,12 @@ namespace sarsim::raster {
 [[nodiscard]] std::filesystem::path shared_rows_of(const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path product_file_of(const std::filesystem::path& folder);
 
-/// The door of a folder of parts, locked: whoever holds it is alone in changing what is there as a whole. The folder is
-/// made where it is missing; it may vanish while one waits, because whoever completes a recording removes it.
+/// Locks the door of a folder of parts (its file `lock`), which whoever changes the folder as a whole must hold.
+/// Creates the folder if it is missing. Waits for the lock; the folder may vanish meanwhile, since whoever completes
+/// the recording removes it.
 [[nodiscard]] core::RawFile open_door(const std::filesystem::path& folder);
 
-/// Whether a name in such a folder is that of what a join was making when its process ended.
+/// Whether a name in such a folder is that of an unfinished result of a join.
 [[nodiscard]] bool is_left_by_join(const std::string& name);
 
 /// All journals of a folder, by name. @throws core::Refused with everything that is damaged
@@ -39,7 +40,7 @@ namespace sarsim::raster {
 /// Removes what parts have left in a folder, and the folder where it is empty then.
 void remove_parts(const std::filesystem::path& folder) noexcept;
 
-/// Removes what joins have left in a folder, and the folder where no parts are in it. Its door must be held.
+/// Removes what killed joins have left in a folder, and the folder itself if it has no parts. Its door must be held.
 void remove_joins(const std::filesystem::path& folder) noexcept;
 
 /// Rows of a range for which no journal vouches, in order.
@@ -48,8 +49,8 @@ void remove_joins(const std::filesystem::path& folder) noexcept;
 /// What keeps journals from being joined: rows that are missing, rows that two vouch for, other identities.
 [[nodiscard]] core::Problems join_problems(const std::vector<Journal>& journals, std::size_t rows);
 
-/// What keeps a description from being that of a journal's run, found by what decides the bytes of both; whether
-/// several journals are of one run, `join_problems` says.
+/// Errors if a description does not belong to a journal's run, judged by everything that determines the bytes of both.
+/// Whether several journals belong to one run is checked by `join_problems`.
 /// @param file  of the description
 [[nodiscard]] core::Problems product_problems(const StoredProduct& product, const std::filesystem::path& file,
                                               const Journal& journal);

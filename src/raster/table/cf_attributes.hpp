@@ -11,8 +11,9 @@
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/value_rule.hpp"
 
-/// What the attributes of arrays say of their numbers (NetCDF Climate and Forecast Metadata Conventions), in one place
-/// for all formats that have them (HDF5, Zarr). A key is honoured, or refused by its name; docs/formats/samples.md.
+/// Attributes of arrays that define their numbers (NetCDF Climate and Forecast Metadata Conventions), interpreted in
+/// one place for all formats that have them (HDF5, Zarr). A key is honoured, or refused by name;
+/// docs/formats/samples.md.
 namespace sarsim::raster {
 
 /// The attributes of the samples: how their numbers become samples, and whether these are counts.
@@ -22,7 +23,7 @@ struct SampleMeaning {
 };
 
 /// Understands `units`, `scale_factor`, `_FillValue`, `missing_value`, `valid_range`, `valid_min`, `valid_max`;
-/// `add_offset` other than 0 is refused, as it is not said what it means for I and Q. A problem without a place.
+/// `add_offset` other than 0 is refused, since it is not defined for I and Q. A problem without a place.
 /// @param what      the array, for the problems: "/samples"
 /// @param integers  its numbers are whole; without units they are counts then
 [[nodiscard]] std::variant<SampleMeaning, core::Problem> meaning_of_samples(const FileAttributes& attributes,
@@ -41,9 +42,9 @@ struct AxisMeaning {
 [[nodiscard]] std::variant<AxisMeaning, core::Problem> meaning_of_axis(const FileAttributes& attributes,
                                                                        const std::string& what, std::string_view units);
 
-/// What is wrong with the dimensions of the samples by their names: an axis of columns that runs down, or one of rows
-/// that runs across, as where the array is transposed. Other names may be any. A problem without a place.
-/// @param names  of the dimensions in their order; empty where one has none
+/// The error of dimensions whose names show that the array is transposed: an axis of columns along the rows, or the
+/// reverse. All other names are accepted. A problem without a place.
+/// @param names  of the dimensions in order; an empty text for one without a name
 [[nodiscard]] std::optional<core::Problem> problem_of_dimensions(const std::vector<std::string>& names,
                                                                  const std::string& what);
 

@@ -62,7 +62,7 @@ class Raster {
   [[nodiscard]] const RasterInfo& info() const { return info_; }
   /// Says by which format the file was opened.
   void set_format(const Format& format) { info_.format = &format; }
-  /// Says how the numbers of the file become samples; every reading of samples follows it.
+  /// Sets how the numbers of the file become samples; applied whenever samples are read.
   void set_value_rule(ValueRule rule) { rule_ = std::move(rule); }
   [[nodiscard]] std::size_t columns() const { return info_.columns; }
   /// Rows that can be read now.

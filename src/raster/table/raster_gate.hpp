@@ -7,10 +7,10 @@
 
 namespace sarsim::raster {
 
-/// Judges what a file that has been opened says of itself, whatever its format: that LSB, sampling rate and bits are
-/// numbers that they can be, that its axes are finite, and that the sampling rate is that of its ranges; axes of more
-/// than 2^20 values are left out. All readers of samples pass here (docs/formats/samples.md). The values themselves are
-/// judged where they are used.
+/// Checks the metadata of an opened file, whatever its format: LSB (up to 1e29 V, of counts at least 1e-37 V), sampling
+/// rate (up to 1e18 Hz) and bits (up to 64), axes (magnitudes up to 1e15, not all NaN), and the sampling rate against
+/// the ranges (to 1 %). Axes of more than 2^20 values are not checked. All readers of samples pass here
+/// (docs/formats/samples.md). Sample values are checked where they are used.
 /// @param path  of the file, for the problems
 /// @return errors, and a warning where rate and ranges contradict each other
 [[nodiscard]] core::Problems problems_of_facts(const Raster& raster, const std::string& path);

@@ -13,7 +13,7 @@
 
 namespace sarsim::raster {
 
-/// What the metadata of a SigMF recording say of its samples.
+/// The metadata of a SigMF recording about its samples.
 struct SigmfMeta {
   std::string datatype;
   std::uint64_t columns = 0;         ///< Samples of a row; 0: not said.
@@ -25,13 +25,13 @@ struct SigmfMeta {
   std::vector<std::uint64_t> indices;  ///< Its core:global_index; shorter where one has none.
   std::vector<double> time_s;          ///< Of each capture; shorter where one says none.
   std::vector<double> carrier_hz;      ///< The same.
-  std::uint64_t header_bytes = 0;      ///< Of the file of samples before the first one,
-  std::uint64_t trailing_bytes = 0;    ///< and behind the last one.
+  std::uint64_t header_bytes = 0;      ///< Bytes before the first sample in the file of samples.
+  std::uint64_t trailing_bytes = 0;    ///< Bytes after the last sample.
   std::string sha512 = {};             ///< Of that file, in lower case; empty where they do not say.
 };
 
-/// Understands metadata. The keys of SigMF that say where samples lie are honoured: `core:header_bytes` of the first
-/// capture, `core:trailing_bytes`, `core:offset`. Refused by name: several channels, metadata without samples, samples
+/// Reads metadata. The keys of SigMF that locate samples are honoured: `core:header_bytes` of the first capture,
+/// `core:trailing_bytes`, `core:offset`. Refused by name: several channels, metadata without samples, samples
 /// in a file of another name, headers within the samples, extensions that are not optional, keys of the wrong type or
 /// that are there twice, captures that are not in order.
 /// @param text  of the file of metadata
@@ -39,8 +39,8 @@ struct SigmfMeta {
 [[nodiscard]] std::variant<SigmfMeta, core::Problem> parse_sigmf_meta(std::string_view text,
                                                                       const std::filesystem::path& data);
 
-/// What contradicts the samples: captures, times and ranges that are as many as neither rows nor samples of a row.
-/// Nothing where all fits. A problem without a place.
+/// The error of metadata that contradict the samples: numbers of captures, times or ranges that match neither the rows
+/// nor the samples of a row. Nothing if all match. A problem without a place.
 [[nodiscard]] std::optional<core::Problem> misfit_of_meta(const SigmfMeta& meta, std::uint64_t rows,
                                                           std::uint64_t columns);
 

@@ -12,11 +12,12 @@
 namespace sarsim::raster {
 
 /// How stored numbers become samples where a standard lets a file say so (CF: `scale_factor`, `_FillValue`,
-/// `missing_value`, `valid_range`): sample = scale * number. Numbers that stand for a sample that is missing, and those
-/// outside the valid range, become NaN.
+/// `missing_value`, `valid_range`): sample = scale * number, for I and Q each. Numbers that mark a missing sample, and
+/// those outside the valid range, become NaN.
 struct ValueRule {
   double scale = 1.0;
-  std::vector<double> missing = {};  ///< Stored numbers, of I or of Q.
+  std::vector<double> missing = {};  ///< Stored numbers of I or Q that mark a missing sample.
+  // Valid range of stored numbers.
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 

@@ -8,7 +8,8 @@
 
 namespace sarsim::scene {
 
-/// What is said of a recording's window where echoes of its targets are not known; whoever knows them says more.
+/// Message about a recording's window, used where the echoes of its targets are not known. The survey, which knows
+/// them, replaces it by one about targets (simulate::late_echoes).
 inline constexpr std::string_view window_beyond_range = "the slant range window reaches beyond the unambiguous range";
 
 /// Everything about the values of a scene that stops it from being simulated (errors) or that a radar engineer would

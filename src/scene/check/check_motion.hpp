@@ -16,19 +16,20 @@ inline constexpr std::string_view unread_motion = "the motion of the platform is
 /// Checks the world itself: epoch, anchor, leap seconds.
 void check_world(Findings& findings, const Scene& scene);
 
-/// What platforms are to each other, looked up once for all of them in time n log n: a scene may have thousands that
-/// are mounted on each other.
+/// Leaders and parents of platforms, looked up once for all of them in time n log n: a scene may have thousands of
+/// platforms mounted on each other.
 class PlatformChains {
  public:
   /// @param scene  must outlive it
   explicit PlatformChains(const Scene& scene);
 
-  /// The platform that another one follows; `not_found` for none.
+  /// The platform that a platform follows; `not_found` for none.
   [[nodiscard]] std::size_t leader(std::size_t platform) const { return leaders_.next[platform]; }
-  /// Whether the leaders, or the parents, of a platform come back to it.
+  /// Whether the chain of leaders, or of parents, of a platform is a loop.
   [[nodiscard]] bool leaders_loop(std::size_t platform) const { return leaders_.loops[platform] != 0; }
   [[nodiscard]] bool parents_loop(std::size_t platform) const { return parents_.loops[platform] != 0; }
-  /// Speed of the fastest target on a platform that turns, or on one that is mounted on it at rest.
+  /// Speed of the fastest target on a rotating platform, or on a platform that is mounted on it at rest, relative to
+  /// the platform's origin, m/s.
   [[nodiscard]] double fastest_tip_mps(std::size_t platform, const core::Vec3& rate_rad_per_s) const;
 
  private:

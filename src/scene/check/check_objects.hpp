@@ -23,9 +23,9 @@ void check_geometry_table(Findings& findings, NameCheck& radars, const Scene& sc
 /// Warns of paths that may deviate, between their points, from the smooth path the points were taken from by more than
 /// a sixteenth of the wavelength of a radar that looks: a quarter of pi in the phase of an echo.
 void check_paths_between_points(Findings& findings, const Scene& scene);
-/// Tells of functions given by points that are used beyond them, with what they are there (FunctionEnds): gains of the
-/// receiver at ranges of a recording, pulses and windows, and motions of more than two points at times of a recording.
-/// What depends on where targets are is in simulate/survey/table_rules.hpp.
+/// Reports functions given by points that are used beyond their points, with their values there (FunctionEnds): gains
+/// of the receiver at ranges of a recording, pulses and windows, and motions of more than two points at times of a
+/// recording. simulate/survey/table_rules.hpp covers those that depend on the positions of targets.
 void check_function_ends(Findings& findings, const Scene& scene);
 void check_options(Findings& findings, const RunOptions& options);
 

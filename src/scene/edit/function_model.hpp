@@ -21,7 +21,7 @@ struct FunctionInfo {
     std::string name;  ///< "Position X", "Gain (azimuth)".
     std::string y_unit;
     std::array<double, 2> y_range;  ///< Shown at first.
-    FunctionRole role;              ///< What lies beyond its points.
+    FunctionRole role;              ///< Decides its values beyond its points.
   };
   std::string title;  ///< "Trajectory of Ship".
   std::vector<Part> parts;
@@ -60,8 +60,8 @@ std::size_t move_knot(core::SampledFunction& function, std::size_t at, core::Kno
 /// Rounds to about a hundredth of the decade of an axis's range, as a dragged point is.
 [[nodiscard]] double rounded_to_range(double value, double range);
 
-/// Points of the curve for drawing, `count` of them evenly from x0 to x1, by the method given, as the profile
-/// `physical` has it beyond the knots. Knots that do not ascend are taken in order of x, the first of equals alone.
+/// Points of the curve for drawing, `count` of them evenly from x0 to x1, by the method given; beyond the knots by the
+/// rules of the profile `physical`. Knots that do not ascend are taken in order of x, the first of equals alone.
 [[nodiscard]] std::vector<core::Knot> curve_points(const core::SampledFunction& function, FunctionRole role,
                                                    core::Interpolation method, double x0, double x1, std::size_t count);
 

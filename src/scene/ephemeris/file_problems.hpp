@@ -53,7 +53,7 @@ class FileProblems {
   core::Problems problems_;
   std::size_t errors_ = 0;
   std::size_t warnings_ = 0;
-  bool quoted_ = false;  // A word of the text was told; one is enough.
+  bool quoted_ = false;  // A word of the text has been quoted; no second one is.
   // Line of an earlier place, from which later ones are counted.
   std::size_t known_offset_ = 0;
   std::size_t known_line_ = 1;

@@ -45,8 +45,8 @@ class OmmRecord {
  public:
   /// Forgets all values; a new message begins at `at`.
   void begin(std::string_view at);
-  /// Reports a keyword of a message that has no value; nothing where it is not known. Cells of tables and members of
-  /// JSON may be empty, keywords of messages may not.
+  /// Reports a keyword of a message without a value, unless the keyword is unknown. Cells of tables and members of JSON
+  /// may be empty, keywords of messages may not.
   void miss_value(OmmKey key, std::string_view at, FileProblems& problems);
   /// Keeps the value of a keyword; reports one that stands twice. An empty value is a missing one.
   /// @param at    where it stands in the text

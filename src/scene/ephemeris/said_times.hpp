@@ -8,22 +8,23 @@
 
 namespace sarsim::scene::ephemeris {
 
-/// A time that the head of a file gives for its first or last sample.
+/// A time that the header of a file gives for its first or last sample.
 struct SaidTime {
   std::string_view key;  ///< What the file calls it: "START_TIME".
   std::optional<radar::CivilTime> time;
   std::string_view at;  ///< Where the file has it.
 };
 
-/// When the samples begin and end by the head of a file.
+/// Times of the first and the last sample according to the header of a file.
 struct SaidTimes {
   SaidTime first;
   SaidTime last;
 };
 
-/// Reports a said time that is more than a step from that of the sample, by a warning each.
+/// Warns of each time in the header that differs by more than a step from that of the sample.
 /// @param first   time of the first sample
-/// @param step_s  usual time from one sample to the next; 1 s where that is shorter
+/// @param last    time of the last sample
+/// @param step_s  usual time from one sample to the next; at least 1 s is tolerated
 void check_said_times(const SaidTimes& said, const radar::CivilTime& first, const radar::CivilTime& last, double step_s,
                       FileProblems& problems);
 

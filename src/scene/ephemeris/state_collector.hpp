@@ -14,10 +14,10 @@
 
 namespace sarsim::scene::ephemeris {
 
-/// Adds states to an ephemeris and reports what cannot be: times that do not ascend, positions below the surface of the
-/// Earth or beyond 1e9 m (1e11 m in a world without an Earth), too many states; and what contradicts itself
-/// (`examine_states`): states that do not fit those around them, velocities that are not those of the positions, gaps,
-/// times of the head that are not those of the states. Says each once, with a count.
+/// Adds states to an ephemeris and reports impossible ones: times that do not ascend, positions below the surface of
+/// the Earth or beyond 1e9 m (1e11 m in a world without an Earth), too many states; and contradictions
+/// (`examine_states`): states that do not fit their neighbours, velocities that are not the derivatives of the
+/// positions, gaps, header times that are not those of the states. Reports each kind once, with a count.
 class StateCollector {
  public:
   /// @param unit           of positions in the file, for messages: "km"
@@ -34,13 +34,13 @@ class StateCollector {
   /// @param position_at  where the position stands
   void add(const EphemerisState& state, std::string_view time_at, std::string_view position_at);
 
-  /// What the file says of the times of the last segment.
+  /// Sets the times that the header gives for the last segment.
   void said_times(const SaidTimes& said) {
     if (!said_.empty()) said_.back() = said;
   }
 
   /// Where the segments end: drops empty ones and reports that no states remain, and usable ranges that reach beyond
-  /// the states or overlap; compares what a file says twice.
+  /// the states or overlap; compares redundant data of the file.
   /// @param at  where the last line stands, or what else is to blame for missing states
   void finish(std::string_view at);
 

@@ -47,8 +47,8 @@ struct Explanation {
   std::string label;                   ///< Where the workbench shows it.
   std::vector<std::string> set_names;  ///< For `--set`.
   std::vector<ExplanationLine> lines;  ///< What the word contains, or all that it can mean.
-  std::string asked;                   ///< Of a word of the trade: what it is here.
-  std::vector<GuideHeading> pages;     ///< Where the documentation has the word in a heading.
+  std::string asked;                   ///< For a synonym: the advice, with the name used here.
+  std::vector<GuideHeading> pages;     ///< Headings of the documentation with the word.
   std::string next;                    ///< How to go on.
 
   std::string failure;  ///< Why there is no explanation; all else is then empty but `hint`.
@@ -57,9 +57,9 @@ struct Explanation {
 
 /// Explains a field ("radar.pulse.width", or "pulse.width" where one kind alone has it), a choice ("radar.pulse"), a
 /// kind of object ("radar"), "let", "include" or "format", or the name that `--set` has for a field ("pulse_width").
-/// Nothing (an empty word) gives the kinds of objects. Of a word of the trade ("pri", "lfm") it explains what says it
-/// here. Any other word, or several, are looked for in names, words of the trade, meanings and the headings of the
-/// documentation; fields whose name has the word stand first.
+/// An empty word gives the kinds of objects. For a term of the trade ("pri", "lfm") it explains the corresponding
+/// field. Any other word, or several, are searched in names, synonyms, meanings and the headings of the documentation;
+/// fields with the word in their name come first.
 [[nodiscard]] Explanation explain(std::string_view word);
 
 /// The first of some sentences.

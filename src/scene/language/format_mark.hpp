@@ -13,7 +13,7 @@ inline constexpr std::string_view format_2_mark = "sarsim 2";
 /// comment after `#`, a header in brackets, or `key =`.
 [[nodiscard]] bool is_format_2(std::string_view text);
 
-/// Whether a text says before its first header which format it has.
+/// Whether a text states its format (`format = ...`) before its first header.
 [[nodiscard]] bool states_format(std::string_view text);
 
 /// The usual ending of a file with a text, without the point: "toml" or "scr".

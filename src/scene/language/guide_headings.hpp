@@ -12,8 +12,8 @@ struct GuideHeading {
   std::string_view heading;  ///< Empty: the page itself.
 };
 
-/// All of the guide, its recipes, theory and formats, down to the third level; made of the pages as the program is
-/// built (cmake/WriteHeadings.cmake).
+/// All headings of the guide, its recipes, theory and formats, down to the third level; generated from the pages during
+/// the build (cmake/WriteHeadings.cmake).
 [[nodiscard]] std::span<const GuideHeading> guide_headings();
 
 }  // namespace sarsim::scene::language

@@ -8,7 +8,7 @@
 
 namespace sarsim::scene {
 
-/// What a user-defined function of a scene is used for.
+/// Use of a user-defined function of a scene.
 enum class FunctionRole {
   trajectory,
   rotation,
@@ -25,13 +25,14 @@ enum class FunctionRole {
   list,  ///< Of pulse repetition intervals, or of carriers: y of each pulse in turn.
 };
 
-/// What such a function is beyond its first and last point, in the profile `physical`. The profile `classic` continues
-/// all but lists and envelopes as their method of interpolation does, and takes antennas at the magnitude of the angle.
+/// Values of such a function beyond its first and last point, in the profile `physical`. The profile `classic`
+/// extrapolates all but lists and error envelopes by their interpolation method, and evaluates antennas at the
+/// magnitude of the angle.
 struct FunctionEnds {
   FunctionRole role;
   core::Beyond beyond = core::Beyond::held;
   core::AngleRule angles = core::AngleRule::magnitude;  ///< Of cuts through an antenna's pattern.
-  std::string_view words;                               ///< Half a sentence, for readers.
+  std::string_view words;  ///< Predicate for messages: "keeps the value of the nearer end".
 };
 
 /// The one table of these, an entry for each role, in their order.
@@ -42,15 +43,15 @@ struct FunctionEnds {
 
 /// The rules of a function for its role.
 /// @param usual    LowPassRule and CubicEnds; Beyond is replaced
-/// @param by_role   as the table has it (`physical`); otherwise as the method has it (`classic`)
+/// @param by_role  by the table (`physical`); otherwise by the method (`classic`)
 [[nodiscard]] core::InterpolationRules rules_for(FunctionRole role, core::InterpolationRules usual,
                                                  bool by_role = true);
 
-/// A cut through an antenna's pattern, or another function of an angle, by the same.
+/// The same for a cut through an antenna's pattern or another function of an angle.
 [[nodiscard]] core::AngleFunction angle_function(FunctionRole role, const core::SampledFunction& function,
                                                  core::InterpolationRules usual, bool by_role = true);
 
-/// Any function as it is used, of x in the unit of its points; angles are brought into -180 to 180 degrees.
+/// Any function as it is used, of x in the unit of its points; angles are wrapped to -180 to 180 degrees.
 [[nodiscard]] std::function<double(double)> evaluated(FunctionRole role, const core::SampledFunction& function,
                                                       core::InterpolationRules usual, bool by_role = true);
 

@@ -11,7 +11,7 @@
 
 namespace sarsim::scene {
 
-/// What is lost between the samples of a file (`accuracy_between`, scene/ephemeris/sample_accuracy.hpp).
+/// Interpolation error between the samples of a file (`accuracy_between`, scene/ephemeris/sample_accuracy.hpp).
 struct ReadAccuracy {
   double error = 0.0;  ///< Largest in the times that are needed: m, or rad for attitudes.
   double at_s = 0.0;
@@ -24,8 +24,8 @@ struct ReadPath {
   radar::TimeSpan usable;                ///< Times for which the states may be used.
   std::string made_of;                   ///< What it was made of: another file, satellite, world or time makes it anew.
   std::string description;               ///< For people: "a Sentinel-1 orbit file, 17 states, 10 s apart, in ITRF".
-  std::optional<ReadAccuracy> accuracy;  ///< Nothing where states are computed, and where they contradict themselves.
-  core::Problems remarks;                ///< What was said of the file when it was read.
+  std::optional<ReadAccuracy> accuracy;  ///< Nothing if states are computed, or contradict each other.
+  core::Problems remarks;                ///< Warnings and notes from reading the file.
 };
 
 /// The attitude of a platform with Rotation::quaternions.

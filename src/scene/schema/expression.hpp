@@ -92,7 +92,7 @@ struct QuantityResult {
   std::optional<ExpressionFault> fault;
   bool literal = false;  ///< One number, alone or with units ("240 m/s"): no name, no function, no operation.
   bool bare = false;     ///< A number without a unit, which counts in the base unit.
-  std::optional<Measured> other = {};  ///< What was measured, where it is of another dimension than the field.
+  std::optional<Measured> other = {};  ///< The value, if its dimension is not that of the field.
 };
 
 /// Evaluates the text of a field. One number with one unit is read exactly as `read_quantity` reads it, larger

@@ -95,8 +95,8 @@ struct FieldSpec {
                               ///< the table which what depends on it stands in; a function by points is such a table.
   /// Further types of a choice in format 2, which are read as one of `choices`.
   std::vector<std::string_view> other_types = {};
-  /// Of a choice: the type that a word means which the trade has for it, itself where it means none; null: no such
-  /// words.
+  /// For a choice: maps other spellings of its types to the canonical word, and any other word to itself; null: there
+  /// are no other spellings.
   std::string_view (*spelling)(std::string_view word) = nullptr;
   OtherKey other_key = {};       ///< Of a field with one key for most alternatives and another for one.
   std::string_view label = {};   ///< In forms.
@@ -173,7 +173,7 @@ using FieldValue =
 /// The word of an alternative in format 2: "matched-filter"; of one without a word, what forms show.
 [[nodiscard]] std::string type_word(const Choice& choice);
 
-/// The alternative that a word of format 2 means, in one of its spellings; null where it means none.
+/// The alternative that a word of format 2 names in one of its spellings; null if it names none.
 [[nodiscard]] const Choice* choice_of_type(const FieldSpec& spec, std::string_view word);
 
 /// The values that a point of a function may have: those of lists are above zero.

@@ -29,7 +29,7 @@ struct FunctionBlock {
   double likely_high = std::numeric_limits<double>::infinity();  ///< unit in which the scene holds them.
 };
 
-/// What one of the functions of a block is for: of an antenna the first is the cut in azimuth, the second in elevation.
+/// Role of one of the functions of a block: of an antenna the first is the cut in azimuth, the second in elevation.
 [[nodiscard]] constexpr FunctionRole role_of(const FunctionBlock& block, std::size_t part) {
   return block.role == FunctionRole::azimuth_cut && part == 1 ? FunctionRole::elevation_cut : block.role;
 }

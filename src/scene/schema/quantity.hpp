@@ -14,9 +14,9 @@ enum class Quantity {
   time,          ///< s: ps, ns, us, ms, s, min, h, day
   frequency,     ///< Hz, kHz, MHz, GHz, THz
   angle,         ///< Held in degrees: deg, rad, mrad, ', arcmin, arcsec, mil (of 6400), turn, rev
-  angle_rate,    ///< Held in deg/s: deg/s, rad/s, rpm, deg/min, turn/min
+  angle_rate,    ///< Held in deg/s: deg/s, rad/s, rpm, deg/min, turn/min, turn/s, mrad/s, deg/h
   area,          ///< m2: m2, cm2, dBsm
-  power,         ///< W: uW, mW, W, kW, MW, GW, dBW, dBm
+  power,         ///< W: uW, mW, W, kW, MW, GW, dBW, dBm, dBkW
   ratio_db,      ///< Held in dB: dB, dBi, dBd, or a bare factor as "x100"
   temperature,   ///< K: K, degC
   voltage,       ///< V: nV, uV, mV, V, kV
@@ -45,7 +45,7 @@ struct QuantityReading {
 /// nearest number, which need not read back exactly. std::invalid_argument for a unit that is none of the quantity's.
 [[nodiscard]] std::string quantity_text(double value, Quantity quantity, std::string_view unit);
 
-/// The units that people are told of, the base unit first; a few more may be typed (`unit_table`).
+/// The units listed in messages, the base unit first; a few more may be typed (`unit_table`).
 [[nodiscard]] std::vector<std::string_view> units_of(Quantity quantity);
 
 /// Decimal exponent of a unit to the base unit: 9 for "GHz". std::invalid_argument for a unit that is none of the

@@ -8,11 +8,11 @@
 #include "scene/schema/expression.hpp"
 #include "scene/schema/field_spec.hpp"
 
-/// What radar engineers and other programs call things that the tables of fields call otherwise. Stated once, for all
-/// that meets a word it does not know: scenes, `--set`, sweeps, Python, `explain` and the search of the workbench.
+/// Terms of radar engineers and other programs for things that have another name in the tables of fields. One table,
+/// used for unknown words in scenes, `--set`, sweeps, Python, `explain` and the search of the workbench.
 namespace sarsim::scene {
 
-/// How the value of such a word becomes that of the field.
+/// Conversion from the value of such a word to that of the field.
 enum class TradeLaw {
   same,
   reciprocal,    ///< 1/x: of a time, a frequency.
@@ -30,12 +30,12 @@ enum class TradeLaw {
 
 /// A word of the trade.
 struct TradeWord {
-  std::string_view names;  ///< Spellings, parted by blanks; underscores, hyphens and capitals do not matter.
-  std::string_view kind;   ///< Header of the objects in which it means this; empty: in all.
-  std::string_view field;  ///< Kind and path in format 2: "radar.repetition.frequency"; empty: no field says it.
+  std::string_view names;  ///< Spellings, separated by blanks; ignoring underscores, hyphens and case.
+  std::string_view kind;   ///< Header of the objects in which it has this meaning; empty: in all.
+  std::string_view field;  ///< Kind and path in format 2: "radar.repetition.frequency"; empty: there is no field.
   TradeLaw law = TradeLaw::none;
-  std::string_view line = {};  ///< What to write; a value in angle brackets stands for the converted one.
-  std::string_view note = {};  ///< What else is to be known, or why there is no such field.
+  std::string_view line = {};  ///< What to write; a value in angle brackets is replaced by the converted one.
+  std::string_view note = {};  ///< Further information, or why there is no such field.
 };
 
 /// A word of the trade for one alternative of a choice.
@@ -58,39 +58,39 @@ struct TradeHeader {
 [[nodiscard]] std::span<const TradeChoice> trade_choices();
 [[nodiscard]] std::span<const TradeHeader> trade_headers();
 
-/// The entry of a word, that for a kind of object before that for all; a unit at its end does not matter ("fc_ghz").
-/// Null where the trade has no such word, or means something else in objects of that kind.
+/// The entry of a word; one for the kind of object takes precedence. A unit at its end is ignored ("fc_ghz"). Null if
+/// there is no such word, or if it has another meaning in objects of that kind.
 /// @param kind  a header of format 2; empty: the first entry, of whatever kind
 [[nodiscard]] const TradeWord* trade_word(std::string_view name, std::string_view kind);
-/// The entry of a word that is nearly one of the trade in objects of a kind; null where none is near.
+/// The entry of the most similar word in objects of a kind; null if none is similar.
 [[nodiscard]] const TradeWord* nearest_trade_word(std::string_view name, std::string_view kind);
 /// The entry of a word of a choice, by its path below its object; null where there is none.
 [[nodiscard]] const TradeChoice* trade_choice(std::string_view word, std::string_view choice);
 /// The entry of a kind of object; null where there is none.
 [[nodiscard]] const TradeHeader* trade_header(std::string_view header);
-/// Whether one of the names, or its beginning, is a word that was typed.
+/// Whether one of the names is, or begins with, a typed word.
 [[nodiscard]] bool is_spelling(std::string_view names, std::string_view typed);
 
-/// Where a word was met.
+/// Context of a word.
 struct TradeUse {
   std::string_view name;                  ///< As it was typed, perhaps with a unit at its end.
   std::string_view kind = {};             ///< Of the object; empty: none.
   std::string_view value = {};            ///< Its value, with a unit or without; empty: none.
-  std::optional<double> carrier_hz = {};  ///< Of the radar, where it is known.
+  std::optional<double> carrier_hz = {};  ///< Of the radar, if it is known.
 };
 
-/// How format 2 says it: `write repetition = "1 kHz" (1/PRI)`.
+/// Advice in the notation of format 2: `write repetition = "1 kHz" (1/PRI)`.
 [[nodiscard]] std::string trade_advice(const TradeWord& word, const TradeUse& use);
-/// How `--set` and Python say it: "write Radar1.repetition.frequency=1 kHz"; without an owner that may have the field,
-/// what it is called.
+/// Advice in the notation of `--set` and Python: "write Radar1.repetition.frequency=1 kHz"; without an owner that has
+/// the field, only the name of the field.
 [[nodiscard]] std::string trade_setting(const TradeWord& word, const TradeUse& use, std::string_view owner);
-/// How to turn a value of another dimension into that of a field, as radar people mean it: of "1.67 ms" for a
-/// repetition frequency `write "598.8 Hz", which is 1/(1.67 ms)`; empty where nothing is usual.
+/// Hint that converts a value of another dimension to that of a field in the usual way: for "1.67 ms" as a repetition
+/// frequency `write "598.8 Hz", which is 1/(1.67 ms)`; empty if there is no usual conversion.
 /// @param text   what was typed
 /// @param found  what it measures
 [[nodiscard]] std::string conversion_hint(const FieldSpec& spec, std::string_view text, const Measured& found,
                                           std::optional<double> carrier_hz);
-/// How to mend the word of a choice: `write "chirp"`.
+/// Advice for the word of a choice: `write "chirp"`.
 [[nodiscard]] std::string trade_advice(const TradeChoice& choice);
 
 }  // namespace sarsim::scene

@@ -26,10 +26,11 @@ struct Unit {
   bool shown = true;      ///< May be chosen to show a value.
   bool prefixed = false;  ///< Its first letter is a prefix, whose case can change its meaning.
   double divisor = 1.0;
-  bool yields = false;  ///< A name of [let] with its letters comes before it.
+  bool yields = false;  ///< A name in [let] with the same letters takes precedence.
   bool told = true;     ///< Listed in messages.
 
-  /// Whether numbers with it do not count from zero in the base unit: their sign is theirs, and there are no multiples.
+  /// Whether it is a level (decibels, degC): zero is not zero in the base unit, negative numbers are usual, and
+  /// multiples have no meaning.
   [[nodiscard]] constexpr bool is_level() const { return law == Law::decibel || law == Law::offset; }
 };
 
@@ -62,8 +63,8 @@ struct UnitSearch {
 [[nodiscard]] UnitSearch find_unit(std::string_view typed, std::string_view text);
 /// The unit with exactly this name among those of all quantities; null where there is none.
 [[nodiscard]] UnitSearch unit_called(std::string_view name);
-/// The name of the unit that the trade spells in another way, in any letters: "kn" of "knots", "us" of "usec"; empty
-/// where there is none.
+/// The name of the unit for another common spelling, ignoring case: "kn" for "knots", "us" for "usec"; empty if there
+/// is none.
 [[nodiscard]] std::string_view unit_meant_by(std::string_view typed);
 
 /// A number (`number_length`) in a unit, in the base unit: correctly rounded once where the unit is a power of ten.

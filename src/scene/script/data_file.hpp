@@ -26,12 +26,12 @@ using DataFileLoader = std::function<DataFileText(const std::string& name)>;
 struct DataFileReading {
   std::vector<std::vector<core::Knot>> functions;
   core::Problems problems;
-  bool deferred = false;  ///< The file is HDF5: who has that library reads its table; there are no points yet.
+  bool deferred = false;  ///< The file is HDF5: its table is read later, by code with that library; no points yet.
 };
 
 /// Reads a user-function data file: a text with, for each function of `block`, the number of points, then x and y of
-/// each point; or a table with a row for each x, as text or as an array of NumPy (`table_file.hpp`), which every text
-/// is that makes no sense in the first way. Separators and comments are those of a script; docs/formats/script.md.
+/// each point; or a table with a row for each x, as text or as a NumPy array (`table_file.hpp`). A text that cannot be
+/// read in the first way is read as a table. Separators and comments are those of a script; docs/formats/script.md.
 /// Always gives `block.count` lists; where `problems` holds an error they are incomplete. The method of interpolation
 /// is not part of the file.
 ///

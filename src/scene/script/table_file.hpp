@@ -13,20 +13,20 @@
 /// Data files of functions that are tables: rows of x and the values at x (docs/formats/script.md, "Data files").
 namespace sarsim::scene {
 
-/// What the numbers of an axis measure; in tables they count in its base unit, where a heading names no other.
+/// The quantity of an axis; numbers in tables are in its base unit unless a heading names another.
 [[nodiscard]] Quantity quantity_of(const FunctionAxis& axis);
 
-/// Whether bytes are those of an HDF5 file, whose dataset /points is a table that the library of that format reads.
+/// Whether bytes are those of an HDF5 file. Its table is the dataset /points, which only the HDF5 library can read.
 [[nodiscard]] bool is_hdf5(std::string_view bytes);
 
-/// Reads an array of NumPy, of one or two dimensions, as a table; nothing where the bytes are no such array.
+/// Reads a NumPy array of one or two dimensions as a table; nothing if the bytes are not such an array.
 [[nodiscard]] std::optional<DataFileReading> read_npy_table(std::string_view bytes, const std::string& file_name,
                                                             const FunctionBlock& block);
 
-/// Reads rows of text: cells parted by tabs, semicolons, commas or blanks, below a line of names or without one, which
-/// may have units in brackets. Nothing for what is no such table: without a line of names, rows of other columns, fewer
-/// than two of them, or with something wrong.
-/// @param certainly  the file is no data file of another kind: then what is wrong with its rows is told
+/// Reads rows of text: cells separated by tabs, semicolons, commas or blanks, optionally below a line of names, which
+/// may have units in brackets. Nothing for a text that is not such a table: without a line of names, rows of other
+/// numbers of columns, fewer than two rows, or any error.
+/// @param certainly  the file cannot be a data file of another kind: errors in its rows are then reported
 [[nodiscard]] std::optional<DataFileReading> read_text_table(std::string_view text, const std::string& file_name,
                                                              const FunctionBlock& block, bool certainly);
 

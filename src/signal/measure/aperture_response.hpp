@@ -7,9 +7,9 @@
 
 namespace sarsim::signal {
 
-/// A pulse as part of a target's response along a line through the image.
+/// Contribution of a pulse to a target's response along a line through the image.
 struct ApertureLook {
-  double slope = 0.0;   ///< Change of the distance to the antenna per metre along the line: line of sight times line.
+  double slope = 0.0;   ///< Change of the distance to the antenna per metre along the line: unit line of sight . line.
   double weight = 0.0;  ///< Of its echo in the image, above 0.
 };
 
@@ -19,17 +19,17 @@ struct ApertureBand {
   double band_per_m = 0.0;     ///< 2 B/c, above 0.
 };
 
-/// Figures of the response along a line of a target that is seen from many directions: that of the part of a polar
-/// annulus which they and the band fill,
+/// Figures of the response, along a line, of a target seen from many directions, which with the band fill part of a
+/// polar annulus:
 ///
 ///     I(s) = sum over looks of w g(a s) exp(2 pi j (2 f0/c) a s),
 ///
-/// a the slope of a look and g the compressed pulse over the distance. It is that of back-projection for any aperture
-/// and any bandwidth, at which the response is no product of one over the range and one over the azimuth.
+/// with a the slope of a look and g the compressed pulse over the distance. This is the response of back-projection for
+/// any aperture and bandwidth, also where it is not the product of a range and an azimuth response.
 ///
 /// @param pulse  g, over the distance times the band
-/// @return widths and nulls in metres of the line; nothing where the support has no width along it or no minimum lies
-///         within 25 of its inverse widths
+/// @return widths and nulls in metres along the line; nothing if the support has no width along it or there is
+///         no minimum within 25 inverse widths
 [[nodiscard]] std::optional<ResponseFigures> aperture_figures(std::span<const ApertureLook> looks,
                                                               const ApertureBand& band, const SampledResponse& pulse);
 

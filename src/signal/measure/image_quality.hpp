@@ -39,13 +39,13 @@ struct PointCuts {
   ResponseCut range;
 };
 
-/// Directions of the cuts through the points of an image, as a vector of azimuth and range.
+/// Directions of the cuts through the points of an image, as unit vectors of azimuth and range.
 struct ResponseAxes {
   ImagePlace range{0.0, 1.0};    ///< Along the line of sight.
   ImagePlace azimuth{1.0, 0.0};  ///< Across it.
 };
 
-/// Those of an image: along its axes where the beam's centre looks less than half a degree ahead or back.
+/// The axes of an image: azimuth and range if the squint of the beam centre is below half a degree.
 [[nodiscard]] ResponseAxes response_axes(const FocusedImage& image);
 
 /// The largest peak near a place, between samples: a piece of the image about it is taken for one period of a

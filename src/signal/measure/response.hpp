@@ -32,7 +32,7 @@ inline constexpr double islr_null_widths = 10.0;
 [[nodiscard]] std::optional<ResponseFigures> figures_of(std::span<const std::complex<double>> response,
                                                         std::size_t peak);
 
-/// A response at evenly spaced places.
+/// A response at evenly spaced positions.
 struct SampledResponse {
   std::vector<std::complex<double>> values;
   std::size_t peak = 0;
@@ -41,12 +41,12 @@ struct SampledResponse {
 
 /// What becomes of a chirp's spectrum beyond half the sampling rate.
 enum class BeyondSampling {
-  folded,  ///< It comes back, in phase with the rest: echoes that peak at a sample.
-  lost,    ///< Its mean is 0: over an aperture in which the echo migrates through samples.
+  folded,  ///< It aliases, in phase with the rest: for echoes that peak at a sample.
+  lost,    ///< It averages to 0: over an aperture in which the echo migrates through samples.
 };
 
-/// The response whose figures `theoretical_figures` gives, with 64 values or more to the inverse bandwidth. Of a chirp
-/// without window and filter the peak is 1, less what is lost; of an even spectrum its scale means nothing.
+/// The response whose figures `theoretical_figures` gives, with 64 values or more to the inverse bandwidth. For a
+/// chirp without window and filter the peak is 1, less what is lost; for an even spectrum the scale has no meaning.
 [[nodiscard]] SampledResponse theoretical_response(const SarWindow& window, double time_bandwidth, double sampling,
                                                    const std::function<double(double)>& filter, BeyondSampling beyond);
 

@@ -28,8 +28,8 @@ struct DopplerWeights {
   float scale = 1.0F;
 };
 
-/// column[k] = scale share weight[k] column[k] exp(2 pi j turns[k]), share 0 beyond `low` and `high`, and exactly 1
-/// where both are farther away than their edges.
+/// column[k] = scale share weight[k] column[k] exp(2 pi j turns[k]), with the share 0 beyond `low` and `high`, and
+/// exactly 1 where the distance to both exceeds their edges.
 void weigh_column(std::span<std::complex<float>> column, std::span<const float> turns, const DopplerWeights& weights);
 
 /// c0 + c1 x + c2 x^2 + c3 x^3.

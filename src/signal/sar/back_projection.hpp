@@ -22,7 +22,7 @@ struct PointGrid {
   core::Vec3 column_step_m;
   std::size_t rows = 0;
   std::size_t columns = 0;
-  /// If not empty: the place of a row and a column, continuous in both; the steps are then of no use.
+  /// If not empty: the world position of a row and a column [m], continuous in both; the steps are then not used.
   std::function<core::Vec3(double row, double column)> curved{};
 
   [[nodiscard]] core::Vec3 at(double row, double column) const {

@@ -47,17 +47,17 @@ struct ProjectionAperture {
   std::vector<float> weights;  ///< pieces + 1 values from place -1/2 to 1/2 and one more; empty where uniform.
 };
 
-/// Where the points of one stretch of all rows of a tile are, on a curved surface:
+/// Positions of the points of one stretch of all rows of a tile on a curved surface:
 ///
 ///     sum over a, b of terms[a][b] (row - middle_row)^a j^b,     a and b from 0 to 3,
 ///
-/// j the column counted from the middle of the stretch.
+/// with j the column counted from the middle of the stretch; m, world.
 struct StretchSurface {
   static constexpr double middle_row = 15.5;
 
   std::array<std::array<core::Vec3, 4>, 4> terms{};
 
-  /// World.
+  /// The point of a row and a column j, world.
   [[nodiscard]] core::Vec3 point_m(double row, double j) const;
 };
 
@@ -78,7 +78,7 @@ struct ProjectionTile {
   alignas(64) std::array<float, rows * columns> im{};
   alignas(64) std::array<float, rows * columns> weight{};  ///< Sum of weights; left alone by Kind::all.
 
-  /// Place of a point.
+  /// Position of a point, world.
   [[nodiscard]] core::Vec3 point_m(std::size_t row, std::size_t column) const;
 };
 
@@ -99,7 +99,7 @@ enum class Stretch : std::size_t { by_point = 0, of_16 = 16, of_32 = 32, of_64 =
 /// double precision at the middle of each stretch; from there a polynomial in float leads on, with whole turns per
 /// point taken out of its linear term: within 1.3e-5 cycles of the exact phase and 1e-3 of a record. SIMD with run-time
 /// choice of the instruction set.
-/// @param tile  with as many pieces of a surface as stretches, where it has a surface and no points
+/// @param tile  with as many pieces of a surface as stretches, if it has a surface and no points
 void project(std::span<const ProjectionPulse> pulses, const ProjectionConstants& constants,
              const ProjectionAperture& aperture, Stretch stretch, ProjectionTile& tile);
 

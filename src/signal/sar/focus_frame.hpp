@@ -57,8 +57,8 @@ struct FocusFrame {
   std::size_t hidden_columns = 0;  ///< Before it.
   double blur_m = 0.0;  ///< By which responses are wider along the track than the directions they are seen in.
   double reference_range_m = 0.0;  ///< Closest distance at the middle of the swath.
-  double row_samples = 0.0;        ///< Span of echoes that a row's spectrum is interpolated for (omega-k).
-  double centroid_cosine = 1.0;    ///< D at the Doppler centroid.
+  double row_samples = 0.0;      ///< Span of echoes, in samples, for which a row's spectrum is interpolated (omega-k).
+  double centroid_cosine = 1.0;  ///< D at the Doppler centroid.
 
   [[nodiscard]] double wavelength_m() const {
     return radar::wavelength_of(waveform.carrier_hz, waveform.light_speed_mps);
@@ -74,24 +74,24 @@ struct FocusFrame {
   [[nodiscard]] double sine(double doppler_hz) const;
   /// Half of the pulse's band, in parts of the carrier.
   [[nodiscard]] double half_band_share() const { return 0.5 * std::abs(waveform.bandwidth_hz) / waveform.carrier_hz; }
-  /// Sines of Doppler frequencies at the carrier: nothing beyond `low` and `high` is seen, all of what is farther
-  /// within than the edges is.
+  /// Sines of Doppler frequencies at the carrier: nothing beyond `low` and `high` is seen; inside of both edges
+  /// everything is.
   struct Sines {
     double low = -1.0;
     double high = 1.0;
     double low_edge = 0.0;
     double high_edge = 0.0;
   };
-  /// Those under which the pulses see what the image shows at a closest distance, above 0, at any frequency of the
-  /// pulse. The edges are half a blur wide, and lie beyond what is shown.
+  /// Those under which the pulses see the part of the image at a closest distance, above 0, at any frequency of the
+  /// pulse. The edges are half a blur wide and lie outside that part.
   [[nodiscard]] Sines sines_at(double range_m) const;
-  /// What the closest distances that are shown at a Doppler frequency have their echoes referred to, so that the
-  /// spectrum of what remains is as smooth as it can be (omega-k), and how far the farthest of these echoes is from it.
+  /// Closest distance to which the echoes at a Doppler frequency are referred, so that the remaining spectrum is as
+  /// smooth as possible (omega-k), and the distance from it to the farthest of these echoes.
   struct RowReference {
     double range_m = 0.0;
     double half_span_m = 0.0;
   };
-  /// The middle of the swath where it does.
+  /// The middle of the swath where that suffices.
   [[nodiscard]] RowReference row_reference(double doppler_hz) const;
   /// Frequency of a bin of a range spectrum, in [-fs/2, fs/2).
   [[nodiscard]] double range_hz(std::size_t bin) const;
@@ -165,13 +165,13 @@ class RowFocuser {
   return (0.5 * doppler_hz - range_hz) * early_s;
 }
 
-/// Frequencies whose direction is within 2.6 degrees of the track count as those of none: their weight grows beyond all
-/// bounds, and so would the noise of a platform so slow that its pulses sample more than all directions.
+/// Frequencies whose direction is within 2.6 degrees of the track are set to 0: their weight grows without bound, and
+/// so would the noise of a platform so slow that its pulses sample more than all directions.
 inline constexpr double most_sine = 0.999;
 
-/// Multiplies a row of the two-dimensional spectrum by sqrt(f0/F) (D0/D)^1.5, D the cosine of the direction at the
-/// frequency F = f0 + f and D0 that at the carrier: the weight at the carrier then becomes that of each frequency.
-/// Leaves rows of narrow bands as they are, where it would change the peak by less than 0.01 dB.
+/// Multiplies a row of the two-dimensional spectrum by sqrt(f0/F) (D0/D)^1.5, with D the cosine of the direction at the
+/// frequency F = f0 + f and D0 that at the carrier: this turns the weight at the carrier into that of each frequency.
+/// Leaves rows unchanged if it would change the peak by less than 0.01 dB.
 void weigh_by_frequency(const FocusFrame& frame, double sine, std::span<std::complex<float>> bins,
                         const FrequencyRuns& runs, std::span<float> factors);
 

@@ -21,7 +21,7 @@ class GroundSight {
   /// The point of the ground at a distance from a point of the line; straight below where the ground is farther away
   /// than that.
   [[nodiscard]] core::Vec3 point_at(const core::Vec3& from_m, double range_m) const;
-  /// How a point of the ground moves for each metre along the line, and for each metre of distance.
+  /// Derivatives of a ground point with respect to the position along the line and to the distance, m/m, world.
   struct Tangents {
     core::Vec3 along;
     core::Vec3 across;

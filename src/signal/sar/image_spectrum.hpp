@@ -40,16 +40,16 @@ struct SeenDirection {
 [[nodiscard]] std::optional<ImageSpectrum> spectrum_of(std::span<const SeenDirection> seen, const SarWaveform& waveform,
                                                        double beyond);
 
-/// One pulse's sight of a point of an image: by how much the point recedes from the antenna for each metre of the
-/// image's coordinates.
+/// One pulse's view of a point of an image: derivatives of the distance to the antenna with respect to the image's
+/// coordinates, m/m.
 struct SeenSlopes {
   double azimuth = 0.0;
   double range = 0.0;
   double weight = 0.0;  ///< Amplitude of the echo, at least 0.
 };
 
-/// The same as `spectrum_of` of directions for an image on any surface and of any flight: with the slopes a and r and
-/// those of the distance that the image's phases are taken from, a0 and r0 (baseband),
+/// The same as `spectrum_of` directions, for an image on any surface and any flight: with the slopes a and r, and the
+/// slopes a0 and r0 of the distance to which the image's phases refer (baseband), in cycles per metre
 ///
 ///     azimuth  (2/c) ((f0 + f) a - f0 a0),        range  (2/c) ((f0 + f) r - f0 r0).
 [[nodiscard]] std::optional<ImageSpectrum> spectrum_of(std::span<const SeenSlopes> seen, const SeenSlopes& baseband,

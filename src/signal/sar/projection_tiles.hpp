@@ -10,10 +10,10 @@
 
 namespace sarsim::signal {
 
-/// The rectangles a grid is computed in, in bands of whole rows of the grid. The columns of a tile run along those of
-/// the grid or, where distances from the antenna change less that way, along its rows. On a curved surface the points
-/// of each stretch of a tile follow from a cubic in both directions that is within 1e-4 of a wavelength of the surface;
-/// where no stretch allows that, as straight below a track, each point is placed by itself.
+/// The rectangles in which a grid is computed, in bands of whole rows of the grid. The columns of a tile run along
+/// those of the grid or, if distances from the antenna change less that way, along its rows. On a curved surface the
+/// points of each stretch of a tile follow from a bicubic polynomial within 1e-4 of a wavelength of the surface; where
+/// no stretch is accurate enough, as directly below a track, each point is computed by itself.
 class ProjectionTiles {
  public:
   static constexpr std::size_t points = ProjectionTile::rows * ProjectionTile::columns;
@@ -25,19 +25,19 @@ class ProjectionTiles {
   [[nodiscard]] std::size_t count() const { return across_ * down_; }
   [[nodiscard]] std::size_t first_row(std::size_t tile) const { return tile / across_ * high_; }
   [[nodiscard]] std::size_t first_column(std::size_t tile) const { return tile % across_ * wide_; }
-  /// Of the grid that a tile has.
+  /// Rows of the grid in a tile.
   [[nodiscard]] std::size_t rows(std::size_t tile) const;
-  /// Of the grid that a tile has.
+  /// Columns of the grid in a tile.
   [[nodiscard]] std::size_t columns(std::size_t tile) const;
   [[nodiscard]] std::size_t tiles_of_band() const { return across_; }
-  /// Where a tile has the point of a row and a column of the grid, counted from its first ones.
+  /// Index in a tile of the point of a row and a column of the grid, counted from the tile's first ones.
   [[nodiscard]] std::size_t at(std::size_t row, std::size_t column) const {
     return turned_ ? column * ProjectionTile::columns + row : row * ProjectionTile::columns + column;
   }
   [[nodiscard]] Stretch stretch(std::size_t tile) const { return plans_[tile].stretch; }
 
   /// Gives a tile its points.
-  /// @param points_m  room for those that are placed one by one, which the tile refers to
+  /// @param points_m  storage for points that are computed one by one; must outlive the tile
   void place(std::size_t index, ProjectionTile& tile, std::vector<core::Vec3>& points_m) const;
 
  private:

@@ -19,12 +19,12 @@ struct ReferenceTrack {
 /// pulse, or pulses at one time: its own velocity. No pulses: at rest at the origin.
 [[nodiscard]] ReferenceTrack fitted_track(std::span<const TrackPoint> track);
 
-/// How straight a flight is: the distance from its first pulse to its last over the sum of the distances between those
-/// at its eighths. 1 for a straight flight, also one that sways fast, about sin(a/2)/(a/2) for a turn by the angle a,
-/// 0 for a circle and for fewer than two pulses.
+/// Straightness of a flight, 0 to 1: the distance from its first pulse to its last over the sum of the distances
+/// between the pulses at its eighths. 1 for a straight flight, also with fast sway, about sin(a/2)/(a/2) for a turn by
+/// the angle a, 0 for a circle and for fewer than two pulses.
 [[nodiscard]] double straightness(std::span<const TrackPoint> track);
 
-/// Below it a flight goes around rather than along a line: a turn by more than about 50 degrees.
+/// Straightness below which a flight is treated as curved, without a line: a turn by more than about 50 degrees.
 inline constexpr double least_straightness = 0.97;
 
 /// Distance of a point from the whole line; from `position_m` where the velocity is 0.

@@ -28,7 +28,7 @@ struct SarWindow {
 /// The mean of the weights over the band.
 [[nodiscard]] double mean_weight(const SarWindow& window);
 
-/// The words of windows that options take, for messages and help.
+/// The names of windows in options, for messages and help.
 inline constexpr std::string_view window_texts =
     "rectangular, hann, hamming, bartlett, blackman, kaiser[:BETA] or taylor[:DB:NBAR]";
 

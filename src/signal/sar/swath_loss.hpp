@@ -10,8 +10,8 @@ namespace sarsim::signal {
 
 struct FocusFrame;
 
-/// What a method in the frequency domain makes of a point, against the weighted mean of its echoes, each at its true
-/// phase, which is what back projection takes.
+/// Image of a point by a method in the frequency domain, relative to the weighted mean of its echoes, each at its true
+/// phase, as back-projection gives it.
 struct SwathLoss {
   double from_middle_m = 0.0;  ///< Of its closest distance, from that of the middle of the swath.
   double amplitude = 1.0;      ///< Of its peak, relative to that mean.
@@ -26,8 +26,8 @@ struct SwathLoss {
 ///     -2 pi (2 (R - Rm)/c) (sqrt((f0 + f)^2 - (f0 sin a)^2) - f0 cos a - f/cos a)
 ///
 /// remains at each range frequency f and each Doppler frequency 2 V f0 sin a/c. Omega-k leaves no phase. All lose the
-/// frequencies that no direction has for them, those which the pulses alias at the upper end of a wide band, and, of
-/// omega-k, those whose echoes are farther from the others than its rows are interpolated for. The spectrum is that of
+/// frequencies that correspond to no direction and those that are aliased at the upper end of a wide band; omega-k also
+/// those whose echoes are outside the span for which its rows are interpolated. The spectrum is that of
 /// the pulses' echoes, with the windows of range and azimuth, filled evenly over the pulse's band; the peak is where
 /// its sum is largest.
 class PointLosses {
@@ -38,11 +38,11 @@ class PointLosses {
   /// Closest distance of the middle of the swath.
   [[nodiscard]] double middle_m() const;
   /// @param range_m  closest distance
-  /// @param seen     directions of the point and the amplitudes of its echoes, of some evenly spaced pulses of all:
-  ///                 sines in (-1, 1). The window over the pulses is not in them
+  /// @param seen     directions of the point (sines in (-1, 1)) and amplitudes of its echoes, for evenly spaced pulses,
+  ///                 without the window over the pulses
   [[nodiscard]] SwathLoss of(double range_m, std::span<const SeenDirection> seen) const;
-  /// The most that range-Doppler and chirp scaling leave of a phase in the spectrum of a point between two sines, in
-  /// cycles: to tell which of many points may lose most. 0 for omega-k.
+  /// Upper bound of the phase that range-Doppler and chirp scaling leave in the spectrum of a point between two sines,
+  /// in cycles: to find which of many points may lose most. 0 for omega-k.
   [[nodiscard]] double left_turns(double range_m, double low_sine, double high_sine) const;
 
  private:

@@ -17,7 +17,7 @@ struct SteppedWaveform {
   double carrier_step_hz = 0.0;     ///< Negative for carriers that step down.
   std::size_t steps = 1;            ///< S
   std::size_t pulses_per_step = 1;  ///< p; a burst has S p pulses.
-  std::vector<std::size_t> order;   ///< Step of each of the S places of a burst, where carriers hop; empty: in turn.
+  std::vector<std::size_t> order;   ///< Step of each of the S positions in a burst, if carriers hop; empty: in turn.
   double pulse_width_s = 0.0;
   double sweep_rate_hz_per_s = 0.0;  ///< K of chirps, else 0.
   /// Of modulated pulses: the band about its carrier that each pulse contributes. 0: one sample for each pulse.

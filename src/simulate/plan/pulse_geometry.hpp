@@ -18,7 +18,7 @@ struct ScattererView {
   double delay_s = 0.0;           ///< Two-way light time (docs/theory/echo-model.md).
   radar::PulseClock clock;        ///< How the echo is stretched.
   double amplitude_sqrt_w = 0.0;  ///< Radar equation (thesis 2.2, 6.13-6.15), with antenna, cross-section and losses.
-  double incidence_rad = 0.0;     ///< Of a scatterer whose reflectivity depends on it.
+  double incidence_rad = 0.0;     ///< From its normal; only if the reflectivity depends on it.
 };
 
 /// Where everything stands when each pulse of one radar leaves. Not shared between threads: each makes its own.

@@ -32,8 +32,8 @@ class AirPaths {
   /// One way, as the tables have it.
   [[nodiscard]] radar::PathEffect one_way(const core::Vec3& radar_m, const core::Vec3& point_m) const;
 
-  /// By how much the bent ray between two points is quicker than the straight line of `one_way`, m, one way; 0 without
-  /// refraction. Accuracy of `radar::bending_gain_m`.
+  /// Optical path along the straight line of `one_way` minus that along the bent ray, m, one way; 0 without refraction.
+  /// Accuracy of `radar::bending_gain_m`.
   [[nodiscard]] double bending_m(const core::Vec3& radar_m, const core::Vec3& point_m) const;
 
   /// Elevation of the straight line at its lower end, rad.

@@ -19,8 +19,8 @@ struct Conventions {
   enum class Stc { receiver_gain, no_spreading };  ///< Gain at the sample's range; 1/d^2 left out of the amplitude.
 
   enum class Reception { every_pulse, own_pulse };  ///< A row hears echoes of all pulses, or of its own alone.
-  /// Functions beyond their points: scene::FunctionEnds, or as their interpolation goes on, antennas at the angle's
-  /// magnitude (1998).
+  /// Functions beyond their points: by scene::FunctionEnds, or extrapolated by their interpolation, with antennas at
+  /// the magnitude of the angle (1998).
   enum class FunctionEnds { by_role, by_method };
 
   double light_speed_mps = 0.0;
@@ -42,9 +42,9 @@ struct Conventions {
 
 /// What a profile stands for.
 [[nodiscard]] Conventions conventions_of(scene::Profile profile);
-/// How functions given by points are completed between them, by profile and option.
+/// Rules for functions given by points between their points, by profile and option.
 [[nodiscard]] core::InterpolationRules interpolation_rules(const scene::RunOptions& options);
-/// Same, with what lies beyond the points of a function for this role.
+/// The same, with the rule beyond the points of a function with this role.
 [[nodiscard]] core::InterpolationRules interpolation_rules(const scene::RunOptions& options, scene::FunctionRole role);
 
 }  // namespace sarsim::simulate

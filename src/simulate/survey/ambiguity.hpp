@@ -10,7 +10,8 @@
 
 namespace sarsim::simulate {
 
-/// What is said of targets behind the unambiguous range; scene::window_beyond_range is the same fact of the window.
+/// Part of the message about targets beyond the unambiguous range; it replaces scene::window_beyond_range, the same
+/// fact about the window.
 inline constexpr std::string_view late_echoes = "arrive after the next pulse has left";
 
 /// What pulses other than a row's own do to it: echoes that arrive after the next pulse has left, echoes of other

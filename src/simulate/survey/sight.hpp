@@ -9,10 +9,10 @@
 
 namespace sarsim::simulate {
 
-/// A look at a target while its echo is within 6 dB of its strongest.
+/// A target as seen by a pulse whose echo is within 6 dB of its strongest.
 struct LitLook {
-  radar::BeamOffset offset;    ///< From the beam's axis.
-  double incidence_rad = 0.0;  ///< Of a target with a reflectivity.
+  radar::BeamOffset offset;    ///< From the beam's axis, rad.
+  double incidence_rad = 0.0;  ///< From the normal, for targets with a directional reflectivity.
 };
 
 /// One target as the beam of a recording passes it. Of the undisturbed target: without its random parts.
@@ -30,7 +30,7 @@ struct TargetSight {
                                ///< gives. Of a turning beam, of one pass.
   double nearest_m = 0.0;      ///< Least range while its echo is within 6 dB of its strongest.
   double farthest_m = 0.0;     ///< Largest range meanwhile.
-  std::vector<LitLook> lit;    ///< Where functions of the angle are by points: at most 64 looks meanwhile.
+  std::vector<LitLook> lit;    ///< At most 64 looks meanwhile, if functions of the angle are given by points.
 };
 
 /// Looks at targets one by one, as closely in slow time as their passage through the beam needs. Costs some hundreds of

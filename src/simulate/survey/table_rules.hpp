@@ -8,13 +8,13 @@
 
 namespace sarsim::simulate {
 
-/// Adds which targets are seen at angles beyond the points of an antenna's cuts, or of their own reflectivity, while
-/// the beam is on them: how many, at which angle, of which table, and what is taken there.
+/// Reports targets that the beam illuminates at angles beyond the points of an antenna's cuts, or of their own
+/// reflectivity: how many, at which angle, of which table, and the value used there.
 void check_tables(const SightCase& sighted, core::Problems& problems);
 
-/// Where the profiles `classic` and `physical` read the functions of a scene differently, by more than a tenth of a
-/// decibel: cuts of antennas, reflectivities and gains of the receiver, of targets as the survey saw them. Notes, or
-/// warnings where `classic` leaves out half of a cut.
+/// Differences of more than 0.1 dB between the profiles `classic` and `physical` in reading the functions of a scene:
+/// cuts of antennas, reflectivities and gains of the receiver, for the targets in the survey. Notes, or warnings if
+/// `classic` ignores half of a cut.
 /// @param summaries  of the scene's simulations
 [[nodiscard]] core::Problems differences_of_profiles(const scene::Scene& scene, std::span<const EchoSummary> summaries);
 

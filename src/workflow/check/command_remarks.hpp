@@ -23,8 +23,8 @@ namespace sarsim::workflow {
 /// L.
 ///
 /// A command that would refuse the simulation has no remarks, except `focus`, whose first error becomes a note; nor has
-/// `focus` where targets times pulses, of which it looks at 2048 at most, are more than a million. Nobody detects
-/// without noise.
+/// `focus` if targets times pulses, of which it examines at most 2048, exceed a million. Without noise there are no
+/// remarks on detection.
 /// @param scene     has passed `check` and the survey without errors
 /// @param resolved  what `resolve` gives for it
 /// @throw  Interrupted

@@ -34,7 +34,7 @@ struct ReferencePoint {
 struct Collection {
   std::shared_ptr<const simulate::Plan> plan;  ///< Raw pulses of the physical profile.
   core::SampleRows<double> rows;               ///< Of the plan, V.
-  bool computed = true;                        ///< From a scene; otherwise they were recorded.
+  bool computed = true;                        ///< The rows are computed from a scene; otherwise they were recorded.
   radar::EarthFrame earth;                     ///< Under the world.
   bool flat = true;                            ///< The world is a plane, laid on the Earth at the anchor.
   radar::Instant start;                        ///< Time 0 of the file,

@@ -22,22 +22,23 @@ struct AutofocusFinding {
   double entropy_before = 0.0;
   double entropy_after = 0.0;
   bool applied = false;  ///< Not where it failed: the image is then as it was.
-  /// Standard deviation of the pixels' powers over their mean: the larger, the sharper.
+  /// Standard deviation of pixel power over its mean: the larger, the sharper.
   double contrast_before = 0.0;
   double contrast_after = 0.0;
-  /// Points that the image was judged by: those of the targets that stand out of their surroundings, or, where none
-  /// does, whatever else.
+  /// Number of points by which the image was judged: targets that stand out of their surroundings, or other points if
+  /// there are no targets.
   std::size_t points = 0;
-  double point_gain_db = 0.0;        ///< Median of what their peaks gained.
-  double point_snr_before_db = 0.0;  ///< Median of their peaks over the noise around them.
+  double point_gain_db = 0.0;        ///< Median gain of their peaks.
+  double point_snr_before_db = 0.0;  ///< Median ratio of their peaks to the noise around them.
   double point_snr_after_db = 0.0;
   std::optional<double>
-      point_level_db{};  ///< Median of their peaks afterwards over what their echoes give; of targets.
+      point_level_db{};  ///< Median of their peaks afterwards, relative to the mean of their echoes; targets only.
 };
 
-/// Whether autofocus failed, in words: the image would lose sharpness or contrast, hardly gain any although much was
-/// found, no point stands out, the points' peaks do not grow as taking out such an error makes them grow, or they stay
-/// far below what their echoes give. Empty where it did not. Noise alone gains some sharpness, but no such peaks.
+/// Why autofocus failed, in words: the image would lose sharpness or contrast, or hardly gain any although a large
+/// error was found, no point stands out, the point peaks gain less than removing the error should give, or they stay
+/// more than 10 dB below the mean of their echoes. Empty if it did not fail. On noise alone sharpness improves, but not
+/// the peaks.
 [[nodiscard]] std::string failure_of(const AutofocusFinding& finding);
 
 /// The same as a warning that says what to try.

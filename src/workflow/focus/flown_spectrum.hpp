@@ -11,8 +11,8 @@ namespace sarsim::workflow {
 /// The wave numbers that the targets fill in an image of back-projection, from the places that the antenna really had:
 /// also of a flight that is not straight. As `seen_spectrum`: all but `left_out_of_image`.
 /// @param image    its frame: in slant range the line that fits the track, with the points on level ground
-/// @param scene_m  world; a point that says on which side of the line, and how high, the ground is
-/// @param kept     directions from that line by their Doppler frequencies
+/// @param scene_m  world; a point of the ground, which gives its height and side of the line
+/// @param kept     directions from that line that are kept, by their Doppler frequencies
 /// @throw  Interrupted
 [[nodiscard]] std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan,
                                                                   const signal::EchoRows& echoes,

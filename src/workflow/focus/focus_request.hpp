@@ -19,7 +19,7 @@ enum class FocusAlgorithm {
   chirp_scaling,
   omega_k,
   back_projection,
-  automatic,  ///< Omega-k, or back-projection where that leaves less and omega-k too much (`choose_method`).
+  automatic,  ///< Omega-k, or back-projection if its error is smaller and that of omega-k too large (`choose_method`).
 };
 
 /// As requests and image headers call it: "omega-k".
@@ -51,7 +51,7 @@ struct FocusRequest {
   double bandwidth_hz = 0.0;                         ///< Doppler frequencies to keep about the centroid; 0: all.
   std::optional<signal::AxisInterval> azimuth_area;  ///< Of the image to make; nothing: what the record's middle sees.
   std::optional<signal::AxisInterval> range_area;    ///< Of its columns; nothing: all that are recorded.
-  std::optional<FocusGrid> grid;      ///< Nothing: slant; ground where the antenna flies around, not along a line.
+  std::optional<FocusGrid> grid;                     ///< Nothing: slant; ground if the antenna flies around the scene.
   std::optional<double> ground_m;     ///< Height of the ground, world; nothing: that of the middle of the scene.
   bool start_stop = false;            ///< Back projection as if the antenna rested while a pulse travels.
   std::optional<MotionOrder> motion;  ///< Nothing: what the track needs.

@@ -33,35 +33,35 @@ struct MeasureRequest {
   unsigned threads = 0;               ///< 0: one for each core.
 };
 
-/// What became of a target in an image.
+/// Result for a target in an image.
 enum class TargetState {
-  no_echoes,  ///< Theory has none of it.
-  outside,    ///< Its place is not in the image: it was not looked for.
-  not_found,  ///< No peak that noise alone may not reach, or one far from its place and 20 dB or more too weak.
-  displaced,  ///< A peak farther from its place than half the width of a response and three standard deviations.
-  weak,       ///< A peak at its place, more than 3 dB below theory and less than noise takes from it once in 700 times.
-  strong,     ///< A peak at its place, more than 3 dB above theory and more than noise adds to it once in 700 times.
-  found,      ///< A peak at its place and of its strength.
+  no_echoes,  ///< No echoes of it are expected.
+  outside,    ///< Its expected position is not in the image: it was not searched for.
+  not_found,  ///< No peak above the detection threshold, or a displaced one that is 20 dB or more too weak.
+  displaced,  ///< A peak off the expected position by more than half a -3 dB width and three standard deviations.
+  weak,       ///< A peak at the expected position, below the expected amplitude by 3 dB and three standard deviations.
+  strong,     ///< A peak at the expected position, above the expected amplitude by 3 dB and three standard deviations.
+  found,      ///< A peak at the expected position with the expected amplitude.
 };
 
 /// "no echoes", "outside", "not found", "displaced", "weak", "strong", "found".
 [[nodiscard]] const char* to_string(TargetState state);
 
-/// A target as it should be and as it is.
+/// A target, expected and measured.
 struct MeasuredTarget {
   TargetTheory theory;
   TargetState state = TargetState::not_found;
-  /// A peak at the target's place and of its strength; its phase carried by the image's carrier to the place that
-  /// theory has.
+  /// The peak of a target that is found; its phase is referred by the image's carrier to the expected position.
   std::optional<signal::PointResponse> found;
-  /// The same of a peak that noise alone hardly reaches, but displaced, weak or strong.
+  /// The same for a peak above the threshold that is displaced, weak or strong.
   std::optional<signal::PointResponse> peak{};
   bool outside = false;    ///< Its place is not in the image: it was not looked for.
   double noise_v = 0.0;    ///< Root mean square of what the image shows beside its points, near this place; 0: nothing.
   double threshold = 0.0;  ///< Power over that of the noise that a peak in the area searched has to exceed.
   double search_m = 0.0;   ///< How far from its place, in both coordinates, it was looked for.
   double peak_v = 0.0;     ///< The largest peak there, found or not.
-  /// Probability that noise or clutter of `noise_v` alone has a peak as large in the area searched; 1 without a peak.
+  /// Probability that noise or clutter with the level `noise_v` has a peak this large in the searched area; 1 without a
+  /// peak.
   double false_alarm_probability = 1.0;
   signal::PointCuts cuts;         ///< Where they are wanted and the target was found.
   std::filesystem::path picture;  ///< Where it will be, where one is wanted.
@@ -95,7 +95,7 @@ struct MeasureSummary {
 /// The targets of an image.
 struct MeasureReport {
   ImageOrigin origin;                   ///< As the image's header has it.
-  std::string truth;                    ///< The file whose scene the targets are from, as it was opened.
+  std::string truth;                    ///< File of the scene with the targets, as it was opened.
   std::vector<MeasuredTarget> targets;  ///< In the order of the script.
   double false_alarm = 0.0;             ///< Probability that noise alone counts as a target.
   core::Problems problems;              ///< Of the way from the image to its script; they were handed to the observer.
@@ -114,18 +114,18 @@ struct MeasureReport {
 /// strong targets have the errors of their peaks; `found` is 1 only of those whose `state` it is.
 [[nodiscard]] std::string csv_of(const MeasureReport& report);
 
-/// What became of a target whose largest peak noise alone may not reach: `found` within half the width of its response
-/// along and across the line of sight, or three standard deviations of a place at its signal-to-noise ratio, and within
-/// 3 dB, or three standard deviations, of the amplitude of theory.
-/// @param axes  of the image's cuts
-/// @param peak  its place and amplitude
+/// State of a target whose largest peak is above the threshold: `found` within half the -3 dB width of its response
+/// along and across the line of sight, or three standard deviations of the position at its signal-to-noise ratio, and
+/// within 3 dB, or three standard deviations, of the expected amplitude.
+/// @param axes  directions of the image's cuts
+/// @param peak  its position, widths and amplitude
 [[nodiscard]] TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
                                    const signal::ResponseAxes& axes);
 
-/// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts as one where
-/// it is farther above the image's noise than noise alone reaches within the area searched with `false_alarm`. Throws
-/// core::Refused where the image is none of `focus`, its source cannot be read, the target is not there, or a picture
-/// exists; Interrupted.
+/// Measures the point targets of a focused image against theory (docs/theory/focusing.md). A peak counts if it exceeds
+/// the threshold over the image's noise that noise alone exceeds in the searched area with probability `false_alarm`.
+/// Throws core::Refused where the image is none of `focus`, its source cannot be read, the target is not there, or a
+/// picture exists; Interrupted.
 [[nodiscard]] MeasureReport measure(const MeasureRequest& request, const core::Observer& observer);
 
 }  // namespace sarsim::workflow

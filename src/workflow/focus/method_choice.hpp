@@ -5,14 +5,14 @@
 
 namespace sarsim::workflow {
 
-/// Takes back-projection where a request leaves the algorithm open and only it can focus: carriers that change, flights
-/// that turn back or around, pulses that are too unevenly spaced; a note says why. Decides what the columns of the
-/// image are where the request leaves it open: slant ranges, or, of a flight that goes around, places on level ground.
+/// Chooses back-projection if a request leaves the algorithm open and only it can focus: carriers that change, flights
+/// that turn back or around, pulses that are too unevenly spaced; a note gives the reason. Chooses the columns of the
+/// image if the request leaves them open: slant ranges, or positions on level ground for flights around the scene.
 /// @param[in,out] request  its algorithm may still be open; its grid is not
-/// @param[in,out] input    its problems
+/// @param[in,out] input    its problems receive the note
 void choose_beforehand(FocusRequest& request, FocusInput& input);
 
-/// Decides the rest: the algorithm, and what motion is compensated.
+/// Decides the rest: the algorithm and the order of motion compensation.
 ///
 /// What a method leaves counts: omega-k on the line that fits the track, with and without motion compensation, with
 /// what it loses of a band whose upper end the pulses alias (`worst_method_loss`); and back-projection on its grid. Of

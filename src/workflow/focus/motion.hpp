@@ -22,7 +22,8 @@ enum class MotionOrder {
 /// unevenly, that focusing in the frequency domain suffers.
 [[nodiscard]] bool wants_compensation(const core::Problems& problems);
 
-/// Motion compensation interpolates between pulses whose distance changes by up to this from one to the next.
+/// Largest relative change of the distance between pulses, from one to the next, across which motion compensation
+/// interpolates.
 inline constexpr double most_uneven = 0.02;
 
 /// core::Refused where the antenna does not fly the line that fits its track in one direction.

@@ -8,13 +8,13 @@
 
 namespace sarsim::workflow {
 
-/// What is wrong with a motion that is to be believed in place of that of the recording, pulse by pulse.
+/// Checks a navigation track, which replaces that of the recording, against it, pulse by pulse.
 ///
-/// Errors: it is farther from the recording's own track than the farthest range that was recorded; it flies the other
-/// way (the mean of the cosines between both, weighted by their steps, is below 0); its way is more than twice or less
-/// than half as long. Warnings, from what navigation systems do not lose within a recording on: a hundredth of the
-/// farthest range away, a way that is a hundredth longer or shorter, a direction 1 degree off. Ways and directions are
-/// compared over 64 parts of the recording, where the antenna goes a meter or more.
+/// Errors: it is farther from the recording's own track than the farthest recorded range; it has the opposite direction
+/// (the mean cosine between both, weighted by their steps, is below 0); it is more than twice or less than half as
+/// long. Warnings, where the difference exceeds what navigation systems drift within a recording: a hundredth of the
+/// farthest range away, 1 % longer or shorter, 1 degree off in direction. Lengths and directions are compared over 64
+/// parts of the recording, if the antenna moves by more than a metre.
 /// @param name        of the file
 /// @param recorded    the track of the recording
 /// @param believed    the other one, of the same pulses

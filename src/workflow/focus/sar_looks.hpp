@@ -54,9 +54,9 @@ class SarLooks {
             const std::function<void(std::size_t target, std::span<const SarLook> seen)>& body,
             std::size_t every = 1) const;
 
-  /// Where the antenna was, world, at each look as the pulse left.
+  /// Position of the antenna at each look, as the pulse left, world.
   [[nodiscard]] std::vector<core::Vec3> antennas() const;
-  /// Where a target is that does not move between the first and the last look, world; nothing of one that does.
+  /// Position, world, of a target that does not move between the first and the last look; nothing for one that does.
   [[nodiscard]] std::optional<core::Vec3> resting_place(std::size_t target) const;
 
   /// Where echoes of this look are focused to when they are taken to have that Doppler frequency.
@@ -79,9 +79,9 @@ class SarLooks {
   bool compensated_ = false;
 };
 
-/// Mean Doppler frequency of the echoes as they come from the line that fits the track, weighted by their power: that
-/// of the middle of the image where motion is compensated. A flight that sways has another mean of what it received.
-/// Nothing where there are no echoes.
+/// Mean Doppler frequency of the echoes as seen from the line that fits the track, weighted by their power, Hz: the
+/// Doppler centroid after motion compensation. With sway it differs from the mean of the received echoes. Nothing if
+/// there are no echoes.
 /// @throw  Interrupted
 [[nodiscard]] std::optional<double> line_doppler_centroid_hz(const simulate::Plan& plan, signal::EchoRows echoes,
                                                              const core::WorkControl& control = {});

@@ -20,8 +20,8 @@ struct TargetTheory {
   /// time, less where the end of a raw recording cuts them, 0 outside the recorded ranges.
   double amplitude = 0.0;
   double phase_rad = 0.0;  ///< -4 pi f0 R0/c, in (-pi, pi].
-  /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: what the pulses
-  /// that saw the target and the chirp's band fill of the plane of wave numbers (signal/measure/aperture_response.hpp).
+  /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: from the
+  /// part of the wave number plane filled by the pulses that see the target (signal/measure/aperture_response.hpp).
   /// Where that is a rectangle, range is the chirp's autocorrelation under the window, and under the radar's where the
   /// recording is compressed, and azimuth the sum over pulses of amplitude and weight times exp(2 pi j f x/V). Range is
   /// nothing for other pulses, where echoes are not recorded whole, and where the sampling rate is below a sixteenth of

@@ -16,15 +16,15 @@ struct MethodLoss {
   std::optional<std::size_t> target;  ///< Counted from 0; nothing for a point at the farther edge of the swath.
   double middle_m = 0.0;              ///< Closest distance of the middle of the swath.
   signal::SwathLoss loss;
-  /// Least share of a target's echoes whose Doppler frequencies at the carrier the pulses tell: the rest is missing
-  /// from its peak besides, which `remarks_on_ghosts` says. 1 where no targets are examined.
+  /// Smallest share of a target's echoes whose Doppler frequency at the carrier is not aliased: the rest is missing
+  /// from its peak as well, which `remarks_on_ghosts` reports. 1 if no targets are examined.
   double told = 1.0;
   std::size_t least_told = 0;  ///< The target of that share, counted from 0.
 };
 
-/// What the method of `options` makes of the echoes as they come from the straight line, of all targets that are in the
-/// swath at the one that loses most; of more than `most_examined_targets`, at the farther edge of the swath. What
-/// compensation of motion leaves is not in it. Nothing where there is no such target.
+/// Loss of the method of `options` for echoes as seen from the straight line, for the target in the swath that loses
+/// most; with more than `most_examined_targets`, at the farther edge of the swath. Residuals of motion compensation are
+/// not included. Nothing if there is no such target.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
 [[nodiscard]] std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,

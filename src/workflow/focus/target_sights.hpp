@@ -11,29 +11,29 @@
 
 namespace sarsim::workflow {
 
-/// One pulse's sight of one target, from where the antenna is believed to have been.
+/// One target as seen by one pulse, from the antenna's position according to the echoes' track (perhaps navigation).
 struct PulseSight {
   std::size_t pulse = 0;
   core::Vec3 antenna_m;    ///< World.
   core::Vec3 point_m;      ///< World.
-  double amplitude = 0.0;  ///< Of its echo, sqrt(W); 0 where no sample of the record can have it.
+  double amplitude = 0.0;  ///< Of its echo, sqrt(W); 0 if it is outside the recorded delays.
 };
 
-/// How much of a scene is looked at: of more targets or pulses, some that are evenly spaced.
+/// Largest numbers of targets and pulses; of more, an evenly spaced selection is used.
 struct SightLimits {
   std::size_t targets = 512;
   std::size_t pulses = 512;
 };
 
-/// Calls `body` with the targets of a scene, counted from 0, and the sights of each over the pulses, from many threads
-/// at once.
+/// Calls `body` with the targets of a scene, counted from 0, and the sights of each over the pulses, concurrently from
+/// several threads.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
 void each_target_in_sight(const simulate::Plan& plan, const signal::EchoRows& echoes, const SightLimits& limits,
                           const core::WorkControl& control,
                           const std::function<void(std::size_t target, std::span<const PulseSight> sights)>& body);
 
-/// How many targets `each_target_in_sight` skips from one to the next; 0 where there are none.
+/// Step from one target of `each_target_in_sight` to the next; 0 if there are none.
 [[nodiscard]] std::size_t target_stride(const simulate::Plan& plan, const SightLimits& limits);
 
 }  // namespace sarsim::workflow

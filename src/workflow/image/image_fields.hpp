@@ -29,8 +29,8 @@ struct ImageOrigin {
   scene::RunOptions run;
   std::optional<radar::EarthFrame> earth;  ///< Under the world; of ground grids it stands in headers (map_fields.hpp).
   std::shared_ptr<const ImageCollection> collection = nullptr;  ///< For SICD alone (sicd_image.hpp).
-  /// Where the world of the frame lies on the Earth, of images whose source has no scene that says it: of CPHD files
-  /// that of the scene that they were made from, or else their reference point. Nothing: the world is the scene's.
+  /// Origin on the Earth of the frame's world, for images whose source has no scene: for CPHD files that of the scene
+  /// that they were made from, or their reference point. Nothing: the world is that of the scene.
   std::optional<radar::Anchor> anchor = std::nullopt;
 };
 

@@ -14,12 +14,12 @@ namespace sarsim::workflow {
 
 /// Everything that a command reads, against which each of its outputs is compared: one list, made in one place.
 ///
-/// To each file belongs what is read with it: the header of an image, the other file of a SigMF recording; to a folder
-/// everything in it. Files that a command only names (`named`) are followed: a scene to what it includes and to its
-/// data files, an image to the recording and the script of its header. Files are compared by what they are (device and
-/// number), not by what they are called: links of both kinds, another case, relative paths and "..".
+/// Each file includes what is read with it: the header of an image, the other file of a SigMF recording; a folder
+/// includes everything in it. Files that a command only names (`named`) are followed: a scene to its included files and
+/// data files, an image to the recording and the script in its header. Files are compared by device and inode, not by
+/// name: symbolic and hard links, another case, relative paths and ".." make no difference.
 ///
-/// What follows of a scene is read where an output stands in the way, and once. Not for several threads.
+/// Scenes are followed only when an output meets an existing file, and once. Not for several threads.
 class InputList {
  public:
   InputList() = default;
@@ -34,9 +34,8 @@ class InputList {
   /// Adds all of another list.
   void add(const InputList& other);
 
-  /// What would be lost of the files if the output replaced what is there, or were made where it is to be; nothing
-  /// where nothing would.
-  /// @param replaces  a file that exists is replaced; else what follows of a scene need not be read: nothing is lost
+  /// The error if making the output would replace one of the files, or change a folder that is read; nothing if not.
+  /// @param replaces  an existing file is replaced; otherwise scenes need not be followed: nothing is lost
   [[nodiscard]] std::optional<core::Problem> harm_of(const std::filesystem::path& output, bool replaces) const;
 
  private:
@@ -56,10 +55,10 @@ class InputList {
   mutable std::vector<std::filesystem::path> to_follow_;
 };
 
-/// The place that a path leads to, through all links, also where nothing is there.
+/// The path through all links, also if there is no file.
 [[nodiscard]] std::filesystem::path file_place(const std::filesystem::path& path);
 
-/// Whether a place is a folder or stands below it; both as `file_place` gives them.
+/// Whether a path is a folder or is below it; both as returned by `file_place`.
 [[nodiscard]] bool is_below(const std::filesystem::path& place, const std::filesystem::path& folder);
 
 }  // namespace sarsim::workflow

@@ -52,14 +52,14 @@ struct OutputCare {
 /// OutputCare::folder for the --out of a command: none where it is the folder one works in, whose links are one's own.
 [[nodiscard]] std::filesystem::path chosen_folder(const std::filesystem::path& out);
 
-/// What the --out of a run names.
+/// Meaning of the option --out of a run.
 struct RunOutput {
   std::filesystem::path folder;               ///< Of the products.
   std::optional<std::filesystem::path> file;  ///< The file of the only recording, in that folder.
 };
 
-/// A name with the ending of a format of recordings is that of a file, unless a folder has it that is no Zarr store of
-/// this program; every other name is that of a folder, whether it is there or not.
+/// A name with the extension of a recording format is that of a file, unless a folder of that name exists that is not a
+/// Zarr store of this program; every other name is that of a folder, whether it exists or not.
 [[nodiscard]] RunOutput run_output(const std::filesystem::path& out);
 
 /// Throws core::Refused where --out names no folder: a file, or what has the name of a recording and is not there.

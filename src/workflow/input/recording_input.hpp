@@ -26,7 +26,7 @@ struct RecordingArguments {
   std::string script;                       ///< For a file that does not carry its script.
   std::optional<std::int64_t> simulation;   ///< Its number in the script, from 1.
   SceneOverrides overrides;                 ///< Of a script that is read.
-  std::string dataset{};                    ///< Of an HDF5 file: where its samples are, if not at the usual place.
+  std::string dataset{};                    ///< Of an HDF5 file: path of its samples; empty: the usual one.
   std::shared_ptr<const HeldScene> held{};  ///< In place of the file `path`, which is then only a name; null: none.
 };
 
@@ -34,8 +34,8 @@ struct RecordingArguments {
 /// opened.
 [[nodiscard]] std::vector<std::filesystem::path> named_sources(const RecordingArguments& arguments);
 
-/// Reads the script that a file of samples carries. It includes nothing, or core::Refused; the data files that it names
-/// are read as ever, but nothing of what they say stands in a problem: whoever made the file chose them.
+/// Reads the script inside a file of samples. Throws core::Refused if it includes files; the data files that it names
+/// are read, but problems quote nothing of their contents, since whoever made the recording chose them.
 /// @param path  of the file, beside which data files are looked for
 [[nodiscard]] scene::ScriptReading read_carried_script(const std::string& script, const std::string& path);
 

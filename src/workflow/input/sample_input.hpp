@@ -18,7 +18,7 @@ struct SampleArguments {
   std::optional<std::int64_t> bits;
   std::optional<double> lsb_v;
   std::string script;
-  std::string dataset = {};  ///< Of HDF5: where the samples are, if not at the usual place.
+  std::string dataset = {};  ///< Of HDF5: path of the samples; empty: the usual one.
 };
 
 /// The hints for a file: what is said of it, otherwise what the simulation of its script with that output

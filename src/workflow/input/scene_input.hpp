@@ -31,8 +31,8 @@ struct SceneOverrides {
   std::vector<std::string> let{};  ///< "NAME=VALUE": numbers or expressions in place of those in [let] of format 2.
 };
 
-/// The files that stand-ins name, as far as they are there: tables of targets, and values of fields, which may be data
-/// files, also beside the script.
+/// The existing files named by overrides: tables of targets, and values of fields, which may be data files, also beside
+/// the script.
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const SceneOverrides& overrides,
                                                           const std::filesystem::path& script_folder);
 

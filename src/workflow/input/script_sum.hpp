@@ -12,8 +12,8 @@ namespace sarsim::workflow {
 [[nodiscard]] std::string script_sum(const scene::Scene& scene, const core::WorkControl& control = {});
 
 /// Checksum of a recording as 16 hexadecimal digits: of its shape and of up to 64 of its rows, evenly chosen, the first
-/// and the last included, as they are stored. Another seed, another track or another level changes every row; it is the
-/// same in every format that stores the same numbers. Throws what reading does.
+/// and the last included, as they are stored. Another seed, track or level changes every row; formats that store the
+/// same numbers give the same checksum. Throws what reading throws.
 [[nodiscard]] std::string samples_sum(const raster::Raster& file);
 
 }  // namespace sarsim::workflow

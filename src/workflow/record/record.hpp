@@ -21,7 +21,7 @@ struct RecordRequest {
   std::optional<scene::Scene> scene;  ///< Instead of reading the file.
   SceneOverrides overrides;
   std::vector<std::string> products;   ///< Numbers of simulations from 1, or output names; empty: all products.
-  std::filesystem::path folder = ".";  ///< Of the products, or the file of the only one: `run_output`.
+  std::filesystem::path folder = ".";  ///< Of the products, or the file of the only recording: `run_output`.
   unsigned threads = 0;                ///< 0: one per core, which processes of one machine share.
   simulate::Engine engine = simulate::Engine::automatic;
   std::string simd;         ///< Instruction set; empty: the best there is.

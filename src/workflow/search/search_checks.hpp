@@ -25,9 +25,9 @@ namespace sarsim::workflow {
 /// Width that a beam is taken for where it has to have one, rad: `beam_width_rad`, or a degree.
 [[nodiscard]] double seen_width_rad(const simulate::Plan& plan);
 
-/// Half of the azimuth that the beam sees about its axis, where the narrower of its two antennas has half its greatest
-/// power: of sin(x)/x half the beamwidth, of cuts by points the farthest such angle. Nothing where both see all
-/// directions alike.
+/// Half the azimuth sector of the beam about its axis, rad, at the half-power points (one way) of the narrower of its
+/// two antennas: for sin(x)/x half the beamwidth, for cuts by points the farthest angle at half power or more. Nothing
+/// if both are isotropic.
 [[nodiscard]] std::optional<double> half_beam_rad(const simulate::Plan& plan);
 
 /// Whether the beam's axis moves in azimuth by more than `seen_width_rad` between some pulses of the plan, whatever

@@ -70,7 +70,7 @@ struct SearchInterval {
   double time_s = 0.0;           ///< Middle of the first and the last pulse, those of the canceller included.
   core::Vec3 radar_world_m;      ///< In the middle.
   core::Vec3 beam_world;         ///< Direction of the beam's axis in the middle.
-  double half_sector_rad = 0.0;  ///< How far in azimuth the axis is from there, at most, between first and last pulse.
+  double half_sector_rad = 0.0;  ///< Largest azimuth of the axis from there between first and last pulse.
   signal::RangeDopplerMap map;   ///< Of cancelled pulses where there is a canceller.
   std::vector<SearchDetection> detections;
 };

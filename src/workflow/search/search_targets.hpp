@@ -51,8 +51,8 @@ class SearchTargets {
 
   /// @return  for each detection of the interval the target it is of: the nearest of those whose cell is no farther
   ///          than 1.5 cells away, a cell being what the waveform resolves or, where that is more, a sample; or
-  ///          nothing. Only targets that the beam sees in the interval are taken: in azimuth no farther from its
-  ///          middle direction than half the sector that it sweeps and half its width
+  ///          nothing. Only illuminated targets are taken: in azimuth off the middle direction of the beam by at most
+  ///          half the sector that it sweeps plus half its width
   std::vector<std::optional<std::size_t>> take(const SearchInterval& interval);
 
   /// What became of the targets in the intervals that were taken, in the order of the script.

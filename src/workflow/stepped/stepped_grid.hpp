@@ -15,14 +15,15 @@ struct SteppedGrid {
   double step_hz = 0.0;             ///< 0 where there is one carrier; negative where they step down.
   std::size_t steps = 1;            ///< S
   std::size_t pulses_per_step = 1;  ///< p
-  std::vector<std::size_t> order;   ///< Of the S places of a burst, where carriers hop; empty: in turn.
+  std::vector<std::size_t> order;   ///< Step at each of the S positions in a burst, if carriers hop; empty: in turn.
 
   [[nodiscard]] std::int64_t burst_pulses() const { return static_cast<std::int64_t>(steps * pulses_per_step); }
 };
 
-/// The grid of a plan of carriers: that of its steps; of a list the one that its carriers lie on, each as often in a
-/// row, where they are evenly spaced to 1e-12 of the carrier. Nothing for a list that has none.
-/// @param pulse  one that is sent; of a single carrier its frequency counts
+/// The grid of a carrier plan: that of its steps; for a list, the grid of its carriers if they are evenly spaced to
+/// 1e-12 of the carrier and each is sent equally often in a row. Nothing for other lists, and for lists of more than
+/// 2^15 entries.
+/// @param pulse  a pulse that is sent; its frequency is used for a single carrier
 [[nodiscard]] std::optional<SteppedGrid> stepped_grid(const radar::CarrierPlan& carrier, std::int64_t pulse);
 
 }  // namespace sarsim::workflow

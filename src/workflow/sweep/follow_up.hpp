@@ -24,7 +24,7 @@ struct FollowUp {
 /// A word that stands for a follow-up and no other: "focus-1a2b3c4d".
 [[nodiscard]] std::string mark_of(const FollowUp& follow_up);
 
-/// The files that the words of a follow-up name, which it reads beside the recording.
+/// The files named by the options of a follow-up, which it reads besides the recording.
 [[nodiscard]] std::vector<std::filesystem::path> files_read_by(const FollowUp& follow_up);
 
 /// The command of that kind: "focus".

@@ -23,7 +23,7 @@ class SweepJournal {
 
   /// Notes a product; from any thread.
   void add(const SweepRow& row);
-  /// Adds that a row's file is begun: from here on a file of its name may be the sweep's own.
+  /// Notes that a row's file is begun: from then on a file of its name may be the sweep's own.
   void add_begun(const SweepRow& row);
 
  private:

@@ -25,7 +25,7 @@ struct SweepRow {
   std::string engine;
   bool lsb_estimated = false;
   simulate::RunReport run;
-  bool begun = false;                ///< An earlier process began its file; what is there may be what it made.
+  bool begun = false;                ///< An earlier process began its file: an existing file may be its result.
   bool recorded = false;             ///< Its file is there already; only the follow-up is left to do.
   std::string followed;              ///< Which follow-up gave the figures, `mark_of`; empty: none yet.
   std::vector<SweepFigure> figures;  ///< Of what was made of the recording.

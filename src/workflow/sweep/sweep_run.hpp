@@ -26,7 +26,7 @@ struct VariationRules {
   FollowUp follow_up{};                      ///< What is made of each recording besides.
   std::filesystem::path follow_up_folder{};  ///< Of its files.
   std::size_t jobs = 1;                      ///< Variations beside each other.
-  /// Told each row before its file is begun, where one is written; none where nobody asks.
+  /// Called with each row before its file is begun, if one is written; empty: not called.
   std::function<void(const SweepRow&)> begin{};
 };
 
