@@ -88,6 +88,31 @@ ProjectionAperture aperture_of(const BackProjectionOptions& options) {
   return aperture;
 }
 
+core::Vec3 middle_of(const PointGrid& grid) {
+  const double row = 0.5 * static_cast<double>(grid.rows - 1);
+  const double column = 0.5 * static_cast<double>(grid.columns - 1);
+  if (grid.curved) return grid.curved(row, column);
+  return grid.origin_m + row * grid.row_step_m + column * grid.column_step_m;
+}
+
+// Over what compression keeps of a chirp from the middle of the grid, pulse by pulse.
+std::vector<float> gains_of(const SarEchoes& echoes, const PointGrid& grid, const BackProjectionOptions& options) {
+  std::vector<float> gains;
+  const SarWaveform& wave = echoes.waveform;
+  if (options.start_stop || !(wave.pulse_width_s > 0.0) || wave.bandwidth_hz == 0.0) return gains;
+  const core::Vec3 middle_m = middle_of(grid);
+  gains.reserve(echoes.track.size());
+  for (std::size_t p = 0; p < echoes.track.size(); ++p) {
+    const core::Vec3 sight_m = middle_m - echoes.track[p].position_m;
+    const double closing_mps =
+        core::dot(sight_m, echoes.track[p].velocity_mps) / std::max(core::norm(sight_m), 1e-9);
+    const double carrier_hz = echoes.carriers_hz.empty() ? wave.carrier_hz : echoes.carriers_hz[p];
+    const double doppler_hz = radar::turns_of(closing_mps, carrier_hz, wave.light_speed_mps);
+    gains.push_back(static_cast<float>(1.0 / overlap_of(wave, doppler_hz)));
+  }
+  return gains;
+}
+
 // Sums of all points while the pulses are worked through: those of a tile stand together, real parts first.
 struct Sums {
   std::vector<std::complex<float>> values;
@@ -183,7 +208,7 @@ std::vector<std::complex<float>> back_project(const SarEchoes& echoes, const Poi
   const std::size_t pulses = echoes.track.size();
   const std::size_t pulse_bytes = EchoRecords::factor * EchoRecords::floats * sizeof(float) * echoes.samples;
   const std::size_t block = std::min(pulses, std::clamp<std::size_t>(block_bytes / pulse_bytes, 4, longest_block));
-  EchoRecords records(echoes, options.range_window, block);
+  EchoRecords records(echoes, options.range_window, block, gains_of(echoes, grid, options));
   ProjectionConstants constants = constants_of(echoes, options);
   constants.record_count = records.count();
   const ProjectionAperture aperture = aperture_of(options);

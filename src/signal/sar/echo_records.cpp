@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "core/maths/sinc.hpp"
 #include "core/report/expect.hpp"
@@ -42,16 +43,25 @@ std::vector<float> frequency_weights(const SarWaveform& waveform, const WindowFu
 
 }  // namespace
 
-EchoRecords::EchoRecords(const SarEchoes& echoes, const WindowFunction& window, std::size_t pulses)
+double overlap_of(const SarWaveform& waveform, double doppler_hz) {
+  constexpr double least = 0.5;
+  if (!(waveform.pulse_width_s > 0.0)) return 1.0;
+  return std::max(1.0 - std::abs(doppler_hz / waveform.bandwidth_hz), least);
+}
+
+EchoRecords::EchoRecords(const SarEchoes& echoes, const WindowFunction& window, std::size_t pulses,
+                         std::vector<float> gains)
     : echoes_(&echoes),
       slots_(pulses),
       count_(factor * (std::max<std::size_t>(echoes.samples, 1) - 1) + 1),
       forward_(core::good_fft_size(echoes.samples + guard_samples)),
       inverse_(factor * forward_.size()),
       weights_(frequency_weights(echoes.waveform, window, forward_.size())),
+      gains_(std::move(gains)),
       records_(pulses * count_ * floats) {
   CORE_EXPECT(echoes.volts.size() == echoes.track.size() * echoes.samples);
   CORE_EXPECT(pulses > 0);
+  CORE_EXPECT(gains_.empty() || gains_.size() == echoes.track.size());
 }
 
 void EchoRecords::fill(std::size_t first, std::size_t count, const core::WorkControl& control) {
@@ -66,7 +76,8 @@ void EchoRecords::fill(std::size_t first, std::size_t count, const core::WorkCon
       std::copy_n(samples, echoes_->samples, row.begin());
       std::fill(row.begin() + static_cast<std::ptrdiff_t>(echoes_->samples), row.end(), std::complex<float>());
       forward_.forward(row);
-      for (std::size_t k = 0; k < size; ++k) row[k] *= weights_[k];
+      const float gain = gains_.empty() ? 1.0F : gains_[first + slot];
+      for (std::size_t k = 0; k < size; ++k) row[k] *= gain * weights_[k];
       std::ranges::fill(fine, std::complex<float>());
       std::copy_n(row.begin(), half + 1, fine.begin());
       std::copy(row.end() - static_cast<std::ptrdiff_t>(half), row.end(),

@@ -9,6 +9,10 @@
 
 namespace sarsim::signal {
 
+/// Share of its peak that compression keeps of a chirp whose Doppler frequency the filter does not know: the part in
+/// which both overlap once the peak has moved by fd/K, 1 - |fd|/B, at least one half. 1 where pulses have no width.
+[[nodiscard]] double overlap_of(const SarWaveform& waveform, double doppler_hz);
+
 /// Compressed echoes of a few pulses, ready to be read between samples (of which there are two or more): `factor`
 /// records for each sample, each the value at its place.
 ///
@@ -26,7 +30,8 @@ class EchoRecords {
   /// Room for the pulses of `echoes` from `first` to `last`, not `last` itself; each is transformed by `fill`.
   /// @param window  weight of the frequencies, its argument 0 and 1 at the edges of the pulse's band and held beyond
   ///                them; empty for none. It is divided by its mean, so that a peak keeps its height.
-  EchoRecords(const SarEchoes& echoes, const WindowFunction& window, std::size_t pulses);
+  /// @param gains   factor for each pulse of `echoes`; empty for 1
+  EchoRecords(const SarEchoes& echoes, const WindowFunction& window, std::size_t pulses, std::vector<float> gains = {});
 
   /// Makes the records of the pulses `first` ... `first + count - 1`, count at most the room.
   void fill(std::size_t first, std::size_t count, const core::WorkControl& control);
@@ -44,6 +49,7 @@ class EchoRecords {
   core::BasicFft<float> forward_;
   core::BasicFft<float> inverse_;
   std::vector<float> weights_;  // of the frequencies of the short transform
+  std::vector<float> gains_;
   std::vector<float> records_;
 };
 

@@ -14,6 +14,7 @@
 #include "core/report/expect.hpp"
 #include "core/task/worker_pool.hpp"
 #include "radar/path/path.hpp"
+#include "signal/sar/echo_records.hpp"
 #include "signal/sar/focus_frame.hpp"
 #include "signal/sar/work_matrix.hpp"
 
@@ -60,14 +61,6 @@ struct DopplerRow {
   double kept = 0.0;    ///< By the window over the Doppler band.
   float weight = 0.0F;  ///< 0 for frequencies that no direction has.
 };
-
-// What compression keeps of a chirp whose Doppler frequency the filter does not know: the part in which both overlap
-// once the peak has moved by fd/K.
-double overlap_of(const SarWaveform& waveform, double doppler_hz) {
-  constexpr double least = 0.5;
-  if (!(waveform.pulse_width_s > 0.0)) return 1.0;
-  return std::max(1.0 - std::abs(doppler_hz / waveform.bandwidth_hz), least);
-}
 
 std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   const double band_hz = frame.options.doppler_bandwidth_hz;
