@@ -344,6 +344,13 @@ void set_figures(const CutLooks& cuts, const UsedLooks& used, const ImageGeometr
   theory.range = signal::aperture_figures(range, band, response);
 }
 
+signal::ImagePlace plus(const signal::ImagePlace& a, const signal::ImagePlace& b) {
+  return {a.azimuth_m + b.azimuth_m, a.range_m + b.range_m};
+}
+signal::ImagePlace minus(const signal::ImagePlace& a, const signal::ImagePlace& b) {
+  return {a.azimuth_m - b.azimuth_m, a.range_m - b.range_m};
+}
+
 // What a target is in an image, for all targets of a plan.
 class Theories {
  public:
@@ -361,10 +368,10 @@ class Theories {
     theory.amplitude = pulse_.kept(used.coherence) * used.sum /
                        sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
     signal::ImagePlace on_image = theory.place;
-    if (image_.ground) on_image = lay_on_ground(number, theory.place);
+    if (image_.ground) on_image = lay_on_ground(number, middle, theory.place);
     const double turns =
         radar::turns_of(theory.place.range_m, echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps);
-    theory.phase_rad = std::remainder(-2.0 * core::pi * turns, 2.0 * core::pi);
+    theory.phase_rad = std::remainder(2.0 * core::pi * (middle.ahead_turns - turns), 2.0 * core::pi);
     const double per_hz =
         radar::range_of_cycle(echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps) / looks_.track().speed_mps;
     set_figures(CutLooks(used, seen, per_hz, image_, on_image), used, image_, pulse_,
@@ -374,19 +381,29 @@ class Theories {
   }
 
  private:
-  // Where a target appears on the ground: where it is, if it rests in the plane of the grid; else where the line has
-  // its distance.
+  // Where a target appears on the ground: where it is, if it rests in the plane of the grid, but for the atmosphere;
+  // else where the line has its distance.
   // @param[in,out] slant  its place about the line
-  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, signal::ImagePlace& slant) const {
+  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, const SarLook& middle,
+                                                 signal::ImagePlace& slant) const {
     constexpr double in_plane_m = 1e-3;
     const signal::ImageFrame& grid = *image_.ground;
-    if (weights_.domain() == Domain::time)
-      if (const auto point_m = looks_.resting_place(number)) {
-        const double above_m = core::dot(*point_m - grid.origin_m, core::cross(grid.along, grid.across));
-        slant = signal::place_of(*image_.slant, *point_m);
-        if (std::abs(above_m) < in_plane_m) return signal::place_of(grid, *point_m);
-      }
-    return signal::place_on_ground(grid, *image_.slant, slant);
+    const auto on_ground = [&](const signal::ImagePlace& place) {
+      return signal::place_on_ground(grid, *image_.slant, place);
+    };
+    if (weights_.domain() != Domain::time) return on_ground(slant);
+    const auto point_m = looks_.resting_place(number);
+    if (!point_m) return on_ground(slant);
+    const double above_m = core::dot(*point_m - grid.origin_m, core::cross(grid.along, grid.across));
+    const signal::ImagePlace is_at = signal::place_of(*image_.slant, *point_m);
+    slant = is_at;
+    if (middle.late_m != 0.0) {
+      const SarLook vacuum = middle.in_vacuum();
+      slant = plus(is_at, minus(looks_.place(middle, middle.doppler_hz), looks_.place(vacuum, vacuum.doppler_hz)));
+    }
+    if (!(std::abs(above_m) < in_plane_m)) return on_ground(slant);
+    const signal::ImagePlace in_plane = signal::place_of(grid, *point_m);
+    return middle.late_m == 0.0 ? in_plane : plus(in_plane, minus(on_ground(slant), on_ground(is_at)));
   }
 
   const SarLooks& looks_;
