@@ -61,11 +61,11 @@ Row closed_form(const scene::Scene& vacuum, const Plan& plan, double tec_units) 
   const ResolvedScene resolved = resolve(vacuum);
   const ResolvedRadar radar = resolve_radar(vacuum, resolved, 0);
   PulseGeometry geometry(resolved, radar);
-  const double carrier_hz = vacuum.radars[0].carrier_hz;
   const double width_s = vacuum.radars[0].pulse_width_s;
   Row all;
   for (std::size_t r = 0; r < plan.rows; ++r) {
     geometry.set_pulse(plan.first_pulse_of_row(r));
+    const double carrier_hz = geometry.carrier_hz();
     Row row(plan.columns);
     for (std::size_t t = 0; t < vacuum.targets.size(); ++t) {
       const ScattererView view = geometry.view(t);
@@ -115,6 +115,25 @@ TEST_P(IonosphereRows, AreTheClosedForm) {
     }
 }
 
+// Each pulse by its own carrier.
+TEST_P(IonosphereRows, OfSteppedCarriersAreTheClosedForm) {
+  scene::Scene scene = orbit_scene(0.4e9, {});
+  scene.options.tolerance = 1e-9;
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
+  scene.radars[0].carrier_step_hz = 0.3e9;
+  scene.radars[0].carrier_steps = 8;
+  scene.radars[0].pulses_per_step = 1;
+  scene.simulations[0].time_end_s = 0.075;
+  const scene::Scene vacuum = scene;
+  scene.atmosphere.tec_units = 20.0;
+  const Plan plan = make_plan(scene, 0, nullptr, GetParam());
+  ASSERT_EQ(plan.rows, 8U);
+  const Row expected = closed_form(vacuum, plan, 20.0);
+  double largest = 0.0;
+  for (const std::complex<double>& sample : expected) largest = std::max(largest, std::abs(sample));
+  EXPECT_LT(largest_difference(recorded(plan), expected), 1e-6 * largest);
+}
+
 // Circles about the target at a distance of 700 km while the way through the shell becomes longer.
 scene::Scene circling_scene() {
   scene::Scene scene = orbit_scene(1.257e9, {});
@@ -142,13 +161,18 @@ scene::Scene circling_scene() {
   return scene;
 }
 
-// In columns: the largest magnitude between the samples, by a sinc of 48 samples under a Hann window.
-double peak_column(const std::complex<double>* row, std::size_t columns) {
+struct Peak {
+  double column = 0.0;
+  double phase_rad = 0.0;
+};
+
+// The largest magnitude between the samples, by a sinc of 48 samples under a Hann window.
+Peak peak_of(const std::complex<double>* row, std::size_t columns) {
   const auto* strongest =
       std::max_element(row, row + columns, [](const auto& a, const auto& b) { return std::norm(a) < std::norm(b); });
   const double middle = static_cast<double>(strongest - row);
   constexpr double reach = 24.0;
-  const auto magnitude = [&](double x) {
+  const auto value = [&](double x) {
     std::complex<double> sum;
     for (std::size_t i = 0; i < columns; ++i) {
       const double d = x - static_cast<double>(i);
@@ -156,14 +180,15 @@ double peak_column(const std::complex<double>* row, std::size_t columns) {
       const double sinc = d == 0.0 ? 1.0 : std::sin(core::pi * d) / (core::pi * d);
       sum += row[i] * (sinc * (0.5 + 0.5 * std::cos(core::pi * d / reach)));
     }
-    return std::abs(sum);
+    return sum;
   };
   double low = middle - 1.0, high = middle + 1.0;
   for (int i = 0; i < 80; ++i) {
     const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
-    (magnitude(a) < magnitude(b) ? low : high) = magnitude(a) < magnitude(b) ? a : b;
+    const bool right = std::abs(value(a)) < std::abs(value(b));
+    (right ? low : high) = right ? a : b;
   }
-  return 0.5 * (low + high);
+  return {0.5 * (low + high), std::arg(value(0.5 * (low + high)))};
 }
 
 // Half a wavelength is 0.119 m, by which the place jumped.
@@ -172,18 +197,21 @@ TEST(IonosphereFlight, MovesThePeakSmoothlyAndTurnsThePhaseAsMuch) {
   const Plan plan = make_plan(scene, 0);
   const Row samples = recorded(plan);
   const double step_m = plan.column_range_m[1] - plan.column_range_m[0];
-  std::vector<double> excess_m, expected_m;
+  std::vector<double> excess_m, expected_m, phase_rad;
   for (std::size_t r = 0; r < plan.rows; ++r) {
     const std::complex<double>* row = samples.data() + r * plan.columns;
     const double angle = 0.2 + 0.01 * plan.radar.repetition.send_time_s(plan.first_pulse_of_row(r));
     expected_m.push_back(group_m(50.0, 1.257e9, 1.0, std::cos(angle)));
-    excess_m.push_back(plan.column_range_m[0] + peak_column(row, plan.columns) * step_m - height_m);
+    const Peak peak = peak_of(row, plan.columns);
+    excess_m.push_back(plan.column_range_m[0] + peak.column * step_m - height_m);
+    phase_rad.push_back(peak.phase_rad - 4.0 * core::pi * 1.257e9 / c * expected_m.back());
   }
   ASSERT_GT(plan.rows, 300U);
   ASSERT_GT(expected_m.back() - expected_m.front(), 15.0 * 0.119);
   for (std::size_t r = 1; r + 1 < plan.rows; ++r) {
     EXPECT_LT(std::abs(excess_m[r + 1] - 2.0 * excess_m[r] + excess_m[r - 1]), 1e-3) << r;
     EXPECT_NEAR(excess_m[r] - expected_m[r], excess_m[0] - expected_m[0], 3e-3) << r;
+    EXPECT_NEAR(std::remainder(phase_rad[r] - phase_rad[0], 2.0 * core::pi), 0.0, 0.01) << r;
   }
 }
 
