@@ -21,8 +21,7 @@ struct TargetTheory {
   /// as was flown. As they are recorded, volts: with the receiver's gain over
   /// time, less where the end of a raw recording cuts them, 0 outside the recorded ranges.
   double amplitude = 0.0;
-  /// -4 pi f0 R0/c, R0 that of its place, and what the carrier is ahead of the delay behind an ionosphere, in (-pi,
-  /// pi].
+  /// -4 pi f0 R0/c, R0 that of its place, and what an atmosphere leaves besides moving it, in (-pi, pi].
   double phase_rad = 0.0;
   /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: from the
   /// part of the wave number plane filled by the pulses that see the target (signal/measure/aperture_response.hpp).
