@@ -96,7 +96,8 @@ SampleSpan DirectKernel::collect(double carrier_hz, const EchoBatch& echoes) {
     const SampleSpan on = touched_samples(*pulse_, grid_, echoes.delay_s[k], clock);
     if (on.begin >= on.end) continue;
     touched = touched.with(on);
-    const Source source{echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.doppler[k], clock, carrier_hz};
+    const Source source{echoes.delay_s[k], echoes.amplitude_sqrt_w[k],      echoes.doppler[k], clock,
+                        carrier_hz,        echoes.late_turns(k, carrier_hz)};
     if (!shape_) {
       append_tones(source, on, tones_);
       continue;
@@ -153,8 +154,8 @@ void DirectKernel::append_tones(const Source& source, const SampleSpan& on, std:
   }
 }
 
-// Phase in turns of sample centre + m: (S - L)u^2/2 - D f u - f tau with u = u0 + m dt, less S (m dt)^2/2. S is the
-// sweep rate K, or 0 where a table has the pulse with its sweep; L what motion takes from it: f a + S D (2 - D), as
+// Phase in turns of sample centre + m: (S - L)u^2/2 - D f u - (f tau - phi) with u = u0 + m dt, less S (m dt)^2/2. S is
+// the sweep rate K, or 0 where a table has the pulse with its sweep; L what motion takes from it: f a + S D (2 - D), as
 // S (1 - D)^2 is left of the sweep, and K D by the rule of the thesis.
 Tone DirectKernel::tone_at(const Source& source, std::size_t block) const {
   const double dt = grid_.interval_s;
@@ -164,11 +165,10 @@ Tone DirectKernel::tone_at(const Source& source, std::size_t block) const {
           : source.doppler * pulse_->pulse.sweep_rate_hz_per_s();
   const double doppler_hz = source.doppler * source.carrier_hz;
   const double sweep_rate = sweep_rate_hz_per_s_ - doppler_rate;
-  const double carrier_turns = source.carrier_hz * source.delay_s;
   Tone tone;
   tone.centre = centre_of_block(block, block_);
   const double u0 = grid_.first_s + tone.centre * dt - source.delay_s + pulse_->lead_s - 0.5 * pulse_->pulse.width_s;
-  tone.alpha = 0.5 * sweep_rate * u0 * u0 - doppler_hz * u0 - (carrier_turns - std::round(carrier_turns));
+  tone.alpha = 0.5 * sweep_rate * u0 * u0 - doppler_hz * u0 - (source.late_turns - std::round(source.late_turns));
   tone.beta = (sweep_rate * u0 - doppler_hz) * dt;
   tone.gamma = -0.5 * doppler_rate * dt * dt;
   tone.amplitude = source.amplitude;

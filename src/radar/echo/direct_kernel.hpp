@@ -40,6 +40,7 @@ class DirectKernel {
     double doppler;    // D
     PulseClock clock;  // of the shape
     double carrier_hz;
+    double late_turns;  // of the carrier at the delay
   };
   [[nodiscard]] bool is_beyond_tones(const EchoBatch& echoes) const;
   SampleSpan collect(double carrier_hz, const EchoBatch& echoes);

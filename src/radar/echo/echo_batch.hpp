@@ -15,15 +15,19 @@ struct EchoBatch {
       amplitude_sqrt_w;  ///< Square root of the received power; negative where a pattern's side lobe turns the phase.
   core::AlignedVector<double> doppler;  ///< D, the share by which the echo is longer than the pulse: positive receding.
   core::AlignedVector<double> bend_per_s;  ///< a, what D changes by in a second; empty where that does not count.
+  /// phi, the turns by which the carrier is ahead of exp(-j 2 pi f tau): the phase path through electrons is shorter
+  /// than that of the pulse. Empty where all are 0.
+  core::AlignedVector<double> ahead_turns;
 
   /// Forgets the echoes; their room is kept.
   void clear() { resize(0, false); }
-  /// Makes room for so many echoes, with or without their bends.
-  void resize(std::size_t count, bool bends) {
+  /// Makes room for so many echoes, with or without their bends and the turns by which they are ahead.
+  void resize(std::size_t count, bool bends, bool ahead = false) {
     delay_s.resize(count);
     amplitude_sqrt_w.resize(count);
     doppler.resize(count);
     bend_per_s.resize(bends ? count : 0);
+    ahead_turns.resize(ahead ? count : 0);
   }
   /// Adds an echo: seconds, root of watts, D. The others must have no bends.
   void add(double delay, double amplitude, double echo_doppler) {
@@ -39,10 +43,14 @@ struct EchoBatch {
   [[nodiscard]] std::size_t size() const { return delay_s.size(); }
   /// How echo k is stretched.
   [[nodiscard]] PulseClock clock(std::size_t k) const { return {doppler[k], bend_per_s.empty() ? 0.0 : bend_per_s[k]}; }
+  /// By how many turns the carrier of echo k is ahead.
+  [[nodiscard]] double ahead(std::size_t k) const { return ahead_turns.empty() ? 0.0 : ahead_turns[k]; }
+  /// By how many turns a carrier of f is late at the delay of echo k: f tau - phi.
+  [[nodiscard]] double late_turns(std::size_t k, double carrier_hz) const { return carrier_hz * delay_s[k] - ahead(k); }
   /// Whether all columns have the same length.
   [[nodiscard]] bool is_whole() const {
     return amplitude_sqrt_w.size() == size() && doppler.size() == size() &&
-           (bend_per_s.empty() || bend_per_s.size() == size());
+           (bend_per_s.empty() || bend_per_s.size() == size()) && (ahead_turns.empty() || ahead_turns.size() == size());
   }
 };
 

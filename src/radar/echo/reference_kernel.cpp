@@ -57,7 +57,8 @@ void add_echoes(std::span<std::complex<double>> row, const SampleGrid& grid, con
     if (on.begin >= on.end) continue;
     shape.resize(on.end - on.begin);
     fill_shape(pulse, grid, delay_s, clock, on, shape);
-    const std::complex<double> amplitude = echoes.amplitude_sqrt_w[k] * turn(-cycle_fraction(carrier_hz * delay_s));
+    const std::complex<double> amplitude =
+        echoes.amplitude_sqrt_w[k] * turn(-cycle_fraction(echoes.late_turns(k, carrier_hz)));
     if (echoes.clock(k).ticks_evenly()) {
       for (std::size_t i = on.begin; i < on.end; ++i) row[i] += amplitude * shape[i - on.begin];
       continue;

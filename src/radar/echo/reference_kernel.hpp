@@ -51,15 +51,15 @@ struct SampleSpan {
 /// Adds the baseband echoes of one pulse to a row: the plain double-precision sum that every fast kernel is held
 /// against.
 ///
-/// Sample i at time t = grid.time_s(i) receives from each echo (tau, A, D, a), where it is on,
+/// Sample i at time t = grid.time_s(i) receives from each echo (tau, A, D, a, phi), where it is on,
 ///
-///     A p(e + Tp/2) exp(-j 2 pi f tau) exp(-j 2 pi f (D u + a u^2/2)),
+///     A p(e + Tp/2) exp(-j 2 pi (f tau - phi)) exp(-j 2 pi f (D u + a u^2/2)),
 ///     u = t - tau + lead - Tp/2,   e = u - (D u + a u^2/2),
 ///
 /// p the pulse's value after its leading edge: what is received at u from the echo's middle was sent at e from the
 /// pulse's. By the rule of the thesis (6.20 to 6.24), for either sign of v, it receives
 ///
-///     A p(u + Tp/2) exp(-j 2 pi f tau) exp(-j 2 pi D (f u + K u^2/2)),
+///     A p(u + Tp/2) exp(-j 2 pi (f tau - phi)) exp(-j 2 pi D (f u + K u^2/2)),
 ///
 /// K the sweep rate. An ideal pulse is on for -Tp/2 <= e < Tp/2, where a time within 1e-9 of a sampling interval of an
 /// edge counts as on it (decision 8). Echoes are added in the order of the batch.

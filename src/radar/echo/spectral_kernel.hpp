@@ -31,7 +31,8 @@ struct RowFilter {
 /// Adds the echoes of a pulse through a type-1 non-uniform Fourier transform: cost per echo independent of the pulse's
 /// length (docs/theory/spectral-kernel.md). The same definition of a row as `add_echoes`, to the tolerance.
 ///
-/// - Every strength A exp(-j 2 pi f tau) is spread onto a grid of range; one FFT, a multiplication with the spectrum of
+/// - Every strength A exp(-j 2 pi (f tau - phi)) is spread onto a grid of range; one FFT, a multiplication with the
+/// spectrum of
 ///   the pulse's body over that of the spreading kernel, folding into the sampled band, one inverse FFT.
 /// - Body: the pulse times a step that rises from 0 over the K samples next to each hard edge (end, chip border, kink),
 ///   the integral of a Kaiser window; its spectrum is negligible beyond the pulse's band plus a margin. What it leaves

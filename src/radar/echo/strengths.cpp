@@ -25,10 +25,11 @@ struct Vectors {
 };
 
 struct Columns {
-  const double *delay, *amplitude, *doppler, *bend;  // no bend: nullptr
+  const double *delay, *amplitude, *doppler, *bend, *ahead;  // no bend, none ahead: nullptr
 
   [[nodiscard]] Columns from(std::size_t k) const {
-    return {delay + k, amplitude + k, doppler + k, bend == nullptr ? nullptr : bend + k};
+    return {delay + k, amplitude + k, doppler + k, bend == nullptr ? nullptr : bend + k,
+            ahead == nullptr ? nullptr : ahead + k};
   }
 };
 
@@ -55,7 +56,8 @@ HWY_INLINE Vectors<Real> strengths_at(const Columns& at, const RowConstants& row
   out.position = hn::Mul(hn::Sub(delay, hn::Set(dd, row.origin_s)), hn::Set(dd, row.per_interval));
   out.doppler = hn::LoadU(dd, at.doppler);
   out.bend = at.bend == nullptr ? hn::Zero(dd) : hn::LoadU(dd, at.bend);
-  const auto quarters = hn::Mul(delay, hn::Set(dd, row.quarters_per_s));
+  auto quarters = hn::Mul(delay, hn::Set(dd, row.quarters_per_s));
+  if (at.ahead != nullptr) quarters = hn::MulAdd(hn::LoadU(dd, at.ahead), hn::Set(dd, 4.0), quarters);
   const auto whole = hn::Round(quarters);
   const auto angle = hn::Mul(hn::Sub(quarters, whole), hn::Set(dd, 0.5 * core::pi));
   const auto turns = hn::Round(hn::Mul(whole, hn::Set(dd, 0.25)));
@@ -143,21 +145,23 @@ HWY_INLINE void gather_on_target(const EchoBatch& echoes, const RowFrame& frame,
   std::size_t kept = 0;
   std::size_t k = 0;
   const bool bends = !echoes.bend_per_s.empty();
+  const bool ahead = !echoes.ahead_turns.empty();
   const Columns all{echoes.delay_s.data(), echoes.amplitude_sqrt_w.data(), echoes.doppler.data(),
-                    bends ? echoes.bend_per_s.data() : nullptr};
+                    bends ? echoes.bend_per_s.data() : nullptr, ahead ? echoes.ahead_turns.data() : nullptr};
   const RowConstants row(frame);
   for (; k + lanes <= count; k += lanes) keep_touching(strengths_at<Real>(all.from(k), row), row, lanes, kept, out);
   if (k < count) {
-    HWY_ALIGN double rest[4][hn::MaxLanes(dd)];
+    HWY_ALIGN double rest[5][hn::MaxLanes(dd)];
     for (std::size_t i = 0; i < lanes; ++i) {
       const std::size_t source = k + i < count ? k + i : k;
       rest[0][i] = all.delay[source];
       rest[1][i] = all.amplitude[source];
       rest[2][i] = all.doppler[source];
       rest[3][i] = bends ? all.bend[source] : 0.0;
+      rest[4][i] = ahead ? all.ahead[source] : 0.0;
     }
-    keep_touching(strengths_at<Real>({rest[0], rest[1], rest[2], bends ? rest[3] : nullptr}, row), row, count - k, kept,
-                  out);
+    const Columns last{rest[0], rest[1], rest[2], bends ? rest[3] : nullptr, ahead ? rest[4] : nullptr};
+    keep_touching(strengths_at<Real>(last, row), row, count - k, kept, out);
   }
   out.position.resize(kept);
   out.strength.resize(kept);

@@ -41,7 +41,7 @@ struct MotionSpan {
 template <class Real>
 struct Strengths {
   core::AlignedVector<double> position;              ///< Of the leading edge, samples after the row's first.
-  core::AlignedVector<std::complex<Real>> strength;  ///< A exp(-j 2 pi f tau).
+  core::AlignedVector<std::complex<Real>> strength;  ///< A exp(-j 2 pi (f tau - phi)).
   core::AlignedVector<double> doppler;               ///< D.
   core::AlignedVector<double> bend_per_s;            ///< a; empty where the batch has none.
   MotionSpan motion;                                 ///< Of `doppler` and `bend_per_s`.

@@ -93,21 +93,77 @@ TEST(Air, IsTheSameInTheFastWay) {
   }
 }
 
-// The phase is that of the phase path, though the group is late: 10 units, 1.257 GHz, zenith, 2.5506 m each way.
-TEST(Air, TheIonosphereAdvancesThePhase) {
+// 40.3 TEC/f^2 at the zenith: 10 units at 1.257 GHz are 2.5506 m each way.
+double zenith_group_m(double tec_units, double carrier_hz) { return 40.3e16 * tec_units / (carrier_hz * carrier_hz); }
+
+scene::Scene scene_from_orbit(double carrier_hz) {
   scene::Scene scene = one_target_scene();
-  scene.radars[0].carrier_hz = 1.257e9;
+  scene.radars[0].carrier_hz = carrier_hz;
   scene.platforms.push_back(resting("Satellite", {0.0, 0.0, 700e3}));
   scene.radars[0].platform = "Satellite";
   scene.targets[0].position_m = {};
-  const Seen vacuum = seen(scene);
+  return scene;
+}
+
+// The pulse is late by the group path, exactly, and the carrier early by as much.
+TEST(Air, TheIonosphereDelaysThePulseAndAdvancesThePhase) {
+  for (const double carrier_hz : {0.435e9, 1.257e9, 5.405e9, 9.65e9}) {
+    scene::Scene scene = scene_from_orbit(carrier_hz);
+    const Seen vacuum = seen(scene);
+    scene.atmosphere.tec_units = 10.0;
+    const Seen plasma = seen(scene);
+    const double group_m = zenith_group_m(10.0, carrier_hz);
+    const double vacuum_m = range_m(vacuum.views[0]);
+    EXPECT_NEAR(range_m(plasma.views[0]) - vacuum_m, group_m, 1e-9 * vacuum_m);
+    const double phase_m = 0.5 * core::exact_light_speed_mps * plasma.views[0].phase_delay_s(carrier_hz) - vacuum_m;
+    EXPECT_NEAR(phase_m, -group_m, 1e-9 * vacuum_m);
+    EXPECT_NEAR(plasma.views[0].ahead_turns, 4.0 * group_m * carrier_hz / core::exact_light_speed_mps, 1e-6);
+    for (const radar::EchoBatch* echoes : {&plasma.plain, &plasma.fast}) {
+      ASSERT_EQ(echoes->ahead_turns.size(), 1U);
+      EXPECT_EQ(echoes->ahead_turns[0], plasma.views[0].ahead_turns);
+    }
+    EXPECT_TRUE(vacuum.plain.ahead_turns.empty());
+    EXPECT_TRUE(vacuum.fast.ahead_turns.empty());
+  }
+}
+
+TEST(Air, OfAnIonosphereIsTheSameInTheFastWay) {
+  for (const bool earth : {false, true}) {
+    scene::Scene scene = scene_below(earth);
+    scene.platforms.back() = moving("Aircraft", {0.0, 0.0, 700e3}, {7000.0, 200.0, 0.0});
+    scene.atmosphere.refraction = scene::Atmosphere::Refraction::exponential;
+    scene.atmosphere.tec_units = 30.0;
+    const Seen all = seen(scene);
+    ASSERT_EQ(all.fast.ahead_turns.size(), all.plain.size());
+    ASSERT_EQ(all.plain.ahead_turns.size(), all.plain.size());
+    for (std::size_t i = 0; i < all.plain.size(); ++i) {
+      EXPECT_GT(all.plain.ahead_turns[i], 100.0);
+      EXPECT_NEAR(all.fast.ahead_turns[i], all.plain.ahead_turns[i], 1e-7);
+      EXPECT_NEAR(all.fast.delay_s[i], all.plain.delay_s[i], 1e-18 + 1e-14 * all.plain.delay_s[i]);
+    }
+  }
+}
+
+// Each pulse of stepped carriers is delayed by 1/f^2 of its own.
+TEST(Air, OfAnIonosphereIsThatOfTheCarrierOfEachPulse) {
+  scene::Scene scene = scene_from_orbit(1.0e9);
+  scene.radars[0].carrier = scene::Radar::Carrier::stepped;
+  scene.radars[0].carrier_step_hz = 100e6;
+  scene.radars[0].carrier_steps = 5;
+  scene.radars[0].pulses_per_step = 1;
+  const double vacuum_m = range_m(seen(scene).views[0]);
   scene.atmosphere.tec_units = 10.0;
-  const Seen plasma = seen(scene);
-  const double excess_m = range_m(plasma.views[0]) - range_m(vacuum.views[0]);
-  const double half_wavelength_m = 0.5 * core::exact_light_speed_mps / 1.257e9;
-  EXPECT_NEAR(excess_m, 2.5506, 0.5 * half_wavelength_m);
-  const double off_turns = (excess_m + 2.5506) / half_wavelength_m;
-  EXPECT_NEAR(off_turns, std::round(off_turns), 1e-3);
+  const ResolvedScene resolved = resolve(scene);
+  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  PulseGeometry geometry(resolved, radar);
+  for (const std::int64_t pulse : {0, 2, 4}) {
+    geometry.set_pulse(pulse);
+    const double carrier_hz = 1.0e9 + 100e6 * static_cast<double>(pulse);
+    ASSERT_NEAR(geometry.carrier_hz(), carrier_hz, 1.0);
+    const double group_m = zenith_group_m(10.0, carrier_hz);
+    EXPECT_NEAR(range_m(geometry.view(0)) - vacuum_m, group_m, 1e-9 * vacuum_m);
+    EXPECT_NEAR(geometry.view(0).ahead_turns, 4.0 * group_m * carrier_hz / core::exact_light_speed_mps, 1e-6);
+  }
 }
 
 }  // namespace air_test

@@ -264,6 +264,7 @@ void keep_heard(radar::EchoBatch& echoes, double since_s, const radar::EchoPulse
                 const radar::SampleGrid& grid) {
   CORE_EXPECT(echoes.is_whole());
   const bool bends = !echoes.bend_per_s.empty();
+  const bool ahead = !echoes.ahead_turns.empty();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < echoes.size(); ++i) {
     const double delay_s = echoes.delay_s[i] - since_s;
@@ -273,9 +274,10 @@ void keep_heard(radar::EchoBatch& echoes, double since_s, const radar::EchoPulse
     echoes.amplitude_sqrt_w[kept] = echoes.amplitude_sqrt_w[i];
     echoes.doppler[kept] = echoes.doppler[i];
     if (bends) echoes.bend_per_s[kept] = echoes.bend_per_s[i];
+    if (ahead) echoes.ahead_turns[kept] = echoes.ahead_turns[i];
     ++kept;
   }
-  echoes.resize(kept, bends);
+  echoes.resize(kept, bends, ahead);
 }
 
 }  // namespace sarsim::simulate

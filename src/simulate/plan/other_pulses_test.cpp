@@ -265,5 +265,23 @@ TEST(Eclipsing, BlanksSamplesWhileTheRadarSends) {
   }
 }
 
+// All that an echo has goes with it where those before it are left out.
+TEST(KeepHeard, KeepsTheColumnsOfEachEcho) {
+  const Plan plan = make_plan(second_time_around(), 0);
+  radar::EchoBatch echoes;
+  for (int k = 0; k < 6; ++k) {
+    echoes.add((k % 2 == 0 ? 50e3 : 500e3) * 2.0 / c + 1e-6 * k, 1.0 + k, radar::PulseClock{1e-6 * k, 1e-3 * k});
+    echoes.ahead_turns.push_back(0.1 * k);
+  }
+  keep_heard(echoes, 0.0, plan.pulse, plan.raw_grid);
+  ASSERT_TRUE(echoes.is_whole());
+  ASSERT_EQ(echoes.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_DOUBLE_EQ(echoes.amplitude_sqrt_w[i], 1.0 + 2.0 * static_cast<double>(i));
+    EXPECT_DOUBLE_EQ(echoes.ahead_turns[i], 0.2 * static_cast<double>(i));
+    EXPECT_DOUBLE_EQ(echoes.bend_per_s[i], 2e-3 * static_cast<double>(i));
+  }
+}
+
 }  // namespace other_pulses_test
 }  // namespace sarsim::simulate

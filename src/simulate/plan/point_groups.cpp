@@ -202,13 +202,16 @@ namespace {
 
 // What the atmosphere adds to echoes that are otherwise complete.
 void add_air(const AirPaths& air, const radar::PointArrays& points, const radar::PointSpan& run,
-             const radar::SightFrame& frame, const core::Vec3& radar_m, radar::EchoBatch& echoes, std::size_t first) {
+             const radar::SightFrame& frame, const PulseGeometry& geometry, radar::EchoBatch& echoes,
+             std::size_t first) {
+  const core::Vec3& radar_m = geometry.radar_pose().position_world_m;
   const core::Vec3 origin_m = radar_m + frame.origin_m;
   for (std::size_t i = run.begin; i < run.end; ++i, ++first) {
     const core::Vec3 point_m =
         origin_m + frame.world_from_platform * core::Vec3{points.x_m[i], points.y_m[i], points.z_m[i]};
-    const AirEffect effect = air.between(radar_m, point_m);
+    const AirEffect effect = air.between(radar_m, point_m, geometry.carrier_hz());
     echoes.delay_s[first] += effect.delay_s;
+    if (!echoes.ahead_turns.empty()) echoes.ahead_turns[first] = effect.ahead_turns;
     echoes.amplitude_sqrt_w[first] *= effect.factor;
   }
 }
@@ -219,7 +222,7 @@ bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, co
                     radar::EchoBatch& echoes) {
   CORE_EXPECT(run.begin <= run.end && run.end <= groups.count);
   if (!groups.sound()) return false;
-  echoes.resize(run.size(), geometry.bends());
+  echoes.resize(run.size(), geometry.bends(), geometry.advances());
   if (run.size() == 0) return true;
   const radar::Pointing pointing = geometry.pointing();
   const core::Mat3 antenna_from_world = pointing.antenna_from_world();
@@ -240,8 +243,7 @@ bool certain_echoes(const PointGroups& groups, const PulseGeometry& geometry, co
                                    begin + part.begin - run.begin) &&
                possible;
     if (geometry.air() != nullptr)
-      add_air(*geometry.air(), *group->points, part, frame, geometry.radar_pose().position_world_m, echoes,
-              begin + part.begin - run.begin);
+      add_air(*geometry.air(), *group->points, part, frame, geometry, echoes, begin + part.begin - run.begin);
   }
   return possible;
 }

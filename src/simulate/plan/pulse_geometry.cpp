@@ -265,8 +265,9 @@ ScattererView PulseGeometry::seen(const Sight& sight, double rcs_m2, const radar
   view.amplitude_sqrt_w = amplitude_scale_ * gain * std::sqrt(rcs_m2) / spreading;
   if (radar_->air) {
     const core::Vec3& from_m = radar_pose().position_world_m;
-    const AirEffect effect = radar_->air->between(from_m, from_m + flight.look_m);
+    const AirEffect effect = radar_->air->between(from_m, from_m + flight.look_m, carrier_hz_);
     view.delay_s += effect.delay_s;
+    view.ahead_turns = effect.ahead_turns;
     view.amplitude_sqrt_w *= effect.factor;
   }
   return view;
@@ -313,6 +314,7 @@ void PulseGeometry::add(const ScattererView& view, radar::EchoBatch& echoes) con
     echoes.add(view.delay_s, view.amplitude_sqrt_w, view.clock);
   else
     echoes.add(view.delay_s, view.amplitude_sqrt_w, view.clock.doppler);
+  if (advances()) echoes.ahead_turns.push_back(view.ahead_turns);
 }
 
 void PulseGeometry::echoes(radar::EchoBatch& echoes) const {

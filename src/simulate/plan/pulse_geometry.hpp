@@ -15,10 +15,15 @@ namespace sarsim::simulate {
 struct ScattererView {
   double distance_m = 0.0;        ///< One way, as the pulse leaves.
   double speed_mps = 0.0;         ///< At which a point recedes along the line of sight whose echo is stretched alike.
-  double delay_s = 0.0;           ///< Two-way light time (docs/theory/echo-model.md).
+  double delay_s = 0.0;           ///< Two-way light time (docs/theory/echo-model.md), that of the group.
   radar::PulseClock clock;        ///< How the echo is stretched.
   double amplitude_sqrt_w = 0.0;  ///< Radar equation (thesis 2.2, 6.13-6.15), with antenna, cross-section and losses.
   double incidence_rad = 0.0;     ///< From its normal; only if the reflectivity depends on it.
+  /// By how much the carrier is ahead of that delay: its phase is -(f delay - ahead) turns.
+  double ahead_turns = 0.0;
+
+  /// Two-way delay that the carrier's phase is that of, s.
+  [[nodiscard]] double phase_delay_s(double carrier_hz) const { return delay_s - ahead_turns / carrier_hz; }
 };
 
 /// Where everything stands when each pulse of one radar leaves. Not shared between threads: each makes its own.
@@ -35,6 +40,8 @@ class PulseGeometry {
   [[nodiscard]] double carrier_hz() const { return carrier_hz_; }
   /// The atmosphere between radar and scatterers; null without one.
   [[nodiscard]] const AirPaths* air() const { return radar_->air.get(); }
+  /// Whether the phase of any echo may be ahead of its delay, as an ionosphere makes it.
+  [[nodiscard]] bool advances() const { return radar_->air != nullptr && radar_->air->advances(); }
   [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[radar_->platform]; }
   /// Where a platform stands as the pulse leaves.
   [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[platform]; }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "radar/earth/ellipsoid_height.hpp"
+#include "radar/path/path.hpp"
 
 namespace sarsim::simulate {
 
@@ -79,13 +80,16 @@ radar::PathEffect AirPaths::one_way(const core::Vec3& radar_m, const core::Vec3&
   return table_.at(height_m(point_m), height_m(radar_m), core::norm(point_m - radar_m));
 }
 
-AirEffect AirPaths::between(const core::Vec3& radar_m, const core::Vec3& point_m) const {
+AirEffect AirPaths::between(const core::Vec3& radar_m, const core::Vec3& point_m, double carrier_hz) const {
   const radar::PathEffect one = one_way(radar_m, point_m);
-  const double group_s = 2.0 * one.delay_m / light_speed_mps_;
-  const double turns = carrier_hz_ * 2.0 * (one.phase_m - one.delay_m) / light_speed_mps_;
+  const double of_table = carrier_hz_ / carrier_hz;
+  const double by_square = of_table * of_table;
+  const double air_m = 0.5 * (one.delay_m + one.phase_m);
+  const double electrons_m = by_square * 0.5 * (one.delay_m - one.phase_m);
   constexpr double db_per_amplitude = 20.0;
-  return {group_s + (turns - std::round(turns)) / carrier_hz_,
-          std::pow(10.0, -2.0 * one.loss_db / db_per_amplitude) * std::cos(2.0 * one.faraday_rad)};
+  return {radar::delay_of(air_m + electrons_m, light_speed_mps_),
+          radar::turns_of(2.0 * electrons_m, carrier_hz, light_speed_mps_),
+          std::pow(10.0, -2.0 * one.loss_db / db_per_amplitude) * std::cos(2.0 * by_square * one.faraday_rad)};
 }
 
 }  // namespace sarsim::simulate

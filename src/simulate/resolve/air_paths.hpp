@@ -12,22 +12,26 @@ namespace sarsim::simulate {
 
 /// What the atmosphere does to an echo on its way out and home.
 struct AirEffect {
-  /// Added to the delay, s. The phase is exact; where the ionosphere delays the group but advances the phase, the delay
-  /// of the group is met within half a period of the carrier.
-  double delay_s = 0.0;
+  double delay_s = 0.0;  ///< Added to the delay: of the group, where the envelope is.
+  /// By how much the carrier's phase is ahead of that delay: two-way, by twice what electrons delay the group by.
+  double ahead_turns = 0.0;
   double factor = 1.0;  ///< Of the amplitude: losses, and Faraday rotation of a linear polarisation, cos(2 x rotation).
 };
 
 /// The atmosphere of a scene between one radar and its scatterers. Const members are safe to call from many threads.
 class AirPaths {
  public:
+  /// @param carrier_hz  that the tables are for: the middle of the radar's carriers
   /// @param turning  of the world: the axis and centre of its Earth; at rest over a flat world, where height is z
   /// @param heights  of scatterers and radar, for which tables are made; others take longer
   AirPaths(const scene::Atmosphere& atmosphere, double carrier_hz, double light_speed_mps,
            const radar::TurningAxes& turning, radar::HeightSpan scatterers, radar::HeightSpan radars);
 
-  /// Of the straight line between two points, world.
-  [[nodiscard]] AirEffect between(const core::Vec3& radar_m, const core::Vec3& point_m) const;
+  /// Of the straight line between two points, world, for a carrier: what electrons do falls with its square, losses are
+  /// those of the tables.
+  [[nodiscard]] AirEffect between(const core::Vec3& radar_m, const core::Vec3& point_m, double carrier_hz) const;
+  /// Whether any echo may have a phase that is ahead of its delay.
+  [[nodiscard]] bool advances() const { return table_.model().atmosphere().vertical_tec_per_m2 > 0.0; }
 
   /// One way, as the tables have it.
   [[nodiscard]] radar::PathEffect one_way(const core::Vec3& radar_m, const core::Vec3& point_m) const;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -206,9 +207,10 @@ void put_csv_header(PieceWriter& out, const TablePulses& pulses, const WorldColu
     if (world.earth) put({"latitude_deg", "longitude_deg", "height_m"});
     put({"vx_mps", "vy_mps", "vz_mps", "rx_deg", "ry_deg", "rz_deg"});
   }
+  std::vector<const char*> of_target{"distance_m", "delay_s", "radial_speed_mps", "amplitude_v"};
+  if (pulses.geometry().advances()) of_target.insert(of_target.begin() + 2, "phase_delay_s");
   for (std::size_t i = 0; i < pulses.targets(); ++i)
-    for (const char* quantity : {"distance_m", "delay_s", "radial_speed_mps", "amplitude_v"})
-      out.put(",target {} {}", i + 1, quantity);
+    for (const char* quantity : of_target) out.put(",target {} {}", i + 1, quantity);
   out.put("\n");
 }
 
@@ -245,8 +247,11 @@ void put_csv_line(PieceWriter& out, const TablePulses& pulses, const WorldColumn
   }
   for (std::size_t i = 0; i < pulses.targets(); ++i) {
     const ScattererView view = geometry.view(i);
-    for (const double value : {view.distance_m, view.delay_s, view.speed_mps, std::abs(view.amplitude_sqrt_w)})
-      put_exact(out, value);
+    put_exact(out, view.distance_m);
+    put_exact(out, view.delay_s);
+    if (geometry.advances()) put_exact(out, view.phase_delay_s(geometry.carrier_hz()));
+    put_exact(out, view.speed_mps);
+    put_exact(out, std::abs(view.amplitude_sqrt_w));
   }
   out.put("\n");
 }

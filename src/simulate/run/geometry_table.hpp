@@ -35,7 +35,9 @@ void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& 
 /// platform x_m, y_m, z_m, vx_mps ..., rx_deg ...; for each target distance_m, delay_s, radial_speed_mps, amplitude_v
 /// (thesis 4.10). All targets, whatever the window; all columns, whatever the mask. Numbers are exact (shortest form).
 /// Where the world has an epoch, `utc` of the send time stands behind time_s, to 1e-12 s. Over the Earth latitude_deg,
-/// longitude_deg and height_m of each platform stand behind its z_m: over the ellipsoid of WGS 84.
+/// longitude_deg and height_m of each platform stand behind its z_m: over the ellipsoid of WGS 84. Through an
+/// ionosphere phase_delay_s of each target stands behind its delay_s: the delay that the carrier's phase is that of,
+/// where the other one is that of the pulse.
 void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& table,
                         const std::function<void(std::string_view)>& write, const core::StopFlag* stop = nullptr);
 

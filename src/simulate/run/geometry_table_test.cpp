@@ -1,5 +1,6 @@
 #include "simulate/run/geometry_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -303,6 +304,27 @@ TEST(GeometryTable, CsvHasDatesWhereThereIsAnEpoch) {
   const auto dated = csv_rows(flat, table_of(227));
   EXPECT_EQ(dated[0].size(), plain[0].size() + 1);
   for (const std::string& name : plain[0]) EXPECT_EQ(name.find("latitude"), std::string::npos);
+}
+
+// Where pulse and carrier come by different paths there is a delay of each.
+TEST(GeometryTable, CsvHasTheDelayOfThePhaseThroughAnIonosphere) {
+  scene::Scene scene = moving_scene(0.0);
+  scene.platforms.push_back({});
+  scene.platforms.back().name = "Satellite";
+  scene.platforms.back().position_m = {308.0, 0.0, 700e3};
+  scene.radars[0].platform = "Satellite";
+  const auto vacuum = csv_rows(scene, table_of(0));
+  EXPECT_EQ(std::ranges::count(vacuum[0], "target 2 phase_delay_s"), 0);
+  scene.atmosphere.tec_units = 10.0;
+  const auto rows = csv_rows(scene, table_of(0));
+  ASSERT_EQ(rows.size(), vacuum.size());
+  EXPECT_EQ(rows[0].size(), vacuum[0].size() + 2);
+  const std::size_t delay = column(rows[0], "target 2 delay_s");
+  EXPECT_EQ(rows[0][delay + 1], "target 2 phase_delay_s");
+  const double excess_s = 2.0 * 40.3e17 / (0.5e9 * 0.5e9) / c;
+  const double vacuum_s = std::stod(vacuum[1][column(vacuum[0], "target 2 delay_s")]);
+  EXPECT_NEAR(std::stod(rows[1][delay]), vacuum_s + excess_s, 1e-6 * excess_s);
+  EXPECT_NEAR(std::stod(rows[1][delay + 1]), vacuum_s - excess_s, 1e-6 * excess_s);
 }
 
 }  // namespace geometry_table_test

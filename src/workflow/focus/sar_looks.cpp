@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "radar/path/path.hpp"
+#include "simulate/resolve/air_paths.hpp"
 #include "simulate/survey/derived.hpp"
 
 namespace sarsim::workflow {
@@ -81,14 +82,15 @@ SarLook SarLooks::look_at(std::size_t target, std::size_t pulse, const simulate:
   const simulate::ScattererView view = geometry.view(target, pointing);
   const simulate::Scatterer& scatterer = scene_->scatterers[target];
   const radar::Pose& platform = geometry.pose(scatterer.platform);
-  const SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
-                     .distance_m = view.distance_m,
-                     .doppler_hz = -per_speed * receding_mps(geometry.radar_pose(), platform, scatterer.position_m),
-                     .delay_s = view.delay_s,
-                     .amplitude = std::abs(view.amplitude_sqrt_w * gain_.gain(view.delay_s)) * peak_gain_,
-                     .share = gain_.share(view.delay_s)};
-  if (!compensated_) return look;
-  return from_line(look, geometry.radar_pose(), platform, scatterer.position_m);
+  SarLook look{.time_s = track_.time_s(static_cast<double>(pulse)),
+               .distance_m = view.distance_m,
+               .doppler_hz = -per_speed * receding_mps(geometry.radar_pose(), platform, scatterer.position_m),
+               .delay_s = view.delay_s,
+               .amplitude = std::abs(view.amplitude_sqrt_w * gain_.gain(view.delay_s)) * peak_gain_,
+               .share = gain_.share(view.delay_s)};
+  if (compensated_) look = from_line(look, geometry.radar_pose(), platform, scatterer.position_m);
+  if (geometry.air() == nullptr) return look;
+  return through(*geometry.air(), look, geometry.radar_pose(), platform, scatterer.position_m);
 }
 
 SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar::Pose& platform,
@@ -101,6 +103,40 @@ SarLook SarLooks::from_line(SarLook look, const radar::Pose& radar, const radar:
   look.distance_m = core::norm(sight_m);
   look.doppler_hz = -radar::turns_per_m(carrier_hz_, light_speed) * core::dot(sight_m, velocity_mps) / look.distance_m;
   look.delay_s = radar::delay_of(look.distance_m, light_speed);
+  return look;
+}
+
+// What the atmosphere adds on the way from where the antenna was, wherever its motion is compensated to: the distance
+// grows with the delay of the group, the Doppler frequency is that of the phase.
+SarLook SarLooks::through(const simulate::AirPaths& air, SarLook look, const radar::Pose& radar,
+                          const radar::Pose& platform, const core::Vec3& point_m) const {
+  const core::Vec3 antenna_m = radar.position_world_m;
+  const core::Vec3 at_m = radar::world_position_m(platform, point_m);
+  const core::Vec3 point_mps = radar::world_velocity_mps(platform, point_m);
+  const simulate::AirEffect effect = air.between(antenna_m, at_m, carrier_hz_);
+  look.late_m = radar::range_of(effect.delay_s, scene_->conventions.light_speed_mps);
+  look.distance_m += look.late_m;
+  look.ahead_turns = effect.ahead_turns;
+  if (compensated_) look.delay_s += effect.delay_s;
+  const double speed_mps = core::norm(point_mps - radar.velocity_world_mps);
+  if (!(speed_mps > 0.0)) return look;
+  // Until the way has changed by a hundredth: its effects are smooth.
+  const double step_s = 0.01 * core::norm(at_m - antenna_m) / speed_mps;
+  const auto late_turns = [&](double time_s) {
+    const simulate::AirEffect then =
+        air.between(antenna_m + time_s * radar.velocity_world_mps, at_m + time_s * point_mps, carrier_hz_);
+    return carrier_hz_ * then.delay_s - then.ahead_turns;
+  };
+  look.air_doppler_hz = -(late_turns(step_s) - late_turns(-step_s)) / (2.0 * step_s);
+  look.doppler_hz += look.air_doppler_hz;
+  return look;
+}
+
+SarLook SarLook::in_vacuum() const {
+  SarLook look = *this;
+  look.distance_m -= look.late_m;
+  look.doppler_hz -= look.air_doppler_hz;
+  look.late_m = look.air_doppler_hz = look.ahead_turns = 0.0;
   return look;
 }
 

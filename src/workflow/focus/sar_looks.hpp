@@ -24,6 +24,14 @@ struct SarLook {
   double delay_s = 0.0;
   double amplitude = 0.0;  ///< Of the whole compressed echo, volts.
   double share = 0.0;      ///< Of it that is recorded, 0 to 1.
+  /// What the atmosphere adds to distance and Doppler frequency, which hold it; and by how much the carrier is ahead of
+  /// the delay.
+  double late_m = 0.0;
+  double air_doppler_hz = 0.0;
+  double ahead_turns = 0.0;
+
+  /// The same without atmosphere, as far as places are concerned.
+  [[nodiscard]] SarLook in_vacuum() const;
 };
 
 /// The pulses of a plan as looks at each of its targets; of more than `most_looks` pulses, some that are evenly spaced,
@@ -67,6 +75,8 @@ class SarLooks {
                                 const radar::Pointing& pointing) const;
   [[nodiscard]] SarLook from_line(SarLook look, const radar::Pose& radar, const radar::Pose& platform,
                                   const core::Vec3& point_m) const;
+  [[nodiscard]] SarLook through(const simulate::AirPaths& air, SarLook look, const radar::Pose& radar,
+                                const radar::Pose& platform, const core::Vec3& point_m) const;
 
   const simulate::Plan& plan_;
   std::shared_ptr<const simulate::ResolvedScene> scene_;

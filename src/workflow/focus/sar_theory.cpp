@@ -344,6 +344,13 @@ void set_figures(const CutLooks& cuts, const UsedLooks& used, const ImageGeometr
   theory.range = signal::aperture_figures(range, band, response);
 }
 
+signal::ImagePlace plus(const signal::ImagePlace& a, const signal::ImagePlace& b) {
+  return {a.azimuth_m + b.azimuth_m, a.range_m + b.range_m};
+}
+signal::ImagePlace minus(const signal::ImagePlace& a, const signal::ImagePlace& b) {
+  return {a.azimuth_m - b.azimuth_m, a.range_m - b.range_m};
+}
+
 // What a target is in an image, for all targets of a plan.
 class Theories {
  public:
@@ -361,10 +368,11 @@ class Theories {
     theory.amplitude = pulse_.kept(used.coherence) * used.sum /
                        sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
     signal::ImagePlace on_image = theory.place;
-    if (image_.ground) on_image = lay_on_ground(number, theory.place);
-    const double turns =
-        radar::turns_of(theory.place.range_m, echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps);
-    theory.phase_rad = std::remainder(-2.0 * core::pi * turns, 2.0 * core::pi);
+    const signal::ImagePlace shift = shift_by_air(middle);
+    if (image_.ground) on_image = lay_on_ground(number, shift, theory.place);
+    const std::complex<double> left = left_by_air(used, seen, theory.place, shift);
+    theory.amplitude *= std::abs(left);
+    theory.phase_rad = std::remainder(std::arg(left) - 2.0 * core::pi * turns_of(theory.place.range_m), 2.0 * core::pi);
     const double per_hz =
         radar::range_of_cycle(echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps) / looks_.track().speed_mps;
     set_figures(CutLooks(used, seen, per_hz, image_, on_image), used, image_, pulse_,
@@ -374,19 +382,58 @@ class Theories {
   }
 
  private:
-  // Where a target appears on the ground: where it is, if it rests in the plane of the grid; else where the line has
-  // its distance.
+  [[nodiscard]] double turns_of(double range_m) const {
+    return radar::turns_of(range_m, echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps);
+  }
+
+  // By how much the atmosphere moves a target, about the line.
+  [[nodiscard]] signal::ImagePlace shift_by_air(const SarLook& look) const {
+    if (look.late_m == 0.0) return {};
+    const SarLook vacuum = look.in_vacuum();
+    return minus(looks_.place(look, look.doppler_hz), looks_.place(vacuum, vacuum.doppler_hz));
+  }
+
+  // What the atmosphere makes of the sum of the looks besides moving the target: the carrier is ahead of the delay, and
+  // the way through air grows along the aperture in another way than the distance from the place where the target
+  // appears.
+  [[nodiscard]] std::complex<double> left_by_air(const UsedLooks& used, std::span<const SarLook> seen,
+                                                 const signal::ImagePlace& place,
+                                                 const signal::ImagePlace& shift) const {
+    if (seen[used.middle].late_m == 0.0) return 1.0;
+    const signal::ImagePlace is_at = minus(place, shift);
+    std::complex<double> sum;
+    for (std::size_t i = 0; i < used.numbers.size(); ++i) {
+      const SarLook& look = seen[used.numbers[i]];
+      const auto distance_m = [&](const signal::ImagePlace& from) {
+        return std::hypot(from.range_m, from.azimuth_m - looks_.track().speed_mps * look.time_s);
+      };
+      const double turns = look.ahead_turns - turns_of(look.late_m - (distance_m(place) - distance_m(is_at)));
+      sum += std::polar(used.parts[i], 2.0 * core::pi * turns);
+    }
+    return sum / used.sum;
+  }
+
+  // Where a target appears on the ground: where it is, if it rests in the plane of the grid, but for the atmosphere;
+  // else where the line has its distance.
+  // @param shift          by the atmosphere, about the line
   // @param[in,out] slant  its place about the line
-  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, signal::ImagePlace& slant) const {
+  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, const signal::ImagePlace& shift,
+                                                 signal::ImagePlace& slant) const {
     constexpr double in_plane_m = 1e-3;
     const signal::ImageFrame& grid = *image_.ground;
-    if (weights_.domain() == Domain::time)
-      if (const auto point_m = looks_.resting_place(number)) {
-        const double above_m = core::dot(*point_m - grid.origin_m, core::cross(grid.along, grid.across));
-        slant = signal::place_of(*image_.slant, *point_m);
-        if (std::abs(above_m) < in_plane_m) return signal::place_of(grid, *point_m);
-      }
-    return signal::place_on_ground(grid, *image_.slant, slant);
+    const auto on_ground = [&](const signal::ImagePlace& place) {
+      return signal::place_on_ground(grid, *image_.slant, place);
+    };
+    if (weights_.domain() != Domain::time) return on_ground(slant);
+    const auto point_m = looks_.resting_place(number);
+    if (!point_m) return on_ground(slant);
+    const double above_m = core::dot(*point_m - grid.origin_m, core::cross(grid.along, grid.across));
+    const signal::ImagePlace is_at = signal::place_of(*image_.slant, *point_m);
+    slant = plus(is_at, shift);
+    if (!(std::abs(above_m) < in_plane_m)) return on_ground(slant);
+    const signal::ImagePlace in_plane = signal::place_of(grid, *point_m);
+    const bool moved = shift.azimuth_m != 0.0 || shift.range_m != 0.0;
+    return moved ? plus(in_plane, minus(on_ground(slant), on_ground(is_at))) : in_plane;
   }
 
   const SarLooks& looks_;

@@ -12,14 +12,17 @@ namespace sarsim::workflow {
 
 /// What the image of a target is by theory.
 struct TargetTheory {
-  std::size_t target = 0;      ///< Position in the scene's list, from 0.
-  signal::ImagePlace place{};  ///< By its distance and Doppler frequency: a moving target R u/v beside where it is.
+  std::size_t target = 0;  ///< Position in the scene's list, from 0.
+  /// By its distance and Doppler frequency: a moving target R u/v beside where it is, one behind an atmosphere, which
+  /// focusing does not correct, by its delay farther away.
+  signal::ImagePlace place{};
   /// Weighted mean of its echoes (docs/theory/focusing.md) over the pulses that are focused, where motion was
   /// compensated over the line; in a Doppler band over the time that sweeps it, of back projection over as much of that
   /// as was flown. As they are recorded, volts: with the receiver's gain over
   /// time, less where the end of a raw recording cuts them, 0 outside the recorded ranges.
   double amplitude = 0.0;
-  double phase_rad = 0.0;  ///< -4 pi f0 R0/c, in (-pi, pi].
+  /// -4 pi f0 R0/c, R0 that of its place, and what an atmosphere leaves besides moving it, in (-pi, pi].
+  double phase_rad = 0.0;
   /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: from the
   /// part of the wave number plane filled by the pulses that see the target (signal/measure/aperture_response.hpp).
   /// Where that is a rectangle, range is the chirp's autocorrelation under the window, and under the radar's where the

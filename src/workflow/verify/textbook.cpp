@@ -17,7 +17,7 @@ void add_textbook_echoes(std::span<std::complex<double>> row, const radar::Sampl
       const double sent = clock.sent(u);
       const double phase =
           2.0 * core::pi *
-          (0.5 * rate_hz_per_s * sent * sent - carrier_hz * echoes.delay_s[k] - carrier_hz * clock.late(u));
+          (0.5 * rate_hz_per_s * sent * sent - echoes.late_turns(k, carrier_hz) - carrier_hz * clock.late(u));
       row[n] += std::complex<double>(echoes.amplitude_sqrt_w[k] * std::cos(phase),
                                      echoes.amplitude_sqrt_w[k] * std::sin(phase));
     }
