@@ -3,13 +3,13 @@
 #include <cmath>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/opposite.hpp"
 
 namespace sarsim::radar {
 
 double wrapped_angle(double angle_rad) {
-  if (std::abs(angle_rad) < core::pi) return angle_rad;
-  const double reduced = std::remainder(angle_rad, 2.0 * core::pi);
-  return reduced <= -core::pi ? reduced + 2.0 * core::pi : reduced;
+  const double reduced = std::abs(angle_rad) < core::pi ? angle_rad : std::remainder(angle_rad, 2.0 * core::pi);
+  return reduced <= -core::pi + core::opposite_rad ? core::pi : reduced;
 }
 
 double sinx_gain(double offset_rad, double beamwidth_rad) {

@@ -27,6 +27,8 @@ TEST(WrappedAngle, LiesInTheHalfOpenTurn) {
   EXPECT_EQ(wrapped_angle(0.5), 0.5);
   EXPECT_EQ(wrapped_angle(core::pi), core::pi);
   EXPECT_EQ(wrapped_angle(-core::pi), core::pi);
+  EXPECT_EQ(wrapped_angle(-core::pi + 1e-12), core::pi);  // Rounding of the same direction.
+  EXPECT_EQ(wrapped_angle(-core::pi + 1e-6), -core::pi + 1e-6);
   for (int turns = -3; turns <= 3; ++turns)
     EXPECT_NEAR(wrapped_angle(1.2 + 2.0 * core::pi * turns), 1.2, 2.0 * core::pi * 3.0 * epsilon);
   EXPECT_NEAR(wrapped_angle(core::pi + 0.25), -core::pi + 0.25, 4.0 * epsilon);

@@ -6,6 +6,8 @@
 #define HWY_TARGET_INCLUDE "radar/echo/sight.cpp"
 #include <hwy/foreach_target.h>  // includes this file once per instruction set
 
+#include "core/maths/constants.hpp"
+#include "core/maths/opposite.hpp"
 #include "radar/echo/simd_curves-inl.hpp"
 #include "radar/simd/angle-inl.hpp"
 #include "radar/simd/math-inl.hpp"
@@ -239,6 +241,13 @@ HWY_INLINE Angles less_axis(Tag d, const Angles& a, const Axis& axis) {
           hn::MulAdd(a.cosine_elevation, ce, hn::Mul(a.sine_elevation, se))};
 }
 
+// The opposite direction has one angle, whatever the sign of a zero or of rounding: half a turn, positive, as
+// wrapped_angle has it.
+HWY_INLINE Vector opposite_positive(Tag d, Vector degrees) {
+  const auto opposite = hn::Le(degrees, hn::Set(d, -180.0 + core::opposite_rad * core::deg_per_rad));
+  return hn::IfThenElse(opposite, hn::Set(d, 180.0), degrees);
+}
+
 // The user-defined cuts, decibels. In the antenna's frame the magnitudes of the offsets come out at once; tables that
 // tell -x from x want their signs as well.
 HWY_INLINE Vector user_gain_db(Tag d, const AntennaSight& antenna, const SightFrame& frame, const Triple& v,
@@ -250,12 +259,14 @@ HWY_INLINE Vector user_gain_db(Tag d, const AntennaSight& antenna, const SightFr
     azimuth = degrees(d, azimuth);
     elevation = degrees(d, elevation);
     if (is_signed) {
-      azimuth = hn::CopySign(azimuth, v.x);
-      elevation = hn::CopySign(elevation, v.z);
+      azimuth = opposite_positive(d, hn::CopySign(azimuth, v.x));
+      elevation = opposite_positive(d, hn::CopySign(elevation, v.z));
     }
   } else {
-    azimuth = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_azimuth_rad), hn::CopySign(azimuth, v.x)));
-    elevation = wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_elevation_rad), hn::CopySign(elevation, v.z)));
+    azimuth = opposite_positive(
+        d, wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_azimuth_rad), hn::CopySign(azimuth, v.x))));
+    elevation = opposite_positive(
+        d, wrapped_degrees(d, hn::Sub(hn::Set(d, frame.axis_elevation_rad), hn::CopySign(elevation, v.z))));
     if (!is_signed) {
       azimuth = hn::Abs(azimuth);
       elevation = hn::Abs(elevation);

@@ -98,11 +98,12 @@ void check_beamwidth(Findings& findings, std::string_view field, std::string_vie
 }
 
 // An aperture of length L has a half-power width of 0.886 lambda/L.
+// Those of sky and ground waves, below 50 MHz, are fields of masts.
 void check_narrow_beam(Findings& findings, std::string_view field, std::string_view cut, double width_deg,
                        double wavelength_m) {
-  constexpr double narrow_deg = 0.1;
-  constexpr double longest_antenna_m = 100.0;
-  if (!(width_deg > 0.0) || width_deg >= narrow_deg) return;
+  constexpr double longest_sky_wave_m = 6.0;
+  const double longest_antenna_m = wavelength_m > longest_sky_wave_m ? 3000.0 : 100.0;
+  if (!(width_deg > 0.0)) return;
   const double length_m = 0.886 * wavelength_m / (width_deg * core::pi / 180.0);
   if (!(length_m > longest_antenna_m)) return;
   findings.warning(Consequence::surprise, field,

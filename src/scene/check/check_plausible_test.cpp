@@ -48,9 +48,13 @@ TEST(CheckPlausible, SaysHowWideAWideBeamIs) {
 // 0.886 x 3.1228 cm over 0.01 deg = 158.5 m; millimetre waves have such beams from 17 m.
 TEST(CheckPlausible, WarnsOfABeamThatNeedsAnAntennaOfAHundredMetres) {
   const auto beam = [](double width_deg, double carrier_hz) {
-    return with([=](Radar& r, Simulation&) {
+    return with([=](Radar& r, Simulation& s) {
       r.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(width_deg);
       r.carrier_hz = carrier_hz;
+      if (carrier_hz > 50e6) return;
+      r.bandwidth_hz = 5e6;
+      r.pulse_width_s = 8e-6;
+      s.sample_rate_hz = 6.25e6;
     });
   };
   const core::Problem problem = expect_warning(beam(0.01, 9.6e9), radar_field("transmit_antenna"));
@@ -58,6 +62,12 @@ TEST(CheckPlausible, WarnsOfABeamThatNeedsAnAntennaOfAHundredMetres) {
   EXPECT_THAT(problem.expected, HasSubstr("0.0159 deg"));
   EXPECT_TRUE(check(beam(0.01, 94e9)).empty());
   EXPECT_TRUE(check(beam(0.1, 5e9)).empty());
+  // The length alone decides: 0.886 lambda/width is 100 m for 1.0145 deg at 150 MHz.
+  EXPECT_THAT(expect_warning(beam(0.2, 150e6), radar_field("transmit_antenna")).message, HasSubstr("507 m long"));
+  EXPECT_THAT(expect_warning(beam(1.01, 150e6), radar_field("transmit_antenna")).message, HasSubstr("100 m long"));
+  EXPECT_TRUE(check(beam(1.02, 150e6)).empty());
+  EXPECT_TRUE(check(beam(0.6, 10e6)).empty());  // 2.5 km of masts
+  EXPECT_THAT(expect_warning(beam(0.4, 10e6), radar_field("transmit_antenna")).message, HasSubstr("m long"));
 }
 
 // 4 pi 0.886^2/(4 deg x 2 deg) = 36.1 dB; it counts where there is noise.

@@ -24,7 +24,7 @@ void add_window(FieldTable<Product>& table, const WindowWords& words) {
                                                .words = words.range_start,
                                                .noun = "slant range start",
                                                .quantity = Quantity::length,
-                                               .likely = {0.0, 1e9},
+                                               .likely = {-1e5, 1e9},  // Half a centred pulse before the radar.
                                                .tip = range_tip});
   table.template add<&Product::range_end_m>({.id = "range_end_m",
                                              .key = "range[1]",

@@ -140,6 +140,8 @@ class JoinedPhase {
     change(piece, -1.0);
     add(piece);
   }
+  /// What the means weigh.
+  [[nodiscard]] const std::vector<double>& weights() const { return weight_; }
   /// The means; held or drawn straight where no piece reaches.
   [[nodiscard]] std::vector<double> mean() const {
     std::vector<double> phase(sum_.size());
@@ -234,6 +236,133 @@ AlongTrack track_of(const std::vector<Piece>& pieces, double range_m, const Sigh
   return track;
 }
 
+// A strip, piece by piece: first the phase of all, then the image without it.
+class StripWork {
+ public:
+  StripWork(const FocusedImage& image, long length, const AutofocusOptions& options, const core::WorkControl& control)
+      : image_(image),
+        options_(options),
+        control_(control),
+        length_(length),
+        size_(core::good_fft_size(2 * static_cast<std::size_t>(length))),
+        sight_(image, size_),
+        skewed_(image, sight_),
+        pieces_(skewed_.pieces(length)),
+        track_(track_of(pieces_, skewed_.middle_range_m(), sight_, size_)) {}
+
+  /// The phase along the track.
+  void find(StripmapAutofocusResult& result) {
+    const SpectrumBand band{sight_.centre(),
+                            options_.band_per_m * std::abs(image_.azimuth.step_m) * static_cast<double>(size_)};
+    JoinedPhase joined(track_.count);
+    std::vector<PiecePhase> phases;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      AzimuthColumns columns = cut_out(i);
+      found_.push_back(phase_gradient(columns, band, options_, control_));
+      phases.push_back(along_track(found_.back(), pieces_[i].middle_m, skewed_.middle_range_m(), sight_, track_));
+      joined.add(phases.back());
+    }
+    for (int sweep = 0; sweep < 10; ++sweep)
+      for (PiecePhase& phase : phases) joined.refit(phase);
+    result.phase_rad = joined.mean();
+    for (std::size_t i = 0; i < result.phase_rad.size(); ++i)
+      result.along_m.push_back(track_.first_m + static_cast<double>(i) * track_.step_m);
+    const StraightLine line = best_line(result.along_m, result.phase_rad, joined.weights());
+    for (std::size_t i = 0; i < result.phase_rad.size(); ++i) result.phase_rad[i] -= line.at(result.along_m[i]);
+  }
+
+  void take_out(StripmapAutofocusResult& result) {
+    std::ranges::fill(result.image.values, 0.0F);
+    double energy = 0.0;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const Bend bend = bend_of(i, result);
+      energy += found_[i].energy;
+      squares += found_[i].energy * bend.rms_rad * bend.rms_rad;
+      take_out(i, bend.line, result);
+    }
+    if (energy > 0.0) result.rms_rad = std::sqrt(squares / energy);
+  }
+
+ private:
+  // The line that one piece keeps, over the places along the track, and what is taken out of its spectrum.
+  struct Bend {
+    StraightLine line;
+    double rms_rad = 0.0;
+  };
+
+  [[nodiscard]] AzimuthColumns cut_out(std::size_t i) const {
+    return skewed_.cut_out(pieces_[i], length_, i == 0, i + 1 == pieces_.size(), size_);
+  }
+
+  [[nodiscard]] double phase_at(const StripmapAutofocusResult& result, double along_m) const {
+    return interpolated(result.phase_rad, (along_m - track_.first_m) / track_.step_m);
+  }
+
+  // By the amplitudes of the spectrum: the phase that is left then moves no peak.
+  [[nodiscard]] Bend bend_of(std::size_t i, const StripmapAutofocusResult& result) const {
+    const GradientResult& found = found_[i];
+    std::vector<double> along_m, phase_rad;
+    for (std::size_t k = 0; k < found.amplitude.size(); ++k) {
+      const auto frequency = static_cast<double>(found.first_frequency + static_cast<long>(k));
+      along_m.push_back(pieces_[i].middle_m - sight_.behind_m(frequency, skewed_.middle_range_m()));
+      phase_rad.push_back(phase_at(result, along_m.back()));
+    }
+    Bend bend{best_line(along_m, phase_rad, found.amplitude)};
+    double sum = 0.0;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < along_m.size(); ++k) {
+      const double rest_rad = phase_rad[k] - bend.line.at(along_m[k]);
+      sum += found.amplitude[k];
+      squares += found.amplitude[k] * rest_rad * rest_rad;
+    }
+    if (sum > 0.0) bend.rms_rad = std::sqrt(squares / sum);
+    return bend;
+  }
+
+  void take_out(std::size_t i, const StraightLine& line, StripmapAutofocusResult& result) const {
+    const GradientResult& found = found_[i];
+    // Of the aperture: the others count from there.
+    const long middle = found.phase_rad.empty() ? std::lround(sight_.centre())
+                                                : found.first_frequency + static_cast<long>(found.phase_rad.size() / 2);
+    AzimuthColumns columns = cut_out(i);
+    turn_spectra(columns, control_, [&](std::size_t column, long frequency) {
+      const double turns = std::round(static_cast<double>(frequency - middle) / static_cast<double>(size_));
+      const double unfolded = static_cast<double>(frequency) - static_cast<double>(size_) * turns;
+      const double along_m = pieces_[i].middle_m + static_cast<double>(skewed_.offset(column)) * image_.azimuth.step_m -
+                             sight_.behind_m(unfolded, image_.range.at(static_cast<double>(column)));
+      return line.at(along_m) - phase_at(result, along_m);
+    });
+    add(i, columns, result);
+  }
+
+  // What the correction moved beyond the ends of the piece stands in the zeros behind it, or before it at the end.
+  void add(std::size_t i, const AzimuthColumns& columns, StripmapAutofocusResult& result) const {
+    const auto size = static_cast<long>(size_);
+    for (long k = -size / 4; k < length_ + size / 4; ++k) {
+      const long at = k < 0 ? k + size : k;
+      if (at >= size) continue;
+      for (std::size_t column = 0; column < image_.range.count; ++column) {
+        const long row = pieces_[i].first + k + skewed_.offset(column);
+        if (row < 0 || row >= static_cast<long>(image_.azimuth.count)) continue;
+        result.image.values[static_cast<std::size_t>(row) * image_.range.count + column] +=
+            std::complex<float>(columns.column(column)[static_cast<std::size_t>(at)]);
+      }
+    }
+  }
+
+  const FocusedImage& image_;
+  const AutofocusOptions& options_;
+  const core::WorkControl& control_;
+  long length_;
+  std::size_t size_;
+  Sight sight_;
+  SkewedImage skewed_;
+  std::vector<Piece> pieces_;
+  AlongTrack track_;
+  std::vector<GradientResult> found_;
+};
+
 }  // namespace
 
 double image_entropy(const FocusedImage& image) {
@@ -294,58 +423,9 @@ StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_
   StripmapAutofocusResult result;
   result.image = image;
   if (image.values.empty()) return result;
-
-  const std::size_t size = core::good_fft_size(2 * static_cast<std::size_t>(length));
-  const Sight sight(image, size);
-  const SkewedImage skewed(image, sight);
-  const std::vector<Piece> pieces = skewed.pieces(length);
-  const auto is_last = [&](std::size_t i) { return i + 1 == pieces.size(); };
-  const double middle_range_m = skewed.middle_range_m();
-  const SpectrumBand band{sight.centre(),
-                          options.band_per_m * std::abs(image.azimuth.step_m) * static_cast<double>(size)};
-  const AlongTrack track = track_of(pieces, middle_range_m, sight, size);
-  JoinedPhase joined(track.count);
-  std::vector<PiecePhase> phases;
-  std::vector<long> middle_frequency;  // of the aperture: the others count from there
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    AzimuthColumns columns = skewed.cut_out(pieces[i], length, i == 0, is_last(i), size);
-    const GradientResult found = phase_gradient(columns, band, options, control);
-    middle_frequency.push_back(found.phase_rad.empty()
-                                   ? std::lround(sight.centre())
-                                   : found.first_frequency + static_cast<long>(found.phase_rad.size() / 2));
-    phases.push_back(along_track(found, pieces[i].middle_m, middle_range_m, sight, track));
-    joined.add(phases.back());
-  }
-  for (int sweep = 0; sweep < 10; ++sweep)
-    for (PiecePhase& phase : phases) joined.refit(phase);
-  result.phase_rad = joined.mean();
-  remove_line(result.phase_rad);
-  for (std::size_t i = 0; i < result.phase_rad.size(); ++i)
-    result.along_m.push_back(track.first_m + static_cast<double>(i) * track.step_m);
-
-  std::ranges::fill(result.image.values, 0.0F);
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    AzimuthColumns columns = skewed.cut_out(pieces[i], length, i == 0, is_last(i), size);
-    turn_spectra(columns, control, [&](std::size_t column, long frequency) {
-      const auto from_middle = static_cast<double>(frequency - middle_frequency[i]);
-      const double unfolded = static_cast<double>(frequency) -
-                              static_cast<double>(size) * std::round(from_middle / static_cast<double>(size));
-      const double along_m = pieces[i].middle_m + static_cast<double>(skewed.offset(column)) * image.azimuth.step_m -
-                             sight.behind_m(unfolded, image.range.at(static_cast<double>(column)));
-      return -interpolated(result.phase_rad, (along_m - track.first_m) / track.step_m);
-    });
-    // What the correction moved beyond the ends of the piece stands in the zeros behind it, or before it at the end.
-    for (long k = -static_cast<long>(size) / 4; k < length + static_cast<long>(size) / 4; ++k) {
-      const auto at = static_cast<std::size_t>(k < 0 ? k + static_cast<long>(size) : k);
-      if (at >= size) continue;
-      for (std::size_t column = 0; column < image.range.count; ++column) {
-        const long row = pieces[i].first + k + skewed.offset(column);
-        if (row < 0 || row >= static_cast<long>(image.azimuth.count)) continue;
-        result.image.values[static_cast<std::size_t>(row) * image.range.count + column] +=
-            std::complex<float>(columns.column(column)[at]);
-      }
-    }
-  }
+  StripWork work(image, length, options, control);
+  work.find(result);
+  work.take_out(result);
   return result;
 }
 

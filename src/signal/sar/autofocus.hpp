@@ -48,6 +48,7 @@ struct StripmapAutofocusResult {
   FocusedImage image;             ///< Corrected.
   std::vector<double> along_m;    ///< Places of the antenna along the frame's line, evenly spaced.
   std::vector<double> phase_rad;  ///< Of the echoes received there; without constant and straight line.
+  double rms_rad = 0.0;           ///< Of what was taken out of the pieces' spectra, by their energy.
 };
 
 /// The same for a strip, whose points were seen by different parts of the flight: the image is cut along azimuth into
@@ -55,8 +56,9 @@ struct StripmapAutofocusResult {
 /// about azimuth x the frequency k of a column at range R was received under the angle a, sin a = k lambda/2, at
 /// s = x - R tan a. Where the beam squints, pieces follow its line of sight, so that one place s has one frequency at
 /// all ranges. Each piece's phase lacks a straight line of its own: the lines are those that make the pieces agree
-/// where they overlap, in the sense of least squares. Each piece is corrected by its stretch of the mean, and the
-/// pieces are put together. Errors that change within a piece's length are not seen.
+/// where they overlap, in the sense of least squares. Each piece is corrected by its stretch of the mean, again without
+/// the straight line that fits best to it over the piece's spectrum, and the pieces are put together: points stay where
+/// they were. Errors that change within a piece's length are not seen.
 /// @param image  of slant range
 /// @throw  std::invalid_argument for an image of another plane or with fewer than four pixels to a piece; Interrupted
 [[nodiscard]] StripmapAutofocusResult autofocus_strip(const FocusedImage& image, double piece_m,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -9,6 +10,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/maths/fft.hpp"
+#include "signal/sar/phase_gradient.hpp"
 
 namespace sarsim::signal {
 namespace autofocus_test {
@@ -202,10 +204,17 @@ TEST(ImageEntropy, IsTheLogarithmOfTheNumberOfEqualPixels) {
 }
 
 // A strip whose points are seen under `aperture_m` of the track, by a beam that looks `squint_rad` ahead, with an error
-// that depends on the antenna's place.
+// that depends on the antenna's place. The points lie between two places along the track.
+struct Points {
+  double first_m = 0.0, last_m = 1200.0;
+  int count = 16;  // to a column
+  unsigned seed = 8;
+};
+
 template <class Error>
-FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.0, double column_m = 1.0) {
-  std::mt19937_64 random(8);
+FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.0, double column_m = 1.0,
+                   const Points& points = {}) {
+  std::mt19937_64 random(points.seed);
   std::uniform_real_distribution<double> uniform(0.0, 1.0);
   FocusedImage image;
   image.azimuth = {0.0, 0.6, 2000};
@@ -219,8 +228,8 @@ FocusedImage strip(double aperture_m, const Error& error, double squint_rad = 0.
   for (std::size_t c = 0; c < 24; ++c) {
     std::ranges::fill(column, 0.0);
     const double range_m = image.range.at(static_cast<double>(c));
-    for (int k = 0; k < 16; ++k) {
-      const double place_m = (k + uniform(random)) * 1200.0 / 16.0;
+    for (int k = 0; k < points.count; ++k) {
+      const double place_m = points.first_m + (k + uniform(random)) * (points.last_m - points.first_m) / points.count;
       const std::complex<double> strength = std::polar(0.5 + uniform(random), 6.0 * uniform(random));
       // The sum over the antenna's places of the phases that focusing leaves.
       constexpr int steps = 256;
@@ -279,6 +288,70 @@ TEST(AutofocusOfAStrip, FollowsTheLineOfSightOfABeamThatSquints) {
     // Of 4.2 rad; a piece of 120 m sees the mean of the error over its length, and lines of sight differ within it.
     EXPECT_LT(without_line_rad(left), 0.5) << degrees;
   }
+}
+
+// Where the brightest sample of a column is, between the rows, and how high.
+struct Top {
+  double row = 0.0, height = 0.0;
+};
+
+Top top_of(const FocusedImage& image, std::size_t column) {
+  const auto at = [&](std::size_t row) { return std::abs(std::complex<double>(image.values[row * 24 + column])); };
+  std::size_t top = 1;
+  for (std::size_t row = 1; row + 1 < image.azimuth.count; ++row)
+    if (at(row) > at(top)) top = row;
+  const double before = at(top - 1), after = at(top + 1);
+  const double share = 0.5 * (before - after) / (before - 2.0 * at(top) + after);
+  return {static_cast<double>(top) + share, at(top) - 0.25 * (before - after) * share};
+}
+
+// Points of one stretch, all seen from the same part of the flight; the rest of the strip is empty, and its pieces say
+// nothing true. What an error has of a straight line over the aperture moves points, and is left.
+TEST(AutofocusOfAStrip, LeavesPointsWhereTheyAre) {
+  std::mt19937_64 random(22);
+  std::uniform_real_distribution<double> uniform(0.0, 1.0);
+  const double cell_m = core::exact_light_speed_mps / 5.3e9 * 10e3 / (2.0 * 300.0);
+  double worst_cells = 0.0, lowest_db = 0.0;
+  for (unsigned draw = 0; draw < 6; ++draw) {
+    const double height_rad = 0.3 + 2.0 * uniform(random), period_m = 120.0 + 150.0 * uniform(random);
+    const double begin_rad = 6.28 * uniform(random);
+    const auto error = [&](double s) { return height_rad * std::sin(2.0 * core::pi * s / period_m + begin_rad); };
+    const Points points{590.0, 610.0, 1, 100 + draw};
+    const FocusedImage sharp = strip(300.0, no_error, 0.0, 1.0, points);
+    const StripmapAutofocusResult result =
+        autofocus_strip(strip(300.0, error, 0.0, 1.0, points), 30.0 + 30.0 * uniform(random), {}, one);
+    double xy = 0.0, xx = 0.0;
+    for (double s = -150.0; s <= 150.0; s += 1.0) {
+      xy += s * error(600.0 + s);
+      xx += s * s;
+    }
+    const double moved_m = xy / xx * core::exact_light_speed_mps / 5.3e9 * 10e3 / (4.0 * core::pi);
+    std::vector<double> off_cells, gains_db;
+    for (std::size_t column = 0; column < 24; ++column) {
+      const Top then = top_of(sharp, column), now = top_of(result.image, column);
+      off_cells.push_back(((now.row - then.row) * 0.6 - moved_m) / cell_m);
+      gains_db.push_back(20.0 * std::log10(now.height / then.height));
+    }
+    std::ranges::sort(off_cells);
+    std::ranges::sort(gains_db);
+    std::printf("%.2f rad, %.0f m: moved by %.3f m, off by %.3f cells, %.2f dB\n", height_rad, period_m, moved_m,
+                off_cells[12], gains_db[12]);
+    worst_cells = std::max(worst_cells, std::abs(off_cells[12]));
+    lowest_db = std::min(lowest_db, gains_db[12]);
+  }
+  EXPECT_LT(worst_cells, 0.1);
+  EXPECT_GT(lowest_db, -1.0);
+}
+
+TEST(BestLine, IsThatOfTheLeastWeightedSquares) {
+  const std::vector<double> x{0.0, 1.0, 3.0, 100.0}, weights{1.0, 2.0, 3.0, 0.0};
+  const StraightLine line = best_line(x, std::vector<double>{5.0, 3.0, -1.0, 1e6}, weights);
+  EXPECT_NEAR(line.constant, 5.0, 1e-12);
+  EXPECT_NEAR(line.slope, -2.0, 1e-12);
+  EXPECT_EQ(best_line(x, x, std::vector<double>(4)).slope, 0.0);
+  const StraightLine level =
+      best_line(std::vector<double>{2.0, 2.0}, std::vector<double>{1.0, 4.0}, std::vector<double>{2.0, 1.0});
+  EXPECT_NEAR(level.at(7.0), 2.0, 1e-12);
 }
 
 TEST(AutofocusOfAStrip, LeavesASharpStripAlone) {

@@ -162,6 +162,27 @@ void remove_line(std::span<double> values) {
     values[i] -= mean + slope * (static_cast<double>(i) - 0.5 * (count - 1.0));
 }
 
+StraightLine best_line(std::span<const double> x, std::span<const double> y, std::span<const double> weights) {
+  CORE_EXPECT(x.size() == y.size());
+  CORE_EXPECT(x.size() == weights.size());
+  double sum = 0.0, mean_x = 0.0, mean_y = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    sum += weights[i];
+    mean_x += weights[i] * x[i];
+    mean_y += weights[i] * y[i];
+  }
+  if (!(sum > 0.0)) return {};
+  mean_x /= sum;
+  mean_y /= sum;
+  double spread = 0.0, moment = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    spread += weights[i] * (x[i] - mean_x) * (x[i] - mean_x);
+    moment += weights[i] * (x[i] - mean_x) * (y[i] - mean_y);
+  }
+  const double slope = spread > 0.0 ? moment / spread : 0.0;
+  return {mean_y - slope * mean_x, slope};
+}
+
 void turn_spectra(AzimuthColumns& columns, const core::WorkControl& control,
                   const std::function<double(std::size_t, long)>& phase_rad) {
   CORE_EXPECT(phase_rad);
@@ -200,6 +221,9 @@ GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band,
   keep(columns, support, fft, control);
   result.first_frequency = support.first;
   result.phase_rad.resize(support.count);
+  for (std::size_t i = 0; i < support.count; ++i)
+    result.amplitude.push_back(
+        std::sqrt(power[wrapped(support.first + static_cast<long>(i), static_cast<long>(size))]));
 
   std::size_t window = size;
   for (std::size_t round = 0; round < options.rounds; ++round) {

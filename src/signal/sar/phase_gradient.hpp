@@ -41,7 +41,8 @@ struct GradientResult {
   long first_frequency = 0;       ///< In steps of 1/size; the middle lies within half the sampling rate of the band's.
   std::vector<double> phase_rad;  ///< From there on, within the aperture.
   std::vector<double> round_rad;
-  double energy = 0.0;  ///< Of the columns.
+  std::vector<double> amplitude;  ///< Of the spectra there, root mean square: as long as phase_rad.
+  double energy = 0.0;            ///< Of the columns.
 };
 
 /// Phase gradient autofocus of columns; signal/sar/autofocus.hpp says how.
@@ -55,5 +56,18 @@ void turn_spectra(AzimuthColumns& columns, const core::WorkControl& control,
 
 /// Takes the straight line that fits best out of evenly spaced values.
 void remove_line(std::span<double> values);
+
+/// y = constant + slope x.
+struct StraightLine {
+  double constant = 0.0;
+  double slope = 0.0;
+
+  [[nodiscard]] double at(double x) const { return constant + slope * x; }
+};
+
+/// The line that fits best to values of different weights; level where they all lie at one place, 0 without weights.
+/// @param x, y, weights  of one length
+[[nodiscard]] StraightLine best_line(std::span<const double> x, std::span<const double> y,
+                                     std::span<const double> weights);
 
 }  // namespace sarsim::signal

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <optional>
 #include <tuple>
@@ -109,17 +110,30 @@ class LimitRules {
         "A receiver would shift its centre frequency by the Doppler centroid; sample faster instead.");
   }
 
-  void check_same_positions() {
+  // Places of all scatterers in the world while a pulse is sent.
+  [[nodiscard]] std::vector<core::Vec3> places(std::int64_t pulse) const {
+    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    geometry.set_pulse(pulse);
     const ScattererList& all = plan_.scene->scatterers;
-    if (all.size() < 2 || all.size() > max_sorted) return;
-    std::vector<std::size_t> order(all.size());
+    std::vector<core::Vec3> places_m;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      places_m.push_back(radar::world_position_m(geometry.pose(all[i].platform), all[i].position_m));
+    return places_m;
+  }
+
+  // In the world, at two pulses: whatever platforms they are on.
+  void check_same_positions() {
+    const std::size_t targets = plan_.scene->scatterers.size();
+    if (targets < 2 || targets > max_sorted) return;
+    const std::vector<core::Vec3> first_m = places(plan_.pulses.first);
+    const std::vector<core::Vec3> middle_m = places(plan_.pulses.first + plan_.pulses.count() / 2);
+    std::vector<std::size_t> order(targets);
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t i) {
-      const Scatterer s = all[i];
-      return std::tuple(s.platform, s.position_m.x, s.position_m.y, s.position_m.z);
+      return std::tuple(first_m[i].x, first_m[i].y, first_m[i].z, middle_m[i].x, middle_m[i].y, middle_m[i].z);
     };
     std::ranges::stable_sort(order, {}, key);
-    std::size_t count = 0, first = all.size(), other = all.size();
+    std::size_t count = 0, first = targets, other = targets;
     for (std::size_t i = 1; i < order.size(); ++i) {
       if (key(order[i - 1]) != key(order[i])) continue;
       ++count;
@@ -133,19 +147,46 @@ class LimitRules {
         "Remove the copy, or give one target the sum of the amplitudes.");
   }
 
-  void check_below_ground() {
+  // The lowest place of the radar in the flight, and its height.
+  struct Lowest {
+    core::Vec3 radar_m;
+    double height_m = std::numeric_limits<double>::infinity();
+    std::int64_t pulse = 0;
+  };
+
+  [[nodiscard]] Lowest lowest() const {
+    constexpr std::int64_t most_steps = 16;
     const radar::TurningAxes& turning = plan_.scene->turning;
     const double rate = core::norm(turning.rotation_rad_per_s);
-    const bool flat = rate == 0.0;
-    const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
-    const double height =
-        flat ? radar_m.z
-             : radar::height_over_ellipsoid_m(radar_m - turning.centre_m, (1.0 / rate) * turning.rotation_rad_per_s);
-    if (height > -(flat ? max_below_ground_m : max_below_ellipsoid_m)) return;
-    if (flat && std::ranges::any_of(placed_, [](const Placed& target) { return target.from_radar_m.z <= 0.0; })) return;
+    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    Lowest lowest;
+    const std::int64_t flown = plan_.pulses.count() - 1;
+    const std::int64_t steps = std::clamp<std::int64_t>(flown, 1, most_steps);
+    for (std::int64_t i = 0; i <= steps; ++i) {
+      const std::int64_t after = flown / steps * i + flown % steps * i / steps;
+      geometry.set_pulse(plan_.pulses.first + after);
+      const core::Vec3 radar_m = geometry.radar_pose().position_world_m;
+      const double height_m = rate == 0.0 ? radar_m.z
+                                          : radar::height_over_ellipsoid_m(radar_m - turning.centre_m,
+                                                                           (1.0 / rate) * turning.rotation_rad_per_s);
+      if (height_m < lowest.height_m) lowest = {radar_m, height_m, after};
+    }
+    return lowest;
+  }
+
+  void check_below_ground() {
+    if (plan_.pulses.count() < 1) return;
+    const bool flat = core::norm(plan_.scene->turning.rotation_rad_per_s) == 0.0;
+    const Lowest low = lowest();
+    if (low.height_m > -(flat ? max_below_ground_m : max_below_ellipsoid_m)) return;
+    const double radar_z_m = geometry_.radar_pose().position_world_m.z;
+    if (flat && std::ranges::any_of(
+                    placed_, [&](const Placed& target) { return radar_z_m + target.from_radar_m.z <= low.radar_m.z; }))
+      return;
     add(core::Severity::warning, "radar",
         flat ? "the radar is below the ground and below its targets" : "the radar is below the ellipsoid",
-        fmt::format("a height of {:.6g} m{}", height, flat ? ", z of the world" : ""),
+        fmt::format("a height of {:.6g} m{}, at pulse {} of {}", low.height_m, flat ? ", z of the world" : "",
+                    low.pulse + 1, plan_.pulses.count()),
         flat ? "z above 0" : fmt::format("above -{:g} m, the lowest level of the sea", max_below_ellipsoid_m),
         "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
   }
@@ -191,10 +232,6 @@ class LimitRules {
         "Phases are off by as much, and the direction at the antenna by the angle of bending.");
   }
 
-  [[nodiscard]] static bool has_azimuth_pattern(const radar::AntennaPattern& pattern) {
-    return pattern.kind != radar::AntennaPattern::Kind::isotropic;
-  }
-
   // Whether the flight makes an aperture: its length squared exceeds half a wavelength times the range.
   [[nodiscard]] bool makes_aperture() {
     if (plan_.pulses.count() < min_aperture_pulses || turns(plan_.radar.beam)) return false;
@@ -211,8 +248,7 @@ class LimitRules {
 
   // Sides of the vertical plane through the velocity have the same ranges and Doppler frequencies.
   void check_sides() {
-    if (has_azimuth_pattern(plan_.radar.transmit) || has_azimuth_pattern(plan_.radar.receive) || !makes_aperture())
-      return;
+    if (!makes_aperture()) return;
     const radar::TurningAxes& turning = plan_.scene->turning;
     const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
     const core::Vec3 up =
@@ -234,13 +270,14 @@ class LimitRules {
         "frequency are the same",
         fmt::format("{} on the left and {} on the right of the track", text_of(on_left, "target", "targets"), on_right),
         "targets on one side, or an antenna that points to one side",
-        "Give the radar an antenna with a beam, or remove the targets of one side.");
+        "Give the radar a beam that points to one side, or remove the targets of the other.");
   }
 
-  // Pairs of one cell of range and, while the beam rests, of Doppler.
+  // Pairs of one cell of range, which all carriers resolve together, and, while the beam rests, of Doppler.
   void check_cells() {
     if (turns(plan_.radar.beam) || plan_.profiler || survey_.totals.in_window > max_compared) return;
-    const double cell_m = radar::range_of_cycle(bandwidth_hz_, light_mps_);
+    const double band_hz = plan_.radar.carrier.highest_hz() - plan_.radar.carrier.lowest_hz() + bandwidth_hz_;
+    const double cell_m = radar::range_of_cycle(band_hz, light_mps_);
     const double cell_hz = 1.0 / (plan_.radar.repetition.mean_interval_s() * static_cast<double>(plan_.pulses.count()));
     std::size_t count = 0;
     std::pair<std::size_t, std::size_t> first;
@@ -250,7 +287,7 @@ class LimitRules {
         const double apart_m = std::abs(placed_[i].distance_m - placed_[k].distance_m);
         const double apart_hz = std::abs(placed_[i].doppler_hz - placed_[k].doppler_hz);
         if (apart_m >= cell_m || apart_hz >= cell_hz) continue;
-        if (placed_[i].from_radar_m == placed_[k].from_radar_m) continue;  // Reported as such.
+        if (placed_[i].from_radar_m == placed_[k].from_radar_m && apart_hz == 0.0) continue;  // Reported as such.
         if (count++ > 0) continue;
         first = {placed_[i].target + 1, placed_[k].target + 1};
         std::tie(range_m, doppler_hz) = std::tuple(apart_m, apart_hz);

@@ -153,7 +153,49 @@ TEST(LimitRules, ReportLeftAndRightOfATrack) {
   EXPECT_THAT(limits_of(scene), IsEmpty());
   scene.targets.back().rcs_m2 = 1.0;
   scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+  scene.radars[0].beam_azimuth = core::Angle::from_deg(90.0);
   EXPECT_THAT(limits_of(scene), Not(Contains(says("left and right"))));
+}
+
+// A beam lights both sides alike where it points down or forward; beside the track the weaker side fades.
+TEST(LimitRules, ReportLeftAndRightOfBeamsThatLightBoth) {
+  std::mt19937 random(15);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  for (int draw = 0; draw < 20; ++draw) {
+    scene::Scene scene = side_scene();
+    const double across_m = 300.0 + 500.0 * share(random), ahead_m = 3000.0 * share(random);
+    scene.targets = {target_on("Earth", {across_m, ahead_m, 0.0}), target_on("Earth", {-across_m, ahead_m, 0.0})};
+    scene.simulations[0].range_start_m = 2900.0;
+    scene::Radar& radar = scene.radars[0];
+    radar.transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
+    radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(50.0);
+    radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(50.0);
+    radar.beam_elevation = core::Angle::from_rad(-std::atan2(3000.0, ahead_m));
+    EXPECT_THAT(limits_of(scene), Contains(says("left and right are ambiguous"))) << across_m << ' ' << ahead_m;
+    // The weaker side: one way within 20 dB of the other, or below.
+    for (const double ratio_db : {-19.5, -20.5}) {
+      scene.targets[1].rcs_m2 = std::pow(10.0, 0.1 * ratio_db);
+      if (ratio_db > -20.0)
+        EXPECT_THAT(limits_of(scene), Contains(says("left and right are ambiguous")));
+      else
+        EXPECT_THAT(limits_of(scene), Not(Contains(says("left and right are ambiguous"))));
+    }
+  }
+}
+
+TEST(LimitRules, ReportARadarThatIsBelowTheGroundForAPartOfTheFlight) {
+  for (const double climb_mps : {100.0, -100.0})
+    for (const double lowest_m : {-0.9, -1.1}) {
+      scene::Scene scene = side_scene();
+      scene.simulations[0].range_start_m = 3000.0;
+      scene.platforms.back() =
+          moving("Plane", {0.0, 0.0, lowest_m + 0.5 * std::abs(climb_mps)}, {0.0, 100.0, climb_mps});
+      const core::Problems problems = limits_of(scene);
+      if (lowest_m < -1.0)
+        EXPECT_THAT(problems, Contains(says("below the ground"))) << climb_mps;
+      else
+        EXPECT_THAT(problems, Not(Contains(says("below the ground")))) << climb_mps;
+    }
 }
 
 TEST(LimitRules, ReportTargetsThatAreNotResolved) {
@@ -166,6 +208,36 @@ TEST(LimitRules, ReportTargetsThatAreNotResolved) {
   EXPECT_THAT(limits_of(scene), IsEmpty());
   scene.targets.back().position_m = {4000.0, 9.0, 0.0};  // lambda R/(2 v T) = 5.8 m
   EXPECT_THAT(limits_of(scene), IsEmpty());
+}
+
+TEST(LimitRules, ReportTargetsOfTwoPlatformsAtOnePosition) {
+  scene::Scene scene = side_scene();
+  scene.platforms.push_back(resting("Mast", {4000.0, 0.0, 0.0}));
+  scene.targets.push_back(target_on("Mast", {}));
+  EXPECT_THAT(limits_of(scene), ::testing::ElementsAre(says("targets 1 and 2 are at the same position")));
+  scene.targets.back().position_m = {1e-9, 0.0, 0.0};
+  EXPECT_THAT(limits_of(scene), ::testing::ElementsAre(says("targets 1 and 2 are unresolved")));
+  // One that passes the other while the middle pulse is sent.
+  scene.platforms.back() = moving("Mast", {4000.0, 0.0, 0.0}, {30.0, 0.0, 0.0});
+  scene.targets.back().position_m = {};
+  EXPECT_THAT(limits_of(scene), Not(Contains(says("same position"))));
+}
+
+// 64 steps of 2.5 MHz and a pulse of 1 MHz resolve c/(2 x 158.5 MHz) = 0.946 m, not the 150 m of one pulse.
+TEST(LimitRules, ResolveTargetsByAllCarriersTogether) {
+  scene::Scene scene = side_scene();
+  scene::Radar& radar = scene.radars[0];
+  radar.platform = "Earth";
+  radar.bandwidth_hz = 1e6;
+  radar.pulse_width_s = 1e-6;
+  radar.carrier = scene::Radar::Carrier::stepped;
+  radar.carrier_step_hz = 2.5e6;
+  radar.carrier_steps = 64;
+  const double cell_m = 0.5 * c / (63.0 * 2.5e6 + 1e6);
+  scene.targets = {target_on("Earth", {5000.0, 0.0, 0.0}), target_on("Earth", {5000.0 + 1.01 * cell_m, 0.0, 0.0})};
+  EXPECT_THAT(limits_of(scene), Not(Contains(says("unresolved"))));
+  scene.targets[1].position_m.x = 5000.0 + 0.99 * cell_m;
+  EXPECT_THAT(limits_of(scene), Contains(says("targets 1 and 2 are unresolved")));
 }
 
 // lambda PRF/2 = 7.4 m/s at 1.3 GHz and 64 Hz.

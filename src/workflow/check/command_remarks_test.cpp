@@ -73,7 +73,7 @@ TEST(RemarksOfCommands, NameDopplerWhereTargetsMoveBeforeANoisyRadarThatRests) {
 
 TEST(RemarksOfCommands, NameSearchWhereTheBeamTurns) {
   const std::string text = said(sweeping(40.0));
-  EXPECT_THAT(text, HasSubstr("warning: sarsim search: 1 of 1 targets move faster than the PRF"));
+  EXPECT_THAT(text, HasSubstr("note: sarsim search: 1 of 1 targets move faster than the PRF"));
   EXPECT_THAT(text, Not(HasSubstr("doppler")));
   scene::Scene silent = sweeping(40.0);
   silent.radars[0].noise_temperature_k = 0.0;

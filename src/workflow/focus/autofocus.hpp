@@ -18,7 +18,7 @@ struct AutofocusFinding {
   double piece_m = 0.0;
   std::vector<double> along_m;    ///< Places of the antenna, from the image's azimuth 0.
   std::vector<double> phase_rad;  ///< That was taken out of the echoes received there.
-  double rms_rad = 0.0;           ///< Of phase_rad along the flight.
+  double rms_rad = 0.0;           ///< Of what was taken out of the image, without the lines that points keep.
   double entropy_before = 0.0;
   double entropy_after = 0.0;
   bool applied = false;  ///< Not where it failed: the image is then as it was.
@@ -35,10 +35,10 @@ struct AutofocusFinding {
       point_level_db{};  ///< Median of their peaks afterwards, relative to the mean of their echoes; targets only.
 };
 
-/// Why autofocus failed, in words: the image would lose sharpness or contrast, or hardly gain any although a large
-/// error was found, no point stands out, the point peaks gain less than removing the error should give, or they stay
-/// more than 10 dB below the mean of their echoes. Empty if it did not fail. On noise alone sharpness improves, but not
-/// the peaks.
+/// Whether autofocus failed, in words: the image would lose sharpness or contrast, hardly gain any although much was
+/// found, no point stands out, the points' peaks fall, their SNR does not grow as taking out such an error makes it
+/// grow, or they stay far below what their echoes give. Empty where it did not. Noise alone gains some sharpness, but no
+/// such peaks; points that smear gain SNR, but lose their peaks.
 [[nodiscard]] std::string failure_of(const AutofocusFinding& finding);
 
 /// The same as a warning that says what to try.

@@ -19,6 +19,7 @@ AutofocusFinding finding(double rms_rad, double before, double after) {
   found.contrast_after = 11.0;
   found.points = 5;
   found.point_gain_db = 6.0;
+  found.point_snr_after_db = 6.0;
   return found;
 }
 
@@ -43,7 +44,8 @@ TEST(AutofocusFailure, IsAGainThatNoiseHasAsWell) {
   EXPECT_THAT(failure_of(found), HasSubstr("no point stands out"));
   found = finding(2.44, 12.326, 12.262);
   found.point_gain_db = 1.1;
-  EXPECT_THAT(failure_of(found), HasSubstr("+1.10 dB and their SNR by +0.00 dB, and should gain 3.00 dB"));
+  found.point_snr_after_db = 1.1;
+  EXPECT_THAT(failure_of(found), HasSubstr("+1.10 dB and their SNR by +1.10 dB, which should gain 3.00 dB"));
   found.point_snr_after_db = 5.8;  // The smear around them is gone.
   EXPECT_EQ(failure_of(found), "");
   found = finding(2.44, 12.326, 12.262);
@@ -51,10 +53,23 @@ TEST(AutofocusFailure, IsAGainThatNoiseHasAsWell) {
   EXPECT_THAT(failure_of(found), HasSubstr("31.0 dB below what their echoes give"));
   // Half of 0.4 rad squared nepers of power.
   found = finding(0.4, 12.0, 11.99);
-  found.point_gain_db = 0.5 * 10.0 * std::log10(std::exp(1.0)) * 0.16 + 0.001;
+  found.point_snr_after_db = 0.5 * 10.0 * std::log10(std::exp(1.0)) * 0.16 + 0.001;
   EXPECT_EQ(failure_of(found), "");
-  found.point_gain_db -= 0.002;
+  found.point_snr_after_db -= 0.002;
   EXPECT_NE(failure_of(found), "");
+}
+
+// 17.7 rad of a straight line smeared points: contrast 42 to 66, SNR 40.2 to 47.7 dB, peaks 1.59 dB lower.
+TEST(AutofocusFailure, IsAPeakThatFallsWhateverElseGrows) {
+  AutofocusFinding found = finding(17.7, 6.298, 5.575);
+  found.contrast_before = 42.0;
+  found.contrast_after = 66.0;
+  found.point_snr_before_db = 40.2;
+  found.point_snr_after_db = 47.7;
+  found.point_gain_db = -1.59;
+  EXPECT_THAT(failure_of(found), HasSubstr("the peaks of the points fall by 1.59 dB"));
+  found.point_gain_db = 0.01;
+  EXPECT_EQ(failure_of(found), "");
 }
 
 TEST(AutofocusFailure, IsAWarningOfWhatIsNotTakenOut) {

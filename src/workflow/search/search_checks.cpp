@@ -84,13 +84,16 @@ class Remarks {
       if (std::abs(extreme_hz(target)) > std::abs(most_hz)) most_hz = extreme_hz(target);
     }
     if (count == 0) return;
-    warn(fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
-                     survey_.targets.size()),
-         fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(most_hz)),
-                     core::with_prefix(std::abs(most_hz), "Hz", 4)),
-         fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)),
-         fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
-                     core::with_prefix(2.0 * std::abs(most_hz), "Hz", 4)));
+    // A radar that searches finds directions and ranges, and is built to fold speeds.
+    problems_.push_back(core::problem_of(
+        beam_turns(plan_) ? core::Severity::note : core::Severity::warning,
+        fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
+                    survey_.targets.size()),
+        fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(most_hz)),
+                    core::with_prefix(std::abs(most_hz), "Hz", 4)),
+        fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)),
+        fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
+                    core::with_prefix(2.0 * std::abs(most_hz), "Hz", 4))));
   }
 
   void range_walk() {

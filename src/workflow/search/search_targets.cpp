@@ -4,6 +4,7 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <numbers>
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
@@ -264,10 +265,43 @@ bool SearchTargets::beside_beam(const SearchInterval& interval, const TargetSigh
   return std::abs(away_rad) > interval.half_sector_rad + *half_beam_rad_ / cosine;
 }
 
+// What all targets whose cells are within reach of a detection should give there, beside the beam or not: an antenna's
+// side lobe shows a strong target in the direction of another one.
+SearchTargets::Strengths SearchTargets::strengths_at(const SearchDetection& detection,
+                                                     const std::vector<TargetSight>& seen) const {
+  Strengths there;
+  for (const TargetSight& sight : seen) {
+    if (!sight.in_window || !(sight.amplitude_v > 0.0) || distance(detection, sight) == infinity) continue;
+    there.sum_v += sight.amplitude_v;
+    there.largest_v = std::max(there.largest_v, sight.amplitude_v);
+  }
+  return there;
+}
+
+// Whether a detection is as strong as the target can be there: no more than 3 dB and three deviations of the noise
+// above what all targets give together, of which the target gives half as much as the largest or more, and no more than
+// 20 dB below what the target gives, which is spread over the cells that it passes.
+bool SearchTargets::fits(const SearchDetection& detection, const TargetSight& sight, const Strengths& there) const {
+  constexpr double least_of_largest = 0.5;
+  constexpr double least_of_expected = 0.1;
+  constexpr double deviations = 3.0;
+  if (sight.amplitude_v < least_of_largest * there.largest_v) return false;
+  const double noise_v = deviations * sight.amplitude_v / std::sqrt(sight.snr);
+  if (detection.magnitude_v > std::numbers::sqrt2 * there.sum_v + noise_v) return false;
+  const double wavelength_m =
+      radar::wavelength_of(geometry_.carrier_hz(), rows_.plan->scene->conventions.light_speed_mps);
+  const double passed_m =
+      0.5 * wavelength_m * std::abs(sight.doppler_hz) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
+  const double cells = 1.0 + passed_m / cell_m_;
+  return detection.magnitude_v + noise_v >= least_of_expected * sight.amplitude_v / cells;
+}
+
 std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {
   std::vector<std::optional<std::size_t>> of(interval.detections.size());
   std::vector<double> nearest(interval.detections.size(), infinity);
   const std::vector<TargetSight> seen_now = sights(interval);
+  std::vector<Strengths> strengths;
+  for (const SearchDetection& detection : interval.detections) strengths.push_back(strengths_at(detection, seen_now));
   for (TargetFinding& finding : targets_) {
     const TargetSight& seen = seen_now[finding.target];
     if (!seen.in_window) continue;
@@ -276,7 +310,7 @@ std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval
     if (certain_snr_ > 0.0 && seen.snr >= certain_snr_) ++finding.expected;
     for (std::size_t d = 0; d < of.size(); ++d) {
       const double away = distance(interval.detections[d], seen);
-      if (!(away < nearest[d])) continue;
+      if (!(away < nearest[d]) || !fits(interval.detections[d], seen, strengths[d])) continue;
       nearest[d] = away;
       of[d] = finding.target;
     }

@@ -52,7 +52,9 @@ class SearchTargets {
   /// @return  for each detection of the interval the target it is of: the nearest of those whose cell is no farther
   ///          than 1.5 cells away, a cell being what the waveform resolves or, where that is more, a sample; or
   ///          nothing. Only illuminated targets are taken: in azimuth off the middle direction of the beam by at most
-  ///          half the sector that it sweeps plus half its width
+  ///          middle direction than half the sector that it sweeps and half its width; and only where the detection
+  ///          is as strong as their echoes, in that direction and at that time, can be: not the antenna's side lobe of
+  ///          a stronger one
   std::vector<std::optional<std::size_t>> take(const SearchInterval& interval);
 
   /// What became of the targets in the intervals that were taken, in the order of the script.
@@ -66,6 +68,13 @@ class SearchTargets {
   void take_strongest_row(const SearchInterval& interval, TargetSight& sight) const;
   [[nodiscard]] double response(double doppler_hz, double cell_hz) const;
   [[nodiscard]] bool beside_beam(const SearchInterval& interval, const TargetSight& sight) const;
+  // Amplitudes of the targets near a detection.
+  struct Strengths {
+    double sum_v = 0.0;
+    double largest_v = 0.0;
+  };
+  [[nodiscard]] Strengths strengths_at(const SearchDetection& detection, const std::vector<TargetSight>& seen) const;
+  [[nodiscard]] bool fits(const SearchDetection& detection, const TargetSight& sight, const Strengths& there) const;
   [[nodiscard]] double distance(const SearchDetection& detection, const TargetSight& sight) const;
 
   const PulseRows& rows_;

@@ -275,6 +275,62 @@ TEST(SearchTargets, OfOneRangeRingGetTheDetectionsOfTheirOwnDirections) {
   }
 }
 
+// What is as strong as the target, in that direction and at that time, is the target; an antenna's side lobe that shows
+// a stronger one of the same range and speed in its direction is not.
+TEST(SearchTargets, AreNotFoundByTheSideLobesOfStrongerOnes) {
+  std::mt19937 random(12);
+  const double rad_per_deg = core::pi / 180.0;
+  std::size_t by_side_lobe = 0;
+  for (int draw = 0; draw < 6; ++draw) {
+    scene::Scene scene = swept_scene();
+    scene.radars[0].noise_temperature_k = 290.0;
+    scene.simulations[0].time_end_s = (400 - 0.5) / search_prf_hz;  // 12 degrees
+    const double range_m = core::norm(scene.targets[0].position_m);
+    const auto at = [&](double bearing_deg, double rcs_m2) {
+      const double b = bearing_deg * rad_per_deg;
+      return simulate::target_on("Earth", {range_m * std::sin(b), range_m * std::cos(b), 0.0}, rcs_m2);
+    };
+    const double apart_deg = std::uniform_real_distribution<double>(2.6, 3.4)(random);
+    const double weaker_db = std::uniform_real_distribution<double>(60.0, 80.0)(random);
+    scene.targets = {at(4.0, 1e10), at(4.0 + apart_deg, 1e10 * std::pow(10.0, -0.1 * weaker_db))};
+    const PulseRows rows = pulse_rows_of(scene);
+    SearchOptions options;
+    options.pulses = 9;
+    SearchTargets targets(rows, options);
+    for (const SearchInterval& interval : intervals_of(rows, options)) {
+      const auto of = targets.take(interval);
+      for (std::size_t d = 0; d < of.size(); ++d) {
+        const bool beside = interval.detections[d].azimuth_rad > (4.0 + 0.5 * apart_deg) * rad_per_deg;
+        if (beside && !of[d]) ++by_side_lobe;
+      }
+    }
+    const std::vector<TargetFinding> findings = targets.findings();
+    EXPECT_GE(findings[0].found, 5u);
+    ASSERT_TRUE(findings[0].best);
+    EXPECT_NEAR(findings[0].best->magnitude_v / findings[0].sight.amplitude_v, 1.0, 0.1);
+    // The echo of the weaker one is below 2 % of the side lobe wherever the beam sees it.
+    EXPECT_EQ(findings[1].found, 0u) << apart_deg << ' ' << weaker_db;
+    // Alone it is found.
+    scene.targets.erase(scene.targets.begin());
+    scene.targets[0].rcs_m2 = 1e8;
+    EXPECT_GE(findings_of(pulse_rows_of(scene), options).at(0).found, 1u);
+  }
+  EXPECT_GT(by_side_lobe, 6u);
+}
+
+// Echoes of one cell add up, in phase or not: both targets are found by what is detected there.
+TEST(SearchTargets, OfOneCellAreFoundByTheSumOfTheirEchoes) {
+  for (const double apart_m : {0.0, 1.0 / 4.0, 1.0 / 3.0}) {
+    scene::Scene scene = pulse_scene(0.0, 64);
+    scene.targets.push_back(simulate::target_on("Car", {0.0, apart_m * wavelength_m, 0.0}));
+    SearchOptions options;
+    options.pulses = 64;
+    std::size_t found = 0;
+    for (const TargetFinding& finding : findings_of(pulse_rows_of(scene), options)) found += finding.found;
+    EXPECT_EQ(found, apart_m == 0.25 ? 0u : 1u) << apart_m;  // A quarter of the wavelength farther, they cancel.
+  }
+}
+
 TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
   scene::Scene scene = pulse_scene(0.0, 64);
   scene.targets[0].position_m.y = 3000.0;
