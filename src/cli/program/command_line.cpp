@@ -25,6 +25,7 @@
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
 #include "core/os/standard_streams.hpp"
+#include "core/os/trial.hpp"
 #include "core/report/for_now.hpp"
 #include "core/task/kept_interruption.hpp"
 #include "core/text/json.hpp"
@@ -301,6 +302,12 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
   } catch (const std::bad_alloc&) {
     return fail(exit_failed, "not enough memory", "record less at once, or with fewer --threads");
   } catch (const std::system_error& error) {
+    // No thread could be made: with a limit of its own on memory that does not pass.
+    const std::uint64_t limit_bytes = core::own_memory_limit_bytes();
+    if (error.code() == std::errc::resource_unavailable_try_again && limit_bytes > 0)
+      return fail(exit_failed,
+                  fmt::format("not enough memory for another thread: this process may take {} MB", limit_bytes >> 20U),
+                  "take fewer threads (--threads 1), or raise the limit (ulimit -v)");
     return fail(status_of(error.code()), error.what(), remedy(error.code()));
   } catch (const std::exception& error) {
     return fail(exit_failed, error.what());
