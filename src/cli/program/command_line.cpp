@@ -314,6 +314,10 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
   }
 }
 
+Streams streams_of_process(const core::StopFlag& stop) {
+  return {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop, false, isatty(STDOUT_FILENO) == 1};
+}
+
 }  // namespace
 
 int run_command_line(int argc, const char* const* argv, Streams streams) {
@@ -326,8 +330,7 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 int main_program(int argc, const char* const* argv) {
   core::reserve_standard_streams();
   const core::StopFlag& stop = handle_signals();
-  return run_command_line(argc, argv,
-                          {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop, false, isatty(STDOUT_FILENO) == 1});
+  return run_command_line(argc, argv, streams_of_process(stop));
 }
 
 int team_program(int argc, const char* const* argv, workflow::Team* team) {
@@ -340,7 +343,7 @@ int team_program(int argc, const char* const* argv, workflow::Team* team) {
   const core::StopFlag& stop = handle_signals(Company::team);
   const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   Program program(*team);
-  Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};
+  Streams own = streams_of_process(stop);
   std::ostringstream unread;
   std::ostringstream messages;
   Streams others{unread, messages, false, &stop};

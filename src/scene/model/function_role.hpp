@@ -34,9 +34,6 @@ struct FunctionEnds {
   std::string_view words;                               ///< Half a sentence, for readers.
 };
 
-/// The one table of these, an entry for each role, in their order.
-[[nodiscard]] std::span<const FunctionEnds> all_function_ends();
-
 /// The entry of a role.
 [[nodiscard]] const FunctionEnds& function_ends(FunctionRole role);
 
