@@ -32,6 +32,7 @@
 #include "core/text/number_text.hpp"
 #include "picture/facts/version_text.hpp"
 #include "workflow/input/scene_input.hpp"
+#include "workflow/options/trade_options.hpp"
 #include "workflow/record/team.hpp"
 
 namespace sarsim::cli {
@@ -190,6 +191,22 @@ void adapt_intervals(const CLI::App& command, std::vector<std::string>& words) {
   }
 }
 
+// What to do about a word that belongs nowhere, where that can be told better than by words that are near.
+std::string other_way(const CLI::App* command, const std::string& word, const std::string& name) {
+  const std::string_view known = workflow::other_way_than_word(command != nullptr ? command->get_name() : "", name);
+  if (!known.empty()) return std::string(known);
+  std::error_code ignored;
+  if (command == nullptr)
+    return std::filesystem::is_regular_file(word + ".toml", ignored) ? fmt::format("did you mean '{}.toml'?", word)
+                                                                     : "";
+  const std::string ending = std::filesystem::path(word).extension().string();
+  if (word.starts_with("-") || ending.empty()) return {};
+  if (command->get_option_no_throw("--out") != nullptr) return fmt::format("did you mean --out {}?", word);
+  if (command->get_option_no_throw("--csv") != nullptr && ending == ".csv")
+    return fmt::format("--csv writes to standard output: add > {}", word);
+  return {};
+}
+
 // What stands on the command line and belongs nowhere.
 void expect_no_extras(const Program& program, const CLI::App* command) {
   const CLI::App& app = command != nullptr ? *command : program.app;
@@ -204,8 +221,10 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
+  const std::string other = other_way(command, word, name);
   throw core::Refused(fmt::format("{}{} '{}'", where, what, name),
-                      nearest.empty()
+                      !other.empty() ? other
+                      : nearest.empty()
                           ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
                           : fmt::format("did you mean '{}'?", nearest));
 }
