@@ -141,7 +141,7 @@ TEST_F(Convert, TakesTheSimulationOfARenamedFileByItsNumber) {
   EXPECT_EQ(text_of(folder_ / "other.asc"), text_of(folder_ / "sim.asc"));
   words.back() = "2";
   words.emplace_back("--force");
-  EXPECT_THAT(sarsim(words).err, HasSubstr("the script has no simulation 2"));
+  EXPECT_THAT(sarsim(words).err, HasSubstr("the scene has no recording 2"));
   EXPECT_THAT(sarsim({"convert", "sim.asc", "a.csv", "--simulation", "1"}).err, HasSubstr("name it with --script"));
   // A command without --simulation does not name it.
   const Finished info = sarsim({"info", "other.bin", "--script", "scene.scr"});

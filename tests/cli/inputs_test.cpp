@@ -226,12 +226,12 @@ TEST_F(Inputs, PlotTakesTheSimulationOfAFileByItsNumber) {
   fs::rename(folder_ / "sim.npy", folder_ / "other.npy");
   const std::vector<std::string> plot{"plot",  "other.npy", "--kind",   "phase",    "--force",
                                       "--csv", "a.csv",     "--script", "scene.scr"};
-  expect_refusal(plot, "no simulation of scene.scr writes 'other.npy'");
+  expect_refusal(plot, "no recording of scene.scr writes 'other.npy'");
   std::vector<std::string> chosen = plot;
   chosen.insert(chosen.end(), {"--simulation", "1"});
   expect_done(chosen);
   chosen.back() = "2";
-  expect_refusal(chosen, "the script has no simulation 2");
+  expect_refusal(chosen, "the scene has no recording 2");
 }
 
 TEST_F(Inputs, OutputsWithOneNameAreRefused) {

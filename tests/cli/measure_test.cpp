@@ -30,7 +30,7 @@ TEST_F(Measure, TakesOneTargetAlone) {
   const Finished none = sarsim({"measure", "sar_r.img", "--target", "25"});
   EXPECT_EQ(none.status, 2);
   EXPECT_THAT(none.err, HasSubstr("there is no target 25"));
-  EXPECT_THAT(none.err, HasSubstr("the script has 24"));
+  EXPECT_THAT(none.err, HasSubstr("the scene has 24"));
 }
 
 // With noise so strong that every peak near a target's place is noise.

@@ -131,6 +131,20 @@ TEST_F(Outputs, CutsStayInTheirFolderAndReplaceNoImage) {
   EXPECT_TRUE(fs::is_empty(folder_ / "h"));
 }
 
+// The ending in the scene is not that of the output.
+TEST_F(Outputs, ThatTakeAnotherFormatTakeItsEnding) {
+  write_scene_with_data("sim.h5");
+  const auto warned = [&](const std::vector<std::string>& words) {
+    const Finished done = sarsim(words);
+    return (done.out + done.err).find("the file name has the extension of another format") != std::string::npos;
+  };
+  EXPECT_TRUE(warned({"check", "scene.scr"})) << "BINARY";
+  EXPECT_FALSE(warned({"run", "scene.scr", "-o", "y.npy"}));
+  EXPECT_TRUE(fs::exists(folder_ / "y.npy"));
+  EXPECT_FALSE(warned({"run", "scene.scr", "--format", "npy"}));
+  EXPECT_TRUE(fs::exists(folder_ / "sim.npy"));
+}
+
 TEST_F(Outputs, OtherFilesAreStillReplaced) {
   write_text(folder_ / "other.csv", "old");
   EXPECT_EQ(sarsim({"plot", "scene.scr", "--kind", "pulse", "--csv", "other.csv", "--force"}).status, 0);

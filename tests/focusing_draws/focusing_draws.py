@@ -171,8 +171,12 @@ OTHER = re.compile("the azimuth beamwidth|the elevation beamwidth|left and right
 
 
 def warnings_of(report):
-    """Warnings that concern the image of a point."""
-    return [p["text"] for p in report.get("problems", []) if p["severity"] == "warning" and not OTHER.search(p["text"])]
+    """What warnings that concern the image of a point found: not what they expected, whose limits are numbers too."""
+    return [
+        f'{p["message"]}; found {p.get("found", "")}'
+        for p in report.get("problems", [])
+        if p["severity"] == "warning" and not OTHER.search(p["text"])
+    ]
 
 
 def numbers_before(unit, texts):

@@ -10,6 +10,7 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 import with_numpy  # noqa: E402, F401
 import numpy as np  # noqa: E402
 
+import focusing_draws  # noqa: E402
 import images  # noqa: E402
 import judge  # noqa: E402
 
@@ -99,6 +100,16 @@ class Image(unittest.TestCase):
         image = images.Image(value(rows, columns), (0.0, 0.0), step, centre, np.zeros(3), np.zeros(3), 1e9, "none")
         for at in ((70.3, 99.9), (64.05, 88.7)):
             self.assertLess(abs(image.at(at) - value(*at)), 3e-3)
+
+
+class Warnings(unittest.TestCase):
+    def test_their_own_limits_are_no_predictions(self):
+        found = "motion compensation leaves an error: the peak loses 1.2 dB"
+        problem = {"severity": "warning", "message": found, "found": "", "expected": "up to 0.02 rad, 0.1 dB"}
+        problem["text"] = f"{found}; expected {problem['expected']}"
+        texts = focusing_draws.warnings_of({"problems": [problem]})
+        self.assertTrue(focusing_draws.fits({"db": 1.0, "rad": 0.0, "cells": 0.0}, texts))
+        self.assertFalse(focusing_draws.fits({"db": 0.15, "rad": 0.0, "cells": 0.0}, texts))
 
 
 if __name__ == "__main__":

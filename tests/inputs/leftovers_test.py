@@ -70,6 +70,8 @@ def stories():
         ending = ENDINGS[word]
         parts = [f"run s.toml 1 --part {k}/2 --part-file --quiet" for k in (1, 2)]
         yield Story(f"merge {word} elsewhere", [*parts, f"merge small.{ending}.parts -o m.{ending} --force --quiet"], word)
+        many = [f"run s.toml 1 --part {k}/24 --part-file --quiet" for k in range(1, 25)]
+        yield Story(f"merge {word} removed", [*many, f"merge small.{ending}.parts -o m.{ending} --remove --force --quiet"], word)
         yield Story(f"merge {word} in place", [*parts, f"merge small.{ending}.parts --force --quiet"], word)
     for word in ("hdf5", "zarr", "sigmf", "csv"):
         yield Story(f"sweep {word}", ["sweep s.toml --set seed=1..6 --out out --jobs 2 --quiet"], word, half=1, resume="--resume")
@@ -154,6 +156,16 @@ def run_story(work, story, rounds, kills, draw):
     return count, wrong
 
 
+def rounds_and_kills(each):
+    kills = min(each, 4)
+    return max(1, each // kills), kills
+
+
+def planned_kills(story, each):
+    rounds, kills = rounds_and_kills(each)
+    return rounds * kills * (len(story.lines) if story.all_killed else 1)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--kills", type=int, default=120, help="about so many in all")
@@ -163,16 +175,17 @@ def main():
     draw = random.Random(arguments.seed)
     chosen = [story for story in stories() if arguments.only in story.name]
     each = max(1, arguments.kills // len(chosen))
-    kills_a_round = min(each, 4)
     total, wrong = 0, []
     for story in chosen:
         with tempfile.TemporaryDirectory(prefix="sarsim-leftovers-") as name:
-            count, more = run_story(pathlib.Path(name), story, max(1, each // kills_a_round), kills_a_round, draw)
+            count, more = run_story(pathlib.Path(name), story, *rounds_and_kills(each), draw)
         total += count
         wrong += more
     print("\n".join(wrong))
-    print(f"{len(chosen)} stories, {total} kills, {len(wrong)} wrong")
-    sys.exit(1 if wrong else 0)
+    # Moments up to a tenth behind the usual end: about nine of ten are met at work. The load of a machine may change.
+    least = sum(planned_kills(story, each) for story in chosen) // 4
+    print(f"{len(chosen)} stories, {total} kills of at least {least}, {len(wrong)} wrong")
+    sys.exit(1 if wrong or total < least else 0)
 
 
 if __name__ == "__main__":

@@ -173,5 +173,37 @@ TEST_F(PartsOfScenes, WithRowsAtTheirPlacesAreMergedWhereNobodyCompletedThem) {
   EXPECT_THAT(entries("a"), ElementsAre("sim.bin", "sim.bin.journal"));
 }
 
+// As a process leaves them that is killed while it removes them.
+TEST_F(PartsOfScenes, ThatAreMergedAndHalfRemovedGoWithoutAWord) {
+  write_shaking_scene(20, "3e-5");
+  for (const char* share : {"1/3", "2/3", "3/3"}) ASSERT_EQ(run({"--part", share, "--part-file"}).status, 0);
+  ASSERT_EQ(sarsim({"merge", "sim.bin.parts"}).status, 0);
+  const std::string whole = text_of(folder_ / "sim.bin");
+  // Parts that another output has, too, are no leftovers.
+  const fs::path copy = folder_ / "copy.parts";
+  fs::copy(folder_ / "sim.bin.parts", copy, fs::copy_options::recursive);
+  const std::vector<std::string> removed{"part-2-of-3.rows",
+                                         "part-2-of-3.journal",
+                                         "part-1-of-3.rows",
+                                         "part-1-of-3.journal",
+                                         "part-3-of-3.journal",
+                                         "part-3-of-3.rows",
+                                         "lock"};
+  for (std::size_t count = 0; count <= removed.size(); ++count) {
+    fs::remove_all(folder_ / "sim.bin.parts");
+    fs::copy(copy, folder_ / "sim.bin.parts", fs::copy_options::recursive);
+    for (std::size_t i = 0; i < count; ++i) fs::remove(folder_ / "sim.bin.parts" / removed[i]);
+    const Finished again = sarsim({"merge", "sim.bin.parts", "--remove"});
+    ASSERT_EQ(again.status, 0) << count << ": " << again.err;
+    EXPECT_THAT(again.err, HasSubstr("20 x "));
+    EXPECT_FALSE(fs::exists(folder_ / "sim.bin.parts")) << count;
+  }
+  EXPECT_EQ(text_of(folder_ / "sim.bin"), whole);
+  // What the output has not is no leftover.
+  write_text(folder_ / "sim.bin", "other");
+  EXPECT_EQ(sarsim({"merge", "copy.parts", "-o", "sim.bin", "--remove"}).status, 2);
+  EXPECT_TRUE(fs::exists(copy / "part-1-of-3.rows"));
+}
+
 }  // namespace parts_test
 }  // namespace sarsim::test

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "cli/shell/options.hpp"
 #include "core/os/output_file.hpp"
 #include "core/report/refused.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/shell_word.hpp"
 #include "scene/edit/starting_scenes.hpp"
@@ -37,13 +39,28 @@ std::string purposes() {
   return text;
 }
 
+// A purpose of which one word is the beginning of what was typed, or begins with it: "sar", "stripmap" for "sar-strip".
+std::string purpose_with_part(const std::vector<std::string>& purposes, const std::string& typed) {
+  constexpr std::size_t shortest = 3;
+  const std::string small = core::lower_case(typed);
+  for (const std::string& purpose : purposes)
+    for (std::size_t begin = 0; begin < purpose.size() && small.size() >= shortest;) {
+      const std::size_t end = std::min(purpose.find('-', begin), purpose.size());
+      const std::string part = purpose.substr(begin, end - begin);
+      if (part.size() >= shortest && (small.starts_with(part) || part.starts_with(small))) return purpose;
+      begin = end + 1;
+    }
+  return {};
+}
+
 const scene::StartingScene& chosen(const std::string& purpose) {
   std::vector<std::string> words;
   for (const scene::StartingScene& scene : scene::starting_scenes()) {
     if (core::equal_ignoring_case(scene.purpose, purpose)) return scene;
     words.emplace_back(scene.purpose);
   }
-  const std::string nearest = core::nearest_word(purpose, words);
+  const std::string part = purpose_with_part(words, purpose);
+  const std::string nearest = part.empty() ? core::nearest_word(purpose, words) : part;
   throw core::Refused(fmt::format("there is no scene to begin with for '{}'", purpose),
                       nearest.empty() ? fmt::format("choose one of {}", fmt::join(words, ", "))
                                       : fmt::format("did you mean '{}'?", nearest));

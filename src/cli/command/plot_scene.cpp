@@ -26,10 +26,10 @@ scene::Simulation chosen_simulation(const PlotArguments& a, const scene::Scene& 
   if (a.simulation) {
     const auto number = static_cast<std::size_t>(*a.simulation);
     if (number > scene.simulations.size())
-      throw core::Refused(fmt::format("the script has no simulation {}", number),
+      throw core::Refused(fmt::format("the scene has no recording {}", number),
                           scene.simulations.empty()
                               ? "it has none: choose with --radar"
-                              : fmt::format("simulations have the numbers 1 to {}", scene.simulations.size()));
+                              : fmt::format("recordings have the numbers 1 to {}", scene.simulations.size()));
     return scene.simulations[number - 1];
   }
   if (a.radar.empty() && !scene.simulations.empty()) return scene.simulations[0];

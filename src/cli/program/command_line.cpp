@@ -25,12 +25,14 @@
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
 #include "core/os/standard_streams.hpp"
+#include "core/os/trial.hpp"
 #include "core/report/for_now.hpp"
 #include "core/task/kept_interruption.hpp"
 #include "core/text/json.hpp"
 #include "core/text/number_text.hpp"
 #include "picture/facts/version_text.hpp"
 #include "workflow/input/scene_input.hpp"
+#include "workflow/options/trade_options.hpp"
 #include "workflow/record/team.hpp"
 
 namespace sarsim::cli {
@@ -189,6 +191,22 @@ void adapt_intervals(const CLI::App& command, std::vector<std::string>& words) {
   }
 }
 
+// What to do about a word that belongs nowhere, where that can be told better than by words that are near.
+std::string other_way(const CLI::App* command, const std::string& word, const std::string& name) {
+  const std::string_view known = workflow::other_way_than_word(command != nullptr ? command->get_name() : "", name);
+  if (!known.empty()) return std::string(known);
+  std::error_code ignored;
+  if (command == nullptr)
+    return std::filesystem::is_regular_file(word + ".toml", ignored) ? fmt::format("did you mean '{}.toml'?", word)
+                                                                     : "";
+  const std::string ending = std::filesystem::path(word).extension().string();
+  if (word.starts_with("-") || ending.empty()) return {};
+  if (command->get_option_no_throw("--out") != nullptr) return fmt::format("did you mean --out {}?", word);
+  if (command->get_option_no_throw("--csv") != nullptr && ending == ".csv")
+    return fmt::format("--csv writes to standard output: add > {}", word);
+  return {};
+}
+
 // What stands on the command line and belongs nowhere.
 void expect_no_extras(const Program& program, const CLI::App* command) {
   const CLI::App& app = command != nullptr ? *command : program.app;
@@ -203,8 +221,10 @@ void expect_no_extras(const Program& program, const CLI::App* command) {
   const std::string_view nearest = option || command == nullptr ? meant_word(name, known) : std::string_view();
   const std::string where = command != nullptr ? command->get_name() + ": " : std::string();
   const char* what = option ? "unknown option" : command == nullptr ? "unknown command" : "unexpected argument";
+  const std::string other = other_way(command, word, name);
   throw core::Refused(fmt::format("{}{} '{}'", where, what, name),
-                      nearest.empty()
+                      !other.empty() ? other
+                      : nearest.empty()
                           ? fmt::format("see sarsim {}--help", command != nullptr ? command->get_name() + " " : "")
                           : fmt::format("did you mean '{}'?", nearest));
 }
@@ -301,10 +321,20 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
   } catch (const std::bad_alloc&) {
     return fail(exit_failed, "not enough memory", "record less at once, or with fewer --threads");
   } catch (const std::system_error& error) {
+    // No thread could be made: with a limit of its own on memory that does not pass.
+    const std::uint64_t limit_bytes = core::own_memory_limit_bytes();
+    if (error.code() == std::errc::resource_unavailable_try_again && limit_bytes > 0)
+      return fail(exit_failed,
+                  fmt::format("not enough memory for another thread: this process may take {} MB", limit_bytes >> 20U),
+                  "take fewer threads (--threads 1), or raise the limit (ulimit -v)");
     return fail(status_of(error.code()), error.what(), remedy(error.code()));
   } catch (const std::exception& error) {
     return fail(exit_failed, error.what());
   }
+}
+
+Streams streams_of_process(const core::StopFlag& stop) {
+  return {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop, false, isatty(STDOUT_FILENO) == 1};
 }
 
 }  // namespace
@@ -319,8 +349,7 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 int main_program(int argc, const char* const* argv) {
   core::reserve_standard_streams();
   const core::StopFlag& stop = handle_signals();
-  return run_command_line(argc, argv,
-                          {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop, false, isatty(STDOUT_FILENO) == 1});
+  return run_command_line(argc, argv, streams_of_process(stop));
 }
 
 int team_program(int argc, const char* const* argv, workflow::Team* team) {
@@ -333,7 +362,7 @@ int team_program(int argc, const char* const* argv, workflow::Team* team) {
   const core::StopFlag& stop = handle_signals(Company::team);
   const std::vector<std::string> words(argv + std::min(1, argc), argv + argc);
   Program program(*team);
-  Streams own{std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop};
+  Streams own = streams_of_process(stop);
   std::ostringstream unread;
   std::ostringstream messages;
   Streams others{unread, messages, false, &stop};

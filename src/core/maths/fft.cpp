@@ -3,6 +3,7 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -17,6 +18,15 @@ namespace {
 std::mutex& planner_lock() {
   static std::mutex lock;
   return lock;
+}
+
+// FFTW ends the process where it gets no memory (`alloc.c`: "assertion failed"). So what the planner may need is asked
+// for before, and given back: tables of half a transform to two of them, and some hundred kB of its own.
+void expect_memory(std::size_t size, std::size_t sample_bytes) {
+  constexpr std::size_t transforms = 4, own_bytes = std::size_t{1} << 20U;
+  void* volatile room = std::malloc(transforms * size * sample_bytes + own_bytes);  // not to be left out as useless
+  if (room == nullptr) throw std::bad_alloc();
+  std::free(room);
 }
 
 // The two precisions of FFTW under common names.
@@ -67,6 +77,7 @@ class Plan {
     std::vector<std::complex<Real>> from(size);
     std::vector<std::complex<Real>> other(to == To::other ? size : 0);
     const std::scoped_lock hold(planner_lock());
+    expect_memory(size, sizeof(std::complex<Real>));
     plan_ = Library::make(static_cast<int>(size), from.data(), to == To::other ? other.data() : from.data(), sign);
     if (plan_ == nullptr) throw std::bad_alloc();
   }

@@ -1,10 +1,15 @@
 #include "core/maths/fft.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <limits>
+#include <new>
 #include <random>
 #include <vector>
 
@@ -171,6 +176,46 @@ TEST(Fft, FastSizesAreMultiplesOf16WithAtMostOneFactor3) {
     while (!fast(expected)) ++expected;
     ASSERT_EQ(fast_fft_size(minimum), expected);
   }
+}
+
+// 0: made, 3: std::bad_alloc; what a process of that memory ends with.
+int end_of_process_with(rlim_t more_bytes, std::size_t size) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    std::ifstream statm("/proc/self/statm");
+    rlim_t pages = 0;
+    statm >> pages;
+    const rlim_t most = pages * static_cast<rlim_t>(::sysconf(_SC_PAGESIZE)) + more_bytes;
+    const rlimit limit{most, RLIM_INFINITY};
+    ::setrlimit(RLIMIT_AS, &limit);
+    int end = 0;
+    try {
+      const Fft fft(size);
+    } catch (const std::bad_alloc&) {
+      end = 3;
+    }
+    ::_exit(end);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+// The library ends a process that gets no memory. 46 189 and 65 521 have large prime factors.
+TEST(Fft, WithoutMemoryIsAnExceptionAndNoEnd) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "sanitizers need the addresses themselves";
+#endif
+  int refused = 0;  // Small ones may find memory that was given back.
+  for (const std::size_t size : {4096u, 46189u, 65521u, 65536u, 1000000u}) {
+    for (rlim_t more = 0; more < 4 * size * sizeof(std::complex<double>) + (rlim_t{4} << 20U);
+         more += rlim_t{1} << 18U) {
+      const int end = end_of_process_with(more, size);
+      ASSERT_TRUE(end == 0 || end == 3) << size << " with " << more;
+      refused += end == 3 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(refused, 0);
 }
 
 }  // namespace fft_test

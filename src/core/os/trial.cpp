@@ -120,6 +120,13 @@ TrialResult result_of(int status) {
 
 }  // namespace
 
+std::uint64_t own_memory_limit_bytes() {
+  rlimit value{};
+  const rlim_t mapped = mapped_bytes();
+  if (mapped == 0 || ::getrlimit(RLIMIT_AS, &value) != 0 || value.rlim_max == RLIM_INFINITY) return 0;
+  return value.rlim_max < mapped + trial_bytes ? value.rlim_max : 0;
+}
+
 TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds, std::mutex* lock) {
   const auto fail = [](const char* what) { throw std::system_error(errno, std::generic_category(), what); };
   const ChildRules rules{seconds, mapped_bytes(), ::getpid()};

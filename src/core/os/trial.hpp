@@ -14,6 +14,10 @@ enum class TrialResult { passed, crashed, too_much_work, stopped };
 /// Address space that a trial may take beyond that of the process that begins it.
 inline constexpr std::uint64_t trial_bytes = std::uint64_t{512} << 20U;
 
+/// The limit that was set for the memory of this process, where it leaves a trial less than `trial_bytes`; 0: none.
+/// Then a trial without memory says nothing of the file.
+[[nodiscard]] std::uint64_t own_memory_limit_bytes();
+
 /// How a trial ended, and what came out of it.
 struct TrialReport {
   TrialResult result = TrialResult::passed;

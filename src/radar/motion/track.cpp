@@ -103,6 +103,8 @@ void Track::note_carried() {
   if (fixed_) {
     ErrorSteps steps;
     attitude_ = parent != nullptr ? carried_at(0.0, 0, steps) : own_at(0.0, 0, steps);
+    motion_.parent = nullptr;  // Done with: a chain at rest may be of any length.
+    return;
   }
   if (parent == nullptr) return;
   acceleration_bound_mps2_ = parent->turns() ? std::numeric_limits<double>::infinity()

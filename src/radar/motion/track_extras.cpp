@@ -1,6 +1,7 @@
 #include "radar/motion/track.hpp"
 
 #include <algorithm>
+#include <utility>
 
 // What most tracks do without: parents, axes of attitude laws, sines, banks and errors along the path.
 
@@ -67,14 +68,18 @@ Travel Track::carried_travel_at(double time_s, std::int64_t pulse, ErrorSteps& s
                  travel_along(motion_.path.jets(time_s), time_s, pulse, steps));
 }
 
+// Down the chain of parents once, with the pose of each.
 PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse) const {
-  if (fixed_) return {};
-  ErrorSteps steps;
-  const Pose own = own_at(time_s, pulse, steps);
-  if (motion_.parent == nullptr) return own_acceleration_at(time_s, pulse, own, &steps);
-  const Pose parent = motion_.parent->at(time_s, pulse, steps_of_parent(steps));
-  return carried_acceleration(parent, motion_.parent->acceleration_at(time_s, pulse, parent), own,
-                              own_acceleration_at(time_s, pulse, own, &steps));
+  const auto moved = [&](const auto& of, const Track& track) -> std::pair<Pose, PoseAcceleration> {
+    if (track.fixed_) return {track.attitude_, {}};
+    ErrorSteps steps;
+    const Pose own = track.own_at(time_s, pulse, steps);
+    const PoseAcceleration acceleration = track.own_acceleration_at(time_s, pulse, own, &steps);
+    if (track.motion_.parent == nullptr) return {own, acceleration};
+    const auto [parent, of_parent] = of(of, *track.motion_.parent);
+    return {carried(parent, own), carried_acceleration(parent, of_parent, own, acceleration)};
+  };
+  return moved(moved, *this).second;
 }
 
 void Track::add_sines_and_errors(Travel& travel, const PathJets& path, double time_s, ErrorSteps& steps) const {

@@ -396,13 +396,28 @@ struct EnviImage::Closer {
 EnviImage::EnviImage(EnviHeader header, std::filesystem::path data, int descriptor)
     : header_(std::move(header)), data_(std::move(data)), file_(std::make_shared<const Closer>(descriptor)) {}
 
+// What to do with a file that is no image: a recording, as most formats are for, or a scene.
+std::string remedy_without_header(const std::filesystem::path& data) {
+  const std::string extension = core::lower_case(data.extension().string());
+  if (extension == ".toml" || extension == ".scr" || extension == ".json")
+    return "this is a scene: sarsim run records it, and sarsim focus makes an image of the recording";
+  const auto format = format_from_path(data);
+  if (format && *format != scene::FileFormat::npy)
+    return fmt::format("if this is a recording, sarsim focus {} makes an image of it", data.string());
+  return "sarsim focus writes images with their headers as ENVI and NPY, and convert copies them";
+}
+
 std::pair<std::optional<EnviImage>, core::Problems> EnviImage::open(const std::filesystem::path& data) {
   const std::filesystem::path header_file = envi_header_of(data);
+  if (core::equal_ignoring_case(data.extension().string(), ".hdr") && std::filesystem::exists(data))
+    return {std::nullopt,
+            {file_problem(data.string(), "this is the header of an image", "", "the image beside it",
+                          "name the file of its samples, which ends with .img or .npy")}};
   if (!std::filesystem::exists(header_file))
     return {std::nullopt,
             {file_problem(data.string(), "the image has no header beside it", "",
                           fmt::format("{} or {}", header_file.string(), appended_header_path(data).string()),
-                          "sarsim focus writes images with their headers as ENVI and NPY, and convert copies them")}};
+                          remedy_without_header(data))}};
   for (const std::filesystem::path& file : {header_file, data})
     if (auto problem = problem_of_kind(file)) return {std::nullopt, {std::move(*problem)}};
   EnviReading reading = read_envi_header(header_text(header_file), header_file.string());

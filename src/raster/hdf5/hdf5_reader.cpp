@@ -431,23 +431,29 @@ core::Problem unpacked(const std::string& text) {
   return problem;
 }
 
-core::Problem lacks_memory(const std::string& what) {
+core::Problem lacks_memory(const std::string& what, std::uint64_t own_limit_bytes) {
+  if (own_limit_bytes > 0)
+    return file_problem({}, "the HDF5 library needs more memory for the file than this process may have", what,
+                        fmt::format("at most {} MB, the limit of this process", own_limit_bytes >> 20U),
+                        "raise the limit (ulimit -v)");
   return file_problem({}, "the HDF5 library needs more memory for the file than it is given", what,
                       fmt::format("at most {} MB more than the program has", core::trial_bytes >> 20U),
                       "the file is damaged, or stored in very large chunks: h5repack makes them smaller");
 }
 
 // What the child process does: the word that all is well, or a packed problem.
-std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
+// @param own_limit_bytes  that of the parent
+std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints,
+                  std::uint64_t own_limit_bytes) {
   try {
     const OpenedRaster opened = open_here(path, file_bytes, hints);
     if (!opened.raster) return packed(opened.problems.front());
     read_through(static_cast<const Hdf5Raster&>(*opened.raster));
     return good;
   } catch (const LacksMemory& error) {
-    return packed(lacks_memory(error.what()));
+    return packed(lacks_memory(error.what(), own_limit_bytes));
   } catch (const std::bad_alloc&) {
-    return packed(lacks_memory({}));
+    return packed(lacks_memory({}, own_limit_bytes));
   } catch (const std::exception& error) {
     return packed(file_problem({}, "the file is damaged: the HDF5 library cannot read all of it", error.what()));
   }
@@ -458,8 +464,9 @@ std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, c
 OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
+  const std::uint64_t own_limit_bytes = core::own_memory_limit_bytes();
   const core::TrialReport trial =
-      core::run_trial([&] { return tried(path, file_bytes, hints); }, hdf5_trial_s, &hdf5_lock());
+      core::run_trial([&] { return tried(path, file_bytes, hints, own_limit_bytes); }, hdf5_trial_s, &hdf5_lock());
   if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
   if (trial.result == core::TrialResult::too_much_work) return refused(path.string(), too_much_hdf5_work());
   if (trial.result != core::TrialResult::passed)

@@ -1,6 +1,7 @@
 #include "raster/parts/join_parts.hpp"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -349,6 +350,22 @@ void add_identity_problems(const std::vector<Journal>& journals, core::Problems&
   }
 }
 
+// Removes a folder of parts whose rows and journals are gone. The description tells whose rest the folder is to whoever
+// finds it behind a process that was killed, so it goes with the folder's name, all at once. What others have put there
+// stays.
+void remove_emptied(const fs::path& folder) noexcept {
+  std::error_code failure;
+  const fs::path place = folder.filename().empty() ? folder.parent_path() : folder;
+  fs::path rest = place.parent_path();
+  rest /= fmt::format(".{}.partial-{}", place.filename().string(), ::getpid());
+  const core::TemporaryName name(rest);
+  const bool renamed = !fs::is_symlink(place, failure) && (fs::rename(place, rest, failure), !failure);
+  const fs::path& now = renamed ? rest : place;
+  core::remove_folder(product_file_of(now));
+  core::remove_folder(now / door_name);
+  if (!fs::remove(now, failure) && renamed) fs::rename(rest, place, failure);
+}
+
 // Whose the missing rows would be.
 std::string owner_text(const std::vector<Journal>& journals, simulate::RowRange missing) {
   for (const Journal& journal : journals) {
@@ -432,18 +449,15 @@ std::vector<Journal> read_journals(const fs::path& folder) {
 
 void remove_parts(const fs::path& folder) noexcept {
   std::error_code ignored;
-  std::vector<fs::path> paths{shared_rows_of(folder), product_file_of(folder), folder / frame_name,
-                              folder / joined_name};
+  std::vector<fs::path> paths{shared_rows_of(folder), folder / frame_name, folder / joined_name};
   for (fs::directory_iterator entry(folder, ignored), end; !ignored && entry != end; entry.increment(ignored)) {
     const std::string name = entry->path().filename().string();
     const bool ours = name.ends_with(".journal") || name.ends_with(".rows") ||
                       name.find(".new-") != std::string::npos || name.find(".partial-") != std::string::npos;
     if (ours) paths.push_back(entry->path());
   }
-  // Last what tells a folder of parts.
-  paths.push_back(folder / door_name);
   for (const fs::path& path : paths) core::remove_folder(path);
-  fs::remove(folder, ignored);
+  remove_emptied(folder);
 }
 
 std::vector<simulate::RowRange> missing_rows(simulate::RowRange range, std::span<const Journal> journals) {

@@ -37,7 +37,8 @@ namespace sarsim::raster {
 /// All journals of a folder, by name. @throws core::Refused with everything that is damaged
 [[nodiscard]] std::vector<Journal> read_journals(const std::filesystem::path& folder);
 
-/// Removes what parts have left in a folder, and the folder where it is empty then.
+/// Removes what parts have left in a folder, and the folder where it is empty then; the description of the recording
+/// last, by which the rest is known where the process is killed meanwhile.
 void remove_parts(const std::filesystem::path& folder) noexcept;
 
 /// Removes what killed joins have left in a folder, and the folder itself if it has no parts. Its door must be held.

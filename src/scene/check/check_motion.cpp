@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
+#include <numeric>
 #include <set>
 #include <string>
 #include <string_view>
@@ -53,6 +55,50 @@ std::vector<char> loops_of(const std::vector<std::size_t>& next) {
     for (std::size_t on = at; loops[on] == 0; on = next[on]) loops[on] = 1;
   }
   return loops;
+}
+
+// Whether it may move in the frame of its parent.
+bool moves(const Platform& platform) {
+  const bool turns = platform.rotation_kind != Platform::Rotation::constant ||
+                     core::norm(turning_rate(platform)) != 0.0 ||
+                     std::ranges::any_of(platform.rotation_stddev, [](core::Angle a) { return a.rad() != 0.0; }) ||
+                     platform.rotation_error != Platform::MotionError::gaussian;
+  const bool travels = platform.path != Platform::Path::stationary || core::norm(platform.position_stddev_m) != 0.0 ||
+                       platform.position_error != Platform::MotionError::gaussian;
+  return turns || travels || !platform.oscillations.empty() || platform.waves != Platform::Waves::none;
+}
+
+// The place of each platform in its chain: one more than that of the next one, from the first that counts on. Links are
+// followed once, and without recursion, because a chain may be of any length.
+template <class Counts>
+std::vector<std::size_t> levels_of(const std::vector<std::size_t>& next, const Counts& counts) {
+  constexpr std::size_t open = not_found;
+  std::vector<std::size_t> levels(next.size(), open);
+  std::vector<std::size_t> chain;
+  for (std::size_t start = 0; start < next.size(); ++start) {
+    std::size_t at = start;
+    for (; at != not_found && levels[at] == open; at = next[at]) {
+      levels[at] = 0;  // ends a circle
+      chain.push_back(at);
+    }
+    std::size_t level = at == not_found ? 0 : levels[at];
+    for (; !chain.empty(); chain.pop_back()) {
+      if (level > 0 || counts(chain.back())) ++level;
+      levels[chain.back()] = level;
+    }
+  }
+  return levels;
+}
+
+// The highest level among those that lead to a platform, itself included.
+std::vector<std::size_t> highest_levels(const std::vector<std::size_t>& next, const std::vector<std::size_t>& levels) {
+  std::vector<std::size_t> order(next.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::ranges::greater(), [&](std::size_t at) { return levels[at]; });
+  std::vector<std::size_t> highest = levels;
+  for (const std::size_t at : order)
+    if (next[at] != not_found) highest[next[at]] = std::max(highest[next[at]], highest[at]);
+  return highest;
 }
 
 void check_epoch(Findings& findings, const Scene& scene) {
@@ -221,6 +267,18 @@ void report_loop(Findings& findings, std::string_view field, const std::string& 
                          .hint = {}});
 }
 
+// Told once for a chain: of the first platform beyond the limit.
+void check_chain(Findings& findings, std::string_view field, std::size_t level, std::size_t longest) {
+  if (level != longest_motion_chain + 1) return;
+  findings.error(field,
+                 {.message = fmt::format("the chain of {}s is too long", field),
+                  .found = fmt::format("platform {} of a chain of {}", level, longest),
+                  .expected = fmt::format("up to {} platforms that {}", longest_motion_chain,
+                                          field == "parent" ? "move, each on the one before" : "follow each other"),
+                  .hint = field == "parent" ? "Mount the platform on one nearer to the world."
+                                            : "Follow one nearer to the first."});
+}
+
 void check_leader(Findings& findings, const Scene& scene, const PlatformChains& chains, std::size_t index) {
   const Platform& platform = scene.platforms[index];
   if (platform.path != Platform::Path::relative) return;
@@ -230,6 +288,7 @@ void check_leader(Findings& findings, const Scene& scene, const PlatformChains& 
                                      .expected = "leader = the name of a platform",
                                      .hint = {}});
   if (chains.leaders_loop(index)) report_loop(findings, "leader", platform.leader);
+  check_chain(findings, "leader", chains.leader_level(index), chains.longest_of_leaders(index));
   const std::size_t leader = chains.leader(index);
   const auto parent_of = [](const Platform& of) { return of.parent == "Earth" ? std::string() : of.parent; };
   if (leader == not_found || parent_of(scene.platforms[leader]) == parent_of(platform)) return;
@@ -289,10 +348,16 @@ void check_world(Findings& findings, const Scene& scene) {
 
 PlatformChains::PlatformChains(const Scene& scene) : scene_(scene) {
   SceneIndex names(scene);
-  leaders_ = {links_of(scene, names, &Platform::leader), {}};
+  leaders_ = {links_of(scene, names, &Platform::leader), {}, {}, {}};
+  for (std::size_t i = 0; i < leaders_.next.size(); ++i)
+    if (scene.platforms[i].path != Platform::Path::relative) leaders_.next[i] = not_found;
   leaders_.loops = loops_of(leaders_.next);
-  parents_ = {links_of(scene, names, &Platform::parent), {}};
+  leaders_.levels = levels_of(leaders_.next, [](std::size_t) { return true; });
+  leaders_.longest = highest_levels(leaders_.next, leaders_.levels);
+  parents_ = {links_of(scene, names, &Platform::parent), {}, {}, {}};
   parents_.loops = loops_of(parents_.next);
+  parents_.levels = levels_of(parents_.next, [&](std::size_t i) { return moves(scene.platforms[i]); });
+  parents_.longest = highest_levels(parents_.next, parents_.levels);
   const auto turns = [](const Platform& platform) { return core::norm(turning_rate(platform)) != 0.0; };
   if (std::ranges::any_of(scene.platforms, turns)) gather_targets();
 }
@@ -334,6 +399,7 @@ void check_motion(Findings& findings, const Scene& scene, const PlatformChains& 
   check_route(findings, platform);
   check_leader(findings, scene, chains, index);
   if (chains.parents_loop(index)) report_loop(findings, "parent", platform.parent);
+  check_chain(findings, "parent", chains.parent_level(index), chains.longest_of_parents(index));
   check_height(findings, scene, platform);
   check_tips(findings, chains, platform, index);
 }

@@ -16,6 +16,10 @@ inline constexpr std::string_view unread_motion = "the motion of the platform is
 /// Checks the world itself: epoch, anchor, leap seconds.
 void check_world(Findings& findings, const Scene& scene);
 
+/// Most platforms of a chain in which each moves in the frame of the one before, or follows its path. A pose takes time
+/// in proportion to them, and as many nested calls.
+inline constexpr std::size_t longest_motion_chain = 64;
+
 /// Leaders and parents of platforms, looked up once for all of them in time n log n: a scene may have thousands of
 /// platforms mounted on each other.
 class PlatformChains {
@@ -28,14 +32,22 @@ class PlatformChains {
   /// Whether the chain of leaders, or of parents, of a platform is a loop.
   [[nodiscard]] bool leaders_loop(std::size_t platform) const { return leaders_.loops[platform] != 0; }
   [[nodiscard]] bool parents_loop(std::size_t platform) const { return parents_.loops[platform] != 0; }
-  /// Speed of the fastest target on a rotating platform, or on a platform that is mounted on it at rest, relative to
-  /// the platform's origin, m/s.
+  /// How many platforms carry this one, itself included, from the first that moves on: 0 at rest. Of leaders: how many
+  /// follow each other up to this one. Of those on a circle no more than once round it.
+  [[nodiscard]] std::size_t parent_level(std::size_t platform) const { return parents_.levels[platform]; }
+  [[nodiscard]] std::size_t leader_level(std::size_t platform) const { return leaders_.levels[platform]; }
+  /// How many platforms the longest chain through a platform has.
+  [[nodiscard]] std::size_t longest_of_parents(std::size_t platform) const { return parents_.longest[platform]; }
+  [[nodiscard]] std::size_t longest_of_leaders(std::size_t platform) const { return leaders_.longest[platform]; }
+  /// Speed of the fastest target on a platform that turns, or on one that is mounted on it at rest.
   [[nodiscard]] double fastest_tip_mps(std::size_t platform, const core::Vec3& rate_rad_per_s) const;
 
  private:
   struct Links {
     std::vector<std::size_t> next;
     std::vector<char> loops;
+    std::vector<std::size_t> levels;
+    std::vector<std::size_t> longest;
   };
 
   void gather_targets();

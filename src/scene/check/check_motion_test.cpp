@@ -1,4 +1,8 @@
+#include <algorithm>
+
+#include "scene/check/check_motion.hpp"
 #include "scene/check/check_test_scene.hpp"
+#include "scene/check/path_looks.hpp"
 
 namespace sarsim::scene {
 namespace check_motion_test {
@@ -142,6 +146,51 @@ TEST(CheckMotion, NamesThePlatformsOfACircleAndNotThoseThatLeadThere) {
     if (problem.severity == core::Severity::error && problem.subject.field == "parent")
       named.push_back(problem.subject.index - first);
   EXPECT_EQ(named, (std::vector<std::size_t>{3, 4, 5, 6}));
+}
+
+TEST(CheckMotion, FollowsLongChainsFromTheirLeavesToo) {
+  Scene scene = scene_with_chain(30'000);
+  std::ranges::reverse(scene.platforms);
+  EXPECT_FALSE(core::has_errors(check(scene)));
+}
+
+// Poses of a chain that moves are nested: 20 000 of them would need more stack than there is.
+TEST(CheckMotion, LimitsChainsOfParentsThatMove) {
+  Scene scene = scene_with_chain(2000);
+  const std::size_t first = scene.platforms.size() - 2000;
+  scene.platforms[first + 10].rotation_rate[2] = core::Angle::from_deg(1.0);
+  const core::Problem problem = expect_error(scene, {"platform", first + 10 + longest_motion_chain, "parent"});
+  EXPECT_EQ(problem.found, "platform 65 of a chain of 1990");
+  EXPECT_THAT(problem.expected, HasSubstr("up to 64 platforms"));
+  scene.platforms.resize(first + 10 + longest_motion_chain);
+  EXPECT_FALSE(core::has_errors(check(scene)));
+}
+
+TEST(CheckMotion, LimitsChainsOfLeaders) {
+  Scene scene = scene_with_chain(300);
+  const std::size_t first = scene.platforms.size() - 300;
+  for (std::size_t i = first + 1; i < scene.platforms.size(); ++i) {
+    scene.platforms[i].path = Platform::Path::relative;
+    scene.platforms[i].leader = scene.platforms[i - 1].name;
+    scene.platforms[i].parent.clear();
+  }
+  const core::Problem problem = expect_error(scene, {"platform", first + longest_motion_chain, "leader"});
+  EXPECT_EQ(problem.found, "platform 65 of a chain of 300");
+  scene.platforms.resize(first + longest_motion_chain);
+  EXPECT_FALSE(core::has_errors(check(scene)));
+}
+
+// Two ways lead from each to the next: followed one by one they would be 2^60.
+TEST(CheckMotion, MeetsEachPlatformOnceWhereParentsLead) {
+  Scene scene = scene_with_chain(60);
+  const std::size_t first = scene.platforms.size() - 60;
+  for (std::size_t i = first + 1; i < scene.platforms.size(); ++i) {
+    scene.platforms[i].path = Platform::Path::relative;
+    scene.platforms[i].leader = scene.platforms[i - 1].name;
+  }
+  scene.radars[0].platform = scene.platforms.back().name;
+  EXPECT_TRUE(looks_of(scene, 1).empty());
+  EXPECT_FALSE(looks_of(scene, first).empty());
 }
 
 }  // namespace check_motion_test

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "core/maths/constants.hpp"
@@ -16,7 +17,6 @@ namespace sarsim::scene {
 namespace {
 
 constexpr double isotropic_rad = std::numeric_limits<double>::infinity();
-constexpr int longest_chain = 64;
 
 // Between the nearest points on both sides of the peak that are 3 dB below it.
 double width_of(const core::SampledFunction& cut) {
@@ -70,14 +70,20 @@ std::vector<Look> looks_if(const Scene& scene, bool tables, const Wanted& wanted
   return looks;
 }
 
-// Whether a platform is carried or led by another one, or is that one.
-bool depends(SceneIndex& names, const Scene& scene, const std::string& name, std::size_t on, int depth) {
-  const std::size_t at = names.platform(name);
-  if (at == on) return true;
-  if (at == not_found || depth > longest_chain) return false;
-  const Platform& platform = scene.platforms[at];
-  if (!platform.parent.empty() && depends(names, scene, platform.parent, on, depth + 1)) return true;
-  return platform.path == Platform::Path::relative && depends(names, scene, platform.leader, on, depth + 1);
+// Whether a platform is carried or led by another one, or is that one. Each is met once, whatever ways lead to it.
+bool depends(SceneIndex& names, const Scene& scene, const std::string& name, std::size_t on) {
+  std::vector<std::size_t> open{names.platform(name)};
+  std::set<std::size_t> met;
+  while (!open.empty()) {
+    const std::size_t at = open.back();
+    open.pop_back();
+    if (at == on) return true;
+    if (at == not_found || !met.insert(at).second) continue;
+    const Platform& platform = scene.platforms[at];
+    if (!platform.parent.empty()) open.push_back(names.platform(platform.parent));
+    if (platform.path == Platform::Path::relative) open.push_back(names.platform(platform.leader));
+  }
+  return false;
 }
 
 }  // namespace
@@ -88,7 +94,7 @@ std::vector<Look> looks_of(const Scene& scene) {
 
 std::vector<Look> looks_of(const Scene& scene, std::size_t platform) {
   SceneIndex names(scene);
-  const auto carries = [&](const std::string& name) { return depends(names, scene, name, platform, 0); };
+  const auto carries = [&](const std::string& name) { return depends(names, scene, name, platform); };
   // Millions of targets share the names of few platforms.
   const std::string* known = nullptr;
   const auto is_carried = [&](const std::string& name) {

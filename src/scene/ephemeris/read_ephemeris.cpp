@@ -137,6 +137,14 @@ std::string_view name_of(OrbitFormat format) {
   return "";
 }
 
+std::string what_is_no_orbit(std::string_view text, OrbitFormat format) {
+  if (format == OrbitFormat::aem) return "a CCSDS AEM, which holds attitudes";
+  constexpr std::size_t most = 200;
+  const std::string first = core::lower_case(text.substr(0, std::min(text.find('\n'), most)));
+  const bool on_earth = first.find("lat") != std::string::npos && first.find("lon") != std::string::npos;
+  return on_earth ? "columns of latitude and longitude, which are not read" : "";
+}
+
 OrbitFormat orbit_format_of(std::string_view text) {
   using namespace ephemeris;
   const std::string_view head = without_mark(text).substr(0, head_bytes);

@@ -36,6 +36,9 @@ inline constexpr std::size_t most_ephemeris_states = 10'000'000;
 /// The format of a text by its first lines.
 [[nodiscard]] OrbitFormat orbit_format_of(std::string_view text);
 
+/// What a text seems to be that is no orbit, for a message; empty where that cannot be told.
+[[nodiscard]] std::string what_is_no_orbit(std::string_view text, OrbitFormat format);
+
 /// The name of a format in a sentence: "a CCSDS OEM".
 [[nodiscard]] std::string_view name_of(OrbitFormat format);
 

@@ -536,6 +536,12 @@ TEST(ReadEphemeris, RefusesPositionsThatDoublesDoNotTellApart) {
   EXPECT_EQ(only_problem(told("0,1e18,0,0\n1,1e18,0,0\n")).message, "a position is more than 1e11 m from the origin");
 }
 
+TEST(OrbitFormat, TellsTablesOfLatitudesFromOrbits) {
+  EXPECT_EQ(what_is_no_orbit("time,Lat,Lon,alt\n0,47,8,1000\n", OrbitFormat::unknown),
+            "columns of latitude and longitude, which are not read");
+  EXPECT_EQ(what_is_no_orbit("a,b\n", OrbitFormat::unknown), "");
+}
+
 }  // namespace read_ephemeris_test
 
 }  // namespace sarsim::scene

@@ -46,8 +46,6 @@ class StateCollector {
 
   /// The usual step of the first segment with three states; 0 before `finish`.
   [[nodiscard]] double usual_step_s() const { return usual_step_s_; }
-  /// Whether `finish` found gaps.
-  [[nodiscard]] bool has_gaps() const { return gaps_ != 0; }
 
   /// Whether nothing more should be read.
   [[nodiscard]] bool full() const { return problems_.full() || too_many_ != 0; }

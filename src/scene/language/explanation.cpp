@@ -4,6 +4,7 @@
 #include <array>
 #include <iterator>
 #include <optional>
+#include <sstream>
 
 #include <fmt/format.h>
 
@@ -326,6 +327,21 @@ std::optional<Explanation> searched(const std::string& words) {
   return explanation;
 }
 
+// Of three words or more by all but one: "range cell migration".
+std::optional<Explanation> searched_in_part(const std::string& words) {
+  std::vector<std::string> all;
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) all.push_back(word);
+  constexpr std::size_t most = 6;
+  for (std::size_t left_out = 0; all.size() >= 3 && all.size() <= most && left_out < all.size(); ++left_out) {
+    std::string part;
+    for (std::size_t i = 0; i < all.size(); ++i)
+      if (i != left_out) part += (part.empty() ? "" : " ") + all[i];
+    if (auto found = searched(part)) return found;
+  }
+  return std::nullopt;
+}
+
 // "[[radar]]" and "radar.pulse.type" mean "radar" and "radar.pulse".
 std::string plain_word(std::string_view word) {
   std::string text(core::trimmed(word));
@@ -360,6 +376,7 @@ Explanation explain(std::string_view word) {
   if (text.ends_with(type)) return explain(std::string_view(text).substr(0, text.size() - type.size()));
   if (const auto trade = explained_trade(text)) return *trade;
   if (const auto found = searched(text)) return *found;
+  if (const auto found = searched_in_part(text)) return *found;
   return unknown(text);
 }
 

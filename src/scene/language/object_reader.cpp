@@ -302,7 +302,8 @@ bool ObjectReader::choose_word(const FieldSpec& spec, const Leaf& leaf, FieldVal
   std::vector<std::string> words;
   for (const Choice& choice : spec.choices) words.push_back(type_word(choice));
   for (const std::string_view other : spec.other_types) words.emplace_back(other);
-  const TradeChoice* const of_trade = trade_choice(word, spec.key);
+  const TradeChoice* const of_trade =
+      trade_choice(leaf.value.kind == toml::Kind::array ? std::string_view("[]") : word, spec.key);
   const std::string near = of_trade != nullptr ? std::string() : core::nearest_word(word, words);
   error(leaf.value.span, spec.problem_place(),
         {fmt::format("unknown {}", spec.words), script::shown(text_of(leaf.value.span)), words_listed(spec),
@@ -335,7 +336,8 @@ bool ObjectReader::read_choice(const FieldSpec& spec, std::string_view key, cons
   const bool is_word = !has_words(spec) || choice_of_type(spec, word) != nullptr;
   const bool looks_like_word = !reading_.names.contains(word) && !word.empty() &&
                                std::ranges::all_of(word, [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
-  if (shorthand == nullptr || is_word || looks_like_word) return choose_word(spec, *leaf, value);
+  const bool is_list = leaf->value.kind == toml::Kind::array && trade_choice("[]", spec.key) != nullptr;
+  if (shorthand == nullptr || is_word || looks_like_word || is_list) return choose_word(spec, *leaf, value);
   // The object's own member is read by its field, which comes behind: it finds the value under its own path.
   choose(value, spec.choices.front().value);
   text_.leaves.push_back({shorthand->key, leaf->key, leaf->value});
@@ -378,10 +380,29 @@ bool ObjectReader::read_value(const FieldSpec& spec, std::string_view key, const
   }
 }
 
-// A plain value as it was typed; empty for others.
+// A plain value, or a list on one line, as it was typed; empty for others.
 std::string ObjectReader::value_text(const toml::Value& value) const {
   if (value.kind == toml::Kind::string) return toml::decoded_string(source_.text, value);
-  return is_number(value.kind) ? std::string(text_of(value.span)) : std::string();
+  const std::string_view text = text_of(value.span);
+  const bool is_list = value.kind == toml::Kind::array && text.find('\n') == std::string_view::npos;
+  return is_number(value.kind) || is_list ? std::string(text) : std::string();
+}
+
+// What the trade means by a path: all of it ("antenna.length"), or its last word.
+std::string ObjectReader::trade_remedy(const Leaf& leaf, std::string_view last) const {
+  if (entries_ != nullptr) return {};
+  const TradeWord* const whole = last == leaf.path ? nullptr : trade_word(leaf.path, text_.kind);
+  const TradeWord* const word = whole != nullptr ? whole : trade_word(last, text_.kind);
+  return word == nullptr ? std::string() : advice_on(*word, leaf, last);
+}
+
+std::string ObjectReader::advice_on(const TradeWord& word, const Leaf& leaf, std::string_view last) const {
+  // What belongs to another type of the table has to be written with that type.
+  const std::string_view table = table_of_word(word);
+  const Leaf* const type = table.empty() ? nullptr : text_.find(fmt::format("{}.type", table));
+  const bool has_table = type != nullptr && word.line.find(fmt::format("type = \"{}\"", value_text(type->value))) !=
+                                                std::string_view::npos;
+  return trade_advice(word, {last, text_.kind, value_text(leaf.value), carrier_hz(), has_table});
 }
 
 // Of the radar that is read, as far as its text says it.
@@ -400,9 +421,7 @@ std::string ObjectReader::remedy(const Leaf& leaf, const std::vector<std::string
   if (last == "include" || last == "format") return fmt::format("{} stands before the first header", last);
   if (last != path && std::ranges::find(known, last) != known.end())
     return fmt::format("'{}' is a field of {}: move it above the header of the table it stands in", last, text_.kind);
-  if (entries_ == nullptr)
-    if (const TradeWord* const word = trade_word(last, text_.kind))
-      return trade_advice(*word, {last, text_.kind, value_text(leaf.value), carrier_hz()});
+  if (std::string meant = trade_remedy(leaf, last); !meant.empty()) return meant;
   if (const std::string near = core::nearest_word(path, known); !near.empty() && near != path)
     return fmt::format("did you mean '{}'?", near);
   const std::string below = fmt::format(".{}", last);
@@ -417,7 +436,7 @@ std::string ObjectReader::remedy(const Leaf& leaf, const std::vector<std::string
   });
   if (!hint.empty()) return hint;
   if (const TradeWord* const word = entries_ == nullptr ? nearest_trade_word(last, text_.kind) : nullptr)
-    return trade_advice(*word, {last, text_.kind, value_text(leaf.value), carrier_hz()});
+    return advice_on(*word, leaf, last);
   return "perhaps the file was written for a newer Sarsim; a name of your own begins with x-";
 }
 

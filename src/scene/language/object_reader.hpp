@@ -13,6 +13,7 @@
 #include "scene/language/plain_table.hpp"
 #include "scene/schema/expression.hpp"
 #include "scene/schema/field_table.hpp"
+#include "scene/schema/trade_words.hpp"
 #include "scene/script/data_file.hpp"
 #include "scene/script/field_places.hpp"
 #include "scene/script/problem_log.hpp"
@@ -124,6 +125,8 @@ class ObjectReader {
   void read_function_file(const FieldSpec& spec, const Leaf& leaf, const FunctionRef& function);
   [[nodiscard]] std::string remedy(const Leaf& leaf, const std::vector<std::string>& known) const;
   [[nodiscard]] std::string value_text(const core::toml::Value& value) const;
+  [[nodiscard]] std::string trade_remedy(const Leaf& leaf, std::string_view last) const;
+  [[nodiscard]] std::string advice_on(const TradeWord& word, const Leaf& leaf, std::string_view last) const;
   [[nodiscard]] std::optional<double> carrier_hz() const;
   void report_unknown(const Leaf& leaf, const std::string& belongs, const std::vector<std::string>& known);
   void add(core::Severity severity, core::toml::Span at, std::string_view field, script::Complaint complaint);

@@ -59,6 +59,13 @@ class SourceReader {
   toml::Lines lines_;
 };
 
+// What to do about a mark that is not known: "sarsim 3" may be of a later program, "sarsim2" and 2 are mistyped.
+std::string remedy_of_mark(const std::string& mark, const std::string& expected) {
+  constexpr std::string_view name = "sarsim ";
+  const auto number = mark.starts_with(name) ? core::parse_number(mark.substr(name.size())) : std::nullopt;
+  return number && *number > 2.0 ? "perhaps the file was written for a newer Sarsim" : "write " + expected;
+}
+
 void check_mark(SourceReader& reader) {
   const toml::Entry* const mark = reader.root_entry("format");
   const std::string expected = fmt::format("format = \"{}\"", format_2_mark);
@@ -66,9 +73,11 @@ void check_mark(SourceReader& reader) {
     reader.error({}, {"the format of the scene is not stated", "", expected,
                       fmt::format("write {} before the first header", expected)});
   else if (mark->value.kind != toml::Kind::string || reader.string_of(mark->value) != format_2_mark)
-    reader.error(mark->value.span,
-                 {"this format is not known", script::shown(reader.text_of(mark->value.span)),
-                  fmt::format("\"{}\"", format_2_mark), "perhaps the file was written for a newer Sarsim"});
+    reader.error(
+        mark->value.span,
+        {"this format is not known", script::shown(reader.text_of(mark->value.span)),
+         fmt::format("\"{}\"", format_2_mark),
+         remedy_of_mark(mark->value.kind == toml::Kind::string ? reader.string_of(mark->value) : "", expected)});
 }
 
 // The path of a file that another one names.

@@ -105,6 +105,22 @@ TEST(TradeWordsOfTheLanguage, AreAnsweredWhereTheyAreWritten) {
       {"target", "sigma0 = \"-10 dB\"", "rcs"},
       {"radar", "frequncy = \"3 GHz\"", "write carrier = \"3 GHz\""},
       {"radar", "colour = 3", "a name of your own begins with x-"},
+      {"radar", "antenna = { type = \"sinx\", length = \"1 m\" }", "write azimuth_width = \"1.585 deg\" in antenna"},
+      {"radar", "rpm = 12", "rate = \"12 rpm\""},
+      {"radar", "beam = { type = \"rotating\", rpm = 12 }", "write rate = \"12 rpm\" in beam"},
+      {"radar", "beam = { type = \"fixed\", rpm = 12 }", "beam = { type = \"rotating\", elevation = \"0 deg\", rate ="},
+      {"platform", "rpm = 300", "rotation_rate = [\"0 deg/s\", \"0 deg/s\", \"300 rpm\"]"},
+      {"radar", "pulse = { type = \"chirp\", bandwidth = \"100 MHz\", pulse_width = \"2 us\" }",
+       "write width = \"2 us\" in pulse"},
+      {"radar", "pulse_width = \"2 us\"", "bandwidth = \"...\", width = \"2 us\""},
+      {"radar", "repetition = [\"500 Hz\", \"600 Hz\"]", "repetition = { type = \"list\", intervals = ["},
+      {"radar", "repetition = \"staggered\"", "intervals = [\"2 ms\""},
+      {"target", "lat = 47.5", "latitude = \"47.5\""},
+      {"target", "lon = \"9 deg\"", "longitude = \"9 deg\""},
+      {"target", "x = 3000", "position = [\"3000\", \"0 m\", \"0 m\"]"},
+      {"target", "location = [3000, 0, 5]", "position = [3000, 0, 5]"},
+      {"platform", "path = { type = \"waypoints\", points = [[0, 0, 0]] }", "write waypoints = [{ position = ["},
+      {"recording", "format = \"complex64\"", "write \"npy\""},
   };
   for (const Row& row : rows) EXPECT_THAT(hint_of(row.kind, row.line), HasSubstr(row.says)) << row.line;
 }
@@ -119,6 +135,17 @@ TEST(TradeWordsOfTheLanguage, OfKindsNameTheRightHeader) {
   EXPECT_THAT(said("[[scatterer]]"), HasSubstr("write [[target]]"));
   EXPECT_THAT(said("[constants]"), HasSubstr("write [let]"));
   EXPECT_THAT(said("[[jammer]]"), HasSubstr("not modelled"));
+  EXPECT_THAT(said("[[clutter]]"), HasSubstr("many [[target]]"));
+}
+
+TEST(TradeWordsOfTheLanguage, MarksThatAreMistypedAreNotThoseOfLaterPrograms) {
+  const auto said = [](const std::string& mark) {
+    const ScriptReading reading = read_format_2("format = " + mark + "\n", "s.toml", {});
+    return reading.problems.empty() ? std::string() : reading.problems.front().hint;
+  };
+  for (const char* const mark : {"2", "\"2\"", "\"sarsim2\"", "\"Sarsim 2\"", "\"sarsim 1\""})
+    EXPECT_EQ(said(mark), "write format = \"sarsim 2\"") << mark;
+  EXPECT_THAT(said("\"sarsim 3\""), HasSubstr("newer Sarsim"));
 }
 
 TEST(TradeWordsOfTheLanguage, AreAnsweredBySettingThem) {
@@ -150,6 +177,7 @@ TEST(ExplanationSearch, FindsHeadingsOfTheDocumentation) {
     })) << words;
   }
   EXPECT_GT(guide_headings().size(), 300U);
+  EXPECT_EQ(explain("range cell migration").failure, "") << "one word less";
 }
 
 TEST(ExplanationSearch, ExplainsTheFieldThatAWordOfTheTradeMeans) {

@@ -40,8 +40,6 @@ static_assert(in_order());
 
 }  // namespace
 
-std::span<const FunctionEnds> all_function_ends() { return table; }
-
 const FunctionEnds& function_ends(FunctionRole role) { return table.at(static_cast<std::size_t>(role)); }
 
 core::InterpolationRules rules_for(FunctionRole role, core::InterpolationRules usual, bool by_role) {

@@ -35,9 +35,6 @@ struct FunctionEnds {
   std::string_view words;  ///< Predicate for messages: "keeps the value of the nearer end".
 };
 
-/// The one table of these, an entry for each role, in their order.
-[[nodiscard]] std::span<const FunctionEnds> all_function_ends();
-
 /// The entry of a role.
 [[nodiscard]] const FunctionEnds& function_ends(FunctionRole role);
 

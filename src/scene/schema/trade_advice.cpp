@@ -48,11 +48,12 @@ struct NameUnit {
   std::string_view ending;
   std::string_view unit;
 };
-constexpr std::array<NameUnit, 24> name_units{
-    {{"_ghz", "GHz"}, {"_mhz", "MHz"},   {"_khz", "kHz"}, {"_hz", "Hz"},   {"_dbm", "dBm"}, {"_dbw", "dBW"},
-     {"_dbi", "dBi"}, {"_dbsm", "dBsm"}, {"_db", "dB"},   {"_kw", "kW"},   {"_w", "W"},     {"_km", "km"},
-     {"_cm", "cm"},   {"_mm", "mm"},     {"_mps", "m/s"}, {"_m", "m"},     {"_us", "us"},   {"_ns", "ns"},
-     {"_ms", "ms"},   {"_sec", "s"},     {"_s", "s"},     {"_deg", "deg"}, {"_rad", "rad"}, {"_k", "K"}}};
+constexpr std::array<NameUnit, 25> name_units{
+    {{"_ghz", "GHz"}, {"_mhz", "MHz"}, {"_khz", "kHz"},   {"_hz", "Hz"}, {"_dbm", "dBm"},
+     {"_dbw", "dBW"}, {"_dbi", "dBi"}, {"_dbsm", "dBsm"}, {"_db", "dB"}, {"_kw", "kW"},
+     {"_w", "W"},     {"_km", "km"},   {"_cm", "cm"},     {"_mm", "mm"}, {"_mps", "m/s"},
+     {"_m", "m"},     {"_us", "us"},   {"_ns", "ns"},     {"_ms", "ms"}, {"_sec", "s"},
+     {"_s", "s"},     {"_deg", "deg"}, {"_rad", "rad"},   {"_k", "K"},   {"rpm", "rpm"}}};
 
 const NameUnit* unit_of_name(std::string_view name) {
   const std::string small = core::lower_case(name);
@@ -172,7 +173,9 @@ std::string filled(std::string_view line, const std::string& value) {
     const std::size_t close = line.find('>', open);
     if (close == std::string_view::npos) break;
     made += line.substr(0, open);
-    made += value.empty() ? line.substr(open + 1, close - open - 1) : value;
+    const std::string_view sample = line.substr(open + 1, close - open - 1);
+    const bool fits = !value.empty() && value.starts_with('[') == sample.starts_with('[');
+    made += fits ? std::string_view(value) : sample;
     line.remove_prefix(close + 1);
   }
   return made + std::string(line);
@@ -233,11 +236,20 @@ const TradeHeader* trade_header(std::string_view header) {
   return found == all.end() ? nullptr : &*found;
 }
 
+std::string_view table_of_word(const TradeWord& word) {
+  const std::string_view table = path_of(word).substr(0, path_of(word).find('.'));
+  return word.line.starts_with(fmt::format("{} = {{", table)) ? table : std::string_view();
+}
+
 std::string trade_advice(const TradeWord& word, const TradeUse& use) {
   if (word.line.empty()) return std::string(word.note);
   const std::string value = value_of(word, use);
   const std::string_view kind = kind_of(word);
-  std::string text = "write " + filled(word.line, core::clipped(value));
+  const std::string_view table = table_of_word(word), path = path_of(word);
+  const bool alone = use.has_table && !value.empty() && !table.empty() && path != table;
+  std::string text =
+      alone ? fmt::format("write {} = \"{}\" in {}", path.substr(table.size() + 1), core::clipped(value), table)
+            : "write " + filled(word.line, core::clipped(value));
   if (!kind.empty() && kind != use.kind)
     text += is_single_table(kind) ? fmt::format(" in [{}]", kind) : fmt::format(" in [[{}]]", kind);
   if (!word.note.empty()) text += fmt::format(" ({})", word.note);

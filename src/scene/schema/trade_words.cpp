@@ -19,8 +19,8 @@ constexpr std::string_view single_carrier = R"(carrier = "<10 GHz>")";
 constexpr std::string_view sampled = R"(sample_rate = "<100 MHz>")";
 constexpr std::string_view ranges = R"(range = ["9 km", "11 km"])";
 constexpr std::string_view times = R"(time = ["0 s", "<1 s>"])";
-constexpr std::string_view chirp_of_bandwidth = R"(pulse = { type = "chirp", bandwidth = "<50 MHz>", width = "5 us" })";
-constexpr std::string_view chirp_of_width = R"(pulse = { type = "chirp", bandwidth = "50 MHz", width = "<5 us>" })";
+constexpr std::string_view chirp_of_bandwidth = R"(pulse = { type = "chirp", bandwidth = "<50 MHz>", width = "..." })";
+constexpr std::string_view chirp_of_width = R"(pulse = { type = "chirp", bandwidth = "...", width = "<5 us>" })";
 constexpr std::string_view wide_in_azimuth =
     R"(antenna = { type = "sinx", azimuth_width = "<5 deg>", elevation_width = "20 deg" })";
 constexpr std::string_view wide_in_elevation =
@@ -30,6 +30,12 @@ constexpr std::string_view beam_azimuth = R"(beam = { type = "fixed", elevation 
 constexpr std::string_view turning_beam = R"(beam = { type = "rotating", elevation = "0 deg", rate = "<12 rpm>" })";
 constexpr std::string_view azimuth_counts =
     "azimuth counts from the platform's +y axis, which is left of a flight along +x, clockwise to +x; 180 deg is right";
+
+constexpr std::string_view latitude_given =
+    R"(position = { latitude = "<47.5 deg>", longitude = "8.25 deg", height = "0 m" })";
+constexpr std::string_view longitude_given =
+    R"(position = { latitude = "47.5 deg", longitude = "<8.25 deg>", height = "0 m" })";
+constexpr std::string_view on_earth = "with frame = \"earth\" in [world]";
 
 constexpr TradeWord words[] = {
     // Timing.
@@ -312,12 +318,20 @@ constexpr TradeWord words[] = {
      "radar", "platform.path.velocity", none, line_path,
      "a radar moves with its platform: give it a [[platform]] with a "
      "path, and name that platform in the radar"},
-    {"location pos xyz coordinates loc centre center place point points", "target", "target.position", none,
-     "position = [0, 0, 0]"},
+    {"location pos xyz coordinates loc centre center place point", "target", "target.position", same,
+     "position = <[0, 0, 0]>"},
+    {"points", "target", "target.positions", same, "positions = <[[0, 0, 0], [10, 0, 0]]>"},
     {"range slant_range distance r azimuth az bearing elevation el", "target", "target.position", none,
      "position = [0, 0, 0]", "a target lies at x, y, z of its platform's frame, which is the world's for \"Earth\""},
-    {"x y z x_position y_position z_position", "target", "target.position", none, "position = [0, 0, 0]"},
-    {"x y z", "platform", "platform.position", none, "position = [0, 0, 0]"},
+    {"x x_position", "target", "target.position", same, R"(position = ["<0 m>", "0 m", "0 m"])", "x, y and z"},
+    {"y y_position", "target", "target.position", same, R"(position = ["0 m", "<0 m>", "0 m"])", "x, y and z"},
+    {"z z_position", "target", "target.position", same, R"(position = ["0 m", "0 m", "<0 m>"])", "x, y and z"},
+    {"x x_position", "platform", "platform.position", same, R"(position = ["<0 m>", "0 m", "0 m"])", "x, y and z"},
+    {"y y_position", "platform", "platform.position", same, R"(position = ["0 m", "<0 m>", "0 m"])", "x, y and z"},
+    {"z", "platform", "platform.position", same, R"(position = ["0 m", "0 m", "<0 m>"])", "x, y and z"},
+    {"lat latitude", "target", "target.position", same, latitude_given, on_earth},
+    {"lon long lng longitude", "target", "target.position", same, longitude_given, on_earth},
+    {"lla geodetic llh geolocation", "target", "target.position", none, latitude_given, on_earth},
     {"reflectivity_coefficient amplitude albedo scattering_coefficient magnitude", "target", "target.rcs", none,
      R"(rcs = "<10 m2>")", "the echo's voltage grows with the root of the cross-section"},
     {"phase phase_offset target_phase",
@@ -348,20 +362,25 @@ constexpr TradeWord words[] = {
      "on a path it is the third coordinate of start; over an Earth, { latitude, longitude, height }"},
     {"altitude platform_height flight_altitude flying_height sensor_height sensor_altitude platform_altitude", "",
      "platform.position", none, R"(position = [0, 0, "<3 km>"])", "the height of a radar is that of its platform"},
-    {"lat latitude lon long lng longitude lla geodetic llh geolocation", "", "platform.position", none,
-     R"(position = { latitude = "47.5 deg", longitude = "8.25 deg", height = "3 km" })",
-     "with frame = \"earth\" in [world]"},
+    {"lat latitude", "", "platform.position", same, latitude_given, on_earth},
+    {"lon long lng longitude", "", "platform.position", same, longitude_given, on_earth},
+    {"lla geodetic llh geolocation", "", "platform.position", none, latitude_given, on_earth},
     {"heading course track_angle direction bearing track azimuth", "platform", "platform.path.heading", same,
      R"(path = { type = "legs", heading = "<90 deg>", speed = "100 m/s", legs = [{ leg = "straight", length = "10 km" }] })",
      "clockwise from the y axis"},
     {"yaw pitch roll attitude orientation euler euler_angles rpy ypr bank tilt angles", "platform",
      "platform.rotation.angles", none, R"(rotation = ["0 deg", "0 deg", "0 deg"])",
      "roll about x, pitch about y, yaw about z"},
-    {"yaw_rate pitch_rate roll_rate turn_rate angular_velocity angular_rate spin omega rotation_speed spin_rate rpm",
+    {"yaw_rate pitch_rate roll_rate turn_rate angular_velocity angular_rate spin omega rotation_speed spin_rate",
      "platform", "platform.rotation_rate", none, R"(rotation_rate = ["0 deg/s", "0 deg/s", "<3 deg/s>"])",
      "about x, y and z"},
-    {"location pos xyz coordinates loc initial_position origin start_position", "platform", "platform.position", none,
-     "position = [0, 0, 3000]"},
+    {"rpm rotor_rpm", "platform", "platform.rotation_rate", same,
+     R"(rotation_rate = ["0 deg/s", "0 deg/s", "<300 rpm>"])", "about x, y and z"},
+    {"location pos xyz coordinates loc initial_position origin start_position", "platform", "platform.position", same,
+     "position = <[0, 0, 3000]>"},
+    {"path_points path_route path_positions", "platform", "platform.path.waypoints", none,
+     R"(waypoints = [{ position = [0, 0, 3000] }, { position = [0, 10000, 3000] }])",
+     "of type \"waypoints\"; type \"points\" has file, or x, y and z"},
     {"trajectory route flight_path motion_path waypoints way_points positionwaypoints", "platform", "platform.path",
      none, R"(path = { type = "points", file = "flight.txt" })"},
     {"trajectory flight_path flight_track waypoints way_points", "", "platform.path", none,
@@ -448,10 +467,11 @@ constexpr TradeChoice choices[] = {
      "\"stepped\", ... }"},
     {"fixed constant cw one tone", "carrier", "single"},
     {"step steps sfcw stepped_frequency stepfm", "carrier", "stepped"},
-    {"hop hopping agile random frequency_agile frequency_hopping costas sequence", "carrier", "list"},
+    {"[] hop hopping agile random frequency_agile frequency_hopping costas sequence", "carrier", "list",
+     R"(carrier = { type = "list", frequencies = ["9 GHz", "9.1 GHz"] })"},
     {"fixed uniform regular even single", "repetition", "constant"},
-    {"staggered stagger jittered jitter random dwell_and_switch nonuniform non_uniform variable burst", "repetition",
-     "list"},
+    {"[] staggered stagger jittered jitter random dwell_and_switch nonuniform non_uniform variable burst", "repetition",
+     "list", R"(repetition = { type = "list", intervals = ["2 ms", "1.667 ms"] } for 500 and 600 Hz)"},
     {"omni omnidirectional uniform none ideal dipole", "antenna", "isotropic"},
     {"sinc sinc2 rect rectangular aperture rectangular_aperture array ula uniform_aperture planar", "antenna", "sinx"},
     {"gaussian gauss cosine cos parabolic dish horn patch circular file table custom measured pattern xml phased_array",
@@ -488,7 +508,9 @@ constexpr TradeChoice choices[] = {
     {"h5 hdf hdf_5", "format", "hdf5"},
     {"mat matlab", "format", "hdf5", "MATLAB reads it with h5read"},
     {"numpy np npz", "format", "npy"},
-    {"bin raw dat float float32 complex64 int16", "format", "binary"},
+    {"float float32 single double complex64 complex128 cf32 fc32 c8", "format", "npy",
+     "volts as 32-bit floats; \"binary\" has counts of the converter"},
+    {"bin raw dat int16 int8", "format", "binary"},
     {"txt text", "format", "ascii"},
     {"sigmf_data sigmf_meta gnuradio", "format", "sigmf"},
     {"cphd crsd nitf sicd", "format", "", "sarsim convert SCENE OUT.cphd writes the standards"},
@@ -517,9 +539,10 @@ constexpr TradeHeader headers[] = {
      "motionplatform "
      "motion rotor body host platforms",
      "platform", "what moves is a [[platform]]; radars and targets name it"},
-    {"scatterer scatterers reflector reflectors point points pointtarget pointtargets scene_target cloud clouds corner "
-     "clutter",
+    {"scatterer scatterers reflector reflectors point points pointtarget pointtargets scene_target cloud clouds corner",
      "target", ""},
+    {"clutter sea land ground", "",
+     "clutter is not modelled by itself: it is many [[target]], each with the cross-section of its area"},
     {"facet facets mesh triangle triangles plate plates terrain", "surface", "a [[surface]] is one triangle"},
     {"simulation simulations raw acquisition collection collect output outputs product products sampling adc "
      "processing dataset "

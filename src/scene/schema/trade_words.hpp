@@ -34,13 +34,13 @@ struct TradeWord {
   std::string_view kind;   ///< Header of the objects in which it has this meaning; empty: in all.
   std::string_view field;  ///< Kind and path in format 2: "radar.repetition.frequency"; empty: there is no field.
   TradeLaw law = TradeLaw::none;
-  std::string_view line = {};  ///< What to write; a value in angle brackets is replaced by the converted one.
+  std::string_view line = {};  ///< What to write; the value in angle brackets, a list or not, is the converted one.
   std::string_view note = {};  ///< Further information, or why there is no such field.
 };
 
 /// A word of the trade for one alternative of a choice.
 struct TradeChoice {
-  std::string_view names;
+  std::string_view names;   ///< As of a TradeWord; "[]": a list.
   std::string_view choice;  ///< Path of the choice below its object: "pulse".
   std::string_view word;    ///< The alternative; empty: there is none.
   std::string_view note = {};
@@ -77,9 +77,13 @@ struct TradeUse {
   std::string_view kind = {};             ///< Of the object; empty: none.
   std::string_view value = {};            ///< Its value, with a unit or without; empty: none.
   std::optional<double> carrier_hz = {};  ///< Of the radar, if it is known.
+  bool has_table = false;                 ///< The object has the table to which the field belongs: "pulse".
 };
 
-/// Advice in the notation of format 2: `write repetition = "1 kHz" (1/PRI)`.
+/// The name of the table to which the field of a word belongs: "pulse"; empty where it belongs to none.
+[[nodiscard]] std::string_view table_of_word(const TradeWord& word);
+/// How format 2 says it: `write repetition = "1 kHz" (1/PRI)`; `write width = "1 us" in pulse` where the object has
+/// that table, so that what else is in it stays.
 [[nodiscard]] std::string trade_advice(const TradeWord& word, const TradeUse& use);
 /// Advice in the notation of `--set` and Python: "write Radar1.repetition.frequency=1 kHz"; without an owner that has
 /// the field, only the name of the field.

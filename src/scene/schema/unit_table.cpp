@@ -398,6 +398,12 @@ std::string comma_failure(std::string_view text, std::string_view number) {
   std::ranges::replace(corrected, ',', '.');
   if (std::ranges::count(corrected, '.') > 1)
     return fmt::format("{} has commas; write the number without them, with a point before decimals", quoted(text));
+  // "3,500" may be three and a half, or English thousands.
+  constexpr std::size_t of_thousands = 4;  // the mark and three digits
+  const std::size_t mark = corrected.find('.');
+  if (mark != 0 && mark <= 3 && corrected.size() == mark + of_thousands)
+    return fmt::format("{} has a comma; the decimal mark is the point, and thousands have no mark: {} or {}",
+                       quoted(text), corrected, std::string(corrected).erase(mark, 1));
   return fmt::format("{} has a comma; the decimal mark is the point: {}", quoted(text), corrected);
 }
 

@@ -104,6 +104,10 @@ class Reader {
   std::string add_numbers(const std::string& item) {
     if (item.find("..") != std::string::npos) return add_whole_range(item);
     if (item.find(':') != std::string::npos) return add_range(item);
+    if (const std::size_t dash = item.find('-', 1); dash < item.size())  // "1-5", not "1e-5"
+      if (core::parse_integer(item.substr(0, dash)) && core::parse_integer(item.substr(dash + 1)))
+        return fmt::format("'{}' is not a valid range; write {}..{}", core::clipped(item), item.substr(0, dash),
+                           item.substr(dash + 1));
     const Term term = term_of(item, unit_);
     const std::string text = term.number.empty() ? item : term.text();
     // Seeds hold more digits than a number; whoever sets them reads them.

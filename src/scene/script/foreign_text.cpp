@@ -186,7 +186,13 @@ std::string known_text(const std::vector<std::string_view>& lines) {
   };
   if (std::ranges::any_of(lines, is_python)) return "a Python program";
   if (has_line(lines, {"#include", "#pragma", "int main"})) return "a C or C++ source";
-  if (has_line(lines, {"function ", "clear all", "close all", "clc;"})) return "a MATLAB program";
+  const auto ends_as_statement = [](std::string_view line) {
+    return line.ends_with(';') && line.find('=') != std::string_view::npos;
+  };
+  const double statements = share_of(lines, ends_as_statement);
+  if (has_line(lines, {"function ", "clear all", "close all", "clc;"}) || statements >= 0.5 ||
+      (has_line(lines, {"%"}) && statements > 0.0))
+    return "a MATLAB program";
   if (has_line(lines, {"\\documentclass", "\\begin{"})) return "LaTeX";
   return {};
 }

@@ -204,9 +204,11 @@ DataFileText load(const fs::path& script_folder, const std::string& name) {
 std::string remedy(const fs::path& path) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
-  fs::path script = path;
-  script += ".scr";
-  if (!fs::exists(status) && fs::exists(script, ignored)) return fmt::format("did you mean {}?", script.string());
+  for (const char* const ending : {".toml", ".scr", ".json"}) {
+    fs::path script = path;
+    script += ending;
+    if (!fs::exists(status) && fs::exists(script, ignored)) return fmt::format("did you mean {}?", script.string());
+  }
   if (!fs::exists(status)) return "look at the name and the folder; file names are case-sensitive";
   if (fs::is_directory(status)) return "name a script in that folder";
   return "give a text file that you may read";

@@ -132,23 +132,21 @@ class TrackMaker {
     return found == scene::not_found ? std::nullopt : std::optional(found);
   }
 
-  // Guards what `make` does for a platform against going round in a circle.
-  template <class Make>
-  auto guarded(std::size_t index, const Make& make) {
-    if (under_way_[index])
-      throw std::invalid_argument("platform '" + scene_.platforms[index].name + "' depends on itself");
-    under_way_[index] = true;
-    auto made = make();
-    under_way_[index] = false;
-    return made;
-  }
-
+  // Those that carry it first, without recursion: a chain of parents at rest may be of any length.
   std::shared_ptr<const radar::Track> shared_track(std::size_t index) {
-    if (!tracks_[index])
-      tracks_[index] = guarded(index, [&] {
-        const Platform& platform = scene_.platforms[index];
-        return std::make_shared<const radar::Track>(motion_of(platform, index), scene_.options.seed, platform.name);
-      });
+    std::vector<std::size_t> chain;
+    for (std::optional<std::size_t> at = index; at && !tracks_[*at]; at = meant(scene_.platforms[*at].parent)) {
+      if (under_way_[*at])
+        throw std::invalid_argument("platform '" + scene_.platforms[*at].name + "' depends on itself");
+      under_way_[*at] = true;
+      chain.push_back(*at);
+    }
+    for (; !chain.empty(); chain.pop_back()) {
+      const Platform& platform = scene_.platforms[chain.back()];
+      tracks_[chain.back()] =
+          std::make_shared<const radar::Track>(motion_of(platform, chain.back()), scene_.options.seed, platform.name);
+      under_way_[chain.back()] = false;
+    }
     return tracks_[index];
   }
 
@@ -241,7 +239,7 @@ class TrackMaker {
     add_oscillations(platform, motion.sines);
     if (platform.waves == Platform::Waves::ship) add_waves(platform, motion.path, scene_.options.seed, motion.sines);
     add_errors(platform, rule_, motion);
-    if (const auto parent = meant(platform.parent)) motion.parent = shared_track(*parent);
+    if (const auto parent = meant(platform.parent)) motion.parent = tracks_[*parent];
     return motion;
   }
 

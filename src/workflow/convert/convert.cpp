@@ -14,6 +14,7 @@
 #include "raster/format/sinks.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/product_attributes.hpp"
+#include "scene/schema/trade_words.hpp"
 #include "workflow/convert/copied_image.hpp"
 #include "workflow/convert/sicd_copy.hpp"
 #include "workflow/image/image_output.hpp"
@@ -36,8 +37,14 @@ std::optional<scene::FileFormat> output_format(const ConvertRequest& request, bo
               : fmt::format("'{}' has no header that makes it an image as '{}'", request.input, request.output),
         fmt::format("say another format with --to {}", raster::format_words()));
   }
-  throw core::Refused(fmt::format("the extension of '{}' names no format", request.output),
-                      fmt::format("say it with --to {}", raster::format_words()));
+  expect_no_picture(request.output, "--out");
+  const std::string extension = std::filesystem::path(request.output).extension().string();
+  const scene::TradeChoice* const meant = extension.empty() ? nullptr : scene::trade_choice(extension, "format");
+  throw core::Refused(
+      fmt::format("the extension of '{}' names no format", request.output),
+      meant != nullptr && !meant->word.empty()
+          ? fmt::format("say --to {}{}", meant->word, meant->note.empty() ? "" : fmt::format(": {}", meant->note))
+          : fmt::format("say it with --to {}", raster::format_words()));
 }
 
 // The description of the recording as far as its file gives it.

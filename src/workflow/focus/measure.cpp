@@ -256,7 +256,7 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
   std::erase_if(targets, [&](const MeasuredTarget& target) { return !is_asked_for(request, target.theory); });
   if (targets.empty())
     throw core::Refused(fmt::format("there is no target {}", request.target.value_or(0)),
-                        fmt::format("the script has {}", theories.size()));
+                        fmt::format("the scene has {}", theories.size()));
   return targets;
 }
 

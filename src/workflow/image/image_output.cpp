@@ -85,6 +85,14 @@ SicdImage sicd_of(const KeptImage& image, const raster::EnviHeader& header, cons
   return sicd_of(axes, *image.origin, *image.origin->collection, header, path.stem().string());
 }
 
+// The picture's name where `plot` writes that kind, or that of a PNG.
+fs::path drawn_as(fs::path path) {
+  const std::string extension = path.extension().string();
+  for (const char* const drawn : {".png", ".svg", ".pdf"})
+    if (core::equal_ignoring_case(extension, drawn)) return path;
+  return path.replace_extension(".png");
+}
+
 }  // namespace
 
 void expect_no_picture(const fs::path& path, std::string_view option) {
@@ -96,7 +104,7 @@ void expect_no_picture(const fs::path& path, std::string_view option) {
       throw core::Refused(
           fmt::format("{} '{}' is the name of a picture, and an image is written as samples", option, path.string()),
           fmt::format("name it {0}; 'sarsim plot {0} -o {1}' then draws it",
-                      fs::path(path).replace_extension(".img").string(), path.string()));
+                      fs::path(path).replace_extension(".img").string(), drawn_as(path).string()));
 }
 
 bool is_sicd(const fs::path& path) { return raster::row_from_path(path) == &raster::sicd_format(); }

@@ -104,7 +104,7 @@ class PathMaker {
       case scene::OrbitFormat::other_ndm:
       case scene::OrbitFormat::unknown:
         return refuse(path_problem(fmt::format("{} is not an orbit file", platform_.ephemeris_file),
-                                   format == scene::OrbitFormat::aem ? "a CCSDS AEM, which holds attitudes" : "",
+                                   scene::what_is_no_orbit(file.text, format),
                                    "Sentinel-1 EOF, CCSDS OEM, SP3, a table t, x, y, z, TLE or OMM"));
       default: return of_states(file, format);
     }

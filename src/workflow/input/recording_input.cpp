@@ -69,7 +69,7 @@ std::size_t simulation_of_scene(const scene::Scene& scene, const std::string& sc
   if (wanted) {
     const auto number = static_cast<std::size_t>(*wanted);
     if (number >= 1 && number <= scene.simulations.size()) return number - 1;
-    throw core::Refused(fmt::format("--simulation: the script has no simulation {}", number),
+    throw core::Refused(fmt::format("--simulation: the scene has no recording {}", number),
                         fmt::format("it has {}", scene.simulations.size()));
   }
   const auto first =

@@ -49,14 +49,14 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
   if (choice.number) {
     if (*choice.number >= 1 && static_cast<std::size_t>(*choice.number) <= scene.simulations.size())
       return static_cast<std::size_t>(*choice.number) - 1;
-    throw core::Refused(fmt::format("--simulation: the script has no simulation {}", *choice.number),
+    throw core::Refused(fmt::format("--simulation: the scene has no recording {}", *choice.number),
                         fmt::format("it has {}", scene.simulations.size()));
   }
   const fs::path name = fs::path(path).filename();
   const auto found = simulation_that_writes(
-      name, scene, "give the file the whole name that the script has for it, or " + choice.other_ways());
+      name, scene, "give the file the whole name that the scene has for it, or " + choice.other_ways());
   if (found) return *found;
-  throw core::Refused(fmt::format("no simulation of {} writes '{}'", script, name.string()),
+  throw core::Refused(fmt::format("no recording of {} writes '{}'", script, name.string()),
                       ways_to_outputs(scene, choice));
 }
 

@@ -1,6 +1,7 @@
 #include "workflow/input/scene_input.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <optional>
 #include <set>
 #include <tuple>
@@ -9,6 +10,7 @@
 
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
 #include "scene/check/check_motion.hpp"
 #include "scene/edit/data_functions.hpp"
@@ -77,6 +79,14 @@ void drop_warnings_of(const core::Problems& found, core::Problems& reading) {
   });
 }
 
+// A name that ends as another format takes the ending of this one, as its output does.
+void take_format(scene::FileFormat format, scene::Simulation& simulation) {
+  simulation.format = format;
+  const auto named = raster::format_from_path(simulation.file);
+  if (named && *named != format)
+    simulation.file = std::filesystem::path(simulation.file).replace_extension(raster::extension_of(format)).string();
+}
+
 void apply(const SceneOverrides& overrides, scene::Scene& scene) {
   scene::RunOptions& options = scene.options;
   if (overrides.profile) options.profile = *overrides.profile;
@@ -84,7 +94,7 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
   if (overrides.tolerance) options.tolerance = *overrides.tolerance;
   if (overrides.seed) options.seed = *overrides.seed;
   if (overrides.format)
-    for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
+    for (scene::Simulation& simulation : scene.simulations) take_format(*overrides.format, simulation);
 }
 
 std::vector<TargetTable> tables_of(const SceneOverrides& overrides, const scene::Scene& scene) {

@@ -67,6 +67,9 @@ std::size_t platform_called(const scene::Scene& scene, const std::string& name) 
   if (name.empty()) throw core::Refused("the scene has several platforms", "name one with --platform");
   const std::size_t found = scene::find_platform(scene, name);
   if (found != scene::not_found) return found;
+  if (const std::size_t radar = scene::find_radar(scene, name); radar != scene::not_found)
+    throw core::Refused(fmt::format("'{}' is a radar", name),
+                        fmt::format("name its platform: --platform {}", scene.radars[radar].platform));
   std::vector<std::string> names;
   for (const scene::Platform& platform : scene.platforms) names.push_back(platform.name);
   const std::string nearest = core::nearest_word(name, names);

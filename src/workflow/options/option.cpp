@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "core/text/number_text.hpp"
+#include "workflow/options/trade_options.hpp"
 
 namespace sarsim::workflow {
 
@@ -38,11 +39,17 @@ std::string mistake_in_text(const std::string& word) {
   return word.starts_with("--") ? unlike(word, "a name; write ./" + word + " for such a file") : std::string();
 }
 
-std::string mistake_in_choice(const std::vector<std::string>& words, const std::string& word) {
+// @param names  of the option, the longest last
+std::string mistake_in_choice(const std::string& names, const std::vector<std::string>& words,
+                              const std::string& word) {
   if (std::ranges::any_of(words, [&](const std::string& one) { return core::equal_ignoring_case(one, word); }))
     return {};
-  const std::string nearest = core::nearest_word(word, words);
-  const std::string hint = nearest.empty() ? "" : fmt::format("{}'{}'?", hint_begins, nearest);
+  const std::string name = names.substr(names.rfind(',') + 1);
+  const std::string_view note = other_way_than_choice(name, word);
+  std::string meant = meant_choice(name, word, words);
+  if (meant.empty() && note.empty()) meant = core::nearest_word(word, words);
+  std::string hint = meant.empty() ? "" : fmt::format("{}'{}'?", hint_begins, meant);
+  if (!note.empty()) hint += meant.empty() ? fmt::format("; {}", note) : fmt::format(" {}", note);
   return unlike(word, fmt::format("one of {}{}", fmt::join(words, ", "), hint));
 }
 
@@ -61,7 +68,7 @@ std::string mistake_in(const Option& option, const std::string& word) {
     case OptionKind::texts: return option.takes_options ? std::string() : mistake_in_text(word);
     case OptionKind::number: return core::parse_number(word) ? std::string() : unlike(word, "a number");
     case OptionKind::whole: return mistake_in_whole(option, word);
-    case OptionKind::choice: return mistake_in_choice(option.words, word);
+    case OptionKind::choice: return mistake_in_choice(option.name, option.words, word);
   }
   return {};
 }

@@ -1,6 +1,7 @@
 #include "workflow/record/merge.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -70,16 +71,21 @@ class Merger {
           "choose another place with -o");
   }
 
-  // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
-  // file for a folder with however many parts.
   void collect(const std::string& folder, std::vector<raster::Journal>& journals) {
     if (!fs::is_directory(folder))
       throw core::Refused("there is no folder '" + folder + "'",
                           "parts are in the folder NAME.parts beside their output");
+    const std::size_t before = journals.size();
+    enter(folder, journals);
+    if (journals.size() == before)
+      throw core::Refused("the folder '" + folder + "' holds no parts", "it has no journals");
+  }
+
+  // Nobody may be at work on the parts while they are joined. Who holds the door lets nobody in, which takes one open
+  // file for a folder with however many parts.
+  void enter(const std::string& folder, std::vector<raster::Journal>& journals) {
     close_door(folder);
-    std::vector<raster::Journal> found = raster::read_journals(folder);
-    if (found.empty()) throw core::Refused("the folder '" + folder + "' holds no parts", "it has no journals");
-    for (raster::Journal& journal : found) {
+    for (raster::Journal& journal : raster::read_journals(folder)) {
       if (!opened(journal.path).try_lock())
         throw core::RefusedForNow(
             fmt::format("part {} is still being made ({})", journal.head.part, journal.head.maker),
@@ -108,23 +114,42 @@ class Merger {
     doors_.back().lock();
   }
 
-  // A process that was killed after it gave the output its name has left the parts, whose rows stand in the output now.
+  // A process that was killed after it gave the output its name has left parts whose rows are in the output now: all
+  // of them, or what it had not removed yet.
   [[nodiscard]] std::optional<RecordingReport> joined_before(raster::JoinTask task) {
-    const fs::path folder = raster::parts_folder_of(task.output);
-    std::error_code ignored;
-    if (request_.folders.size() != 1 || !fs::equivalent(folder, request_.folders.front(), ignored)) return std::nullopt;
-    if (fs::exists(raster::shared_rows_of(folder)) || !fs::exists(raster::product_file_of(folder)) ||
-        !fs::exists(task.output) || !fs::exists(raster::receipt_of(task.output)))
-      return std::nullopt;
-    task.product = raster::load_product(raster::product_file_of(folder));
+    if (!fs::exists(task.output) || !fs::exists(raster::receipt_of(task.output))) return std::nullopt;
+    std::vector<std::string> left;
+    for (const std::string& folder : request_.folders)
+      if (fs::is_directory(folder)) left.push_back(folder);
+    const auto described = std::ranges::find_if(
+        left, [](const std::string& folder) { return fs::exists(raster::product_file_of(folder)); });
+    if (described == left.end()) return std::nullopt;
+    task.product = raster::load_product(raster::product_file_of(*described));
+    for (const std::string& folder : left)
+      std::ranges::move(raster::read_journals(folder), back_inserter(task.journals));
     const auto receipt = raster::read_receipt(task.output, task.product);
-    if (!receipt || !raster::differences(receipt->identity, "", task.product.identity, "").empty()) return std::nullopt;
-    task.journals = raster::read_journals(folder);
-    if (!placed(task)) return std::nullopt;
+    if (!receipt || !is_of(*receipt, task) || !(request_.remove || gave_its_rows(task))) return std::nullopt;
     task.journals.clear();
-    collect(folder.string(), task.journals);
+    for (const std::string& folder : left) enter(folder, task.journals);
     clear(task);
     return report_of(task, receipt->report);
+  }
+
+  static bool is_of(const raster::Receipt& receipt, const raster::JoinTask& task) {
+    const auto same = [&](const raster::Identity& other) {
+      return raster::differences(receipt.identity, "", other, "").empty();
+    };
+    return same(task.product.identity) && std::ranges::all_of(task.journals, [&](const raster::Journal& journal) {
+             return same(journal.head.identity);
+           });
+  }
+
+  // Whether the shared file of rows at their places has become the output.
+  [[nodiscard]] bool gave_its_rows(const raster::JoinTask& task) const {
+    const fs::path own = raster::parts_folder_of(task.output);
+    std::error_code ignored;
+    return request_.folders.size() == 1 && fs::equivalent(own, request_.folders.front(), ignored) &&
+           !fs::exists(raster::shared_rows_of(own)) && placed(task);
   }
 
   [[nodiscard]] RecordingReport joined(const raster::JoinTask& task) {
@@ -173,8 +198,8 @@ class Merger {
     raster::remove_joins(own);
     doors_.clear();
     for (const std::string& folder : request_.folders)
-      if (request_.remove ||
-          (fs::equivalent(folder, own) && !fs::exists(raster::shared_rows_of(folder)) && placed(task)))
+      if (request_.remove || (fs::exists(own) && fs::equivalent(folder, own) &&
+                              !fs::exists(raster::shared_rows_of(folder)) && placed(task)))
         raster::remove_parts(folder);
   }
 

@@ -35,7 +35,7 @@ IsarOptions isar_options(const IsarRequest& request) {
   IsarOptions options = request.options;
   if (options.algorithm == Algorithm::back_projection &&
       (options.motion == Motion::estimated || options.turn_rate_radps))
-    throw core::Refused("back-projection needs the path of the target as the script has it",
+    throw core::Refused("back-projection needs the path of the target as the scene has it",
                         "leave out --motion estimated and --turn-rate, or choose --algorithm range-doppler");
   if (options.turn_rate_radps && *options.turn_rate_radps == 0.0)
     throw core::Refused("--turn-rate: without turning there is no cross-range");
@@ -63,7 +63,7 @@ std::size_t platform_of_name(const std::string& name, const simulate::Plan& plan
     names.reserve(platforms.size());
     for (const simulate::ResolvedPlatform& platform : platforms) names.push_back(platform.name);
     const std::string near = core::nearest_word(name, names);
-    throw core::Refused(fmt::format("--platform: the script has no platform '{}'", name),
+    throw core::Refused(fmt::format("--platform: the scene has no platform '{}'", name),
                         near.empty() ? "" : fmt::format("did you mean '{}'?", near));
   }
   const auto index = static_cast<std::size_t>(found - platforms.begin());

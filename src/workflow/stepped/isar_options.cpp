@@ -25,7 +25,7 @@ void add_target(OptionTable<IsarRequest>& table) {
   table.text("--platform", "NAME", "the target's platform (default: the one with the strongest targets)",
              &IsarRequest::platform);
   table.number("--turn-rate", "DEG/S",
-               "how fast the target turns against the line of sight (default: as the script has it)",
+               "how fast the target turns against the line of sight (default: as the scene has it)",
                [](IsarRequest& request, double dps) { request.options.turn_rate_radps = dps * core::pi / 180.0; });
 }
 
