@@ -6,12 +6,16 @@
 #include <span>
 
 #include "raster/hdf5/hdf5_library.hpp"
+#include "raster/table/cf_attributes.hpp"
 
 namespace sarsim::raster {
 
 /// The members of a compound that are the real and the imaginary part: r and i, as h5py and xarray write them, or real
 /// and imag, as MATLAB does. Nothing for another type, and where they differ in kind or are no numbers.
 [[nodiscard]] std::optional<std::array<unsigned, 2>> complex_members(hid_t type);
+
+/// What the numbers of a dataset are, or both numbers of its pairs.
+[[nodiscard]] NumberKind kind_of_numbers(hid_t type);
 
 /// How the numbers of a dataset are handed over: as they are stored, since the library converts numbers one by one,
 /// twenty times slower than it copies them. What is rare (wide integers, floats of other machines) comes as double.
