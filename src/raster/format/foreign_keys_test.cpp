@@ -86,6 +86,7 @@ TEST(SigmfKeys, OthersThatChangeSamplesAreRefusedByName) {
       {R"(, "core:extensions": [{"name": "spatial", "optional": null}])", "core:extensions"},
       {R"(, "core:extensions": ["spatial"])", "core:extensions"},
       {R"(, "core:extensions": "spatial")", "core:extensions"},
+      {R"(, "core:sample_rate": 1e300)", "the sampling rate of the file cannot be"},
       {R"(, "sarsim:lsb_v": true)", "lsb_v of the file cannot be read"},
       {R"(, "other:x": {"a": 1, "a": 2})", "a is there twice"},
       {R"(, "core:sha512": "abc")", "core:sha512"},

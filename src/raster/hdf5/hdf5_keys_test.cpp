@@ -322,6 +322,19 @@ TEST_F(Hdf5Keys, NumbersOf2015ThatCannotBeAreRefused) {
   }
 }
 
+TEST_F(Hdf5Keys, PositionsThatCannotBeAreRefused) {
+  write([](hid_t file, hid_t) {
+    for (const char* const name : {"platform_position_m", "platform_velocity_mps", "platform_rotation_rad"}) {
+      add(file, name, H5T_IEEE_F64LE, {2, 3});
+      const Hdf5Handle axis(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+      const std::array<double, 6> values{1.0, 2.0, 3.0, 1e300, 0.0, 0.0};
+      H5Dwrite(axis.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    }
+  });
+  EXPECT_THAT(refusal(),
+              HasSubstr("the axis platform_position_m has a value that cannot be; found '1e+300 at position 3"));
+}
+
 TEST_F(Hdf5Keys, ComplexNumbersOfMatlabAreRead) {
   for (const auto& [real, imaginary] : {std::pair("real", "imag"), std::pair("re", "im")}) {
     write([](hid_t, hid_t) {}, real, imaginary);
