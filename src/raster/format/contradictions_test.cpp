@@ -40,6 +40,21 @@ TEST(RasterGate, HintsThatContradictTheFileAreTold) {
   }
 }
 
+// Columns of CSV are I and Q in turn.
+TEST(CsvHeadings, NamesOfOtherColumnsAreRefused) {
+  const TestFolder folder;
+  const auto problems = [&](const std::string& heading) {
+    put(folder / "a.csv", heading + "\n1,2,3,4\n5,6,7,8\n");
+    return text_of(open_raster(Integrity::whole, folder / "a.csv").problems);
+  };
+  for (const char* const sound : {"I0,Q0,I1,Q1", "i,q,i,q", "re1,im1,re2,im2", "a,b,c,d", "quality,x,y,z"})
+    EXPECT_EQ(problems(sound).find("error"), std::string::npos) << sound << problems(sound);
+  EXPECT_THAT(problems("Q0,I0,Q1,I1"),
+              HasSubstr("not those of I and Q in turn; found 'Q0 above column 1', expected I"));
+  EXPECT_THAT(problems("I0,I1,Q0,Q1"), HasSubstr("found 'I1 above column 2', expected Q"));
+  EXPECT_THAT(problems("Imag,Real,Imag,Real"), HasSubstr("expected I"));
+}
+
 // Places of an image are said twice.
 TEST(ImageGate, WhatTheFieldsOfAnImageSayIsJudged) {
   RasterInfo info;

@@ -188,7 +188,7 @@ TEST(EnviKeys, ThoseThatDoNothingPass) {
        {"", "minor frame offsets = {0, 0}\n", "data gain values = {1.0}\n", "reflectance scale factor = 1\n",
         "data offset values = { 0 }\n", "data ignore value = 0\n", "data ignore value = NaN\n",
         "file compression = 0\n", "x start = 12\n", "wavelength units = nm\n",
-        "map info = {UTM, 1, 1, 0, 0, 30, 30, 33, North}\n", "lines = 2\n",
+        "map info = {UTM, 1, 1, 0, 0, 30, 30, 33, North}\n", "description = {a = 1\n  b = 2, {c\n}\n", "lines = 2\n",
         "x start = 1\nrange first m = 4\n"})
     EXPECT_EQ(envi_problems(envi_text(more)), "") << more;
 }
@@ -205,6 +205,8 @@ TEST(EnviKeys, OthersAreRefusedByName) {
                            {"minor frame offsets = some\n", "'minor frame offsets'"},
                            {"lines = 4\n", "'lines' twice"},
                            {"data type = 4\n", "'data type' twice"},
+                           {"band names = {one\n", "the brace of 'band names' is not closed"},
+                           {"band names = {one\nlines = 3\nother = {4}\n", "the brace of 'band names' is not closed"},
                            {"x start = 100\nrange first m = 4\n", "'x start' contradicts"},
                            {"y start = 7\nazimuth first m = 4\n", "'y start' contradicts"}};
   for (const KeyCase& c : cases) {

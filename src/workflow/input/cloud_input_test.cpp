@@ -104,6 +104,8 @@ TEST_F(ReadClouds, TakesStructuresByTheNamesOfTheirFields) {
   expect_refused("twice.npy", "two fields of the array mean the same");
   write("cut.npy", structures_header("('x', '<f8'), ('y', '<f8'), ('z', '<f8')", 3) + std::string(48, '\0'));
   expect_refused("cut.npy", "shorter than its array");
+  write("more.npy", structures_header("('x', '<f8'), ('y', '<f8'), ('z', '<f8')", 2) + std::string(56, '\0'));
+  expect_refused("more.npy", "longer than its array");
 }
 
 TEST_F(ReadClouds, TakesTheSamePointsFromEachFormat) {
