@@ -365,6 +365,10 @@ TEST(ZarrMetadata, ConsolidatedMetadataHaveToAgree) {
   }
   put(folder / "a.zarr/.zmetadata", all);
   EXPECT_EQ(zarr_problem(folder / "a.zarr"), "");
+  // An array that was put beside the samples later.
+  for (const char* const text : {".zarray", ".zattrs"})
+    replace_in(folder / "a.zarr/.zmetadata", std::string("slant_range_m/") + text, std::string("other/") + text);
+  EXPECT_EQ(zarr_problem(folder / "a.zarr"), "");
 }
 
 // One rule for what files of all formats say of themselves.

@@ -41,6 +41,7 @@ struct ZarrArray {
 /// Compares what `.zmetadata` of a store, which other programs read in place of the files themselves, says of some of
 /// them with these: "samples/.zarray". A file without its entry, and an entry without its file, contradict each other
 /// too. Nothing where all agree, or where there is no `.zmetadata`.
+/// @param names  of the samples first; other arrays of which `.zmetadata` says nothing at all are passed over
 [[nodiscard]] std::optional<core::Problem> contradiction_of_zarr(const std::filesystem::path& store,
                                                                  const std::vector<std::filesystem::path>& names);
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <new>
 
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "raster/hdf5/hdf5_numbers.hpp"
 
 namespace sarsim::raster {
 
@@ -64,6 +66,21 @@ std::optional<std::string> read_list(hid_t attribute, hssize_t count) {
   return text;
 }
 
+// A complex number that is none, as xarray writes it for missing samples; nothing for others, which are not read.
+std::optional<std::string> read_no_number(hid_t attribute, hid_t type) {
+  const auto members = complex_members(type);
+  if (!members) return std::nullopt;
+  const Hdf5Handle pair(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)), H5Tclose);
+  for (std::size_t i = 0; i < 2; ++i) {
+    char* const name = H5Tget_member_name(type, (*members)[i]);
+    H5Tinsert(pair.get(), name, i * sizeof(double), H5T_NATIVE_DOUBLE);
+    H5free_memory(name);
+  }
+  std::array<double, 2> value{};
+  if (H5Aread(attribute, pair.get(), value.data()) < 0) return std::nullopt;
+  return std::isnan(value[0]) || std::isnan(value[1]) ? std::optional<std::string>("nan") : std::nullopt;
+}
+
 // What an attribute is that is not read.
 std::string words_for_kind(hid_t type, hssize_t count) {
   const char* const many = count == 1 ? "" : "s";
@@ -92,6 +109,7 @@ std::optional<std::string> read_text(hid_t attribute, hid_t type, hssize_t count
   if (kind == H5T_STRING)
     return H5Tis_variable_str(type) > 0 ? read_variable_string(attribute, type)
                                         : read_fixed_string(attribute, type, longest);
+  if (kind == H5T_COMPOUND) return read_no_number(attribute, type);
   if (!number) return std::nullopt;
   return kind == H5T_INTEGER ? read_integer(attribute, type) : read_float(attribute);
 }

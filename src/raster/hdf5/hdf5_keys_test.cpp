@@ -202,6 +202,17 @@ TEST_F(Hdf5Keys, UnreadableAttributesAreRefusedByName) {
   EXPECT_TRUE(open().raster);
 }
 
+// xarray writes it at complex samples.
+TEST_F(Hdf5Keys, AComplexFillValueThatIsNoNumberPasses) {
+  write([](hid_t, hid_t samples) {
+    const std::array<double, 2> none{std::nan(""), 0.0};
+    say_bytes(samples, "_FillValue", pair("r", "i", H5T_NATIVE_DOUBLE).get(), 1, none.data());
+  });
+  const auto opened = open();
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(read_all_rows(*opened.raster)[0], std::complex<double>(1.0, 2.0));
+}
+
 // netCDF writes a text of no letters so.
 TEST_F(Hdf5Keys, AnEmptyTextIsOne) {
   write([](hid_t, hid_t samples) {
