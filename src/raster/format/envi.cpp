@@ -37,8 +37,28 @@ std::string harmless(std::string text) {
 
 using Fields = std::vector<std::pair<std::string, std::string>>;
 
+// The field that a line of a header begins with, in lower case; empty for another line.
+std::string field_of_line(std::string_view line) {
+  const std::size_t equals = line.find('=');
+  return equals == std::string_view::npos ? "" : core::lower_case(core::trimmed(line.substr(0, equals)));
+}
+
+// The first field of the layout within a value in braces, which has swallowed it; empty where there is none.
+std::string swallowed_field(std::string_view value) {
+  constexpr std::string_view layout[] = {"samples",   "lines",      "bands",      "header offset",
+                                         "data type", "interleave", "byte order", "file type"};
+  while (!value.empty()) {
+    const std::size_t end = std::min(value.find('\n'), value.size());
+    std::string field = field_of_line(value.substr(0, end));
+    if (std::ranges::find(layout, field) != std::end(layout)) return field;
+    value.remove_prefix(std::min(end + 1, value.size()));
+  }
+  return {};
+}
+
 // "name = value" lines; a value in braces may go over several lines.
-Fields fields_of(std::string_view text) {
+// @param open  becomes the first field whose brace is not closed before the next field
+Fields fields_of(std::string_view text, std::string& open) {
   Fields fields;
   while (!text.empty()) {
     const std::size_t line = std::min(text.find('\n'), text.size());
@@ -54,6 +74,7 @@ Fields fields_of(std::string_view text) {
     const std::size_t end = text.find(braced ? '}' : '\n');
     std::string_view value =
         text.substr(braced ? brace + 1 : 0, end == std::string_view::npos ? end : end - (braced ? brace + 1 : 0));
+    if (braced && open.empty() && (end == std::string_view::npos || !swallowed_field(value).empty())) open = name;
     fields.emplace_back(name, core::trimmed(value));
     text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
   }
@@ -293,7 +314,11 @@ EnviReading read_envi_header(std::string_view text, const std::string& file) {
         file_problem(file, "this is not the header of an ENVI image", "", "'ENVI' in the first line"));
     return reading;
   }
-  Fields fields = fields_of(text);
+  std::string open;
+  Fields fields = fields_of(text, open);
+  if (!open.empty())
+    reading.problems.push_back(file_problem(file, fmt::format("the brace of '{:.60}' is not closed", open), {},
+                                            "{ ... }", "close it: what follows would count as its value"));
   refuse_doubles(fields, file, reading.problems);
   refuse_changes(fields, file, reading.problems);
   refuse_cut_out(fields, file, reading.problems);

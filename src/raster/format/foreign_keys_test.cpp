@@ -81,6 +81,14 @@ TEST(SigmfKeys, OthersThatChangeSamplesAreRefusedByName) {
       {R"(, "core:dataset": "other.bin")", "core:dataset"},
       {R"(, "core:extensions": [{"name": "spatial", "version": "1.0.0", "optional": false}])", "core:extensions"},
       {fmt::format(R"(, "core:sha512": "{}")", std::string(128, 'a')), "core:sha512"},
+      {R"(, "core:extensions": [{"name": "spatial", "version": "1.0.0"}])", "core:extensions"},
+      {R"(, "core:extensions": [{"name": "spatial", "optional": "true"}])", "core:extensions"},
+      {R"(, "core:extensions": [{"name": "spatial", "optional": null}])", "core:extensions"},
+      {R"(, "core:extensions": ["spatial"])", "core:extensions"},
+      {R"(, "core:extensions": "spatial")", "core:extensions"},
+      {R"(, "core:sample_rate": 1e300)", "the sampling rate of the file cannot be"},
+      {R"(, "sarsim:lsb_v": true)", "lsb_v of the file cannot be read"},
+      {R"(, "other:x": {"a": 1, "a": 2})", "a is there twice"},
       {R"(, "core:sha512": "abc")", "core:sha512"},
       {R"(, "core:trailing_bytes": -1)", "core:trailing_bytes"},
       {R"(, "core:trailing_bytes": 5)", "core:trailing_bytes"},
@@ -119,6 +127,33 @@ TEST(SigmfKeys, OthersThatChangeSamplesAreRefusedByName) {
               HasSubstr("core:global_index"));
 }
 
+// Pictures are drawn of files that are opened without reading them through.
+TEST(SigmfKeys, WhoeverWaitsForAllOfTheSamplesHasThemCompared) {
+  const TestFolder folder;
+  const std::string wrong = fmt::format(R"(, "core:sha512": "{}")", std::string(128, 'a'));
+  static_cast<void>(open_sigmf_with(folder, sigmf_text(wrong, two_captures), sigmf_bytes(6)));
+  const auto opened = open_raster(Integrity::partial, folder / "a.sigmf-meta");
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_TRUE(opened.raster->problems().empty());
+  opened.raster->wait_until_indexed(nullptr);
+  EXPECT_THAT(text_of(opened.raster->problems()), HasSubstr("core:sha512"));
+}
+
+TEST(SigmfKeys, RatesThatContradictEachOtherAreWarnedOf) {
+  const TestFolder folder;
+  const auto twice = open_sigmf_with(
+      folder, sigmf_text(R"(, "core:sample_rate": 2e6, "sarsim:sample_rate_hz": 1e6)", two_captures), sigmf_bytes(6));
+  ASSERT_TRUE(twice.raster);
+  EXPECT_THAT(text_of(twice.problems), HasSubstr("warning: core:sample_rate contradicts sarsim:sample_rate_hz"));
+  EXPECT_EQ(twice.raster->info().sample_rate_hz, 1e6);
+  const auto opened = open_sigmf_with(
+      folder, sigmf_text(R"(, "core:sample_rate": 1e6, "sarsim:sample_rate_hz": 1000000)", two_captures),
+      sigmf_bytes(6));
+  EXPECT_EQ(text_of(opened.problems), "");
+  ASSERT_TRUE(opened.raster);
+  EXPECT_EQ(opened.raster->info().sample_rate_hz, 1e6);
+}
+
 // A changed letter of the metadata is refused, or what is read are samples of the file in their order.
 TEST(SigmfKeys, ChangedLettersGiveRefusalsOrTheSamples) {
   const TestFolder folder;
@@ -153,7 +188,8 @@ TEST(EnviKeys, ThoseThatDoNothingPass) {
        {"", "minor frame offsets = {0, 0}\n", "data gain values = {1.0}\n", "reflectance scale factor = 1\n",
         "data offset values = { 0 }\n", "data ignore value = 0\n", "data ignore value = NaN\n",
         "file compression = 0\n", "x start = 12\n", "wavelength units = nm\n",
-        "map info = {UTM, 1, 1, 0, 0, 30, 30, 33, North}\n", "lines = 2\n", "x start = 1\nrange first m = 4\n"})
+        "map info = {UTM, 1, 1, 0, 0, 30, 30, 33, North}\n", "description = {a = 1\n  b = 2, {c\n}\n", "lines = 2\n",
+        "x start = 1\nrange first m = 4\n"})
     EXPECT_EQ(envi_problems(envi_text(more)), "") << more;
 }
 
@@ -169,6 +205,8 @@ TEST(EnviKeys, OthersAreRefusedByName) {
                            {"minor frame offsets = some\n", "'minor frame offsets'"},
                            {"lines = 4\n", "'lines' twice"},
                            {"data type = 4\n", "'data type' twice"},
+                           {"band names = {one\n", "the brace of 'band names' is not closed"},
+                           {"band names = {one\nlines = 3\nother = {4}\n", "the brace of 'band names' is not closed"},
                            {"x start = 100\nrange first m = 4\n", "'x start' contradicts"},
                            {"y start = 7\nazimuth first m = 4\n", "'y start' contradicts"}};
   for (const KeyCase& c : cases) {
@@ -243,6 +281,19 @@ TEST_F(ZarrKeys, WhatCannotBeFollowedIsRefusedByName) {
       {"carrier_hz/.zattrs", R"("units": "Hz")", R"("units": "m")", "units"},
       {".zattrs", "2.5E-09", "1e300", "lsb_v"},
       {".zattrs", "\"bits\": 8", "\"bits\": -8", "bits"},
+      {"samples/.zattrs", "{", R"({"scale_factor": {"re": 0.5}, )", "scale_factor"},
+      {"samples/.zattrs", "{", R"({"scale_factor": true, )", "scale_factor"},
+      {"samples/.zattrs", "{", R"({"scale_factor": 1, "scale_factor": 2, )", "scale_factor is there twice"},
+      {"samples/.zattrs", "{", R"({"_FillValue": null, )", "_FillValue"},
+      {"samples/.zattrs", R"("units": "V")", R"("units": ["mV"])", "units"},
+      {"samples/.zattrs", R"("pulse_time_s")", R"("pulse_time_s", "iq")", "_ARRAY_DIMENSIONS"},
+      {"samples/.zarray", R"("order")", R"("shape": [3, 4], "order")", "shape is there twice"},
+      {"slant_range_m/.zattrs", "{", R"({"scale_factor": {"re": 2}, )", "scale_factor"},
+      {"slant_range_m/.zattrs", "{", R"({"_FillValue": 1001.5, )", "stands for none; found '1001.5 at position 1'"},
+      {"slant_range_m/.zarray", "<f8", ">f8", "big-endian"},
+      {"platform_position_m/.zarray", "<f8", "<U2", "type"},
+      {".zattrs", "{", R"({"bits": 8, )", "bits is there twice"},
+      {".zattrs", "2.5E-09", "[1, 2]", "lsb_v of the file cannot be read"},
       {"pulse_time_s/.zarray", R"("shape": [)", R"("shape": [1, )", "pulse_time_s"}};
   for (const auto& [file, old, by, key] : cases) {
     const std::string before = contents(store_ / file);
@@ -269,12 +320,55 @@ TEST_F(ZarrKeys, LinksAreNotFollowed) {
   EXPECT_EQ(zarr_problem(store_), "");
 }
 
+TEST_F(ZarrKeys, AxesAreThereAsAWhole) {
+  fs::remove(store_ / "slant_range_m/0");
+  EXPECT_THAT(zarr_problem(store_), HasSubstr("slant_range_m"));
+}
+
+// The value is that of each number, of which a sample has two.
+TEST(ZarrFill, AMissingChunkOfPairsHasItInIAndInQ) {
+  const TestFolder folder;
+  const fs::path array = folder / "a.zarr";
+  fs::create_directory(array);
+  put(array / ".zarray", R"({"zarr_format": 2, "shape": [2, 2, 2], "chunks": [1, 2, 2], "dtype": "<i2",
+                             "compressor": null, "fill_value": 3, "order": "C", "filters": null})");
+  put(array / ".zattrs", R"({"scale_factor": 1.5})");
+  put(array / "0.0.0", std::string("\1\0\2\0\4\0\5\0", 8));
+  const auto opened = open_raster(Integrity::whole, array);
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_THAT(text_of(opened.problems), HasSubstr("warning: chunks of the array are missing"));
+  EXPECT_EQ(read_all_rows(*opened.raster),
+            (std::vector<std::complex<double>>{{1.5, 3.0}, {6.0, 7.5}, {4.5, 4.5}, {4.5, 4.5}}));
+}
+
 TEST(ZarrMetadata, ConsolidatedMetadataHaveToAgree) {
   const TestFolder folder;
   write_test_file(folder / "a.zarr", test_product(4, 3, 8), {scene::FileFormat::zarr});
   EXPECT_EQ(zarr_problem(folder / "a.zarr"), "");
+  const std::string all = contents(folder / "a.zarr/.zmetadata");
+  for (const char* const name : {"samples/.zattrs", "slant_range_m/.zattrs", "slant_range_m/.zarray", ".zattrs"}) {
+    const std::string own = contents(folder / "a.zarr" / name);
+    replace_in(folder / "a.zarr" / name, "{", R"({"scale_factor": 2, )");
+    EXPECT_THAT(zarr_problem(folder / "a.zarr"), HasSubstr(".zmetadata")) << name;
+    fs::remove(folder / "a.zarr" / name);
+    EXPECT_THAT(zarr_problem(folder / "a.zarr"), HasSubstr(".zmetadata")) << name;
+    put(folder / "a.zarr" / name, own);
+  }
+  // The array alone is a part of the store as well.
   replace_in(folder / "a.zarr/samples/.zattrs", "{", R"({"scale_factor": 2, )");
-  EXPECT_THAT(zarr_problem(folder / "a.zarr"), HasSubstr(".zmetadata"));
+  EXPECT_THAT(zarr_problem(folder / "a.zarr/samples"), HasSubstr(".zmetadata"));
+  replace_in(folder / "a.zarr/samples/.zattrs", R"("scale_factor": 2, )", "");
+  EXPECT_EQ(zarr_problem(folder / "a.zarr/samples"), "");
+  for (const char* const text : {"[]", "{", "{}", R"({"metadata": 3})", R"({"metadata": {}})"}) {
+    put(folder / "a.zarr/.zmetadata", text);
+    EXPECT_THAT(zarr_problem(folder / "a.zarr"), HasSubstr(".zmetadata")) << text;
+  }
+  put(folder / "a.zarr/.zmetadata", all);
+  EXPECT_EQ(zarr_problem(folder / "a.zarr"), "");
+  // An array that was put beside the samples later.
+  for (const char* const text : {".zarray", ".zattrs"})
+    replace_in(folder / "a.zarr/.zmetadata", std::string("slant_range_m/") + text, std::string("other/") + text);
+  EXPECT_EQ(zarr_problem(folder / "a.zarr"), "");
 }
 
 // One rule for what files of all formats say of themselves.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -95,11 +97,36 @@ std::string guess_of(const core::InputFile& file) {
   return kind.empty() ? kind : "it seems to be " + kind;
 }
 
+// What the caller said of a file that says otherwise itself, which counts.
+core::Problems contradicted_hints(const Raster& raster, const RasterHints& hints, const std::string& path) {
+  core::Problems problems;
+  if (hints.raw) return problems;
+  const RasterInfo& info = raster.info();
+  if (hints.columns > 0 && hints.columns != info.columns)
+    problems.push_back(file_problem(path, "the file has another number of columns", fmt::format("{}", info.columns),
+                                    fmt::format("{}, as was said", hints.columns),
+                                    "leave the number out: the file says it itself"));
+  const auto compare = [&](const char* what, double found, double said) {
+    constexpr double share = 1e-9;
+    if (!info.counts || !(found > 0.0 && said > 0.0) || std::abs(found - said) <= share * said) return;
+    problems.push_back(with_severity(
+        file_problem(path, fmt::format("{} of the file is not that which was said; that of the file counts", what),
+                     fmt::format("{:g}", found), fmt::format("{:g}", said), "leave it out, or correct the file"),
+        core::Severity::warning));
+  };
+  compare("the LSB", info.lsb_v.value_or(0.0), hints.lsb_v);
+  compare("the number of A/D bits", info.bits, hints.bits);
+  return problems;
+}
+
 // The gate that every file of samples passes, whatever its format. What is only looked at is shown as it is.
-OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesystem::path& path, Integrity integrity) {
+OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesystem::path& path,
+                    const RasterHints& hints, Integrity integrity) {
   if (!opened.raster) return opened;
   opened.raster->set_format(format);
-  for (core::Problem& problem : problems_of_facts(*opened.raster, path.string())) {
+  core::Problems found = problems_of_facts(*opened.raster, path.string());
+  std::ranges::move(contradicted_hints(*opened.raster, hints, path.string()), std::back_inserter(found));
+  for (core::Problem& problem : found) {
     if (integrity == Integrity::partial && problem.severity == core::Severity::error)
       problem.severity = core::Severity::warning;
     opened.problems.push_back(std::move(problem));
@@ -113,7 +140,7 @@ OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesy
 OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path, const RasterHints& hints) {
   if (const auto folder = folder_of(path))
     if (const Format* const format = format_of_folder(*folder); format != nullptr && hints.dataset.empty())
-      return passed(format->open_folder(*folder, *format, hints, integrity), *format, path, integrity);
+      return passed(format->open_folder(*folder, *format, hints, integrity), *format, path, hints, integrity);
   const bool whole = integrity == Integrity::whole;
   auto opened = core::InputFile::open(path);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return {nullptr, {std::move(*problem)}};
@@ -130,7 +157,7 @@ OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path,
     return {nullptr,
             {file_problem(path.string(), fmt::format("a dataset is named, but {} has none", word_of(*format)),
                           fmt::format("{:.60}", hints.dataset), {}, "leave it out: it is for HDF5 files")}};
-  return passed(format->open(std::move(file), *format, hints, integrity), *format, path, integrity);
+  return passed(format->open(std::move(file), *format, hints, integrity), *format, path, hints, integrity);
 }
 
 }  // namespace sarsim::raster

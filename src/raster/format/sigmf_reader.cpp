@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,6 +13,7 @@
 
 #include "core/hash/sha512.hpp"
 #include "core/os/input_file.hpp"
+#include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/grid_raster.hpp"
@@ -48,10 +51,38 @@ std::string numpy_type(const std::string& datatype) {
   return datatype == "ci8" ? "<i1" : "";
 }
 
+// Bytes of samples in the file of them.
+std::uint64_t sample_bytes_of(const core::InputFile& data, const SigmfMeta& meta) {
+  const std::uint64_t behind = data.size() - std::min(data.size(), meta.header_bytes);
+  return behind - std::min(behind, meta.trailing_bytes);
+}
+
+// What the file of samples has to be, byte by byte.
+std::optional<core::Problem> problem_of_checksum(const core::InputFile& data, const SigmfMeta& meta,
+                                                 const core::StopFlag* stop) {
+  if (meta.sha512.empty()) return std::nullopt;
+  constexpr std::size_t at_once = std::size_t{1} << 20U;
+  core::Sha512 sum;
+  std::vector<std::byte> bytes(at_once);
+  for (std::uint64_t at = 0; at < data.size(); at += at_once) {
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
+    const auto part =
+        std::span(bytes).first(static_cast<std::size_t>(std::min<std::uint64_t>(at_once, data.size() - at)));
+    data.read_all_at(at, part);
+    sum.add(part);
+  }
+  const std::string found = sum.digest();
+  if (found == meta.sha512) return std::nullopt;
+  return file_problem(data.path().string(), "the samples have not the checksum of the metadata (core:sha512)",
+                      found.substr(0, 16) + "...", meta.sha512.substr(0, 16) + "...",
+                      "the file is damaged, or belongs to other metadata");
+}
+
 class SigmfRaster final : public Raster {
  public:
-  SigmfRaster(RasterInfo info, std::shared_ptr<Raster> samples, SigmfMeta meta)
-      : Raster(std::move(info)), samples_(std::move(samples)), meta_(std::move(meta)) {}
+  // @param unproved  file of samples whose checksum is still to be compared; empty where there is nothing to compare
+  SigmfRaster(RasterInfo info, std::shared_ptr<Raster> samples, SigmfMeta meta, std::filesystem::path unproved)
+      : Raster(std::move(info)), samples_(std::move(samples)), meta_(std::move(meta)), unproved_(std::move(unproved)) {}
 
   [[nodiscard]] std::size_t rows() const override { return samples_->rows(); }
   [[nodiscard]] double read_cost_s(const ImageWindow& window) const override { return samples_->read_cost_s(window); }
@@ -59,6 +90,21 @@ class SigmfRaster final : public Raster {
     const bool known =
         meta_.time_s.size() == rows() && meta_.carrier_hz.size() == rows() && meta_.range_m.size() == columns();
     return known ? std::optional(RasterAxes{meta_.time_s, meta_.carrier_hz, meta_.range_m}) : std::nullopt;
+  }
+  // Reads the file of samples through, for those who want to know that it is sound.
+  void wait_until_indexed(const core::StopFlag* stop) const override {
+    const std::lock_guard lock(proving_);
+    if (unproved_.empty()) return;
+    auto opened = core::InputFile::open(unproved_);
+    if (auto* problem = std::get_if<core::Problem>(&opened))
+      found_.push_back(std::move(*problem));
+    else if (auto other = problem_of_checksum(std::get<core::InputFile>(opened), meta_, stop))
+      found_.push_back(std::move(*other));
+    unproved_.clear();
+  }
+  [[nodiscard]] core::Problems problems() const override {
+    const std::lock_guard lock(proving_);
+    return found_;
   }
 
  protected:
@@ -73,32 +119,10 @@ class SigmfRaster final : public Raster {
  private:
   std::shared_ptr<Raster> samples_;
   SigmfMeta meta_;
+  mutable std::mutex proving_;
+  mutable std::filesystem::path unproved_;
+  mutable core::Problems found_;
 };
-
-// Bytes of samples in the file of them.
-std::uint64_t sample_bytes_of(const core::InputFile& data, const SigmfMeta& meta) {
-  const std::uint64_t behind = data.size() - std::min(data.size(), meta.header_bytes);
-  return behind - std::min(behind, meta.trailing_bytes);
-}
-
-// What the file of samples has to be, byte by byte.
-std::optional<core::Problem> problem_of_checksum(const core::InputFile& data, const SigmfMeta& meta) {
-  if (meta.sha512.empty()) return std::nullopt;
-  constexpr std::size_t at_once = std::size_t{1} << 20U;
-  core::Sha512 sum;
-  std::vector<std::byte> bytes(at_once);
-  for (std::uint64_t at = 0; at < data.size(); at += at_once) {
-    const auto part =
-        std::span(bytes).first(static_cast<std::size_t>(std::min<std::uint64_t>(at_once, data.size() - at)));
-    data.read_all_at(at, part);
-    sum.add(part);
-  }
-  const std::string found = sum.digest();
-  if (found == meta.sha512) return std::nullopt;
-  return file_problem(data.path().string(), "the samples have not the checksum of the metadata (core:sha512)",
-                      found.substr(0, 16) + "...", meta.sha512.substr(0, 16) + "...",
-                      "the file is damaged, or belongs to other metadata");
-}
 
 // The places of samples in the file of them, or what is wrong with it.
 std::variant<StoredGrid, core::Problem> grid_of(const core::InputFile& data, const SigmfMeta& meta,
@@ -133,6 +157,17 @@ std::variant<StoredGrid, core::Problem> grid_of(const core::InputFile& data, con
   return grid;
 }
 
+// Our own recordings say the rate twice; that of the name space `sarsim` counts.
+core::Problems contradiction_of_rates(const RasterInfo& info, const SigmfMeta& meta, const std::string& name) {
+  constexpr double share = 1e-9;
+  if (!info.sample_rate_hz || !meta.sample_rate_hz) return {};
+  if (std::abs(*info.sample_rate_hz - *meta.sample_rate_hz) <= share * *info.sample_rate_hz) return {};
+  return {with_severity(file_problem(name, "core:sample_rate contradicts sarsim:sample_rate_hz, which counts",
+                                     core::format_number(*meta.sample_rate_hz),
+                                     core::format_number(*info.sample_rate_hz), "one of them was changed: correct it"),
+                        core::Severity::warning)};
+}
+
 }  // namespace
 
 OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
@@ -146,8 +181,10 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   auto& data = std::get<core::InputFile>(opened);
   auto placed = grid_of(data, meta, files.front(), hints);
   if (auto* problem = std::get_if<core::Problem>(&placed)) return refused(std::move(*problem));
-  if (integrity == Integrity::whole)
-    if (auto problem = problem_of_checksum(data, meta)) return refused(std::move(*problem));
+  const bool whole = integrity == Integrity::whole;
+  if (whole)
+    if (auto problem = problem_of_checksum(data, meta, nullptr)) return refused(std::move(*problem));
+  std::filesystem::path unproved = whole || meta.sha512.empty() ? std::filesystem::path() : data.path();
   const auto& grid = std::get<StoredGrid>(placed);
   const std::uint64_t rows = sample_bytes_of(data, meta) / grid.row_bytes();
   RasterInfo info = info_of(data, grid.columns, hints);
@@ -156,6 +193,7 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   take_known_attributes(info);
   if (info.bits == 0) info.bits = std::max(hints.bits, 0);
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
+  core::Problems problems = contradiction_of_rates(info, meta, files.front().string());
   if (!info.sample_rate_hz) info.sample_rate_hz = meta.sample_rate_hz;
   info.counts = meta.datatype.starts_with("ci");
   RasterInfo plain = info;
@@ -163,7 +201,8 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   if (hints.rows > 0 && hints.rows != samples->rows())
     return refused(file_problem(files.front().string(), "the recording has another number of rows",
                                 fmt::format("{}", samples->rows()), fmt::format("{}", hints.rows)));
-  return {std::make_shared<SigmfRaster>(std::move(info), std::move(samples), std::move(meta)), {}};
+  return {std::make_shared<SigmfRaster>(std::move(info), std::move(samples), std::move(meta), std::move(unproved)),
+          std::move(problems)};
 }
 
 StoredArrays arrays_of_sigmf(const core::InputFile& file, const RasterHints& hints) {

@@ -217,6 +217,8 @@ OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const Rast
 }  // namespace
 
 OpenedRaster open_text(core::InputFile file, const Format& format, const RasterHints& hints, Integrity integrity) {
+  if (format.text == TextStyle::commas)
+    if (auto problem = problem_of_heading(file)) return {nullptr, {std::move(*problem)}};
   const auto open = integrity == Integrity::whole ? open_whole_text : open_growing_text;
   return open(std::move(file), format.text, hints);
 }

@@ -12,6 +12,7 @@
 #include "core/os/input_file.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/json_once.hpp"
 
 namespace sarsim::raster {
 
@@ -42,7 +43,9 @@ std::string found_text(const Json& value) {
 // An object, or why it is none.
 std::variant<Json, core::Problem> object_in(std::string_view text) {
   try {
-    Json tree = Json::parse(text);
+    std::string twice;
+    Json tree = parse_json_once(text, twice);
+    if (!twice.empty()) return zarr_problem(twice + " is there twice", {}, "one value", "remove one of them");
     if (!tree.is_object()) return zarr_problem("this is not a JSON object", found_text(tree), "{ ... }");
     return tree;
   } catch (const Json::exception& error) {
@@ -108,16 +111,25 @@ std::optional<core::Problem> storage_problem(const Json& tree) {
   return std::nullopt;
 }
 
-// Some numbers or texts, separated by commas; of other lists something that is neither.
-std::string list_text(const Json& list) {
+// Some numbers, or names of dimensions, separated by commas; nothing for other lists.
+std::optional<std::string> list_text(const Json& list, bool names) {
   constexpr std::size_t most_listed = 16;
+  if (list.empty() || list.size() > most_listed) return std::nullopt;
   std::string text;
-  if (list.size() > most_listed) return "[ ... ]";
-  for (const Json& value : list)
-    text += (text.empty() ? "" : ", ") + (value.is_number()   ? core::format_number(value.get<double>())
-                                          : value.is_string() ? value.get<std::string>()
-                                                              : std::string("..."));
+  for (const Json& value : list) {
+    if (!(names ? value.is_string() : value.is_number())) return std::nullopt;
+    text += text.empty() ? "" : ", ";
+    text += names ? value.get<std::string>() : core::format_number(value.get<double>());
+  }
   return text;
+}
+
+// An attribute as text; nothing for one that is not read.
+std::optional<std::string> attribute_text(const std::string& name, const Json& value, bool lists) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number_integer()) return value.dump();
+  if (value.is_number_float()) return core::format_number(value.get<double>());
+  return lists && value.is_array() ? list_text(value, name == "_ARRAY_DIMENSIONS") : std::nullopt;
 }
 
 // The whole of a file of text, or why not; nothing where it is missing.
@@ -164,16 +176,15 @@ std::variant<ZarrArray, core::Problem> parse_zarr_array(std::string_view text) {
   return array;
 }
 
-std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text, bool lists) {
+std::variant<ArrayAttributes, core::Problem> parse_zarr_attributes(std::string_view text, bool lists) {
   auto read = object_in(text);
   if (auto* problem = std::get_if<core::Problem>(&read)) return std::move(*problem);
-  FileAttributes attributes;
-  for (const auto& [name, value] : std::get<Json>(read).items()) {
-    if (value.is_string()) attributes.emplace_back(name, value.get<std::string>());
-    if (value.is_number_integer()) attributes.emplace_back(name, value.dump());
-    if (value.is_number_float()) attributes.emplace_back(name, core::format_number(value.get<double>()));
-    if (lists && value.is_array()) attributes.emplace_back(name, list_text(value));
-  }
+  ArrayAttributes attributes;
+  for (const auto& [name, value] : std::get<Json>(read).items())
+    if (auto known = attribute_text(name, value, lists))
+      attributes.known.emplace_back(name, std::move(*known));
+    else
+      attributes.unreadable.emplace_back(name, found_text(value));
   return attributes;
 }
 
@@ -187,34 +198,58 @@ std::variant<ZarrArray, core::Problem> read_zarr_array(const std::filesystem::pa
   return array;
 }
 
-std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file, bool lists) {
+std::variant<ArrayAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file, bool lists) {
   auto text = text_in(file, longest_attributes_text);
   if (auto* problem = std::get_if<core::Problem>(&text)) return std::move(*problem);
-  if (std::holds_alternative<std::monostate>(text)) return FileAttributes();
+  if (std::holds_alternative<std::monostate>(text)) return ArrayAttributes();
   auto attributes = parse_zarr_attributes(std::get<std::string>(text), lists);
   if (auto* problem = std::get_if<core::Problem>(&attributes)) problem->place.file = file.string();
   return attributes;
 }
 
 std::optional<core::Problem> contradiction_of_zarr(const std::filesystem::path& store,
-                                                   const std::filesystem::path& name) {
-  const auto all = text_in(store / ".zmetadata", longest_attributes_text);
-  const auto own = text_in(store / name, longest_attributes_text);
-  const auto* const all_text = std::get_if<std::string>(&all);
-  const auto* const own_text = std::get_if<std::string>(&own);
-  if (all_text == nullptr || own_text == nullptr) return std::nullopt;
-  const auto all_read = object_in(*all_text);
-  const auto own_read = object_in(*own_text);
-  const auto* const tree = std::get_if<Json>(&all_read);
-  const auto* const object = std::get_if<Json>(&own_read);
-  if (tree == nullptr || object == nullptr) return std::nullopt;
-  const Json& metadata = member_of(*tree, "metadata");
-  if (!metadata.is_object()) return std::nullopt;
-  const Json& copy = member_of(metadata, name.generic_string().c_str());
-  if (copy.is_null() || copy == *object) return std::nullopt;
-  return file_problem((store / ".zmetadata").string(), "it contradicts the file itself", name.generic_string(),
-                      "the same in both",
-                      "remove .zmetadata, or have it written anew: zarr.consolidate_metadata(store)");
+                                                   const std::vector<std::filesystem::path>& names) {
+  const auto place = [&](core::Problem problem) {
+    problem.place.file = (store / ".zmetadata").string();
+    return problem;
+  };
+  const std::string hint = "remove .zmetadata, or have it written anew: zarr.consolidate_metadata(store)";
+  auto all = text_in(store / ".zmetadata", longest_attributes_text);
+  if (std::holds_alternative<std::monostate>(all)) return std::nullopt;
+  if (auto* problem = std::get_if<core::Problem>(&all)) return place(std::move(*problem));
+  auto read = object_in(std::get<std::string>(all));
+  if (auto* problem = std::get_if<core::Problem>(&read)) {
+    problem->hint = hint;
+    return place(std::move(*problem));
+  }
+  const Json& metadata = member_of(std::get<Json>(read), "metadata");
+  if (!metadata.is_object()) return place(zarr_problem("it has no metadata", found_text(metadata), "{ ... }", hint));
+  for (const std::filesystem::path& name : names) {
+    const auto text = text_in(store / name, longest_attributes_text);
+    auto own = Json(nullptr);
+    if (const auto* const there = std::get_if<std::string>(&text)) {
+      auto own_read = object_in(*there);
+      if (auto* problem = std::get_if<core::Problem>(&own_read)) {
+        problem->place.file = (store / name).string();
+        return std::move(*problem);
+      }
+      own = std::move(std::get<Json>(own_read));
+    }
+    const Json& copy = member_of(metadata, name.generic_string().c_str());
+    // An array beside the samples of which it knows nothing was put there later, and is the same for all who read it.
+    const std::filesystem::path array = name.parent_path();
+    const bool beside = !array.empty() && array != names.front().parent_path();
+    if (beside && member_of(metadata, (array / ".zarray").generic_string().c_str()).is_null() && copy.is_null())
+      continue;
+    // No attributes are as good as an empty list of them.
+    const bool none = name.filename() == ".zattrs" && own.empty() && copy.empty();
+    if (none || copy == own) continue;
+    const char* const what = copy.is_null()  ? "it does not have what a file of the store has"
+                             : own.is_null() ? "it has what no file of the store has"
+                                             : "it contradicts the file itself";
+    return place(zarr_problem(what, name.generic_string(), "the same in both", hint));
+  }
+  return std::nullopt;
 }
 
 }  // namespace sarsim::raster

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
-#include "raster/table/product_attributes.hpp"
+#include "raster/table/array_attributes.hpp"
 
 namespace sarsim::raster {
 
@@ -27,21 +27,22 @@ struct ZarrArray {
 /// version, compressed, filtered, in Fortran order.
 [[nodiscard]] std::variant<ZarrArray, core::Problem> parse_zarr_array(std::string_view text);
 
-/// The attributes of a `.zattrs` that are texts or numbers, as texts; a problem, without a place, for what is no JSON
-/// object.
-/// @param lists  also lists of up to 16 numbers or texts, as one text separated by commas
-[[nodiscard]] std::variant<FileAttributes, core::Problem> parse_zarr_attributes(std::string_view text,
-                                                                                bool lists = false);
+/// The attributes of a `.zattrs` that are texts or numbers, as texts, and the names of the others; a problem, without a
+/// place, for what is no JSON object, and for keys that are there twice.
+/// @param lists  also up to 16 numbers, and `_ARRAY_DIMENSIONS`, separated by commas
+[[nodiscard]] std::variant<ArrayAttributes, core::Problem> parse_zarr_attributes(std::string_view text,
+                                                                                 bool lists = false);
 
 /// Reads a `.zarray`; a problem with its place where it is missing, or longer than 1 MiB.
 [[nodiscard]] std::variant<ZarrArray, core::Problem> read_zarr_array(const std::filesystem::path& file);
 /// Reads a `.zattrs`, of at most 1 GiB; no attributes where it is missing.
-[[nodiscard]] std::variant<FileAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file,
-                                                                               bool lists = false);
-/// Compares the entry of a metadata file in the store's `.zmetadata`, which other programs read instead of the file,
-/// with the file itself. Nothing if they agree or one of them is missing.
-/// @param name  of the file below the store: "samples/.zarray"
+[[nodiscard]] std::variant<ArrayAttributes, core::Problem> read_zarr_attributes(const std::filesystem::path& file,
+                                                                                bool lists = false);
+/// Compares what `.zmetadata` of a store, which other programs read in place of the files themselves, says of some of
+/// them with these: "samples/.zarray". A file without its entry, and an entry without its file, contradict each other
+/// too. Nothing where all agree, or where there is no `.zmetadata`.
+/// @param names  of the samples first; other arrays of which `.zmetadata` says nothing at all are passed over
 [[nodiscard]] std::optional<core::Problem> contradiction_of_zarr(const std::filesystem::path& store,
-                                                                 const std::filesystem::path& name);
+                                                                 const std::vector<std::filesystem::path>& names);
 
 }  // namespace sarsim::raster

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <complex>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -55,6 +56,8 @@ class ChunkTable {
     stored_rows_ = one_row ? 1 : array.chunks[0];
     grid_.columns = static_cast<std::size_t>(array.chunks[across_]);
     grid_.sample_bytes = type.bytes * (type.pair ? 2U : 1U) * static_cast<std::size_t>(plane.components);
+    // Each number of a pair has the value.
+    if (plane.components > 1 && fill_) fill_ = {fill_->real(), fill_->real()};
     grid_.decode = type.decoder(plane.value == ImageValue::complex, false, false);
   }
 
@@ -268,7 +271,28 @@ std::variant<Presence, core::Problem> look_through(const ChunkTable& table, cons
   return presence;
 }
 
-std::variant<AxisMeaning, core::Problem> meaning_of_zarr_axis(const fs::path& array, const std::string& name);
+// An axis of a store, which is there as a whole.
+struct ZarrAxis {
+  ChunkTable table;
+  AxisMeaning meaning;
+  Presence presence;
+
+  // All its numbers, as they are stored.
+  [[nodiscard]] std::vector<double> stored() const {
+    std::vector<std::complex<double>> read(static_cast<std::size_t>(table.rows() * table.columns()));
+    table.read_rows(0, static_cast<std::size_t>(table.rows()), read);
+    std::vector<double> numbers(read.size());
+    std::ranges::transform(read, numbers.begin(), [](const std::complex<double>& number) { return number.real(); });
+    return numbers;
+  }
+};
+
+std::variant<std::monostate, ZarrAxis, core::Problem> axis_in(const fs::path& group, const std::string& name,
+                                                              const std::vector<std::uint64_t>& shape);
+
+std::vector<std::uint64_t> shape_of_axis(std::size_t length, std::size_t width) {
+  return width == 1 ? std::vector<std::uint64_t>{length} : std::vector<std::uint64_t>{length, width};
+}
 
 class ZarrRaster final : public Raster {
  public:
@@ -283,7 +307,7 @@ class ZarrRaster final : public Raster {
   [[nodiscard]] std::optional<RasterAxes> axes() const override {
     if (group_.empty()) return std::nullopt;
     return read_axes(rows(), columns(), [this](const std::string& name, std::size_t length, std::size_t width) {
-      return read_numbers(group_ / name, length, width);
+      return read_numbers(group_, name, length, width);
     });
   }
 
@@ -297,29 +321,14 @@ class ZarrRaster final : public Raster {
   }
 
  private:
-  // Nothing where the array is not there as a whole.
-  static std::optional<std::vector<double>> read_numbers(const fs::path& folder, std::size_t length,
-                                                         std::size_t width) {
-    const auto read = read_zarr_array(folder / ".zarray");
-    const auto* const array = std::get_if<ZarrArray>(&read);
-    const auto shape = width == 1 ? std::vector<std::uint64_t>{length} : std::vector<std::uint64_t>{length, width};
-    if (array == nullptr || array->shape != shape) return std::nullopt;
-    const TableReading reading = table_of(folder, *array, false);
-    const auto* const table = std::get_if<ChunkTable>(&reading);
-    if (table == nullptr || table->rows() * table->columns() != length * width) return std::nullopt;
-    const auto presence = look_through(*table, folder.string());
-    const auto* const there = std::get_if<Presence>(&presence);
-    if (there == nullptr || there->missing > 0) return std::nullopt;
-    std::vector<std::complex<double>> read_values(length * width);
-    table->read_rows(0, static_cast<std::size_t>(table->rows()), read_values);
-    std::vector<double> values(read_values.size());
-    const auto said = meaning_of_zarr_axis(folder, folder.filename().string());
-    const auto* const meaning = std::get_if<AxisMeaning>(&said);
-    if (meaning == nullptr) return std::nullopt;
-    const auto si = [meaning](const std::complex<double> value) {
-      return value.real() * meaning->factor + meaning->offset;
-    };
-    std::ranges::transform(read_values, values.begin(), si);
+  // Nothing where there is none; what is wrong with one was refused when the store was opened.
+  static std::optional<std::vector<double>> read_numbers(const fs::path& group, const std::string& name,
+                                                         std::size_t length, std::size_t width) {
+    const auto found = axis_in(group, name, shape_of_axis(length, width));
+    const auto* const axis = std::get_if<ZarrAxis>(&found);
+    if (axis == nullptr || (axis->presence.missing > 0 && !axis->table.has_fill())) return std::nullopt;
+    std::vector<double> values = axis->stored();
+    for (double& value : values) value = value * axis->meaning.factor + axis->meaning.offset;
     return values;
   }
 
@@ -340,52 +349,129 @@ std::optional<core::Problem> problem_of_link(const fs::path& path) {
                       "links are not followed: put the files themselves into the store");
 }
 
-// How numbers become samples, by the attributes of their array.
-std::variant<SampleMeaning, core::Problem> meaning_in(const fs::path& array, bool integers) {
-  const auto attributes = read_zarr_attributes(array / ".zattrs", true);
-  if (const auto* problem = std::get_if<core::Problem>(&attributes)) return *problem;
-  const auto& known = std::get<FileAttributes>(attributes);
+// As NumPy writes types; those with a sign but for "u".
+NumberKind kind_of_type(const std::string& type) {
+  const char letter = type.size() > 1 ? type[1] : 'f';
+  return {letter == 'i' || letter == 'u', letter != 'u'};
+}
+
+std::vector<std::string> dimensions_of(const ArrayAttributes& attributes) {
   std::vector<std::string> dimensions;
-  const std::string names = attribute_of(known, "_ARRAY_DIMENSIONS");
+  const std::string names = attribute_of(attributes.known, "_ARRAY_DIMENSIONS");
   for (std::string_view rest = names; !rest.empty();) {
     const std::size_t comma = std::min(rest.find(", "), rest.size());
     dimensions.emplace_back(rest.substr(0, comma));
     rest.remove_prefix(std::min(comma + 2, rest.size()));
   }
-  const std::string what = "the array " + array.filename().string();
-  if (auto problem = problem_of_dimensions(dimensions, what)) return std::move(*problem);
-  return meaning_of_samples(known, what, integers);
+  return dimensions;
 }
 
-// The meaning of an axis, or nothing where it is refused, which is done when the store is opened.
-std::variant<AxisMeaning, core::Problem> meaning_of_zarr_axis(const fs::path& array, const std::string& name) {
-  const auto attributes = read_zarr_attributes(array / ".zattrs", true);
+// Each dimension of an array has a name, where any has one.
+std::optional<core::Problem> problem_of_names(const ArrayAttributes& attributes, const ZarrArray& array,
+                                              const std::string& what) {
+  constexpr const char* key = "_ARRAY_DIMENSIONS";
+  const auto unreadable = std::ranges::find(attributes.unreadable, key, &std::pair<std::string, std::string>::first);
+  const std::size_t names = dimensions_of(attributes).size();
+  const bool known = unreadable == attributes.unreadable.end();
+  if (known && (names == 0 || names == array.shape.size())) return std::nullopt;
+  return file_problem({}, fmt::format("{}: its attribute {} does not name its dimensions", what, key),
+                      known ? fmt::format("{} names", names) : unreadable->second,
+                      fmt::format("{} names", array.shape.size()), "correct it, or remove it");
+}
+
+// How numbers become samples, by the attributes of their array.
+std::variant<SampleMeaning, core::Problem> meaning_in(const fs::path& folder, const ZarrArray& array) {
+  const auto attributes = read_zarr_attributes(folder / ".zattrs", true);
   if (const auto* problem = std::get_if<core::Problem>(&attributes)) return *problem;
-  return meaning_of_axis(std::get<FileAttributes>(attributes), "the axis " + name, units_of_axis(name));
+  const auto& known = std::get<ArrayAttributes>(attributes);
+  const std::string what = "the array " + folder.filename().string();
+  if (auto problem = problem_of_names(known, array, what)) return std::move(*problem);
+  if (auto problem = problem_of_dimensions(dimensions_of(known), what)) return std::move(*problem);
+  return meaning_of_samples(known, what, kind_of_type(array.type));
 }
 
-// An axis has to fit the samples, and its unit its name.
-std::optional<core::Problem> problem_of_zarr_axes(const fs::path& group, std::uint64_t rows, std::uint64_t columns) {
+// An axis; nothing where the store has none of that name, and a problem where it has one that cannot be read: it has to
+// fit the samples, its unit its name, and it has to be there as a whole.
+std::variant<std::monostate, ZarrAxis, core::Problem> axis_in(const fs::path& group, const std::string& name,
+                                                              const std::vector<std::uint64_t>& shape) {
   std::error_code ignored;
-  const auto problem_of_axis = [&](const std::string& name,
-                                   const std::vector<std::uint64_t>& shape) -> std::optional<core::Problem> {
-    if (!fs::exists(fs::symlink_status(group / name, ignored))) return std::nullopt;
-    for (const fs::path& part : {group / name, group / name / ".zarray", group / name / ".zattrs"})
-      if (auto problem = problem_of_link(part)) return problem;
-    const auto read = read_zarr_array(group / name / ".zarray");
-    if (const auto* problem = std::get_if<core::Problem>(&read)) return *problem;
-    if (const auto& array = std::get<ZarrArray>(read); array.shape != shape)
-      return file_problem((group / name).string(), "the axis has not the length of the samples",
-                          shape_text(array.shape), shape_text(shape), "correct it, or rename it");
-    const auto meaning = meaning_of_zarr_axis(group / name, name);
-    if (const auto* problem = std::get_if<core::Problem>(&meaning)) return *problem;
-    return std::nullopt;
+  const fs::path folder = group / name;
+  if (!fs::exists(fs::symlink_status(folder, ignored))) return {};
+  for (const fs::path& part : {folder, folder / ".zarray", folder / ".zattrs"})
+    if (auto problem = problem_of_link(part)) return std::move(*problem);
+  auto read = read_zarr_array(folder / ".zarray");
+  if (auto* problem = std::get_if<core::Problem>(&read)) return std::move(*problem);
+  const auto& array = std::get<ZarrArray>(read);
+  if (array.shape != shape)
+    return file_problem(folder.string(), "the axis has not the length of the samples", shape_text(array.shape),
+                        shape_text(shape), "correct it, or rename it");
+  auto reading = table_of(folder, array, false);
+  if (auto* problem = std::get_if<core::Problem>(&reading)) return std::move(*problem);
+  auto& table = std::get<ChunkTable>(reading);
+  auto presence = look_through(table, folder.string());
+  if (auto* problem = std::get_if<core::Problem>(&presence)) return std::move(*problem);
+  const auto attributes = read_zarr_attributes(folder / ".zattrs", true);
+  if (const auto* problem = std::get_if<core::Problem>(&attributes)) return *problem;
+  const auto& known = std::get<ArrayAttributes>(attributes);
+  const std::string what = "the axis " + name;
+  if (auto problem = problem_of_names(known, array, what)) return std::move(*problem);
+  const auto meaning = meaning_of_axis(known, what, units_of_axis(name), kind_of_type(array.type));
+  if (const auto* problem = std::get_if<core::Problem>(&meaning)) return *problem;
+  return ZarrAxis{std::move(table), std::get<AxisMeaning>(meaning), std::get<Presence>(presence)};
+}
+
+// What is missing of an array, as a problem.
+core::Problem missing_chunks(const ChunkTable& array, const Presence& presence, bool own, bool whole) {
+  const bool refused = whole && (own || !array.has_fill());
+  core::Problem problem =
+      file_problem(presence.first_missing.string(), "chunks of the array are missing",
+                   fmt::format("{} of {}", presence.missing, array.chunks_down() * array.chunks_across()), {},
+                   own || !array.has_fill() ? "copy the store anew" : "they are read as the fill value of the array");
+  return refused ? problem : with_severity(std::move(problem), core::Severity::warning);
+}
+
+// What is wrong with the axes of a store: those that cannot be read, and warnings of those that are not whole.
+core::Problems problems_of_zarr_axes(const fs::path& group, std::uint64_t rows, std::uint64_t columns, bool own,
+                                     bool whole) {
+  core::Problems problems;
+  const auto keep = [&](core::Problem problem, const std::string& name) {
+    if (problem.place.file.empty()) problem.place.file = (group / name).string();
+    problems.push_back(std::move(problem));
   };
-  for (const AxisWords& axis : axis_words)
-    if (auto problem = problem_of_axis(axis.name, {axis.of == AxisOf::columns ? columns : rows})) return problem;
-  for (const PoseAxis& axis : pose_axes)
-    if (auto problem = problem_of_axis(axis.name, {rows, 3})) return problem;
-  return std::nullopt;
+  const auto judge = [&](const std::string& name, const std::vector<std::uint64_t>& shape) {
+    auto found = axis_in(group, name, shape);
+    if (auto* problem = std::get_if<core::Problem>(&found)) keep(std::move(*problem), name);
+    const auto* const axis = std::get_if<ZarrAxis>(&found);
+    if (axis == nullptr) return;
+    if (axis->presence.missing > 0) keep(missing_chunks(axis->table, axis->presence, own, whole), name);
+    if (axis->meaning.valid.is_plain()) return;
+    if (auto problem = problem_of_missing(axis->meaning, "the axis " + name, axis->stored()))
+      keep(std::move(*problem), name);
+  };
+  for (const AxisWords& axis : axis_words) judge(axis.name, {axis.of == AxisOf::columns ? columns : rows});
+  for (const PoseAxis& axis : pose_axes) judge(axis.name, {rows, 3});
+  return problems;
+}
+
+// The folder of the store whose array was opened itself.
+fs::path store_of_array(const fs::path& folder) {
+  const fs::path whole = folder.has_filename() ? folder : folder.parent_path();
+  return whole.has_parent_path() ? whole.parent_path() : fs::path(".");
+}
+
+// All files of a store that say what is read of it.
+std::optional<core::Problem> problem_of_consolidated(const fs::path& folder, const fs::path& place, bool alone) {
+  const fs::path array = (place.has_filename() ? place : place.parent_path()).filename();
+  std::vector<fs::path> names{array / ".zarray", array / ".zattrs"};
+  if (alone) return contradiction_of_zarr(store_of_array(folder), names);
+  names.emplace_back(".zattrs");
+  const auto add = [&](const fs::path& name) {
+    names.push_back(name / ".zarray");
+    names.push_back(name / ".zattrs");
+  };
+  for (const AxisWords& axis : axis_words) add(axis.name);
+  for (const PoseAxis& axis : pose_axes) add(axis.name);
+  return contradiction_of_zarr(folder, names);
 }
 
 // The array of samples of a group: that of this name, or the only one that can be.
@@ -415,16 +501,6 @@ std::variant<fs::path, core::Problem> samples_in(const fs::path& group) {
                       fmt::format("name one of them: {}", found.front().string()));
 }
 
-// What is missing of the samples, as a problem.
-core::Problem missing_chunks(const ChunkTable& samples, const Presence& presence, bool own, bool whole) {
-  const bool refused = whole && (own || !samples.has_fill());
-  core::Problem problem =
-      file_problem(presence.first_missing.string(), "chunks of the array are missing",
-                   fmt::format("{} of {}", presence.missing, samples.chunks_down() * samples.chunks_across()), {},
-                   own || !samples.has_fill() ? "copy the store anew" : "they are read as the fill value of the array");
-  return refused ? problem : with_severity(std::move(problem), core::Severity::warning);
-}
-
 }  // namespace
 
 OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints& hints, Integrity integrity) {
@@ -442,9 +518,7 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   for (const fs::path& part : {folder / ".zattrs", place, place / ".zarray", place / ".zattrs"})
     if (part != folder)
       if (auto problem = problem_of_link(part)) return refuse_store(folder, std::move(*problem));
-  if (!alone)
-    for (const fs::path& name : {fs::path(".zattrs"), place.filename() / ".zarray", place.filename() / ".zattrs"})
-      if (auto problem = contradiction_of_zarr(folder, name)) return refuse_store(folder, std::move(*problem));
+  if (auto problem = problem_of_consolidated(folder, place, alone)) return refuse_store(folder, std::move(*problem));
   auto read = read_zarr_array(place / ".zarray");
   if (auto* problem = std::get_if<core::Problem>(&read)) return refuse_store(folder, std::move(*problem));
   auto reading = table_of(place, std::get<ZarrArray>(read), true);
@@ -460,22 +534,22 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   RasterInfo info;
   info.path = folder;
   info.columns = static_cast<std::size_t>(samples.columns());
-  info.attributes = std::move(std::get<FileAttributes>(attributes));
+  auto& root = std::get<ArrayAttributes>(attributes);
+  if (auto problem = problem_of_unread_facts(root)) return refuse_store(folder, std::move(*problem));
+  info.attributes = std::move(root.known);
   take_known_attributes(info);
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
-  auto meaning = meaning_in(place, npy_sample_type_of({std::get<ZarrArray>(read).type, false, {}, 0})->counts);
+  auto meaning = meaning_in(place, std::get<ZarrArray>(read));
   if (auto* problem = std::get_if<core::Problem>(&meaning)) return refuse_store(folder, std::move(*problem));
   info.counts = std::get<SampleMeaning>(meaning).counts;
-  if (!alone)
-    if (auto problem = problem_of_zarr_axes(folder, samples.rows(), samples.columns()))
-      return refuse_store(folder, std::move(*problem));
+  const bool own = !attribute_of(info.attributes, "program_version").empty();
+  const bool whole = integrity == Integrity::whole;
   core::Problems problems;
-  if (const Presence& there = std::get<Presence>(presence); there.missing > 0) {
-    const bool own = !attribute_of(info.attributes, "program_version").empty();
-    problems.push_back(missing_chunks(samples, there, own, integrity == Integrity::whole));
-    if (core::has_errors(problems)) return {nullptr, std::move(problems)};
-  }
+  if (!alone) problems = problems_of_zarr_axes(folder, samples.rows(), samples.columns(), own, whole);
+  if (const Presence& there = std::get<Presence>(presence); there.missing > 0)
+    problems.push_back(missing_chunks(samples, there, own, whole));
+  if (core::has_errors(problems)) return {nullptr, std::move(problems)};
   auto raster = std::make_shared<ZarrRaster>(std::move(info), std::move(samples), alone ? fs::path() : folder);
   raster->set_value_rule(std::move(std::get<SampleMeaning>(meaning).rule));
   return {std::move(raster), std::move(problems)};

@@ -215,9 +215,9 @@ bool is_own_zarr_store(const fs::path& folder) {
   std::error_code failure;
   if (!fs::is_directory(folder, failure)) return false;
   const auto attributes = read_zarr_attributes(folder / ".zattrs");
-  const auto* const known = std::get_if<FileAttributes>(&attributes);
-  if (known == nullptr || attribute_of(*known, "format_version").empty() ||
-      attribute_of(*known, "program_version").empty())
+  const auto* const read = std::get_if<ArrayAttributes>(&attributes);
+  if (read == nullptr || attribute_of(read->known, "format_version").empty() ||
+      attribute_of(read->known, "program_version").empty())
     return false;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end; entry.increment(failure)) {
     const std::string name = entry->path().filename().string();

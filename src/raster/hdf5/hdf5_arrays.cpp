@@ -103,9 +103,10 @@ class ArrayFinder {
 
   // Whether the numbers are the samples: a reference has no place for a rule.
   [[nodiscard]] bool are_as_stored(const Hdf5Dataset& dataset, const char* path) const {
-    const auto meaning = meaning_of_samples(read_attributes(dataset.id.get(), file_bytes_, true), path, true);
+    const auto meaning = meaning_of_samples(read_attributes(dataset.id.get(), file_bytes_, true), path,
+                                            kind_of_numbers(dataset.type.get()));
     const auto* const known = std::get_if<SampleMeaning>(&meaning);
-    return known == nullptr || known->rule.is_plain();
+    return known != nullptr && known->rule.is_plain();
   }
 
   // An axis as a stored array; false where it is not there, or not plain.
@@ -116,7 +117,8 @@ class ArrayFinder {
     const auto number = numpy_number(dataset->type.get());
     const auto offset = place_of(*dataset);
     if (!number || !offset) return false;
-    const auto meaning = meaning_of_axis(read_attributes(dataset->id.get(), file_bytes_), name, units);
+    const auto meaning = meaning_of_axis(read_attributes(dataset->id.get(), file_bytes_, true), name, units,
+                                         kind_of_numbers(dataset->type.get()));
     const auto* const known = std::get_if<AxisMeaning>(&meaning);
     if (known == nullptr || known->factor != 1.0 || known->offset != 0.0) return false;
     arrays_.push_back({name, number->first, number->second, std::move(shape), {}, *offset, {}, {}});

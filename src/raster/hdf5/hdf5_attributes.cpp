@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <new>
 
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "raster/hdf5/hdf5_numbers.hpp"
 
 namespace sarsim::raster {
 
@@ -15,6 +17,7 @@ namespace {
 
 constexpr hsize_t most_attributes = 1000;
 constexpr std::size_t longest_attribute_name = 1024;
+constexpr hssize_t most_in_a_list = 16;
 
 std::optional<std::string> read_fixed_string(hid_t attribute, hid_t type, std::uint64_t longest) {
   const std::size_t size = H5Tget_size(type);
@@ -54,11 +57,8 @@ std::optional<std::string> read_float(hid_t attribute) {
 }
 
 // Some numbers, separated by commas.
-std::optional<std::string> read_list(hid_t attribute, hid_t type, hssize_t count) {
-  constexpr hssize_t most_listed = 16;
-  const H5T_class_t kind = H5Tget_class(type);
-  if (count < 1 || count > most_listed || (kind != H5T_INTEGER && kind != H5T_FLOAT)) return std::nullopt;
-  std::array<double, most_listed> values{};
+std::optional<std::string> read_list(hid_t attribute, hssize_t count) {
+  std::array<double, most_in_a_list> values{};
   if (H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
   std::string text;
   for (hssize_t i = 0; i < count; ++i)
@@ -66,28 +66,59 @@ std::optional<std::string> read_list(hid_t attribute, hid_t type, hssize_t count
   return text;
 }
 
-std::optional<std::string> read_text(hid_t attribute, std::uint64_t longest, bool lists) {
-  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
-  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
-  if (!space || !type) return std::nullopt;
-  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (lists && count > 1) return read_list(attribute, type.get(), count);
+// A complex number that is none, as xarray writes it for missing samples; nothing for others, which are not read.
+std::optional<std::string> read_no_number(hid_t attribute, hid_t type) {
+  const auto members = complex_members(type);
+  if (!members) return std::nullopt;
+  const Hdf5Handle pair(H5Tcreate(H5T_COMPOUND, 2 * sizeof(double)), H5Tclose);
+  for (std::size_t i = 0; i < 2; ++i) {
+    char* const name = H5Tget_member_name(type, (*members)[i]);
+    H5Tinsert(pair.get(), name, i * sizeof(double), H5T_NATIVE_DOUBLE);
+    H5free_memory(name);
+  }
+  std::array<double, 2> value{};
+  if (H5Aread(attribute, pair.get(), value.data()) < 0) return std::nullopt;
+  return std::isnan(value[0]) || std::isnan(value[1]) ? std::optional<std::string>("nan") : std::nullopt;
+}
+
+// What an attribute is that is not read.
+std::string words_for_kind(hid_t type, hssize_t count) {
+  const char* const many = count == 1 ? "" : "s";
+  const std::string number = count == 1 ? "a" : fmt::format("{}", count);
+  switch (H5Tget_class(type)) {
+    case H5T_STRING: return fmt::format("{} text{}", number, many);
+    case H5T_COMPOUND: return fmt::format("{} structure{}", number, many);
+    case H5T_REFERENCE: return fmt::format("{} reference{}", number, many);
+    case H5T_ENUM: return count == 1 ? "an enumeration" : fmt::format("{} enumerations", count);
+    case H5T_INTEGER:
+    case H5T_FLOAT:
+      if (count > most_in_a_list) return fmt::format("{} numbers", count);
+      return fmt::format("{} number{} of {} bytes", number, many, H5Tget_size(type));
+    default: return fmt::format("{} value{} of another kind", number, many);
+  }
+}
+
+// The text of an attribute, where it is one that is read.
+std::optional<std::string> read_text(hid_t attribute, hid_t type, hssize_t count, std::uint64_t longest, bool lists) {
+  const H5T_class_t kind = H5Tget_class(type);
+  const bool number = (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= sizeof(double);
+  // So netCDF writes an empty text.
+  if (count == 0 && kind == H5T_STRING) return "";
+  if (lists && number && count > 1 && count <= most_in_a_list) return read_list(attribute, count);
   if (count != 1) return std::nullopt;
-  const H5T_class_t kind = H5Tget_class(type.get());
   if (kind == H5T_STRING)
-    return H5Tis_variable_str(type.get()) > 0 ? read_variable_string(attribute, type.get())
-                                              : read_fixed_string(attribute, type.get(), longest);
-  if (H5Tget_size(type.get()) > sizeof(double)) return std::nullopt;
-  if (kind == H5T_INTEGER) return read_integer(attribute, type.get());
-  if (kind == H5T_FLOAT) return read_float(attribute);
-  return std::nullopt;
+    return H5Tis_variable_str(type) > 0 ? read_variable_string(attribute, type)
+                                        : read_fixed_string(attribute, type, longest);
+  if (kind == H5T_COMPOUND) return read_no_number(attribute, type);
+  if (!number) return std::nullopt;
+  return kind == H5T_INTEGER ? read_integer(attribute, type) : read_float(attribute);
 }
 
 struct AttributeWalk {
   std::uint64_t longest;
   bool lists;
   hsize_t met;
-  AttributeTexts texts;
+  ArrayAttributes found;
 };
 
 std::string name_of(hid_t attribute) {
@@ -99,15 +130,30 @@ std::string name_of(hid_t attribute) {
   return name;
 }
 
+void take_value(hid_t attribute, AttributeWalk& walk) {
+  const Hdf5Handle space(H5Aget_space(attribute), H5Sclose);
+  const Hdf5Handle type(H5Aget_type(attribute), H5Tclose);
+  if (!space || !type) {
+    walk.found.unreadable.emplace_back(name_of(attribute), "a damaged value");
+    return;
+  }
+  const hssize_t count = H5Sget_simple_extent_npoints(space.get());
+  if (auto value = read_text(attribute, type.get(), count, walk.longest, walk.lists))
+    walk.found.known.emplace_back(name_of(attribute), std::move(*value));
+  else
+    walk.found.unreadable.emplace_back(name_of(attribute), words_for_kind(type.get(), count));
+}
+
 // Of H5Aiterate2: 0 goes on, 1 ends the walk.
 herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* /*info*/, void* state) {
   auto& walk = *static_cast<AttributeWalk*>(state);
+  walk.found.complete = false;
   if (walk.met++ == most_attributes) return 1;
   try {
     const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
     if (!attribute) return 1;
-    if (auto value = read_text(attribute.get(), walk.longest, walk.lists))
-      walk.texts.emplace_back(name_of(attribute.get()), std::move(*value));
+    take_value(attribute.get(), walk);
+    walk.found.complete = true;
     return 0;
   } catch (const std::bad_alloc&) {
     return 1;
@@ -116,12 +162,12 @@ herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* /*info*/
 
 }  // namespace
 
-AttributeTexts read_attributes(hid_t object, std::uint64_t longest, bool lists) {
+ArrayAttributes read_attributes(hid_t object, std::uint64_t longest, bool lists) {
   // One walk over all of them: to open the one of a number, the library sorts them all.
   AttributeWalk walk{longest, lists, 0, {}};
   hsize_t first = 0;
-  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &first, take_attribute, &walk);  // A damaged list ends early.
-  return std::move(walk.texts);
+  if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, &first, take_attribute, &walk) < 0) walk.found.complete = false;
+  return std::move(walk.found);
 }
 
 std::vector<std::string> dimension_names(hid_t dataset) {

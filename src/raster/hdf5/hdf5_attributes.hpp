@@ -8,16 +8,17 @@
 #include <vector>
 
 #include "raster/hdf5/hdf5_library.hpp"
+#include "raster/table/array_attributes.hpp"
 
 namespace sarsim::raster {
 
 /// Name and value of attributes, in the order of their names.
 using AttributeTexts = std::vector<std::pair<std::string, std::string>>;
 
-/// The attributes of an object as text: strings as they are, numbers in decimal, other types left out. At most 1000
-/// attributes, none longer than `longest` bytes.
+/// The attributes of an object as text: strings as they are, numbers in decimal; others by their names alone. At most
+/// 1000 attributes, none longer than `longest` bytes.
 /// @param lists  also lists of up to 16 numbers, as one text separated by commas
-[[nodiscard]] AttributeTexts read_attributes(hid_t object, std::uint64_t longest, bool lists = false);
+[[nodiscard]] ArrayAttributes read_attributes(hid_t object, std::uint64_t longest, bool lists);
 
 /// The names of the dimensions of a dataset by its attribute DIMENSION_LIST, which refers to dimension scales; without
 /// a slash, empty for dimensions without a scale, none where the attribute is missing or of another type.

@@ -177,6 +177,8 @@ bool has_object(hid_t file, const std::string& path) {
   }
 }
 
+bool has_link(hid_t file, const std::string& path) { return H5Lexists(file, path.c_str(), H5P_DEFAULT) > 0; }
+
 bool is_of_2015(hid_t file) { return !has_object(file, samples_path) && has_object(file, old_samples_path); }
 
 std::string path_of_samples(hid_t file, const std::string& dataset) {

@@ -44,5 +44,7 @@ struct Hdf5Dataset {
 
 /// Whether the path leads to something over hard links only.
 [[nodiscard]] bool has_object(hid_t file, const std::string& path);
+/// Whether the root of the file has an entry of that name, which may be a link that leads anywhere.
+[[nodiscard]] bool has_link(hid_t file, const std::string& path);
 
 }  // namespace sarsim::raster

@@ -73,6 +73,28 @@ class Hdf5Keys : public testing::Test {
     say(object.get(), name, text);
   }
 
+  // An attribute of a type with whatever it holds in memory.
+  static void say_bytes(hid_t object, const char* name, hid_t type, hsize_t count, const void* values) {
+    const Hdf5Handle space(count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), H5Sclose);
+    const Hdf5Handle made(H5Acreate2(object, name, type, space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    ASSERT_GE(H5Awrite(made.get(), type, values), 0);
+  }
+  // The same in each form that is not read as text or as some numbers.
+  static void say_unreadable(hid_t object, const char* name, int form) {
+    const std::array<double, 20> numbers{0.5, 0.5};
+    const std::array<long double, 1> wide{0.25L};
+    const std::array<char, 8> texts{'m', 'V', 0, 0, 'V', 0, 0, 0};
+    const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+    H5Tset_size(text.get(), 4);
+    switch (form) {
+      case 0: return say_bytes(object, name, pair("r", "i", H5T_NATIVE_DOUBLE).get(), 1, numbers.data());
+      case 1: return say_bytes(object, name, H5T_NATIVE_LDOUBLE, 1, wide.data());
+      case 2: return say_bytes(object, name, H5T_NATIVE_DOUBLE, 20, numbers.data());
+      default: return say_bytes(object, name, text.get(), 2, texts.data());
+    }
+  }
+  static constexpr int unreadable_forms = 4;
+
   [[nodiscard]] OpenedRaster open(const std::string& dataset = "") const {
     RasterHints hints;
     hints.dataset = dataset;
@@ -155,6 +177,173 @@ TEST_F(Hdf5Keys, WhatCannotBeFollowedIsRefusedByName) {
     write(change);
     EXPECT_THAT(refusal(), HasSubstr(key));
   }
+}
+
+// What cannot be read is there all the same.
+TEST_F(Hdf5Keys, UnreadableAttributesAreRefusedByName) {
+  for (const char* const key : {"scale_factor", "add_offset", "_FillValue", "valid_range", "units"})
+    for (int form = 0; form < unreadable_forms; ++form) {
+      write([&](hid_t, hid_t samples) { say_unreadable(samples, key, form); });
+      EXPECT_THAT(refusal(), HasSubstr(std::string("its attribute ") + key)) << form;
+      write([&](hid_t file, hid_t) {
+        const Hdf5Handle axis(H5Dopen2(file, "slant_range_m", H5P_DEFAULT), H5Dclose);
+        say_unreadable(axis.get(), key, form);
+      });
+      EXPECT_THAT(refusal(), HasSubstr(std::string("/slant_range_m: its attribute ") + key)) << form;
+    }
+  for (const char* const key : {"lsb_v", "sample_rate_hz", "bits"}) {
+    write([&](hid_t file, hid_t) { say_unreadable(file, key, 0); });
+    EXPECT_THAT(refusal(), HasSubstr(std::string(key) + " of the file cannot be read; found 'a structure'"));
+  }
+  write([](hid_t file, hid_t samples) {
+    say_unreadable(samples, "history", 3);
+    say_unreadable(file, "comment", 0);
+  });
+  EXPECT_TRUE(open().raster);
+}
+
+// xarray writes it at complex samples.
+TEST_F(Hdf5Keys, AComplexFillValueThatIsNoNumberPasses) {
+  write([](hid_t, hid_t samples) {
+    const std::array<double, 2> none{std::nan(""), 0.0};
+    say_bytes(samples, "_FillValue", pair("r", "i", H5T_NATIVE_DOUBLE).get(), 1, none.data());
+  });
+  const auto opened = open();
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(read_all_rows(*opened.raster)[0], std::complex<double>(1.0, 2.0));
+}
+
+// netCDF writes a text of no letters so.
+TEST_F(Hdf5Keys, AnEmptyTextIsOne) {
+  write([](hid_t, hid_t samples) {
+    const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    const Hdf5Handle space(H5Screate(H5S_NULL), H5Sclose);
+    const Hdf5Handle made(H5Acreate2(samples, "units", type.get(), space.get(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    ASSERT_TRUE(made);
+  });
+  const auto opened = open();
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_EQ(read_all_rows(*opened.raster)[0], std::complex<double>(1.0, 2.0));
+}
+
+TEST_F(Hdf5Keys, PlacesThatStandForNoneAreRefused) {
+  for (const auto& [key, value] : {std::pair("_FillValue", 11.0), std::pair("missing_value", 12.0),
+                                   std::pair("valid_max", 11.5), std::pair("valid_min", 10.5)}) {
+    write([&, key = key, value = value](hid_t file, hid_t) {
+      const Hdf5Handle axis(H5Dopen2(file, "slant_range_m", H5P_DEFAULT), H5Dclose);
+      say_numbers(axis.get(), key, {value});
+    });
+    EXPECT_THAT(refusal(), HasSubstr("the axis /slant_range_m has a number that stands for none")) << key;
+  }
+  write([](hid_t file, hid_t) {
+    for (const char* const name : {"slant_range_m", "pulse_time_s", "carrier_hz"}) {
+      const Hdf5Handle axis(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+      say_numbers(axis.get(), "_FillValue", {std::nan("")});
+    }
+  });
+  const auto natural = open();
+  ASSERT_TRUE(natural.raster) << text_of(natural.problems);
+  ASSERT_TRUE(natural.raster->axes());
+  EXPECT_EQ(natural.raster->axes()->column_range_m, (std::vector<double>{10.0, 11.0, 12.0}));
+}
+
+// An axis that cannot be read is none that is not there.
+TEST_F(Hdf5Keys, AxesThatCannotBeReadAreRefusedByName) {
+  const Hdf5Handle early(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+  H5Pset_alloc_time(early.get(), H5D_ALLOC_TIME_EARLY);
+  const std::pair<std::function<void(hid_t)>, const char*> cases[] = {
+      {[](hid_t file) { H5Lcreate_soft("/pulse_time_s", file, "slant_range_m", H5P_DEFAULT, H5P_DEFAULT); }, "a link"},
+      {[](hid_t file) { H5Lcreate_external("b.h5", "/r", file, "slant_range_m", H5P_DEFAULT, H5P_DEFAULT); }, "a link"},
+      {[&](hid_t file) { add(file, "slant_range_m", pair("r", "i", H5T_IEEE_F64LE).get(), {3}, early.get()); },
+       "does not hold numbers"},
+      {[&](hid_t file) {
+         const Hdf5Handle text(H5Tcopy(H5T_C_S1), H5Tclose);
+         H5Tset_size(text.get(), 4);
+         add(file, "slant_range_m", text.get(), {3}, early.get());
+       },
+       "does not hold numbers"}};
+  for (const auto& [replace, message] : cases) {
+    write([&, replace = replace](hid_t file, hid_t) {
+      H5Ldelete(file, "slant_range_m", H5P_DEFAULT);
+      replace(file);
+    });
+    EXPECT_THAT(refusal(), testing::AllOf(HasSubstr("the axis /slant_range_m"), HasSubstr(message)));
+  }
+}
+
+// One of 1 says that whole numbers are volts, as docs/formats/samples.md has it.
+TEST_F(Hdf5Keys, WholeNumbersWithAScaleOfOneAreVolts) {
+  write([](hid_t, hid_t samples) { say_numbers(samples, "scale_factor", {1.0}); }, "r", "i", "samples", H5T_STD_I16LE);
+  const auto opened = open();
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_FALSE(opened.raster->info().counts);
+  EXPECT_EQ(read_all_rows(*opened.raster)[1], std::complex<double>(3.0, 4.0));
+}
+
+TEST_F(Hdf5Keys, TheSignOfTheTypeCounts) {
+  write([](hid_t, hid_t samples) { say(samples, "_Unsigned", "true"); }, "r", "i", "samples", H5T_STD_I8LE);
+  EXPECT_THAT(refusal(), HasSubstr("_Unsigned"));
+  write([](hid_t, hid_t samples) { say(samples, "_Unsigned", "true"); }, "r", "i", "samples", H5T_STD_U8LE);
+  EXPECT_EQ(refusal(), "");
+}
+
+// The layout of 2015 has the same attributes as any other.
+TEST_F(Hdf5Keys, SamplesOf2015AreNoException) {
+  const auto with = [&](const std::function<void(hid_t)>& change) {
+    write([&](hid_t file, hid_t) {
+      H5Ldelete(file, "samples", H5P_DEFAULT);
+      const Hdf5Handle group(H5Gcreate2(file, "Data", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+      add(group.get(), "PulseNo_x_SampleNo_I&Q", H5T_IEEE_F64LE, {2, 6});
+      const Hdf5Handle samples(H5Dopen2(group.get(), "PulseNo_x_SampleNo_I&Q", H5P_DEFAULT), H5Dclose);
+      const std::array<double, 12> values{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+      H5Dwrite(samples.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+      change(samples.get());
+    });
+  };
+  with([](hid_t) {});
+  ASSERT_TRUE(open().raster) << refusal();
+  EXPECT_TRUE(open().raster->info().counts);
+  with([](hid_t samples) { say_numbers(samples, "add_offset", {1.0}); });
+  EXPECT_THAT(refusal(), HasSubstr("add_offset"));
+  with([](hid_t samples) { say_numbers(samples, "scale_factor", {0.5}); });
+  EXPECT_THAT(refusal(), HasSubstr("scale_factor or units, but holds counts"));
+  with([](hid_t samples) { say(samples, "units", "V"); });
+  EXPECT_THAT(refusal(), HasSubstr("scale_factor or units, but holds counts"));
+  with([](hid_t samples) { say_numbers(samples, "_FillValue", {3.0}); });
+  ASSERT_TRUE(open().raster) << refusal();
+  EXPECT_TRUE(std::isnan(read_all_rows(*open().raster)[1].real()));
+}
+
+TEST_F(Hdf5Keys, NumbersOf2015ThatCannotBeAreRefused) {
+  for (const auto& [name, value] :
+       {std::pair("(GHz)_Sample_frequency", "1e300"), std::pair("(GHz)_Sample_frequency", "fast"),
+        std::pair("(mV)_Least_Significant_Bit_value", "-1"), std::pair("(mV)_Least_Significant_Bit_value", "nan")}) {
+    write([&, name = name, value = value](hid_t file, hid_t) {
+      H5Ldelete(file, "samples", H5P_DEFAULT);
+      const Hdf5Handle group(H5Gcreate2(file, "Data", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+      const Hdf5Handle early(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+      H5Pset_alloc_time(early.get(), H5D_ALLOC_TIME_EARLY);
+      add(group.get(), "PulseNo_x_SampleNo_I&Q", H5T_IEEE_F64LE, {2, 6}, early.get());
+      const Hdf5Handle details(H5Gcreate2(file, "Details", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+      add_axis(details.get(), "SIMULATION", {1.0});
+      const Hdf5Handle simulation(H5Dopen2(details.get(), "SIMULATION", H5P_DEFAULT), H5Dclose);
+      say(simulation.get(), name, value);
+    });
+    EXPECT_THAT(refusal(), HasSubstr(std::string(name) + " of /Details cannot be")) << value;
+  }
+}
+
+TEST_F(Hdf5Keys, PositionsThatCannotBeAreRefused) {
+  write([](hid_t file, hid_t) {
+    for (const char* const name : {"platform_position_m", "platform_velocity_mps", "platform_rotation_rad"}) {
+      add(file, name, H5T_IEEE_F64LE, {2, 3});
+      const Hdf5Handle axis(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+      const std::array<double, 6> values{1.0, 2.0, 3.0, 1e300, 0.0, 0.0};
+      H5Dwrite(axis.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+    }
+  });
+  EXPECT_THAT(refusal(),
+              HasSubstr("the axis platform_position_m has a value that cannot be; found '1e+300 at position 3"));
 }
 
 TEST_F(Hdf5Keys, ComplexNumbersOfMatlabAreRead) {

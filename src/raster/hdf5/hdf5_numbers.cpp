@@ -54,6 +54,13 @@ std::optional<std::array<unsigned, 2>> complex_members(hid_t type) {
   return std::nullopt;
 }
 
+NumberKind kind_of_numbers(hid_t type) {
+  const auto members = complex_members(type);
+  const Hdf5Handle number(members ? H5Tget_member_type(type, (*members)[0]) : H5Tcopy(type), H5Tclose);
+  const bool whole = number && H5Tget_class(number.get()) == H5T_INTEGER;
+  return {whole, !whole || H5Tget_sign(number.get()) != H5T_SGN_NONE};
+}
+
 Hdf5Numbers::Hdf5Numbers(hid_t type) {
   const Hdf5Handle stored = number_type(type);
   hid_t number = H5T_NATIVE_DOUBLE;

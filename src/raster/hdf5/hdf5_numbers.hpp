@@ -6,6 +6,7 @@
 #include <span>
 
 #include "raster/hdf5/hdf5_library.hpp"
+#include "raster/table/cf_attributes.hpp"
 
 namespace sarsim::raster {
 
@@ -13,6 +14,9 @@ namespace sarsim::raster {
 /// re and im, Re and Im, Real and Imag, real and imaginary. Nothing for another type, and if they differ in kind or are
 /// not numbers.
 [[nodiscard]] std::optional<std::array<unsigned, 2>> complex_members(hid_t type);
+
+/// What the numbers of a dataset are, or both numbers of its pairs.
+[[nodiscard]] NumberKind kind_of_numbers(hid_t type);
 
 /// How the numbers of a dataset are handed over: as they are stored, since the library converts numbers one by one,
 /// twenty times slower than it copies them. What is rare (wide integers, floats of other machines) comes as double.

@@ -23,6 +23,7 @@ namespace sarsim::raster {
 namespace {
 
 constexpr const char* points_path = "/points";
+constexpr const char* points_name = "the dataset /points";
 constexpr const char* points_sound = "sound";
 constexpr std::uint64_t points_at_once = std::uint64_t{1} << 18U;  // numbers
 
@@ -30,6 +31,7 @@ constexpr std::uint64_t points_at_once = std::uint64_t{1} << 18U;  // numbers
 struct PointsDataset {
   Hdf5Handle file;
   Hdf5Dataset dataset;
+  AxisMeaning meaning;
 };
 
 std::variant<PointsDataset, core::Problem> open_points(const std::filesystem::path& path, std::uint64_t file_bytes) {
@@ -52,13 +54,14 @@ std::variant<PointsDataset, core::Problem> open_points(const std::filesystem::pa
                         fmt::format("{} dimension{}", dataset.shape.size(), dataset.shape.size() == 1 ? "" : "s"),
                         "rows and columns");
   // Columns are metres and square metres, so that one factor means nothing.
-  const auto said = meaning_of_axis(read_attributes(dataset.id.get(), file_bytes, true), "the dataset /points", "m");
+  const auto said = meaning_of_axis(read_attributes(dataset.id.get(), file_bytes, true), points_name, "m",
+                                    kind_of_numbers(dataset.type.get()));
   if (const auto* problem = std::get_if<core::Problem>(&said)) return *problem;
   if (const auto& meaning = std::get<AxisMeaning>(said); meaning.factor != 1.0 || meaning.offset != 0.0)
     return file_problem({}, "the numbers of /points are not metres and square metres (units, scale_factor, add_offset)",
                         fmt::format("times {:g}, plus {:g}", meaning.factor, meaning.offset), "as they are",
                         "convert them and remove the attributes");
-  return PointsDataset{std::move(file), std::move(dataset)};
+  return PointsDataset{std::move(file), std::move(dataset), std::get<AxisMeaning>(said)};
 }
 
 // Rows [first, first + count).
@@ -115,8 +118,12 @@ std::optional<core::Problem> read_hdf5_points(const std::filesystem::path& path,
   if (auto problem = taker.begin(dataset.shape[0], dataset.shape[1])) return problem;
   const std::uint64_t step = rows_at_once(dataset);
   try {
-    for (std::uint64_t first = 0; first < dataset.shape[0]; first += step)
-      taker.take(first, points_of_rows(dataset, first, std::min(step, dataset.shape[0] - first)));
+    for (std::uint64_t first = 0; first < dataset.shape[0]; first += step) {
+      std::vector<double> points = points_of_rows(dataset, first, std::min(step, dataset.shape[0] - first));
+      const AxisMeaning& meaning = std::get<PointsDataset>(opened).meaning;
+      if (auto problem = problem_of_missing(meaning, points_name, points, first * dataset.shape[1])) return problem;
+      taker.take(first, std::move(points));
+    }
   } catch (const std::runtime_error& error) {
     return file_problem({}, "the file is damaged: the HDF5 library cannot read all of it", error.what());
   }

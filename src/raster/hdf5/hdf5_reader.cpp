@@ -65,6 +65,11 @@ void read_part(const Hdf5Dataset& dataset, hid_t type, std::uint64_t first, std:
   throw std::runtime_error(text);
 }
 
+bool holds_real_numbers(const Hdf5Dataset& dataset) {
+  const H5T_class_t kind = H5Tget_class(dataset.type.get());
+  return kind == H5T_FLOAT || kind == H5T_INTEGER;
+}
+
 class Hdf5Raster final : public Raster {
  public:
   Hdf5Raster(RasterInfo info, std::string name, Hdf5Handle file, Hdf5Dataset samples, std::uint64_t file_bytes,
@@ -168,8 +173,7 @@ class Hdf5Raster final : public Raster {
     auto* dataset = std::get_if<Hdf5Dataset>(&opened);
     const auto shape = width == 1 ? std::vector<std::uint64_t>{length} : std::vector<std::uint64_t>{length, width};
     if (dataset == nullptr || dataset->shape != shape) return std::nullopt;
-    const H5T_class_t kind = H5Tget_class(dataset->type.get());
-    if (kind != H5T_FLOAT && kind != H5T_INTEGER) return std::nullopt;
+    if (!holds_real_numbers(*dataset)) return std::nullopt;
     return std::move(*dataset);
   }
 
@@ -183,7 +187,8 @@ class Hdf5Raster final : public Raster {
     const std::string path = "/" + name;
     const auto axis = open_axis(path, length, width);
     if (!axis) return std::nullopt;
-    const auto said = meaning_of_axis(read_attributes(axis->id.get(), file_bytes_), path, units_of_axis(name));
+    const auto said = meaning_of_axis(read_attributes(axis->id.get(), file_bytes_, true), path, units_of_axis(name),
+                                      kind_of_numbers(axis->type.get()));
     const auto* const meaning = std::get_if<AxisMeaning>(&said);
     if (meaning == nullptr) return std::nullopt;  // Refused before.
     std::vector<double> values(length * width);
@@ -225,14 +230,29 @@ std::optional<double> number_attribute(const AttributeTexts& attributes, std::st
   return text ? core::parse_number(*text, shift) : std::nullopt;
 }
 
+constexpr const char* old_lsb = "SIMULATION/(mV)_Least_Significant_Bit_value";
+constexpr const char* old_rate = "SIMULATION/(GHz)_Sample_frequency";
+
 // The old program named its attributes after the comments of the script and kept the script's units.
 void take_old_attributes(RasterInfo& info) {
-  const std::string prefix = "SIMULATION/";
-  const auto bits = number_attribute(info.attributes, prefix + "A/D_bit_accuracy");
+  const auto bits = number_attribute(info.attributes, "SIMULATION/A/D_bit_accuracy");
   if (bits && *bits >= 1.0 && *bits <= 64.0) info.bits = static_cast<int>(*bits);
-  info.lsb_v = number_attribute(info.attributes, prefix + "(mV)_Least_Significant_Bit_value", -3);
+  info.lsb_v = number_attribute(info.attributes, old_lsb, -3);
   if (info.lsb_v && !(*info.lsb_v > 0.0)) info.lsb_v.reset();
-  info.sample_rate_hz = number_attribute(info.attributes, prefix + "(GHz)_Sample_frequency", 9);
+  info.sample_rate_hz = number_attribute(info.attributes, old_rate, 9);
+}
+
+// Numbers of that program that are none, or below 0.
+std::optional<core::Problem> problem_of_old_facts(const RasterInfo& info) {
+  for (const auto& [name, shift] : {std::pair(old_lsb, -3), std::pair(old_rate, 9)}) {
+    const auto text = find_attribute(info.attributes, name);
+    if (!text) continue;
+    const auto number = core::parse_number(*text, shift);
+    if (number && *number >= 0.0) continue;
+    return file_problem({}, fmt::format("{} of /Details cannot be", name), fmt::format("{:.40}", *text),
+                        "a number from 0 on that is finite in SI units", "correct it");
+  }
+  return std::nullopt;
 }
 
 // Of H5Literate: 0 goes on, 1 ends the walk.
@@ -269,7 +289,7 @@ AttributeTexts read_details(hid_t file, std::uint64_t longest) {
     if (!has_object(group.get(), name)) continue;
     const Hdf5Handle object(H5Dopen2(group.get(), name.c_str(), H5P_DEFAULT), H5Dclose);
     if (!object) continue;
-    for (auto& [key, value] : read_attributes(object.get(), longest))
+    for (auto& [key, value] : read_attributes(object.get(), longest, false).known)
       result.emplace_back(without_return(name) + "/" + without_return(key), std::move(value));
   }
   return result;
@@ -304,9 +324,8 @@ std::optional<core::Problem> take_shape(RasterInfo& info, const Hdf5Dataset& sam
 
 // Takes over what the attributes of the samples say of their numbers.
 std::optional<core::Problem> take_meaning(RasterInfo& info, ValueRule& rule, const Hdf5Dataset& samples,
-                                          const std::string& path, std::uint64_t file_bytes) {
-  auto meaning =
-      meaning_of_samples(read_attributes(samples.id.get(), file_bytes, true), "the dataset " + path, info.counts);
+                                          const std::string& path, NumberKind kind, std::uint64_t file_bytes) {
+  auto meaning = meaning_of_samples(read_attributes(samples.id.get(), file_bytes, true), "the dataset " + path, kind);
   if (auto* problem = std::get_if<core::Problem>(&meaning)) return std::move(*problem);
   auto& known = std::get<SampleMeaning>(meaning);
   info.counts = known.counts;
@@ -316,47 +335,80 @@ std::optional<core::Problem> take_meaning(RasterInfo& info, ValueRule& rule, con
 
 std::optional<core::Problem> describe_samples(RasterInfo& info, ValueRule& rule, const Hdf5Dataset& samples,
                                               const std::string& path, std::uint64_t file_bytes) {
-  const auto members = complex_members(samples.type.get());
-  if (!members)
+  if (!complex_members(samples.type.get()))
     return file_problem({}, fmt::format("the dataset {} does not hold complex numbers", path), {},
                         "a compound of r and i or of real and imag, both floating-point or both integer");
-  info.counts = H5Tget_member_class(samples.type.get(), (*members)[0]) == H5T_INTEGER;
   if (auto problem = take_shape(info, samples, path.c_str(), 1)) return problem;
-  return take_meaning(info, rule, samples, path, file_bytes);
+  return take_meaning(info, rule, samples, path, kind_of_numbers(samples.type.get()), file_bytes);
 }
 
-// What axes say has to fit the samples: an axis of another length, or in another unit, is that of something else.
-std::optional<core::Problem> problem_of_axes(hid_t file, const RasterInfo& info, std::size_t rows,
-                                             std::uint64_t file_bytes) {
-  const auto problem_of_axis = [&](const std::string& path, std::vector<std::uint64_t> shape,
-                                   const char* units) -> std::optional<core::Problem> {
-    if (!has_object(file, path)) return std::nullopt;
-    auto opened = open_dataset(file, path, file_bytes);
-    if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
-    const auto& axis = std::get<Hdf5Dataset>(opened);
-    if (axis.shape != shape)
-      return file_problem({}, fmt::format("the axis {} has not the length of the samples", path), shape_of(axis.shape),
-                          shape_of(shape), "correct it, or rename it");
-    const auto meaning = meaning_of_axis(read_attributes(axis.id.get(), file_bytes), "the axis " + path, units);
-    if (const auto* problem = std::get_if<core::Problem>(&meaning)) return *problem;
-    return std::nullopt;
-  };
-  for (const AxisWords& axis : axis_words) {
-    const bool across = axis.of == AxisOf::columns;
-    if (auto problem = problem_of_axis(std::string("/") + axis.name, {across ? info.columns : rows}, axis.units))
-      return problem;
+// The values of an axis some of which may stand for none.
+std::optional<core::Problem> problem_of_places(const Hdf5Dataset& axis, const AxisMeaning& meaning,
+                                               const std::string& what) {
+  if (meaning.valid.is_plain()) return std::nullopt;
+  constexpr std::uint64_t at_once = std::uint64_t{1} << 20U;
+  const std::uint64_t width = axis.shape.size() > 1 ? axis.shape[1] : 1;
+  std::vector<double> values;
+  for (std::uint64_t first = 0; first < axis.shape[0]; first += at_once) {
+    const std::uint64_t count = std::min(at_once, axis.shape[0] - first);
+    values.resize(static_cast<std::size_t>(count * width));
+    read_part(axis, H5T_NATIVE_DOUBLE, first, count, values.data(), what);
+    if (auto problem = problem_of_missing(meaning, what, values, first * width)) return problem;
   }
-  for (const PoseAxis& axis : pose_axes)
-    if (auto problem = problem_of_axis(std::string("/") + axis.name, {rows, 3}, axis.units)) return problem;
   return std::nullopt;
 }
 
-std::optional<core::Problem> describe_old_samples(RasterInfo& info, const Hdf5Dataset& samples) {
-  const H5T_class_t kind = H5Tget_class(samples.type.get());
-  if (kind != H5T_FLOAT && kind != H5T_INTEGER)
+// What axes say has to fit the samples: an axis of another length, or in another unit, is that of something else. One
+// that cannot be read is none that is not there.
+std::optional<core::Problem> problem_of_axis(hid_t file, const std::string& path,
+                                             const std::vector<std::uint64_t>& shape, const char* units,
+                                             std::uint64_t file_bytes) {
+  if (!has_link(file, path)) return std::nullopt;
+  const std::string what = "the axis " + path;
+  if (!has_object(file, path))
+    return file_problem({}, what + " is a link, which is not followed", {}, "a dataset of the file",
+                        "put the numbers themselves into the file, or remove the link");
+  auto opened = open_dataset(file, path, file_bytes);
+  if (auto* problem = std::get_if<core::Problem>(&opened)) return std::move(*problem);
+  const auto& axis = std::get<Hdf5Dataset>(opened);
+  if (axis.shape != shape)
+    return file_problem({}, what + " has not the length of the samples", shape_of(axis.shape), shape_of(shape),
+                        "correct it, or rename it");
+  if (!holds_real_numbers(axis))
+    return file_problem({}, what + " does not hold numbers", {}, "floating-point or whole numbers",
+                        "store them as such, or rename it");
+  const auto meaning =
+      meaning_of_axis(read_attributes(axis.id.get(), file_bytes, true), what, units, kind_of_numbers(axis.type.get()));
+  if (const auto* problem = std::get_if<core::Problem>(&meaning)) return *problem;
+  return problem_of_places(axis, std::get<AxisMeaning>(meaning), what);
+}
+
+std::optional<core::Problem> problem_of_axes(hid_t file, const RasterInfo& info, std::size_t rows,
+                                             std::uint64_t file_bytes) {
+  for (const AxisWords& axis : axis_words) {
+    const bool across = axis.of == AxisOf::columns;
+    if (auto problem =
+            problem_of_axis(file, std::string("/") + axis.name, {across ? info.columns : rows}, axis.units, file_bytes))
+      return problem;
+  }
+  for (const PoseAxis& axis : pose_axes)
+    if (auto problem = problem_of_axis(file, std::string("/") + axis.name, {rows, 3}, axis.units, file_bytes))
+      return problem;
+  return std::nullopt;
+}
+
+// Numbers of the layout of 2015 are counts, whatever their type.
+std::optional<core::Problem> describe_old_samples(RasterInfo& info, ValueRule& rule, const Hdf5Dataset& samples,
+                                                  std::uint64_t file_bytes) {
+  if (!holds_real_numbers(samples))
     return file_problem({}, fmt::format("the dataset {} does not hold numbers", old_samples_path));
-  info.counts = true;
-  return take_shape(info, samples, old_samples_path, 2);
+  if (auto problem = take_shape(info, samples, old_samples_path, 2)) return problem;
+  NumberKind kind = kind_of_numbers(samples.type.get());
+  kind.whole = true;
+  if (auto problem = take_meaning(info, rule, samples, old_samples_path, kind, file_bytes)) return problem;
+  if (info.counts) return std::nullopt;
+  return file_problem({}, fmt::format("the dataset {} has a scale_factor or units, but holds counts", old_samples_path),
+                      {}, "neither, or units = count", "remove them: the LSB is in /Details");
 }
 
 OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
@@ -380,7 +432,7 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
   RasterInfo info;
   info.path = path;
   ValueRule rule;
-  if (auto problem = old_layout ? describe_old_samples(info, samples)
+  if (auto problem = old_layout ? describe_old_samples(info, rule, samples, file_bytes)
                                 : describe_samples(info, rule, samples, samples_are_at, file_bytes))
     return refused(name, std::move(*problem));
   const auto rows = static_cast<std::size_t>(samples.shape[0]);
@@ -389,8 +441,12 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
   if (hints.rows > 0 && hints.rows != samples.shape[0])
     return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", samples.shape[0]),
                                       fmt::format("{}", hints.rows)));
-  info.attributes = old_layout ? read_details(file.get(), file_bytes) : read_attributes(file.get(), file_bytes);
+  ArrayAttributes root = read_attributes(file.get(), file_bytes, false);
+  if (auto problem = problem_of_unread_facts(root)) return refused(name, std::move(*problem));
+  info.attributes = old_layout ? read_details(file.get(), file_bytes) : std::move(root.known);
   old_layout ? take_old_attributes(info) : take_known_attributes(info);
+  if (old_layout)
+    if (auto problem = problem_of_old_facts(info)) return refused(name, std::move(*problem));
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;
   if (!info.lsb_v && hints.lsb_v > 0.0) info.lsb_v = hints.lsb_v;
   const auto raster =

@@ -96,10 +96,33 @@ core::Problem key_problem(const std::string& what, std::string_view key, std::st
                       std::move(expected), std::move(hint));
 }
 
-const std::string* word_of(const FileAttributes& attributes, std::string_view name) {
-  const auto found = std::ranges::find(attributes, name, &std::pair<std::string, std::string>::first);
-  return found == attributes.end() ? nullptr : &found->second;
+using Named = std::pair<std::string, std::string>;
+
+const std::string* word_of(const ArrayAttributes& attributes, std::string_view name) {
+  const auto found = std::ranges::find(attributes.known, name, &Named::first);
+  return found == attributes.known.end() ? nullptr : &found->second;
 }
+
+// All attributes that say what the numbers of an array mean, and what they may be.
+struct MeaningKey {
+  std::string_view name;
+  const char* expected;
+};
+
+constexpr std::array<MeaningKey, 10> meaning_keys{{{"units", "a text"},
+                                                   {"unit", "a text"},
+                                                   {"scale_factor", "a number"},
+                                                   {"add_offset", "a number"},
+                                                   {"_FillValue", "a number"},
+                                                   {"missing_value", "up to 16 numbers"},
+                                                   {"valid_range", "2 numbers"},
+                                                   {"valid_min", "a number"},
+                                                   {"valid_max", "a number"},
+                                                   {"_Unsigned", "true or false, as a text"}}};
+
+// Counts become volts, and numbers SI units, in single or double precision: of others nothing would be left.
+constexpr double smallest_factor = 1e-37;
+constexpr double largest_factor = 1e29;
 
 // The numbers of an attribute, separated by commas; nothing where one is none.
 std::optional<std::vector<double>> numbers_of(std::string_view text) {
@@ -124,7 +147,15 @@ std::optional<std::vector<double>> numbers_of(std::string_view text) {
 // Reads attributes of numbers and keeps the first problem.
 class CfReader {
  public:
-  CfReader(const FileAttributes& attributes, const std::string& what) : attributes_(attributes), what_(what) {}
+  CfReader(const ArrayAttributes& attributes, const std::string& what) : attributes_(attributes), what_(what) {
+    if (!attributes.complete)
+      problem_ = file_problem({}, fmt::format("{}: its attributes cannot be read to the last one", what), {},
+                              "a sound list of at most 1000", "remove those that say nothing of the numbers");
+    for (const auto& [name, found] : attributes.unreadable) {
+      const auto key = std::ranges::find(meaning_keys, name, &MeaningKey::name);
+      if (key != meaning_keys.end()) refuse(name, found, key->expected, "write it so, or remove it");
+    }
+  }
 
   [[nodiscard]] const std::optional<core::Problem>& problem() const { return problem_; }
 
@@ -144,12 +175,44 @@ class CfReader {
     refuse(key, fmt::format("{}", found.front()), "a finite number", "correct it");
     return otherwise;
   }
+  // A number that others are multiplied by.
+  double factor(std::string_view key) {
+    const double found = number(key, 1.0);
+    if (std::abs(found) >= smallest_factor && std::abs(found) <= largest_factor) return found;
+    refuse(key, core::format_number(found), found == 0.0 ? "a number other than 0" : "a size from 1e-37 to 1e29",
+           "correct it");
+    return 1.0;
+  }
+  // Which numbers stand for none.
+  void take_valid(ValueRule& rule) {
+    for (const char* const key : {"_FillValue", "missing_value"})
+      for (const double value : numbers(key, 1, 16))
+        if (!std::isnan(value)) rule.missing.push_back(value);
+    const std::vector<double> range = numbers("valid_range", 2, 2);
+    if (!range.empty()) {
+      rule.least = range[0];
+      rule.most = range[1];
+    }
+    rule.least = std::max(rule.least, number("valid_min", rule.least));
+    rule.most = std::min(rule.most, number("valid_max", rule.most));
+    if (!(rule.least <= rule.most))
+      refuse("valid_range", fmt::format("{:g}, {:g}", rule.least, rule.most), "the least and the largest valid number",
+             "correct it");
+  }
+  // netCDF's way to say that whole numbers have another sign than their type has.
+  void expect_sign(bool has_sign) {
+    const std::string* const said = word_of(attributes_, "_Unsigned");
+    if (said == nullptr || core::equal_ignoring_case(core::trimmed(*said), has_sign ? "false" : "true")) return;
+    refuse("_Unsigned", fmt::format("{:.60}", *said),
+           has_sign ? "false, as the type of the numbers has a sign" : "true, as the type of the numbers has no sign",
+           "store the numbers in the type that they are of, and remove the attribute");
+  }
   void refuse(std::string_view key, std::string found, std::string expected, std::string hint) {
     if (!problem_) problem_ = key_problem(what_, key, std::move(found), std::move(expected), std::move(hint));
   }
 
  private:
-  const FileAttributes& attributes_;
+  const ArrayAttributes& attributes_;
   const std::string& what_;
   std::optional<core::Problem> problem_;
 };
@@ -192,11 +255,11 @@ std::optional<std::pair<double, std::string_view>> si_unit_of(std::string_view w
   return std::pair{found->factor, found->si};
 }
 
-std::variant<SampleMeaning, core::Problem> meaning_of_samples(const FileAttributes& attributes, const std::string& what,
-                                                              bool integers) {
+std::variant<SampleMeaning, core::Problem> meaning_of_samples(const ArrayAttributes& attributes,
+                                                              const std::string& what, NumberKind kind) {
   CfReader reader(attributes, what);
   SampleMeaning meaning;
-  meaning.counts = integers;
+  meaning.counts = kind.whole;
   // Older files of ours say `unit` alone, newer ones both.
   const std::string* units = word_of(attributes, "units");
   const std::string* const unit_too = word_of(attributes, "unit");
@@ -204,31 +267,19 @@ std::variant<SampleMeaning, core::Problem> meaning_of_samples(const FileAttribut
     reader.refuse("units", fmt::format("{:.60}", *units), fmt::format("{:.60}, as its attribute unit says", *unit_too),
                   "correct one of them");
   if (units == nullptr) units = unit_too;
-  const double unit = take_units(reader, units, integers, meaning);
-  const double scale = reader.number("scale_factor", 1.0);
-  if (scale == 0.0) reader.refuse("scale_factor", "0", "a number other than 0", "correct it");
+  const double unit = take_units(reader, units, kind.whole, meaning);
+  const double scale = reader.factor("scale_factor");
   if (const double offset = reader.number("add_offset", 0.0); offset != 0.0)
     reader.refuse("add_offset", core::format_number(offset), "0",
                   "what an offset means for I and Q is not defined: add it to the samples and remove the attribute");
   meaning.rule.scale = scale * unit;
-  if (scale != 1.0) {
-    if (units != nullptr && is_count_word(core::trimmed(*units)))
-      reader.refuse("scale_factor", core::format_number(scale), "1 for counts", "say the LSB by the attribute lsb_v");
-    meaning.counts = false;
-  }
-  for (const char* const key : {"_FillValue", "missing_value"})
-    for (const double value : reader.numbers(key, 1, 16))
-      if (!std::isnan(value)) meaning.rule.missing.push_back(value);
-  const std::vector<double> range = reader.numbers("valid_range", 2, 2);
-  if (!range.empty()) {
-    meaning.rule.least = range[0];
-    meaning.rule.most = range[1];
-  }
-  meaning.rule.least = std::max(meaning.rule.least, reader.number("valid_min", meaning.rule.least));
-  meaning.rule.most = std::min(meaning.rule.most, reader.number("valid_max", meaning.rule.most));
-  if (!(meaning.rule.least <= meaning.rule.most))
-    reader.refuse("valid_range", fmt::format("{:g}, {:g}", meaning.rule.least, meaning.rule.most),
-                  "the least and the largest valid number", "correct it");
+  const bool counts_said = units != nullptr && is_count_word(core::trimmed(*units));
+  if (scale != 1.0 && counts_said)
+    reader.refuse("scale_factor", core::format_number(scale), "1 for counts", "say the LSB by the attribute lsb_v");
+  // One of 1 says as well that the numbers are those of the unit.
+  if (word_of(attributes, "scale_factor") != nullptr && !counts_said) meaning.counts = false;
+  reader.take_valid(meaning.rule);
+  reader.expect_sign(kind.has_sign);
   if (reader.problem()) return *reader.problem();
   return meaning;
 }
@@ -244,21 +295,42 @@ std::optional<core::Problem> problem_of_dimensions(const std::vector<std::string
   return std::nullopt;
 }
 
-std::variant<AxisMeaning, core::Problem> meaning_of_axis(const FileAttributes& attributes, const std::string& what,
-                                                         std::string_view units) {
+std::variant<AxisMeaning, core::Problem> meaning_of_axis(const ArrayAttributes& attributes, const std::string& what,
+                                                         std::string_view units, NumberKind kind) {
   CfReader reader(attributes, what);
-  AxisMeaning meaning{reader.number("scale_factor", 1.0), reader.number("add_offset", 0.0)};
-  if (meaning.factor == 0.0) reader.refuse("scale_factor", "0", "a number other than 0", "correct it");
+  AxisMeaning meaning{reader.factor("scale_factor"), reader.number("add_offset", 0.0)};
+  reader.take_valid(meaning.valid);
+  reader.expect_sign(kind.has_sign);
   if (const std::string* const said = word_of(attributes, "units"); said != nullptr && !core::trimmed(*said).empty()) {
     const auto unit = si_unit_of(*said);
     if (!unit || unit->second != units)
       reader.refuse("units", fmt::format("{:.60}", *said), fmt::format("{} or a multiple of it", units),
                     "convert the numbers, or correct the attribute");
-    else
-      meaning = {meaning.factor * unit->first, meaning.offset * unit->first};
+    else {
+      meaning.factor *= unit->first;
+      meaning.offset *= unit->first;
+    }
   }
   if (reader.problem()) return *reader.problem();
   return meaning;
+}
+
+std::optional<core::Problem> problem_of_missing(const AxisMeaning& meaning, const std::string& what,
+                                                std::span<const double> stored, std::size_t first) {
+  const ValueRule& valid = meaning.valid;
+  if (valid.is_plain()) return std::nullopt;
+  const auto stands_for_none = [&valid](double number) {
+    const auto is_it = [number](double value) {
+      return number == value || number == static_cast<double>(as_float(value));
+    };
+    return number < valid.least || number > valid.most || std::ranges::any_of(valid.missing, is_it);
+  };
+  const auto bad = std::ranges::find_if(stored, stands_for_none);
+  if (bad == stored.end()) return std::nullopt;
+  return file_problem({}, fmt::format("{} has a number that stands for none", what),
+                      fmt::format("{:g} at position {}", *bad, first + static_cast<std::size_t>(bad - stored.begin())),
+                      "valid numbers, by its _FillValue, missing_value and valid range",
+                      "store all places, or correct the attribute");
 }
 
 }  // namespace sarsim::raster

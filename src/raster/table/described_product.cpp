@@ -6,6 +6,7 @@
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/axis_words.hpp"
+#include "raster/table/file_problem.hpp"
 #include "raster/table/pose_axes.hpp"
 
 namespace sarsim::raster {
@@ -127,6 +128,13 @@ std::optional<double> known_number(const FileAttributes& attributes, std::string
 
 DescribedProduct describe(const simulate::Product& product, const FileAttributes& option_words, bool counts) {
   return Describer(product).describe(option_words, counts);
+}
+
+std::optional<core::Problem> problem_of_unread_facts(const ArrayAttributes& root) {
+  for (const auto& [name, found] : root.unreadable)
+    if (name == "lsb_v" || name == "sample_rate_hz" || name == "bits")
+      return file_problem({}, name + " of the file cannot be read", found, "a number", "write it as one number");
+  return std::nullopt;
 }
 
 void take_known_attributes(RasterInfo& info) {

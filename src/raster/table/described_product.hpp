@@ -11,6 +11,8 @@
 #include <variant>
 #include <vector>
 
+#include "core/report/problem.hpp"
+#include "raster/table/array_attributes.hpp"
 #include "raster/table/product_attributes.hpp"
 #include "raster/table/raster.hpp"
 #include "simulate/plan/sink.hpp"
@@ -58,6 +60,10 @@ inline constexpr const char* map_name = "utm";
 /// @param counts        the samples are counts of the converter
 [[nodiscard]] DescribedProduct describe(const simulate::Product& product, const FileAttributes& option_words,
                                         bool counts);
+
+/// What is wrong with attributes of the root of a file that cannot be read: one that says LSB, sampling rate or bits is
+/// refused by its name. A problem without a place.
+[[nodiscard]] std::optional<core::Problem> problem_of_unread_facts(const ArrayAttributes& root);
 
 /// Takes bits, LSB and sampling rate from the attributes of a file of this layout.
 void take_known_attributes(RasterInfo& info);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,8 @@
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/image_gate.hpp"
+#include "raster/table/pose_axes.hpp"
 #include "raster/table/product_attributes.hpp"
 
 namespace sarsim::raster {
@@ -49,14 +52,17 @@ class FactCheck {
   core::Problems run() {
     for (const FactBounds& bounds : fact_bounds) check_fact(bounds);
     check_known();
-    if (raster_.rows() > most_looked_at || raster_.columns() > most_looked_at) return std::move(problems_);
-    if (const auto axes = raster_.axes()) {
+    const bool looked_at = raster_.rows() <= most_looked_at && raster_.columns() <= most_looked_at;
+    const auto axes = looked_at ? raster_.axes() : std::nullopt;
+    if (axes) {
       check_axis("pulse_time_s", axes->row_time_s);
       check_axis("carrier_hz", axes->row_carrier_hz);
       check_axis(axes->column_axis, axes->column_range_m);
       check_axis(axes->row_axis, axes->row_m);
+      check_poses(axes->row_pose);
       compare_rate(*axes);
     }
+    std::ranges::move(problems_of_image(raster_.info(), axes ? &*axes : nullptr, path_), std::back_inserter(problems_));
     return std::move(problems_);
   }
 
@@ -80,6 +86,10 @@ class FactCheck {
     const RasterInfo& info = raster_.info();
     if (!core::has_errors(problems_) && info.lsb_v && !(*info.lsb_v <= largest_lsb_v))
       refuse("the LSB of the file cannot be", fmt::format("{:g} V", *info.lsb_v), "up to 1e29 V");
+    if (!core::has_errors(problems_) && info.sample_rate_hz &&
+        !(*info.sample_rate_hz > 0.0 && *info.sample_rate_hz <= largest_rate_hz))
+      refuse("the sampling rate of the file cannot be", fmt::format("{:g} Hz", *info.sample_rate_hz),
+             "above 0, up to 1e18 Hz");
     if (info.counts && info.lsb_v && *info.lsb_v > 0.0 && *info.lsb_v < smallest_lsb_v)
       refuse("the LSB of the file is too small for volts of single precision", fmt::format("{:g} V", *info.lsb_v),
              "at least 1e-37 V");
@@ -94,6 +104,16 @@ class FactCheck {
     const auto at = none ? std::ptrdiff_t{0} : bad - values.begin();
     refuse(fmt::format("the axis {} has a value that cannot be", name),
            fmt::format("{:g} at position {}", values[static_cast<std::size_t>(at)], at), "numbers up to 1e15");
+  }
+
+  void check_poses(const std::vector<simulate::RowPose>& poses) {
+    for (const PoseAxis& axis : pose_axes) {
+      std::vector<double> values;
+      values.reserve(3 * poses.size());
+      for (const simulate::RowPose& pose : poses)
+        for (const double value : pose.*axis.part) values.push_back(value);
+      check_axis(axis.name, values);
+    }
   }
 
   // Columns of a recording are samples of the converter: c/(2 rate) apart, whichever profile's c that is.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +10,9 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/json_once.hpp"
 
 namespace sarsim::raster {
 
@@ -42,7 +43,7 @@ class SigmfReader {
   std::variant<SigmfMeta, core::Problem> read(std::string_view text) {
     SigmfJson tree;
     try {
-      tree = parsed(text);
+      tree = parse_json_once(text, twice_);
     } catch (const SigmfJson::exception& error) {
       return file_problem({}, "this is not JSON", fmt::format("{:.200}", error.what()));
     }
@@ -62,21 +63,6 @@ class SigmfReader {
   }
 
  private:
-  // Of members of the same name, parsers take the one or the other.
-  SigmfJson parsed(std::string_view text) {
-    std::set<std::string> keys;
-    std::size_t objects = 0;
-    return SigmfJson::parse(text, [&](int depth, SigmfJson::parse_event_t event, SigmfJson& value) {
-      if (event == SigmfJson::parse_event_t::object_start) ++objects;
-      if (event != SigmfJson::parse_event_t::key || depth > 2) return true;
-      const auto& name = value.get_ref<const std::string&>();
-      // Of captures, each has its own keys.
-      const std::string known = depth == 1 ? name : fmt::format("{}/{}", objects, name);
-      if (!keys.insert(known).second && twice_.empty()) twice_ = name.substr(0, 60);
-      return true;
-    });
-  }
-
   static const SigmfJson& member(const SigmfJson& object, std::string_view name) {
     static const SigmfJson none;
     if (!object.is_object()) return none;
@@ -117,13 +103,21 @@ class SigmfReader {
   }
 
   void take_own(const SigmfJson& global) {
-    for (const auto& [name, value] : global.items()) {
-      if (!name.starts_with(own_prefix)) continue;
-      const std::string own = name.substr(own_prefix.size());
-      if (value.is_string()) meta_.attributes.emplace_back(own, value.get<std::string>());
-      if (value.is_number_integer()) meta_.attributes.emplace_back(own, value.dump());
-      if (value.is_number_float()) meta_.attributes.emplace_back(own, core::format_number(value.get<double>()));
+    ArrayAttributes own;
+    for (const auto& [key, value] : global.items()) {
+      if (!key.starts_with(own_prefix)) continue;
+      const std::string name = key.substr(own_prefix.size());
+      if (value.is_string())
+        own.known.emplace_back(name, value.get<std::string>());
+      else if (value.is_number_integer())
+        own.known.emplace_back(name, value.dump());
+      else if (value.is_number_float())
+        own.known.emplace_back(name, core::format_number(value.get<double>()));
+      else
+        own.unreadable.emplace_back(name, shown_json(value));
     }
+    if (auto problem = problem_of_unread_facts(own); problem && !problem_) problem_ = std::move(problem);
+    meta_.attributes = std::move(own.known);
     meta_.columns = whole(global, "sarsim:samples_per_pulse").value_or(0);
     const SigmfJson& ranges = member(global, "sarsim:slant_range_m");
     if (ranges.is_null()) return;
@@ -145,12 +139,19 @@ class SigmfReader {
     if (const std::string version = text(global, "core:version"); !version.empty())
       if (const std::string major = version.substr(0, version.find('.')); major != "0" && major != "1")
         refuse("core:version", "is not known", fmt::format("{:.40}", version), "1.x");
-    const SigmfJson& extensions = member(global, "core:extensions");
-    if (!extensions.is_array()) return;  // Before version 1.0 they were an object, and all of them optional.
+    take_extensions(member(global, "core:extensions"));
+  }
+
+  // Only those that say so are optional.
+  void take_extensions(const SigmfJson& extensions) {
+    // Before version 1.0 they were an object, and all of them optional.
+    if (extensions.is_null() || extensions.is_object()) return;
+    if (!extensions.is_array()) return refuse("core:extensions", "are no list", shown_json(extensions), "[ { ... } ]");
     for (const SigmfJson& extension : extensions) {
-      const SigmfJson& name = member(extension, "name");
-      if (member(extension, "optional") != false || name == "sarsim") continue;
-      refuse("core:extensions", "asks for one that is not known", shown_json(name), "extensions that are optional",
+      const SigmfJson& name = extension.is_object() ? member(extension, "name") : extension;
+      if (member(extension, "optional") == true || name == "sarsim") continue;
+      refuse("core:extensions", "asks for one that is not known", shown_json(name),
+             "extensions that are optional, by \"optional\": true",
              "the samples may mean something else with it: convert the recording with the program that wrote it");
     }
   }

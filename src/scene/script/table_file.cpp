@@ -253,6 +253,8 @@ std::optional<ArrayHeader> array_header(std::string_view bytes) {
       byte_at(8) + (byte_at(9) << 8U) + (is_long ? (byte_at(10) << 16U) + (byte_at(11) << 24U) : 0);
   if (size > bytes.size() - first) return std::nullopt;
   const std::string_view text = bytes.substr(first, size);
+  for (const char* const key : {"'descr'", "'shape'", "'fortran_order'"})
+    if (text.find(key) != text.rfind(key)) return std::nullopt;  // Twice: nothing tells which one counts.
   const std::string_view type = behind_key(text, "descr");
   auto shape = shape_of(behind_key(text, "shape"));
   if (type.size() < 2 || type.front() != '\'' || !shape) return std::nullopt;
@@ -337,6 +339,9 @@ std::optional<DataFileReading> read_npy_table(std::string_view bytes, const std:
   const std::string_view data = bytes.substr(header->begin);
   if (wide == 0 || rows > data.size() / type->bytes / wide)
     return fail("the file is shorter than its array", fmt::format("{} bytes of data", data.size()), shape_words(shape));
+  if (const std::size_t wanted = rows * wide * type->bytes; data.size() > wanted)
+    return fail("the file is longer than its array", fmt::format("{} bytes behind it", data.size() - wanted),
+                shape_words(shape), "store each array in a file of its own");
   const bool by_columns = header->columns_first && shape.size() == 2;
   std::vector<double> numbers(rows * wide);
   for (std::size_t row = 0; row < rows; ++row)

@@ -103,6 +103,8 @@ TEST(TableFile, MayBeAnArrayOfNumPy) {
   for (const auto& [bytes, says] :
        {std::pair{npy<double>(">f8", "(2, 2)", {0, 0, 30, -3}), "of a type that is not read"},
         std::pair{npy<double>("<f8", "(2, 5)", {0, 0, 30, -3}), "shorter than its array"},
+        std::pair{npy<double>("<f8", "(2, 2)", {0, 0, 30, -3}) + "tail", "longer than its array"},
+        std::pair{npy<double>("<f8", "(1, 4), 'shape': (2, 2)", {0, 0, 30, -3}), "header of the array"},
         std::pair{npy<double>("<f8", "(4,)", {0, 0, 30, -3}), "has other columns"},
         std::pair{npy<double>("<f8", "(1, 2, 2)", {0, 0, 30, -3}), "not a table"},
         std::pair{std::string("\x93NUMPY\x01\x00\xff\xff", 10), "header of the array"},

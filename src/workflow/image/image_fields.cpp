@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <iterator>
+#include <string_view>
 
 #include <fmt/format.h>
 
@@ -34,6 +36,11 @@ class FieldTaker {
     const auto value = header_.field(name);
     if (!value) refuse(name, "is missing");
     return *value;
+  }
+  [[nodiscard]] std::string word(const std::string& name, std::initializer_list<std::string_view> allowed) const {
+    const std::string value = text(name);
+    if (std::ranges::find(allowed, value) == allowed.end()) refuse(name, "is not known");
+    return value;
   }
   [[nodiscard]] double number(const std::string& name) const { return parsed(name, text(name)); }
   // A number from 1, as the position from 0.
@@ -136,7 +143,7 @@ raster::EnviHeader header_of(const signal::FocusedImage& image, const ImageOrigi
 void read_header(const raster::EnviHeader& header, const std::string& file, signal::FocusedImage& image,
                  ImageOrigin& origin) {
   const FieldTaker fields(header, file);
-  const bool slant = fields.text("image plane") == "slant range";
+  const bool slant = fields.word("image plane", {"slant range", "ground grid"}) == "slant range";
   image.frame = {slant ? signal::ImagePlane::slant_range : signal::ImagePlane::ground_grid, fields.vector("origin m"),
                  fields.direction("along"), slant ? fields.vector("across") : fields.direction("across"),
                  fields.number("speed mps")};

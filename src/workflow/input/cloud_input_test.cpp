@@ -104,6 +104,8 @@ TEST_F(ReadClouds, TakesStructuresByTheNamesOfTheirFields) {
   expect_refused("twice.npy", "two fields of the array mean the same");
   write("cut.npy", structures_header("('x', '<f8'), ('y', '<f8'), ('z', '<f8')", 3) + std::string(48, '\0'));
   expect_refused("cut.npy", "shorter than its array");
+  write("more.npy", structures_header("('x', '<f8'), ('y', '<f8'), ('z', '<f8')", 2) + std::string(56, '\0'));
+  expect_refused("more.npy", "longer than its array");
 }
 
 TEST_F(ReadClouds, TakesTheSamePointsFromEachFormat) {
@@ -211,7 +213,11 @@ TEST_F(ReadClouds, TakeTheDatasetPointsOfHdf5Files) {
       "w('double.h5', points=a); w('single.h5', points=a.astype('f4')); w('big.h5', points=a.astype('>f8'))\n"
       "w('chunks.h5', points=a); w('other.h5', samples=a); w('wide.h5', points=n.zeros((4, 7)))\n"
       "w('words.h5', points=n.array([[b'a', b'b', b'c']]))\n"
-      "w('whole.h5', points=n.array([[1, 2, 3]]))\n",
+      "w('whole.h5', points=n.array([[1, 2, 3]]))\n"
+      "for i, (k, v) in enumerate([('_FillValue', -2.), ('valid_max', 1e5), ('units', n.array(['m', 'V'], 'S')),\n"
+      "                            ('scale_factor', n.complex128(2)), ('_FillValue', n.nan)]):\n"
+      "    w('key%d.h5' % i, points=a)\n"
+      "    with h5py.File('{0}/key%d.h5' % i, 'r+') as f: f['points'].attrs[k] = v\n",
       folder_.string());
   write("make.py", script);
   if (std::system(fmt::format("python3 {0}/make.py > {0}/said 2>&1", folder_.string()).c_str()) != 0)
@@ -227,6 +233,11 @@ TEST_F(ReadClouds, TakeTheDatasetPointsOfHdf5Files) {
   expect_refused("other.h5", "no dataset /points");
   expect_refused("wide.h5", "(4, 7)");
   expect_refused("words.h5", "does not hold numbers");
+  expect_refused("key0.h5", "stands for none; found '-2 at position 1'");
+  expect_refused("key1.h5", "stands for none; found '1e+06 at position 5'");
+  expect_refused("key2.h5", "its attribute units cannot be followed");
+  expect_refused("key3.h5", "its attribute scale_factor cannot be followed");
+  EXPECT_TRUE(read("key4.h5").points);
   write("broken.h5", "\x89HDF\r\n\x1a\n" + std::string(1000, 'x'));
   expect_refused("broken.h5", "HDF5");
 }

@@ -186,6 +186,10 @@ std::optional<TableFault> read_npy_points(const core::InputFile& file, PointTabl
   if (shape[0] > there / columns.stride)
     return TableFault{"the file is shorter than its array", fmt::format("{} bytes of data", there),
                       fmt::format("{} rows of {} bytes", shape[0], columns.stride), "It was cut off; copy it again."};
+  if (const std::uint64_t left = there - shape[0] * columns.stride; left > 0)
+    return TableFault{"the file is longer than its array", fmt::format("{} bytes behind it", left),
+                      fmt::format("{} rows of {} bytes", shape[0], columns.stride),
+                      "Store each array in a file of its own."};
   if (is_single) return NpyPoints<float>(file, header, columns, table).read(control);
   return NpyPoints<double>(file, header, columns, table).read(control);
 }

@@ -150,8 +150,7 @@ raster::RasterHints hints_of(const simulate::Plan& plan) {
   raster::RasterHints hints;
   hints.columns = plan.columns;
   hints.rows = plan.rows;
-  hints.bits = plan.simulation.bits;
-  hints.lsb_v = plan.simulation.lsb_v;
+  hints.bits = plan.simulation.bits;  // The LSB is compared with the file's below, or taken where it has none.
   return hints;
 }
 
