@@ -119,6 +119,37 @@ TEST_F(MeasureSource, AnotherRecordingOfTheSameNameIsNotTakenForTheTruth) {
   EXPECT_EQ(sarsim({"measure", "x.img", "--target", "1"}).status, 2);
 }
 
+// The samples are those of the image, the scene beside them is not: it is told of, as one in a file of its own is.
+TEST_F(MeasureSource, ASceneInsideTheRecordingThatChangedIsToldOf) {
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "sigmf", "--quiet"}).status, 0);
+  std::string recording;
+  for (const std::string& name : entries("."))
+    if (name.ends_with(".sigmf-meta")) recording = name;
+  ASSERT_EQ(sarsim({"focus", recording, "--out", "x.img", "--quiet"}).status, 0);
+  EXPECT_THAT(sarsim({"measure", "x.img", "--target", "1"}).err, Not(HasSubstr("warning")));
+  std::string text = text_of(folder_ / recording);
+  ASSERT_NE(text.find("-190"), std::string::npos);
+  write_text(folder_ / recording, text.replace(text.find("-190"), 4, "-189"));
+  EXPECT_THAT(sarsim({"measure", "x.img", "--target", "1"}).err,
+              AllOf(HasSubstr("warning: the script is not the one that 'x.img' was made from"), HasSubstr(recording)));
+}
+
+// What a header repeats of the recording.
+TEST_F(MeasureSource, AHeaderThatContradictsTheRecordingIsToldOf) {
+  ASSERT_EQ(sarsim({"focus", "scene.scr", "--out", "x.img", "--quiet"}).status, 0);
+  const std::string header = text_of(folder_ / "x.hdr");
+  for (const auto& [field, value] :
+       {std::pair("carrier hz", "6.1e9"), std::pair("light speed mps", "3.1e8"), std::pair("along", "0, -1, 0")}) {
+    std::string edited = header;
+    const std::size_t at = edited.find(std::string("\n") + field + " = ");
+    ASSERT_NE(at, std::string::npos) << field;
+    edited.replace(at + 1, edited.find('\n', at + 1) - at - 1, std::string(field) + " = {" + value + "}");
+    write_text(folder_ / "x.hdr", edited);
+    EXPECT_THAT(sarsim({"measure", "x.img", "--target", "1"}).err,
+                HasSubstr(std::string("warning: the header of 'x.img' contradicts what it was made from: ") + field));
+  }
+}
+
 // A scene of the name elsewhere is not the one that was focused; edited at its place it is taken, with a warning.
 TEST_F(MeasureSource, AnotherSceneOfTheSameNameIsNotTakenForTheTruth) {
   fs::create_directory(folder_ / "a");

@@ -3,8 +3,8 @@
 
     secrets_test.py
 
-Fields of scenes and recordings and options that name a file get a file with private content; no command may quote more of
-it than one word of at most 60 bytes. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of
+Every place of a scene, a recording and a command line that names a file is given one that was never meant to be read, and
+descriptions of samples hold such texts; no command may tell more of them than one word of at most 60 letters. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of
 the environment.
 """
 
@@ -56,6 +56,11 @@ SECRETS = {
     "xml": "<?xml version='1.0'?>\n<hunter2 correct='horse battery'>staple alpha bravo</hunter2>\n",
     "tle": "1 25544U hunter2 correct horse battery staple alpha bravo charlie delta echo\n2 more of it\n",
     "oem": "CCSDS_OEM_VERS = hunter2 correct horse\nMETA_START alpha bravo charlie\n",
+    "unit": "x,w\n0,1\n1,5 alpha bravo charlie delta\n",
+    "heading": "x [hunter2 correct horse battery],w [alpha bravo charlie]\n0,1\n1,5\n",
+    "names": "alpha bravo,charlie delta\nhunter2 correct horse,battery staple\n",
+    "mark": 'format = "hunter2 correct horse battery staple"\nalpha = "bravo charlie"\n',
+    "letters": "0,1\n1," + "hunter2" * 100 + " correct horse\n",
 }
 WORDS = set("hunter2 correct horse battery staple alpha bravo charlie delta echo".split())
 
@@ -72,14 +77,96 @@ def places(file):
     yield "path", scene(path=f'{{ type = "ephemeris", file = "{file}" }}')
     yield "path by points", scene(path=f'{{ type = "points", file = "{file}" }}')
     yield "attitude", scene(rotation=f'rotation = {{ type = "quaternions", file = "{file}" }}')
-    yield "pulse", scene(pulse=f'{{ type = "points", width = "1 us", points = {{ file = "{file}" }} }}')
-    yield "antenna", scene(antenna=f'antenna = {{ type = "points", azimuth = {{ file = "{file}" }} }}')
-    yield "geoid", scene(top="").replace("[[platform]]", f'[world]\nframe = "earth"\nanchor = [47, 8, 0]\ngeoid = "{file}"\n[[platform]]', 1)
+    points = f'{{ type = "points", file = "{file}" }}'
+    yield "rotation by points", scene(rotation=f"rotation = {points}")
+    yield "pulse", scene(pulse=f'{{ type = "points", width = "1 us", file = "{file}" }}')
+    for field in ("antenna", "receive_antenna", "envelope", "window", "stc", "beam"):
+        yield field, scene(antenna=f"{field} = {points}")
+    yield "intervals", scene().replace('repetition = "120 Hz"', f'repetition = {{ type = "list", file = "{file}" }}')
+    yield "carriers", scene().replace('carrier = "9.6 GHz"', f'carrier = {{ type = "list", file = "{file}" }}')
+    yield "reflectivity", scene().replace("[[radar]]", f'reflectivity = {{ type = "directional", gain = {points} }}\n[[radar]]', 1)
+    yield "geoid", scene().replace("[[platform]]", f"""[world]
+frame = "earth"
+epoch = "2024-04-01T00:00:00Z"
+anchor = {{ latitude = "47 deg", longitude = "8 deg", height = "0 m" }}
+geoid = {{ file = "{file}" }}
+[[platform]]""", 1).replace("[[radar]]", """[[target]]
+position = { latitude = "47 deg", longitude = "8 deg", altitude = "1 m" }
+[[radar]]""", 1)
 
 
 def call(folder, *words):
     result = subprocess.run([PROGRAM, *words], cwd=folder, capture_output=True, timeout=120)
     return result.returncode, (result.stdout + result.stderr).decode(errors="replace")
+
+
+# Text that says where a file is that cannot be read.
+NOWHERE = "nowhere.dat"
+
+
+def check_forms(folder):
+    """Every place does read its file: one that is not there is missed by its name, and no field is unknown."""
+    wrong = []
+    count = 0
+    for place, text in places(NOWHERE):
+        (folder / "s.toml").write_text(text)
+        count += 1
+        status, output = call(folder, "check", "s.toml")
+        if status != 2 or NOWHERE not in output or "has no field" in output:
+            wrong.append(f"{place} does not read its file: {status}: {output[:300]}")
+    return count, wrong
+
+
+def foreign_files(folder, secret, content):
+    """Files of samples whose descriptions hold the secret: their names, and what is read of them."""
+    quoted = json.dumps(content[:2000])
+    metas = {
+        "raw": content,
+        "type": '{"global": {"core:datatype": %s, "core:version": "1.0.0"}, "captures": [], "annotations": []}' % quoted,
+        "version": '{"global": {"core:datatype": "cf32_le", "core:version": %s}, "captures": [], "annotations": []}' % quoted,
+        "rate": '{"global": {"core:datatype": "cf32_le", "core:sample_rate": %s}, "captures": []}' % quoted,
+        "dataset": '{"global": {"core:datatype": "cf32_le", "core:dataset": %s}, "captures": []}' % quoted,
+        "sum": '{"global": {"core:datatype": "cf32_le", "core:sha512": %s}, "captures": []}' % quoted,
+    }
+    for kind, text in metas.items():
+        (folder / f"{secret}-{kind}.sigmf-meta").write_text(text)
+        (folder / f"{secret}-{kind}.sigmf-data").write_bytes(bytes(64))
+        yield f"{secret}-{kind}.sigmf-meta"
+    array = '{"zarr_format": 2, "shape": [2, 2], "chunks": [2, 2], "dtype": "<c8", "compressor": %s, "fill_value": 0, "order": "C", "filters": null}'
+    for kind, zarray, zattrs in (("array", content, "{}"), ("attributes", array % "null", content), ("compressor", array % quoted, "{}"),
+                                 ("units", array % "null", '{"units": %s, "scale_factor": %s}' % (quoted, quoted))):  # fmt: skip
+        store = folder / f"{secret}-{kind}.zarr"
+        (store / "samples").mkdir(parents=True, exist_ok=True)
+        (store / ".zgroup").write_text('{"zarr_format": 2}')
+        (store / "samples" / ".zarray").write_text(zarray)
+        (store / "samples" / ".zattrs").write_text(zattrs)
+        (store / "samples" / "0.0").write_bytes(bytes(32))
+        yield store.name
+    one_line = content.replace("\n", " ")[:2000]
+    for kind, field in (("type", "data type"), ("order", "byte order"), ("interleave", "interleave"), ("samples", "samples")):
+        values = {"samples": "2", "lines": "2", "bands": "1", "data type": "6", "interleave": "bsq", "byte order": "0"} | {field: one_line}
+        (folder / f"{secret}-{kind}.hdr").write_text("ENVI\n" + "".join(f"{key} = {value}\n" for key, value in values.items()))
+        (folder / f"{secret}-{kind}.img").write_bytes(bytes(32))
+        yield f"{secret}-{kind}.img"
+    (folder / f"{secret}.cphd").write_text("CPHD/1.1.0\nXML_BLOCK_SIZE := " + one_line + "\n\f\n" + content)
+    yield f"{secret}.cphd"
+    (folder / f"{secret}.npy").write_bytes(b"\x93NUMPY\x01\x00" + min(len(content), 200).to_bytes(2, "little") + content.encode()[:200] + bytes(64))
+    yield f"{secret}.npy"
+
+
+def check_foreign(folder):
+    """What describes samples of other programs."""
+    wrong = []
+    count = 0
+    for secret, content in SECRETS.items():
+        for name in foreign_files(folder, secret, content):
+            for words in (("info", name), ("convert", name, "out.npy", "--force")):
+                count += 1
+                status, output = call(folder, *words)
+                wrong += [f"{' '.join(words)}: {what}" for what in told(output)[0]]
+                if status < 0:
+                    wrong.append(f"{' '.join(words)}: ended with {status}")
+    return count, wrong
 
 
 def told(text):
@@ -107,6 +194,8 @@ def check_places(folder):
                 count += 1
                 status, output = call(folder, "check", "s.toml")
                 wrong += [f"{place} = {secret}{ending}: {what}" for what in told(output)[0]]
+                if "has no field" in output:
+                    wrong.append(f"{place} = {secret}{ending}: {output[:200]}")
         (folder / "m.toml").write_text(scene())
         for words in (
             ("check", "m.toml", "--targets", f"{secret}.csv"),
@@ -200,7 +289,7 @@ def main():
         status, output = call(folder, "run", "m.toml", "--quiet")
         if status != 0:
             sys.exit(output)
-        for check in (check_places, check_recordings, check_terminal):
+        for check in (check_forms, check_places, check_foreign, check_recordings, check_terminal):
             more, found = check(folder)
             count += more
             wrong += found

@@ -83,8 +83,10 @@ std::optional<BlockHeader> read_block_header(const core::InputFile& file) {
     }
     const std::size_t sign = line.find(":=");
     if (sign == std::string_view::npos) continue;
-    header.values.insert_or_assign(std::string(trimmed(line.substr(0, sign))),
-                                   std::string(trimmed(line.substr(sign + 2))));
+    const std::string key(trimmed(line.substr(0, sign)));
+    const std::string value(trimmed(line.substr(sign + 2)));
+    const auto [entry, is_new] = header.values.try_emplace(key, value);
+    if (!is_new && entry->second != value && header.twice.empty()) header.twice = key;
   }
   return header;
 }

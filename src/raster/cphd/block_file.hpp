@@ -36,6 +36,7 @@ void write_block_header(core::OutputFile& file, std::string_view first_line, std
 struct BlockHeader {
   std::string first_line;
   std::map<std::string, std::string> values;
+  std::string twice;  ///< A key that is there more than once, with other values; empty: none.
 
   /// A size or an offset, or nothing.
   [[nodiscard]] std::optional<std::uint64_t> number(const std::string& key) const;

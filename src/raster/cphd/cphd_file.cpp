@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/quoted_word.hpp"
 #include "core/xml/xml.hpp"
 #include "raster/cphd/big_endian.hpp"
 #include "raster/cphd/vector_check.hpp"
@@ -48,12 +49,12 @@ bool is_known_version(const std::string& line) { return line == "CPHD/1.0.1" || 
 void check_version(const core::InputFile& file, const std::string& line, core::Problems& problems) {
   if (is_known_version(line)) return;
   if (line.starts_with("CPHD/1.")) {
-    problems.push_back(with_severity(
-        cphd_problem(file, "this version of CPHD is not known; it is read as 1.1.0", line, "CPHD/1.0.1 or CPHD/1.1.0"),
-        core::Severity::warning));
+    problems.push_back(with_severity(cphd_problem(file, "this version of CPHD is not known; it is read as 1.1.0",
+                                                  core::quoted_word(line), "CPHD/1.0.1 or CPHD/1.1.0"),
+                                     core::Severity::warning));
     return;
   }
-  problems.push_back(cphd_problem(file, "the file is not CPHD of version 1", line.substr(0, 40),
+  problems.push_back(cphd_problem(file, "the file is not CPHD of version 1", core::quoted_word(line),
                                   "CPHD/1.0.1 or CPHD/1.1.0 in the first line"));
 }
 
@@ -110,6 +111,21 @@ void check_sums(const core::InputFile& file, const CphdDescription& d, const Fil
   check_block(file, signal, "samples", std::move(samples), problems);
 }
 
+// Whether the blocks reach to the end of the file: of one whose offset is wrong, bytes are left over.
+void check_end(const core::InputFile& file, const BlockHeader& header, core::Problems& problems) {
+  constexpr std::uint64_t after_xml = 2;  // Bytes that end the section.
+  std::uint64_t end = 0;
+  for (const char* const name : {"XML", "SUPPORT", "PVP", "SIGNAL"})
+    if (const auto block = header.block(name); block && fits(*block, file.size()))
+      end = std::max(end, block->offset + block->bytes + (name == std::string_view("XML") ? after_xml : 0));
+  if (end >= file.size()) return;
+  problems.push_back(with_severity(
+      cphd_problem(file, "bytes are left over behind the last block", fmt::format("{} bytes", file.size() - end),
+                   fmt::format("a file of {} bytes, as its header says", end),
+                   "the offset of a block may be wrong, or the file belongs to another header"),
+      core::Severity::warning));
+}
+
 template <class Integer>
 void scaled(std::span<const std::byte> bytes, double amplitude, std::span<std::complex<float>> out) {
   const std::byte* from = bytes.data();
@@ -133,6 +149,9 @@ std::shared_ptr<const CphdFile> CphdFile::open(core::InputFile input, core::Prob
     return nullptr;
   }
   check_version(file, header->first_line, problems);
+  if (!header->twice.empty())
+    problems.push_back(cphd_problem(file, "a key is in the header twice, with other values",
+                                    core::quoted_word(header->twice), "each key once"));
   const auto xml = sound_block(file, *header, "XML", problems);
   const auto pvp = sound_block(file, *header, "PVP", problems);
   const auto signal = sound_block(file, *header, "SIGNAL", problems);
@@ -151,6 +170,7 @@ std::shared_ptr<const CphdFile> CphdFile::open(core::InputFile input, core::Prob
   if (is_known_version(header->first_line)) opened->description_.version = header->first_line.substr(5);
   check_channels(file, opened->description_, *pvp, *signal, problems);
   check_sums(file, opened->description_, *pvp, *signal, problems);
+  check_end(file, *header, problems);
   if (core::has_errors(problems)) return nullptr;
   check_vectors(*opened, problems);
   if (core::has_errors(problems)) return nullptr;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <set>
 #include <string>
@@ -7,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "core/xml/xml.hpp"
 #include "raster/cphd/cphd_file.hpp"
 #include "raster/table/file_problem.hpp"
@@ -39,6 +42,37 @@ std::string_view trimmed_text(xml_node node) {
   return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
+// Whether two elements say the same, blanks aside.
+bool same_content(xml_node a, xml_node b) {
+  if (trimmed_text(a) != trimmed_text(b)) return false;
+  const auto element_after = [](xml_node node) {
+    while (node && node.type() != pugi::node_element) node = node.next_sibling();
+    return node;
+  };
+  xml_node of_a = element_after(a.first_child());
+  xml_node of_b = element_after(b.first_child());
+  while (of_a && of_b) {
+    if (local_name(of_a) != local_name(of_b) || !same_content(of_a, of_b)) return false;
+    of_a = element_after(of_a.next_sibling());
+    of_b = element_after(of_b.next_sibling());
+  }
+  return !of_a && !of_b;
+}
+
+// Whether a text is a time such as 2024-02-29T23:59:60.5Z.
+bool is_utc(std::string_view text) {
+  constexpr std::string_view form = "0000-00-00T00:00:00";
+  if (text.size() < form.size()) return false;
+  for (std::size_t i = 0; i < form.size(); ++i)
+    if (form[i] == '0' ? !core::is_digit(text[i]) : text[i] != form[i]) return false;
+  const auto number = [&](std::size_t at, std::size_t digits) {
+    return static_cast<unsigned>(core::parse_integer(text.substr(at, digits)).value_or(99));
+  };
+  const std::chrono::year_month_day day{std::chrono::year(static_cast<int>(number(0, 4))),
+                                        std::chrono::month(number(5, 2)), std::chrono::day(number(8, 2))};
+  return day.ok() && number(11, 2) < 24 && number(14, 2) < 60 && number(17, 2) <= 60;
+}
+
 // Walks through the tree and notes what is missing or malformed.
 class XmlReading {
  public:
@@ -66,12 +100,23 @@ class XmlReading {
     }
     return node;
   }
-  [[nodiscard]] xml_node find(std::string_view path) const { return find(root_, path); }
+  // An element of the root, which has no two of one name.
+  xml_node find(std::string_view path) { return once(root_, path); }
+
+  // An element by its path; an error where one on the way is there twice and not the same.
+  xml_node once(xml_node node, std::string_view path) {
+    while (node && !path.empty()) {
+      const std::size_t slash = std::min(path.find('/'), path.size());
+      node = child_of(node, path.substr(0, slash));
+      expect_once(node);
+      path.remove_prefix(std::min(slash + 1, path.size()));
+    }
+    return node;
+  }
 
   // The text of an element that must be there.
   std::string text(xml_node parent, std::string_view path) {
-    const xml_node node = find(parent, path);
-    expect_once(node);
+    const xml_node node = once(parent, path);
     const std::string_view found = trimmed_text(node);
     if (found.empty()) error(fmt::format("the XML has no {}/{}", local_name(parent), path), {}, "a value");
     return std::string(found.substr(0, longest));
@@ -88,7 +133,7 @@ class XmlReading {
     if (digits.starts_with('+')) digits.remove_prefix(1);
     const auto value = core::parse_number(digits);
     if (!value || !std::isfinite(*value))
-      error(fmt::format("{}/{} is not a number", local_name(parent), path), found, "a number");
+      error(fmt::format("{}/{} is not a number", local_name(parent), path), core::quoted_word(found), "a number");
     return value.value_or(0.0);
   }
 
@@ -99,13 +144,13 @@ class XmlReading {
     if (value && *value >= 0 && static_cast<std::uint64_t>(*value) >= least &&
         static_cast<std::uint64_t>(*value) <= most)
       return static_cast<std::uint64_t>(*value);
-    error(fmt::format("{}/{} is out of range", local_name(parent), path), found,
+    error(fmt::format("{}/{} is out of range", local_name(parent), path), core::quoted_word(found),
           fmt::format("a whole number from {} to {}", least, most));
     return least;
   }
 
   core::Vec3 place(xml_node parent, std::string_view path) {
-    const xml_node node = find(parent, path);
+    const xml_node node = once(parent, path);
     if (!node) {
       error(fmt::format("the XML has no {}/{}", local_name(parent), path), {}, "X, Y and Z");
       return {};
@@ -116,10 +161,13 @@ class XmlReading {
   // Of two elements of one name nothing tells which one counts.
   void expect_once(xml_node node) {
     for (xml_node next = node.next_sibling(); next; next = next.next_sibling())
-      if (next.type() == pugi::node_element && local_name(next) == local_name(node) &&
-          trimmed_text(next) != trimmed_text(node))
+      if (next.type() == pugi::node_element && local_name(next) == local_name(node) && !same_content(node, next))
         return error(fmt::format("the XML has {} twice", local_name(node)),
-                     fmt::format("'{:.60}' and '{:.60}'", trimmed_text(node), trimmed_text(next)), "one");
+                     node.first_child() == node.last_child()
+                         ? fmt::format("'{}' and '{}'", core::quoted_word(trimmed_text(node)),
+                                       core::quoted_word(trimmed_text(next)))
+                         : std::string(),
+                     "one");
   }
 
   static bool flag_if(xml_node parent, std::string_view path, bool otherwise) {
@@ -153,7 +201,7 @@ void read_collection(XmlReading& xml, CphdDescription& d) {
       d.parameters.emplace_back(child.attribute("name").value(), std::string(trimmed_text(child)));
   const bool known = d.mode == "SPOTLIGHT" || d.mode == "STRIPMAP" || d.mode == "DYNAMIC STRIPMAP";
   if (!known)
-    xml.remark("the mode of the radar is not one of the standard; it is taken as it is", d.mode,
+    xml.remark("the mode of the radar is not one of the standard; it is taken as it is", core::quoted_word(d.mode),
                "SPOTLIGHT, STRIPMAP or DYNAMIC STRIPMAP");
 }
 
@@ -165,13 +213,16 @@ void read_global(XmlReading& xml, CphdDescription& d) {
   }
   const std::string domain = xml.text(node, "DomainType");
   if (!domain.empty() && domain != "FX" && domain != "TOA")
-    xml.error("the domain of the samples is not known", domain, "FX or TOA");
+    xml.error("the domain of the samples is not known", core::quoted_word(domain), "FX or TOA");
   d.domain = domain == "TOA" ? PhaseDomain::toa : PhaseDomain::fx;
   const std::string sign = xml.text(node, "SGN");
   if (!sign.empty() && sign != "-1" && sign != "+1" && sign != "1")
-    xml.error("the sign of the phase (SGN) is not known", sign, "-1 or +1");
+    xml.error("the sign of the phase (SGN) is not known", core::quoted_word(sign), "-1 or +1");
   d.sign = sign == "-1" ? -1 : 1;
   d.start = XmlReading::text_if(node, "Timeline/CollectionStart");
+  if (!d.start.empty() && !is_utc(d.start))
+    xml.remark("Global/Timeline/CollectionStart is no time", core::quoted_word(d.start),
+               "such as 2000-01-01T00:00:00Z");
   if (XmlReading::find(node, "Timeline/TxTime1")) d.tx_time1_s = xml.number(node, "Timeline/TxTime1");
   if (XmlReading::find(node, "Timeline/TxTime2")) d.tx_time2_s = xml.number(node, "Timeline/TxTime2");
   d.fx_min_hz = xml.number(node, "FxBand/FxMin");
@@ -179,6 +230,10 @@ void read_global(XmlReading& xml, CphdDescription& d) {
   d.toa_min_s = xml.number(node, "TOASwath/TOAMin");
   d.toa_max_s = xml.number(node, "TOASwath/TOAMax");
   if (xml.failed()) return;
+  if (XmlReading::find(node, "Timeline/TxTime1") && XmlReading::find(node, "Timeline/TxTime2") &&
+      d.tx_time2_s < d.tx_time1_s)
+    xml.remark("Global/Timeline ends before it begins",
+               fmt::format("TxTime1 {:g} s, TxTime2 {:g} s", d.tx_time1_s, d.tx_time2_s), "TxTime1 up to TxTime2");
   if (!(d.fx_min_hz < d.fx_max_hz))
     xml.error("Global/FxBand is empty", fmt::format("{:g} Hz to {:g} Hz", d.fx_min_hz, d.fx_max_hz),
               "FxMin below FxMax");
@@ -270,9 +325,10 @@ void read_data(XmlReading& xml, CphdDescription& d) {
   if (known != signal_encodings.end())
     d.encoding = known->encoding;
   else if (!encoding.empty())
-    xml.error("the format of the samples is not known", encoding, "CF8, CI4 or CI2");
+    xml.error("the format of the samples is not known", core::quoted_word(encoding), "CF8, CI4 or CI2");
   const std::string compressed = XmlReading::text_if(node, "SignalCompressionID");
-  if (!compressed.empty()) xml.error("compressed samples are not read", compressed, "no SignalCompressionID");
+  if (!compressed.empty())
+    xml.error("compressed samples are not read", core::quoted_word(compressed), "no SignalCompressionID");
   constexpr std::uint64_t word = 8;
   constexpr std::uint64_t most_pvp_bytes = 1U << 20U;
   d.pvp_bytes = static_cast<std::size_t>(xml.count(node, "NumBytesPVP", word, most_pvp_bytes));
@@ -285,7 +341,8 @@ void read_data(XmlReading& xml, CphdDescription& d) {
     channel.samples = static_cast<std::size_t>(xml.count(child, "NumSamples", 1, most));
     channel.signal_offset = xml.count(child, "SignalArrayByteOffset", 0, most * 1024);
     channel.pvp_offset = xml.count(child, "PVPArrayByteOffset", 0, most * 1024);
-    if (!names.insert(channel.id).second) xml.error("two channels have one identifier", channel.id, "different ones");
+    if (!names.insert(channel.id).second)
+      xml.error("two channels have one identifier", core::quoted_word(channel.id), "different ones");
     d.channels.push_back(std::move(channel));
     if (xml.failed()) return;
   }
@@ -302,6 +359,10 @@ void read_channels(XmlReading& xml, CphdDescription& d) {
   const std::string reference = XmlReading::text_if(node, "RefChId");
   const auto found = std::ranges::find(d.channels, reference, &PhaseChannel::id);
   if (found != d.channels.end()) d.reference_channel = static_cast<std::size_t>(found - d.channels.begin());
+  if (found == d.channels.end() && !reference.empty())
+    xml.remark(fmt::format("Channel/RefChId is the identifier of no channel; '{}' is taken",
+                           core::quoted_word(d.channels.front().id)),
+               core::quoted_word(reference), "one of Data/Channel/Identifier");
   for (xml_node child : node.children()) {
     if (local_name(child) != "Parameters") continue;
     const auto channel = std::ranges::find(d.channels, XmlReading::text_if(child, "Identifier"), &PhaseChannel::id);
@@ -326,8 +387,8 @@ void check_format(XmlReading& xml, const PvpField& field, xml_node parameter) {
   if (format.empty()) return;
   const std::string_view expected = field.integer != nullptr ? "I8" : field.words == 1 ? "F8" : "X=F8;Y=F8;Z=F8";
   if (format != expected)
-    xml.error(fmt::format("the numbers of PVP/{} are not those of the standard (Format)", field.name), format,
-              std::string(expected));
+    xml.error(fmt::format("the numbers of PVP/{} are not those of the standard (Format)", field.name),
+              core::quoted_word(format), std::string(expected));
 }
 
 // Whether two parameters are said to be at one place.
@@ -352,6 +413,7 @@ std::vector<PvpSlot> read_slots(XmlReading& xml, const CphdDescription& d) {
         xml.error(fmt::format("the XML has no PVP/{}", field.name), {}, "its Offset, Size and Format");
       continue;
     }
+    xml.expect_once(parameter);
     check_format(xml, field, parameter);
     const std::uint64_t size = xml.count(parameter, "Size", field.words, field.words);
     const std::uint64_t offset = xml.count(parameter, "Offset", 0, d.pvp_bytes / word);

@@ -24,7 +24,6 @@ constexpr double most_place_m = 4e9;
 constexpr double most_speed_mps = 1e5;
 constexpr double most_frequency_hz = 1e14;
 constexpr double most_delay_s = 100.0;
-constexpr double most_amplitude = 1e28;  // As of the samples of recordings.
 
 // A number of a vector and between what it has to be.
 struct Bounds {
@@ -38,7 +37,7 @@ struct Bounds {
 constexpr Bounds number_bounds[] = {
     {"TxTime", &V::tx_time_s, -most_time_s, most_time_s, "seconds after the start of the collection"},
     {"RcvTime", &V::rcv_time_s, -most_time_s, most_time_s, "seconds after the start of the collection"},
-    {"AmpSF", &V::amplitude, std::numeric_limits<double>::min(), most_amplitude, "a number above 0, up to 1e28"},
+    {"AmpSF", &V::amplitude, std::numeric_limits<double>::min(), most_cphd_sample, "a number above 0, up to 1e28"},
     {"aFDOP", &V::doppler, -1e-2, 1e-2, "-0.01 to 0.01: the rate of the path over the speed of light"},
     {"aFRR1", &V::rate1, -1e30, 1e30, "a finite number"},
     {"aFRR2", &V::rate2, -1e30, 1e30, "a finite number"},
@@ -94,6 +93,13 @@ std::optional<VectorFault> fault_of_samples(const V& v, PhaseDomain domain, std:
   if (!is_within(v.first, lowest, highest)) return VectorFault{"SC0", fmt::format("{:g}", v.first), expected};
   if (!(v.step > 0.0) || !std::isfinite(1.0 / v.step))
     return VectorFault{"SCSS", fmt::format("{:g}", v.step), "an interval above 0"};
+  // Echoes that arrive further apart than that lie on each other.
+  constexpr double share = 0.99;
+  const double kept_s = v.toa2_s - v.toa1_s;
+  if (fx && 1.0 / v.step < share * kept_s)
+    return VectorFault{"SCSS",
+                       fmt::format("{:g} Hz, which tells times of arrival within {:g} s apart", v.step, 1.0 / v.step),
+                       fmt::format("at most 1/(TOA2 - TOA1), {:g} Hz", 1.0 / kept_s)};
   const double last = v.first + static_cast<double>(samples - 1) * v.step;
   if (is_within(last, lowest, highest)) return std::nullopt;
   return VectorFault{
@@ -160,6 +166,8 @@ class ChannelCheck {
   }
 
  private:
+  static constexpr double global_share = 0.01;  // Of what the XML says of all vectors: its digits are few.
+
   [[nodiscard]] const CphdDescription& description() const { return file_.description(); }
   [[nodiscard]] const PhaseChannel& channel() const { return description().channels[number_]; }
   [[nodiscard]] std::string name() const { return file_.file().path().string(); }
@@ -181,6 +189,7 @@ class ChannelCheck {
     compare_times(v, i);
     compare_places(v, i);
     compare_bands(v, i);
+    compare_arrivals(v, i);
     return std::nullopt;
   }
 
@@ -236,12 +245,31 @@ class ChannelCheck {
                   "those of the first vector, as TOAFixed is true");
     if (c.srp_fixed && core::norm(v.srp_m - first_->srp_m) > 1e-3)
       flags_.note(i, "SRPPos " + text_of(v.srp_m), "that of the first vector, as SRPFixed is true");
-    if (description().domain == PhaseDomain::toa) return;
+    const CphdDescription& d = description();
+    const double spare_hz = global_share * (d.fx_max_hz - d.fx_min_hz);
+    if (v.fx1_hz < d.fx_min_hz - spare_hz || v.fx2_hz > d.fx_max_hz + spare_hz)
+      global_band_.note(i, fmt::format("FX1 {:.9g} Hz, FX2 {:.9g} Hz", v.fx1_hz, v.fx2_hz),
+                        fmt::format("within Global/FxBand, {:.9g} Hz to {:.9g} Hz", d.fx_min_hz, d.fx_max_hz));
+    if (d.domain == PhaseDomain::toa) return;
     const double last_hz = v.first + static_cast<double>(c.samples - 1) * v.step;
     const double room_hz = v.step + 1e-6 * v.fx2_hz;
     if (v.fx1_hz < v.first - room_hz || v.fx2_hz > last_hz + room_hz)
       band_.note(i, fmt::format("FX1 {:.9g} Hz, FX2 {:.9g} Hz", v.fx1_hz, v.fx2_hz),
                  fmt::format("within the samples, {:.9g} Hz to {:.9g} Hz", v.first, last_hz));
+  }
+
+  void compare_arrivals(const V& v, std::size_t i) {
+    const CphdDescription& d = description();
+    longest_s_ = std::max(longest_s_, v.toa2_s - v.toa1_s);
+    const auto found = [&] { return fmt::format("TOA1 {:.6g} s, TOA2 {:.6g} s", v.toa1_s, v.toa2_s); };
+    const double spare_s = global_share * (d.toa_max_s - d.toa_min_s);
+    if (v.toa1_s < d.toa_min_s - spare_s || v.toa2_s > d.toa_max_s + spare_s)
+      swath_.note(i, found(), fmt::format("within Global/TOASwath, {:.6g} s to {:.6g} s", d.toa_min_s, d.toa_max_s));
+    if (d.domain == PhaseDomain::fx) return;
+    const double last_s = v.first + static_cast<double>(channel().samples - 1) * v.step;
+    const double room_s = v.step + global_share * (v.toa2_s - v.toa1_s);
+    if (v.toa1_s < v.first - room_s || v.toa2_s > last_s + room_s)
+      arrivals_.note(i, found(), fmt::format("within the samples, {:.6g} s to {:.6g} s", v.first, last_s));
   }
 
   void report(core::Problems& problems) const {
@@ -255,12 +283,21 @@ class ChannelCheck {
     report(velocity_, "the velocities contradict the places", "the speed of the antenna is taken from the places");
     report(flags_, "they differ although the XML says that they do not");
     report(band_, "the band lies beyond the samples");
+    report(global_band_, "the band lies beyond that of the XML");
+    report(arrivals_, "the times of arrival lie beyond the samples");
+    report(swath_, "the times of arrival lie beyond those of the XML",
+           "focusing images the times that the vectors say");
     compare_channel(problems);
   }
 
   // FxC is the carrier of the image, so it has to be that of the vectors.
   void compare_channel(core::Problems& problems) const {
     const PhaseChannel& c = channel();
+    if (first_ && c.toa_s > 0.0 && std::abs(c.toa_s - longest_s_) > global_share * longest_s_)
+      problems.push_back(with_severity(
+          file_problem(name(), fmt::format("channel '{}': TOASaved of the XML is not that of the vectors", c.id),
+                       fmt::format("{:.6g} s", c.toa_s), fmt::format("{:.6g} s, the longest TOA2 - TOA1", longest_s_)),
+          core::Severity::warning));
     if (!first_ || !(c.centre_hz > 0.0)) return;
     const double band_hz = most_hz_ - least_hz_;
     const double centre_hz = 0.5 * (least_hz_ + most_hz_);
@@ -281,7 +318,8 @@ class ChannelCheck {
   std::optional<V> first_;
   double least_hz_ = std::numeric_limits<double>::infinity();
   double most_hz_ = -std::numeric_limits<double>::infinity();
-  Remark descending_, late_, inside_, velocity_, flags_, band_;
+  double longest_s_ = 0.0;
+  Remark descending_, late_, inside_, velocity_, flags_, band_, global_band_, arrivals_, swath_;
 };
 
 }  // namespace

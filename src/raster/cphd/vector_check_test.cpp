@@ -48,6 +48,10 @@ TEST(CphdVectors, RefusesWhatNoCollectionHasByTheNameOfItsParameter) {
       {"SCSS", [](PhaseVector& v) { v.step = 0.0; }},
       {"SCSS", [](PhaseVector& v) { v.step = -1e6; }},
       {"SCSS", [](PhaseVector& v) { v.step = 1e200; }},
+      {"SCSS", [](PhaseVector& v) { v.step *= 1000.0; }},
+      {"SCSS", [](PhaseVector& v) { v.step = 2e6; }},  // 0.5 us are told apart, 0.6 us are kept
+      {"SCSS", [](PhaseVector& v) { std::swap(v.first, v.step); }},
+      {"SCSS", [](PhaseVector& v) { v.toa1_s *= 1000.0; }},
       {"TxTime", [](PhaseVector& v) { v.tx_time_s = 1e30; }},
       {"RcvTime", [](PhaseVector& v) { v.rcv_time_s = v.tx_time_s - 1e-3; }},
       {"RcvTime", [](PhaseVector& v) { v.rcv_time_s = nan; }},
@@ -85,6 +89,9 @@ TEST(CphdVectors, RefusesWhatNoCollectionHasByTheNameOfItsParameter) {
   }
 }
 
+// What is said of a channel names no vector.
+bool is_of_channel(std::string_view name) { return name.starts_with("TOASaved"); }
+
 TEST(CphdVectors, WarnsOfWhatContradictsItself) {
   const CphdScratch scratch("vectors_warned");
   const Case cases[] = {
@@ -97,12 +104,17 @@ TEST(CphdVectors, WarnsOfWhatContradictsItself) {
       {"the velocities contradict the places", [](PhaseVector& v) { v.rcv_m.y += 10.0; }},
       {"the band lies beyond the samples", [](PhaseVector& v) { v.fx2_hz += 1e9; }},
       {"they differ although the XML says that they do not", [](PhaseVector& v) { v.toa1_s *= 0.5; }},
+      {"the times of arrival lie beyond those of the XML", [](PhaseVector& v) { v.toa1_s -= 1e-8; }},
+      {"TOASaved of the XML is not that of the vectors", [](PhaseVector& v) { v.toa2_s += 1e-8; }},
+      {"the band lies beyond that of the XML", [](PhaseVector& v) { v.fx1_hz -= 1e6, v.first -= 1e6; }},
   };
   for (const Case& c : cases) {
     const Opened opened = changed(scratch, c.change);
     EXPECT_TRUE(opened.file) << c.name << opened.text();
     EXPECT_THAT(opened.text(), HasSubstr(c.name));
-    EXPECT_THAT(opened.text(), HasSubstr("vector 5 (from 0)"));
+    if (!is_of_channel(c.name)) {
+      EXPECT_THAT(opened.text(), HasSubstr("vector 5 (from 0)"));
+    }
   }
 }
 
@@ -182,6 +194,11 @@ TEST(CphdXml, RefusesWhatContradictsTheStandardOrItself) {
     const std::size_t at = other.find(old, other.find("<" + name + ">"));
     return at == std::string::npos ? std::string() : other.replace(at, format.size(), format);
   };
+  // Zeros fill the header up to the XML.
+  std::string twice_in_header = bytes;
+  const std::string key = "XML_BLOCK_SIZE := 5\n";
+  twice_in_header.insert(twice_in_header.find("CLASSIFICATION"), key);
+  twice_in_header.erase(twice_in_header.find(std::string("\f\n\0", 3)) + 2, key.size());
   const std::pair<std::string, const char*> cases[] = {
       {pvp_format("TxTime", ">F8<", ">F4<"), "PVP/TxTime are not those of the standard (Format)"},
       {pvp_format("TxPos", "X=F8;Y=F8;Z=F8", "X=F4;Y=F4;Z=F4"), "PVP/TxPos are not those of the standard"},
@@ -189,6 +206,8 @@ TEST(CphdXml, RefusesWhatContradictsTheStandardOrItself) {
       {pvp_format("TxVel", "<Offset>4<", "<Offset>3<"), "lie at one place"},
       {with(bytes, "<NumCPHDChannels>1<", "<NumCPHDChannels>2<"), "NumCPHDChannels is not the number of channels"},
       {with(bytes, "<NumVectors>3<", "<NumVectors>9<"), "do not fit into the block"},
+      {pvp_format("SC0", "<Format>F8</Format>", "<Offset>3</Offset> "), "the XML has Offset twice"},
+      {twice_in_header, "a key is in the header twice, with other values; found 'XML_BLOCK_SIZE'"},
   };
   for (const auto& [other, message] : cases) {
     ASSERT_FALSE(other.empty()) << message;
@@ -199,6 +218,18 @@ TEST(CphdXml, RefusesWhatContradictsTheStandardOrItself) {
   const Opened fewer = opened_of(with(bytes, "<NumVectors>3<", "<NumVectors>2<"), scratch.path);
   EXPECT_THAT(fewer.text(), HasSubstr("do not fill the block PVP"));
   EXPECT_THAT(fewer.text(), HasSubstr("do not fill the block SIGNAL"));
+  const std::pair<std::string, const char*> remarks[] = {
+      {with(bytes, "<RefChId>1<", "<RefChId>2<"), "Channel/RefChId is the identifier of no channel; '1' is taken"},
+      {with(bytes, "CollectionStart>2000-01", "CollectionStart>2000-13"), "Timeline/CollectionStart is no time"},
+      {with(bytes, "<TxTime1>0<", "<TxTime1>9<"), "Global/Timeline ends before it begins"},
+      {bytes + "12345678", "bytes are left over behind the last block; found '8 bytes'"},
+  };
+  for (const auto& [other, message] : remarks) {
+    ASSERT_FALSE(other.empty()) << message;
+    const Opened opened = opened_of(other, scratch.path);
+    EXPECT_TRUE(opened.file) << message << opened.text();
+    EXPECT_THAT(opened.text(), HasSubstr(message));
+  }
 }
 
 }  // namespace sarsim::raster::vector_check_test

@@ -18,6 +18,7 @@
 #include "core/report/expect.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/formats.hpp"
@@ -107,7 +108,7 @@ class NumberTaker {
     problems_.push_back(file_problem(
         file_,
         text ? fmt::format("'{}' is not {}", name, expected) : fmt::format("the header does not give '{}'", name),
-        text.value_or(""), expected));
+        text ? core::quoted_word(*text) : std::string(), expected));
     return 0;
   }
 
@@ -165,8 +166,8 @@ void expect_word(std::string_view name, const std::optional<std::string>& value,
   if (!value) return;
   const auto same = [&](std::string_view word) { return core::equal_ignoring_case(*value, word); };
   if (std::ranges::any_of(allowed, same)) return;
-  problems.push_back(file_problem(file, fmt::format("'{}' of the image is not supported", name),
-                                  fmt::format("{:.60}", *value), expected));
+  problems.push_back(
+      file_problem(file, fmt::format("'{}' of the image is not supported", name), core::quoted_word(*value), expected));
 }
 
 // Fields that say something else than that pixels are the samples, one behind the other.
@@ -179,8 +180,8 @@ void refuse_changes(const Fields& fields, const std::string& file, core::Problem
                            (numbers && std::ranges::all_of(*numbers, [&](double n) { return n == changing.neutral; }));
       if (nothing) continue;
       problems.push_back(file_problem(file, fmt::format("'{}' of the image is not supported", name),
-                                      fmt::format("{:.60}", value),
-                                      fmt::format("{:g}, or no such field", changing.neutral), changing.hint));
+                                      core::quoted_word(value), fmt::format("{:g}, or no such field", changing.neutral),
+                                      changing.hint));
     }
 }
 
@@ -195,10 +196,16 @@ void refuse_cut_out(const Fields& fields, const std::string& file, core::Problem
       const auto number = core::parse_number(value);
       if (number && (*number == 0.0 || *number == 1.0)) continue;
       problems.push_back(
-          file_problem(file, fmt::format("'{}' contradicts '{}'", start, own), fmt::format("{:.60}", value),
+          file_problem(file, fmt::format("'{}' contradicts '{}'", start, own), core::quoted_word(value),
                        "1, as the first pixel is at that place",
                        fmt::format("correct '{}' by the pixels before it, and remove '{}'", own, start)));
     }
+}
+
+// The name of a field as messages have it: of those that are known all of it, of any other line a word.
+std::string shown_name(std::string_view name) {
+  constexpr std::string_view known[] = {"data type", "byte order", "header offset", "file type", "x start", "y start"};
+  return std::ranges::find(known, name) != std::end(known) ? std::string(name) : core::quoted_word(name);
 }
 
 // Of fields of one name nothing tells which one counts.
@@ -207,8 +214,9 @@ void refuse_doubles(const Fields& fields, const std::string& file, core::Problem
   for (const auto& [name, value] : fields) {
     const auto [first, is_new] = known.emplace(name, value);
     if (is_new || first->second == value) continue;
-    problems.push_back(file_problem(file, fmt::format("the header gives '{:.60}' twice", name),
-                                    fmt::format("'{:.60}' and '{:.60}'", first->second, value), "one value"));
+    problems.push_back(file_problem(
+        file, fmt::format("the header gives '{}' twice", shown_name(name)),
+        fmt::format("'{}' and '{}'", core::quoted_word(first->second), core::quoted_word(value)), "one value"));
     return;
   }
 }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/report/expect.hpp"
+#include "core/text/quoted_word.hpp"
 
 namespace sarsim::raster {
 
@@ -156,7 +157,7 @@ bool take_entry(LiteralReader& reader, const std::string& key, NpyHeader& header
 
 std::variant<NpyHeader, core::Problem> parse_dictionary(std::string_view text) {
   const auto malformed = [&] {
-    return problem("the header of the NumPy file is malformed", std::string(text.substr(0, 120)),
+    return problem("the header of the NumPy file is malformed", core::quoted_word(text),
                    "{'descr': type, 'fortran_order': False, 'shape': (rows, columns)}");
   };
   LiteralReader reader(text);
@@ -168,7 +169,7 @@ std::variant<NpyHeader, core::Problem> parse_dictionary(std::string_view text) {
     if (!key || !reader.take(':')) return malformed();
     if (*key == "descr" && reader.take('[')) {
       if (!take_fields(reader, header))
-        return problem("arrays of structures of this kind are not read", std::string(text.substr(0, 60)),
+        return problem("arrays of structures of this kind are not read", core::quoted_word(text),
                        "fields of numbers: [('x', '<f8'), ...]");
       header.type = "V";
     } else if (!take_entry(reader, *key, header)) {

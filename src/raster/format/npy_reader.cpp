@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/text/quoted_word.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/grid_raster.hpp"
 #include "raster/format/npy_array.hpp"
@@ -14,10 +15,10 @@ namespace {
 
 core::Problem wrong_type(const std::string& name, const NpyHeader& header) {
   if (!header.fields.empty())
-    return file_problem(
-        name, "the array holds structures, not samples",
-        fmt::format("{} fields, the first is '{:.60}'", header.fields.size(), header.fields.front().name),
-        npy_sample_types(), "store one of its fields: numpy.save('a.npy', array['NAME'])");
+    return file_problem(name, "the array holds structures, not samples",
+                        fmt::format("{} fields, the first is '{}'", header.fields.size(),
+                                    core::quoted_word(header.fields.front().name)),
+                        npy_sample_types(), "store one of its fields: numpy.save('a.npy', array['NAME'])");
   if (header.type.starts_with('>'))
     return file_problem(name, "the array is big-endian", header.type, npy_sample_types(),
                         "store it with array.astype(array.dtype.newbyteorder('<'))");

@@ -166,6 +166,22 @@ std::variant<SicdDescription, core::Problem> description_of(const core::InputFil
                       "other images in NITF: 'gdal_translate -of ENVI' makes an image that can be read");
 }
 
+// Whether the file is as long as its header says.
+core::Problems remarks_on_length(const core::InputFile& file, const NitfFile& nitf) {
+  core::Problems remarks;
+  const auto remark = [&](const char* message, std::uint64_t expected) {
+    remarks.push_back(with_severity(file_problem(file.path().string(), message, fmt::format("{} bytes", file.size()),
+                                                 fmt::format("{} bytes", expected),
+                                                 "the header belongs to another file, or bytes were added or lost"),
+                                    core::Severity::warning));
+  };
+  if (nitf.end < file.size())
+    remark("bytes are left over behind the last segment that the header names", nitf.end);
+  else if (nitf.length && *nitf.length != file.size())
+    remark("the file is not as long as its header says (FL)", *nitf.length);
+  return remarks;
+}
+
 }  // namespace
 
 OpenedRaster open_sicd(core::InputFile file, const Format&, const RasterHints& hints, Integrity) {
@@ -177,6 +193,7 @@ OpenedRaster open_sicd(core::InputFile file, const Format&, const RasterHints& h
   SicdDescription& description = std::get<SicdDescription>(described);
   auto parts = segments_of(name, std::get<NitfFile>(nitf), description);
   if (auto* problem = std::get_if<core::Problem>(&parts)) return {nullptr, {std::move(*problem)}};
+  core::Problems remarks = remarks_on_length(file, std::get<NitfFile>(nitf));
   RasterInfo info = info_of(file, description.columns, hints);
   info.places = std::move(description.places);
   info.attributes = std::move(description.facts);
@@ -184,7 +201,7 @@ OpenedRaster open_sicd(core::InputFile file, const Format&, const RasterHints& h
   if (description.pixel == SicdPixel::polar_uint8) polar.emplace(std::move(description.amplitudes));
   return {std::make_shared<SicdRaster>(std::move(info), std::move(file),
                                        std::move(std::get<std::vector<SicdRows>>(parts)), std::move(polar)),
-          {}};
+          std::move(remarks)};
 }
 
 }  // namespace sarsim::raster

@@ -210,6 +210,9 @@ TEST_F(SicdReader, RefusesWhatItCannotRead) {
       {replaced(good, "<SS>0.5<", "<SS>0.0<"), "Grid/Row/SS"},
       {replaced(good, "<SS>0.5<", "<SS>nan<"), "Grid/Row/SS"},
       {replaced(good, "<FirstRow>0<", "<FirstRow>x<"), "ImageData/FirstRow"},
+      {replaced(good, "<FirstRow>0</FirstRow>", "<NumRows>9</NumRows>  "), "an element NumRows twice"},
+      {replaced(good, "<Row>2<", "<Row>7<"),
+       "(ImageData/SCPPixel/Row) lies outside the image; found '7', expected 0 to 3"},
       {put(good, text, "<!DOCTYPE a>"), "XML"},
       {put(good, text + 60, "<<<<"), "XML"},
       {replaced(good, "IMSICD000 ", "IMsomewhat"), "rows of the image segments"},
@@ -217,6 +220,21 @@ TEST_F(SicdReader, RefusesWhatItCannotRead) {
   for (const Bad& bad : table) {
     EXPECT_THAT(words_of(bad.bytes), HasSubstr(bad.words));
   }
+}
+
+TEST_F(SicdReader, SaysWhereTheFileIsNotAsLongAsItsHeaderSays) {
+  const std::string good = small_file(folder_ / "a.nitf");
+  const auto remark_on = [&](const std::string& bytes) {
+    write_all(folder_ / "long.nitf", bytes);
+    const OpenedRaster opened = open_raster(Integrity::whole, folder_ / "long.nitf");
+    EXPECT_NE(opened.raster, nullptr);
+    return opened.problems.empty() ? std::string() : core::to_string(opened.problems.front());
+  };
+  constexpr std::size_t file_length_at = 342;
+  EXPECT_EQ(remark_on(good), "");
+  EXPECT_EQ(remark_on(put(good, file_length_at, "999999999999")), "");
+  EXPECT_THAT(remark_on(put(good, file_length_at, "000000000999")), HasSubstr("(FL)"));
+  EXPECT_THAT(remark_on(good + "12345678"), HasSubstr("bytes are left over behind the last segment"));
 }
 
 }  // namespace sicd_reader_test

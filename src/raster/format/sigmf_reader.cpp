@@ -15,6 +15,7 @@
 #include "core/os/input_file.hpp"
 #include "core/task/stop.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/grid_raster.hpp"
 #include "raster/format/npy_array.hpp"
@@ -129,7 +130,7 @@ std::variant<StoredGrid, core::Problem> grid_of(const core::InputFile& data, con
                                                 const std::filesystem::path& name, const RasterHints& hints) {
   const NpyType* const type = npy_type_of({numpy_type(meta.datatype), false, {}, 0});
   if (type == nullptr)
-    return file_problem(name.string(), "samples of this type are not read", meta.datatype,
+    return file_problem(name.string(), "samples of this type are not read", core::quoted_word(meta.datatype),
                         "cf32_le, cf64_le, ci8, ci16_le or ci32_le");
   StoredGrid grid;
   const std::uint64_t columns = meta.columns > 0 ? meta.columns : hints.columns;

@@ -72,6 +72,9 @@ TEST(Sigmf, SaysWhatIsNotRead) {
   EXPECT_THAT(problems_of(folder, meta_without("3}", "4}"), 36), HasSubstr("give --columns"));
   EXPECT_EQ(problems_of(folder, meta_without("3}", "4}"), 36, 9), "");
   EXPECT_THAT(problems_of(folder, "{\"global\": [", 36), HasSubstr("not JSON"));
+  // The library's words would quote what it read last.
+  EXPECT_THAT(problems_of(folder, "{\"global\": \"alpha bravo\" charlie", 36),
+              testing::AllOf(HasSubstr("not JSON; found 'something else at byte"), testing::Not(HasSubstr("alpha"))));
   EXPECT_THAT(problems_of(folder, "{\"global\": []}", 36), HasSubstr("no object 'global'"));
   EXPECT_THAT(
       problems_of(folder,

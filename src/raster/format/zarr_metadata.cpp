@@ -11,7 +11,9 @@
 
 #include "core/os/input_file.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/json_failure.hpp"
 #include "raster/table/json_once.hpp"
 
 namespace sarsim::raster {
@@ -23,7 +25,6 @@ using Json = nlohmann::json;
 constexpr std::uint64_t longest_array_text = std::uint64_t{1} << 20U;
 constexpr std::uint64_t longest_attributes_text = std::uint64_t{1} << 30U;
 constexpr std::size_t most_dimensions = 32;
-constexpr std::size_t longest_found = 80;
 
 core::Problem zarr_problem(std::string message, std::string found = {}, std::string expected = {},
                            std::string hint = {}) {
@@ -35,9 +36,7 @@ bool is_simple(const Json& value) { return !value.is_structured(); }
 // A value as it stands in the file, shortened. Deep ones are not written: that takes a call for each level.
 std::string found_text(const Json& value) {
   if (!is_simple(value) && !std::ranges::all_of(value, is_simple)) return value.is_array() ? "[ ... ]" : "{ ... }";
-  std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
-  if (text.size() > longest_found) text = text.substr(0, longest_found) + "...";
-  return text;
+  return core::quoted_word(value.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 // An object, or why it is none.
@@ -49,7 +48,7 @@ std::variant<Json, core::Problem> object_in(std::string_view text) {
     if (!tree.is_object()) return zarr_problem("this is not a JSON object", found_text(tree), "{ ... }");
     return tree;
   } catch (const Json::exception& error) {
-    return zarr_problem("this is not JSON", error.what());
+    return not_json({}, error);
   }
 }
 

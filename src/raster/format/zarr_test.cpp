@@ -169,6 +169,8 @@ TEST(Zarr, SaysWhatOfAForeignArrayIsNotRead) {
   EXPECT_THAT(found("\"filters\"", R"("dimension_separator": "/../", "filters")"),
               HasSubstr("named in an unknown way"));
   EXPECT_THAT(problem_in(std::string(200000, '[')), HasSubstr("not JSON"));
+  EXPECT_THAT(problem_in("{\"a\": \"alpha bravo\" charlie"),
+              testing::AllOf(HasSubstr("something else at byte"), testing::Not(HasSubstr("alpha"))));
   EXPECT_THAT(problem_in(R"({"zarr_format": )" + std::string(100000, '[') + std::string(100000, ']') + "}"),
               HasSubstr("another version"));
   EXPECT_THAT(problem_in("[1]"), HasSubstr("not a JSON object"));

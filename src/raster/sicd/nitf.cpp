@@ -172,7 +172,10 @@ NitfFile read_segments(const core::InputFile& file) {
   const std::string_view version = begin.take(nitf_signature.size(), "FHDR");
   if (version != nitf_signature && version != "NSIF01.00")
     throw HeaderFailure{"the file is of another version of NITF", std::string(version), std::string(nitf_signature)};
-  begin.skip(header_length_at - nitf_signature.size(), "FL");
+  constexpr std::size_t file_length_at = 342;
+  constexpr std::size_t file_length_digits = header_length_at - file_length_at;
+  begin.skip(file_length_at - nitf_signature.size(), "FL");
+  const std::string_view file_length = begin.take(file_length_digits, "FL");
   const std::uint64_t length = begin.number(6, "HL");
   if (length > file.size() || length < fixed_bytes)
     throw HeaderFailure{"the length of the file's header (HL) cannot be right", fmt::format("{}", length),
@@ -186,6 +189,9 @@ NitfFile read_segments(const core::InputFile& file) {
   const std::vector<Part> texts = parts_of(reader, 4, 5, "NUMT");
   const std::vector<Part> extensions = parts_of(reader, 4, 9, "NUMDES");
   NitfFile found;
+  // Nines: written before it was known.
+  if (file_length.find_first_not_of("0123456789") == std::string_view::npos && file_length != "999999999999")
+    found.length = static_cast<std::uint64_t>(core::parse_integer(file_length).value_or(0));
   std::uint64_t at = length;
   each_part(file, images, at, "image segment",
             [&](std::size_t i, std::uint64_t start, std::uint64_t data, const Part& part) {
@@ -204,6 +210,7 @@ NitfFile read_segments(const core::InputFile& file) {
               extension.length = part.data;
               found.extensions.push_back(std::move(extension));
             });
+  found.end = at;
   return found;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -47,6 +48,8 @@ struct NitfExtension {
 struct NitfFile {
   std::vector<NitfImage> images;
   std::vector<NitfExtension> extensions;
+  std::optional<std::uint64_t> length;  ///< FL, of the file; nothing where the header leaves it open.
+  std::uint64_t end = 0;                ///< Behind the last segment that the header names.
 };
 
 /// Reads the headers of a file, each once, in the order of the file. Segments that are neither images nor data

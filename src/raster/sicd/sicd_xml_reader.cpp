@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +8,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "core/xml/xml.hpp"
 #include "raster/sicd/sicd.hpp"
 #include "raster/table/file_problem.hpp"
@@ -29,13 +31,34 @@ bool is_called(const pugi::xml_node& node, std::string_view name) {
   return (colon == std::string_view::npos ? whole : whole.substr(colon + 1)) == name;
 }
 
-// The element at a path such as "Grid/Row/SS"; null where it is missing.
+// Whether two elements say the same, blanks aside.
+bool same_content(const pugi::xml_node& a, const pugi::xml_node& b) {
+  if (core::trimmed(a.child_value()) != core::trimmed(b.child_value())) return false;
+  const auto element_after = [](pugi::xml_node node) {
+    while (node && node.type() != pugi::node_element) node = node.next_sibling();
+    return node;
+  };
+  pugi::xml_node of_a = element_after(a.first_child());
+  pugi::xml_node of_b = element_after(b.first_child());
+  while (of_a && of_b) {
+    if (std::strcmp(of_a.name(), of_b.name()) != 0 || !same_content(of_a, of_b)) return false;
+    of_a = element_after(of_a.next_sibling());
+    of_b = element_after(of_b.next_sibling());
+  }
+  return !of_a && !of_b;
+}
+
+// The element at a path such as "Grid/Row/SS"; null where it is missing. Of two that differ nothing tells which counts.
 pugi::xml_node element_at(pugi::xml_node node, std::string_view path) {
   while (!path.empty() && node) {
     const std::size_t slash = path.find('/');
     const std::string_view name = path.substr(0, slash);
     path = slash == std::string_view::npos ? std::string_view() : path.substr(slash + 1);
-    node = node.find_child([&](const pugi::xml_node& child) { return is_called(child, name); });
+    const pugi::xml_node parent = node;
+    node = parent.find_child([&](const pugi::xml_node& child) { return is_called(child, name); });
+    for (pugi::xml_node other = node.next_sibling(); other; other = other.next_sibling())
+      if (is_called(other, name) && !same_content(node, other))
+        throw ElementFailure{fmt::format("the XML text has an element {} twice", name), {}, "one"};
   }
   return node;
 }
@@ -55,7 +78,8 @@ std::size_t needed_count(pugi::xml_node root, std::string_view path) {
   const std::string text = needed_text(root, path);
   const auto value = core::parse_integer(text);
   if (!value || *value < 1 || *value > most)
-    throw ElementFailure{fmt::format("the element {} is not a number of pixels", path), text, "1 to 10^9"};
+    throw ElementFailure{fmt::format("the element {} is not a number of pixels", path), core::quoted_word(text),
+                         "1 to 10^9"};
   return static_cast<std::size_t>(*value);
 }
 
@@ -66,7 +90,7 @@ double number_at(pugi::xml_node root, std::string_view path, double otherwise) {
   if (text.empty()) return otherwise;
   const auto value = core::parse_number(text.starts_with('+') ? text.substr(1) : text);
   if (!value || !(std::abs(*value) <= most))
-    throw ElementFailure{fmt::format("the element {} is not a number that can be", path), fmt::format("{:.40}", text),
+    throw ElementFailure{fmt::format("the element {} is not a number that can be", path), core::quoted_word(text),
                          "a number up to 1e15"};
   return *value;
 }
@@ -75,7 +99,7 @@ SicdPixel pixel_of(const std::string& word) {
   if (word == "RE32F_IM32F") return SicdPixel::complex_float;
   if (word == "RE16I_IM16I") return SicdPixel::complex_int16;
   if (word == "AMP8I_PHS8I") return SicdPixel::polar_uint8;
-  throw ElementFailure{"the element ImageData/PixelType has an unknown value", word,
+  throw ElementFailure{"the element ImageData/PixelType has an unknown value", core::quoted_word(word),
                        "RE32F_IM32F, RE16I_IM16I or AMP8I_PHS8I"};
 }
 
@@ -90,7 +114,8 @@ std::vector<float> amplitudes_of(pugi::xml_node root) {
     if (!is_called(entry, "Amplitude")) continue;
     if (!index || *index < 0 || *index >= static_cast<std::int64_t>(entries) || !value || !(std::abs(*value) < 1e38))
       throw ElementFailure{"an element ImageData/AmpTable/Amplitude is not a number with an index",
-                           fmt::format("index {}: {}", entry.attribute("index").value(), entry.child_value()),
+                           fmt::format("index {}: {}", core::quoted_word(entry.attribute("index").value()),
+                                       core::quoted_word(entry.child_value())),
                            "index 0 to 255"};
     float& amplitude = amplitudes[static_cast<std::size_t>(*index)];
     if (!std::isnan(amplitude))
@@ -119,7 +144,7 @@ ImagePlaces places_of(pugi::xml_node root, const char* direction, const char* fi
   const double step_m = number_at(root, fmt::format("Grid/{}/SS", direction), 0.0);
   if (!(step_m > 0.0))
     throw ElementFailure{fmt::format("the element Grid/{}/SS is not above 0", direction),
-                         text_at(root, fmt::format("Grid/{}/SS", direction)), "metres"};
+                         core::quoted_word(text_at(root, fmt::format("Grid/{}/SS", direction))), "metres"};
   const double from = number_at(root, fmt::format("ImageData/{}", first), 0.0) -
                       number_at(root, fmt::format("ImageData/SCPPixel/{}", reference), 0.0);
   return {std::move(label), "m", origin_m + from * step_m, step_m};
@@ -184,8 +209,23 @@ void expect_version(pugi::xml_node root) {
       colon == std::string_view::npos ? "xmlns" : "xmlns:" + std::string(whole.substr(0, colon));
   const std::string_view space = root.attribute(attribute.c_str()).value();
   if (!is_called(root, "SICD") || !space.starts_with(known))
-    throw ElementFailure{"the XML text is not one of SICD 1", fmt::format("{} in {}", whole, space),
+    throw ElementFailure{"the XML text is not one of SICD 1",
+                         fmt::format("{} in {}", core::quoted_word(whole), core::quoted_word(space)),
                          "SICD in urn:SICD:1.0.0 to 1.5.0"};
+}
+
+// The reference point is a pixel of the full image, of which the file may hold a part.
+void expect_reference_within(pugi::xml_node root, const SicdDescription& description) {
+  const auto check = [&](const char* pixel, const char* first, const char* full, std::size_t held) {
+    const double at = number_at(root, fmt::format("ImageData/SCPPixel/{}", pixel), 0.0);
+    const double part_end = number_at(root, fmt::format("ImageData/{}", first), 0.0) + static_cast<double>(held);
+    const double end = number_at(root, fmt::format("ImageData/FullImage/{}", full), part_end);
+    if (at >= 0.0 && at < std::max(end, part_end)) return;
+    throw ElementFailure{fmt::format("the reference point (ImageData/SCPPixel/{}) lies outside the image", pixel),
+                         fmt::format("{:g}", at), fmt::format("0 to {:g}", std::max(end, part_end) - 1.0)};
+  };
+  check("Row", "FirstRow", "NumRows", description.rows);
+  check("Col", "FirstCol", "NumCols", description.columns);
 }
 
 SicdDescription read_root(pugi::xml_node root) {
@@ -195,6 +235,7 @@ SicdDescription read_root(pugi::xml_node root) {
   description.rows = needed_count(root, "ImageData/NumRows");
   description.columns = needed_count(root, "ImageData/NumCols");
   if (description.pixel == SicdPixel::polar_uint8) description.amplitudes = amplitudes_of(root);
+  expect_reference_within(root, description);
   description.places = focused_places(root);
   description.facts = facts_of(root);
   return description;

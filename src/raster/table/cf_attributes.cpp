@@ -11,6 +11,7 @@
 #include "core/maths/constants.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/table/axis_words.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -242,7 +243,7 @@ double take_units(CfReader& reader, const std::string* units, bool integers, Sam
     meaning.counts = false;
     return unit->first;
   }
-  reader.refuse("units", fmt::format("{:.60}", *units), "V, mV, uV, nV or count",
+  reader.refuse("units", core::quoted_word(*units), "V, mV, uV, nV or count",
                 "convert the samples to volts: complex amplitudes, not powers or decibels");
   return 1.0;
 }
@@ -264,8 +265,8 @@ std::variant<SampleMeaning, core::Problem> meaning_of_samples(const ArrayAttribu
   const std::string* units = word_of(attributes, "units");
   const std::string* const unit_too = word_of(attributes, "unit");
   if (units != nullptr && unit_too != nullptr && *units != *unit_too)
-    reader.refuse("units", fmt::format("{:.60}", *units), fmt::format("{:.60}, as its attribute unit says", *unit_too),
-                  "correct one of them");
+    reader.refuse("units", core::quoted_word(*units),
+                  fmt::format("{}, as its attribute unit says", core::quoted_word(*unit_too)), "correct one of them");
   if (units == nullptr) units = unit_too;
   const double unit = take_units(reader, units, kind.whole, meaning);
   const double scale = reader.factor("scale_factor");
@@ -304,7 +305,7 @@ std::variant<AxisMeaning, core::Problem> meaning_of_axis(const ArrayAttributes& 
   if (const std::string* const said = word_of(attributes, "units"); said != nullptr && !core::trimmed(*said).empty()) {
     const auto unit = si_unit_of(*said);
     if (!unit || unit->second != units)
-      reader.refuse("units", fmt::format("{:.60}", *said), fmt::format("{} or a multiple of it", units),
+      reader.refuse("units", core::quoted_word(*said), fmt::format("{} or a multiple of it", units),
                     "convert the numbers, or correct the attribute");
     else {
       meaning.factor *= unit->first;

@@ -12,6 +12,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/image_gate.hpp"
 #include "raster/table/pose_axes.hpp"
@@ -78,7 +79,7 @@ class FactCheck {
     const auto number = core::parse_number(text);
     const bool whole = bounds.most > 64.0 || (number && std::floor(*number) == *number);
     if (number && *number >= 0.0 && *number <= bounds.most && whole) return;
-    refuse(fmt::format("{} of the file cannot be", bounds.name), fmt::format("{:.40}", text), bounds.expected);
+    refuse(fmt::format("{} of the file cannot be", bounds.name), core::quoted_word(text), bounds.expected);
   }
 
   // What readers have understood, by whatever name; counts become volts in single precision.

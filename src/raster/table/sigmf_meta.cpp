@@ -10,8 +10,10 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/table/described_product.hpp"
 #include "raster/table/file_problem.hpp"
+#include "raster/table/json_failure.hpp"
 #include "raster/table/json_once.hpp"
 
 namespace sarsim::raster {
@@ -27,12 +29,10 @@ core::Problem problem_of_key(std::string_view key, std::string what, std::string
   return file_problem({}, fmt::format("{} {}", key, what), std::move(found), std::move(expected), std::move(hint));
 }
 
-// A value as it stands in the file, shortened.
+// A word of a value as it stands in the file.
 std::string shown_json(const SigmfJson& value) {
-  constexpr std::size_t longest = 60;
   if (value.is_structured()) return value.is_array() ? "[ ... ]" : "{ ... }";
-  std::string text = value.dump(-1, ' ', true, SigmfJson::error_handler_t::replace);
-  return text.size() > longest ? text.substr(0, longest) + "..." : text;
+  return core::quoted_word(value.dump(-1, ' ', true, SigmfJson::error_handler_t::replace));
 }
 
 // Reads metadata and keeps the first problem.
@@ -45,7 +45,7 @@ class SigmfReader {
     try {
       tree = parse_json_once(text, twice_);
     } catch (const SigmfJson::exception& error) {
-      return file_problem({}, "this is not JSON", fmt::format("{:.200}", error.what()));
+      return not_json({}, error);
     }
     if (!twice_.empty()) return problem_of_key(twice_, "is there twice", {}, "one value");
     const SigmfJson& global = member(tree, "global");
@@ -138,7 +138,7 @@ class SigmfReader {
              "store each channel as a recording of its own");
     if (const std::string version = text(global, "core:version"); !version.empty())
       if (const std::string major = version.substr(0, version.find('.')); major != "0" && major != "1")
-        refuse("core:version", "is not known", fmt::format("{:.40}", version), "1.x");
+        refuse("core:version", "is not known", core::quoted_word(version), "1.x");
     take_extensions(member(global, "core:extensions"));
   }
 
@@ -161,14 +161,14 @@ class SigmfReader {
     if (member(global, "core:metadata_only") == true)
       refuse("core:metadata_only", "says that there are no samples", "true", "false, or none");
     if (const std::string name = text(global, "core:dataset"); !name.empty() && name != data_.filename().string())
-      refuse("core:dataset", "names another file of samples", fmt::format("{:.60}", name), data_.filename().string(),
+      refuse("core:dataset", "names another file of samples", core::quoted_word(name), data_.filename().string(),
              "give that file this name");
     meta_.trailing_bytes = whole(global, "core:trailing_bytes").value_or(0);
     offset_ = whole(global, "core:offset").value_or(0);
     meta_.sha512 = core::lower_case(text(global, "core:sha512"));
     const bool digits = meta_.sha512.find_first_not_of("0123456789abcdef") == std::string::npos;
     if (!meta_.sha512.empty() && (meta_.sha512.size() != 128 || !digits))
-      refuse("core:sha512", "is no checksum", fmt::format("{:.40}", meta_.sha512), "128 hexadecimal digits");
+      refuse("core:sha512", "is no checksum", core::quoted_word(meta_.sha512), "128 hexadecimal digits");
   }
 
   void take_captures(const SigmfJson& captures) {

@@ -167,6 +167,7 @@ class EndRules {
                                const core::SampledFunction& function) {
       const auto found = outside(function, {0.0, 1.0}, noticed_fraction);
       if (found) tell({field, what, part, "", role, "a pulse lasts from 0 to 1"}, function, *found, true);
+      if (!found) tell_unmet(field, what, part, function);
     };
     if (radar.pulse == Radar::Pulse::user) {
       check_one("pulse_iq", "user-defined pulse's", "I", FunctionRole::pulse, radar.pulse_iq.part[0]);
@@ -176,6 +177,23 @@ class EndRules {
       check_one("envelope_gain", "pulse envelope", {}, FunctionRole::pulse_envelope, radar.envelope_gain.part[0]);
     if (radar.window == Radar::Window::user)
       check_one("window_gain", "matched-filter window", {}, FunctionRole::window, radar.window_gain.part[0]);
+  }
+
+  // Points that count in per cent or in microseconds lie beyond the pulse, but for the first few.
+  void tell_unmet(std::string_view field, std::string_view what, std::string_view part,
+                  const core::SampledFunction& function) {
+    constexpr double most_share = 0.5;
+    if (function.knots.size() < 2 || !is_sound(function)) return;
+    const double first = function.knots.front().x, last = function.knots.back().x;
+    const double met = std::max(0.0, std::min(1.0, last) - std::max(0.0, first));
+    if (met >= most_share * (last - first)) return;
+    const std::string name = part.empty() ? std::string(what) : fmt::format("{} {}", what, part);
+    findings_.warning(Consequence::surprise, field,
+                      {.message = fmt::format("most of the {} is never met: a pulse lasts from 0 to 1", name),
+                       .found = fmt::format("points from {:g} to {:g}, {:.3g} % of them within", first, last,
+                                            100.0 * met / (last - first)),
+                       .expected = "fractions of the pulse width, from 0 to 1",
+                       .hint = fmt::format("Divide x by {:g} where the pulse ends there.", last)});
   }
 
   Findings& findings_;

@@ -42,6 +42,17 @@ TEST(CheckFunctionEnds, TellsOfPulsesThatTheirPointsDoNotCover) {
   EXPECT_THAT(expect_warning(scene, {"radar", 0, "window_gain"}).message, HasSubstr("matched-filter window"));
 }
 
+TEST(CheckFunctionEnds, TellsOfPointsThatAPulseNeverMeets) {
+  Scene scene = sound_scene();
+  scene.radars[0].envelope = Radar::Envelope::user;
+  scene.radars[0].envelope_gain.part[0] = points({{0, 1}, {50, 0.7}, {100, 0.4}});
+  const core::Problem problem = expect_warning(scene, {"radar", 0, "envelope_gain"});
+  EXPECT_THAT(problem.message, HasSubstr("most of the pulse envelope is never met"));
+  EXPECT_THAT(problem.found, HasSubstr("points from 0 to 100, 1 % of them within"));
+  scene.radars[0].envelope_gain.part[0] = points({{-0.2, 1}, {0.5, 0.7}, {1.5, 0.4}});
+  EXPECT_TRUE(check(scene).empty());
+}
+
 // From -0.5 to 1.499 s. Straight lines through two points are meant to go on.
 TEST(CheckFunctionEnds, TellsOfMotionsThatEndBeforeTheRecording) {
   Scene scene = sound_scene();

@@ -163,12 +163,15 @@ void check_receiver(Findings& findings, const Radar& radar) {
                                    .found = "only zeros",
                                    .expected = "a window that lets something pass",
                                    .hint = {}});
-  check_function(findings,
-                 {.field = "stc_gain",
-                  .what = "sensitivity-time control",
-                  .parts = single_part,
-                  .used = radar.stc == Radar::Stc::user},
-                 radar.stc_gain.part);
+  const bool controlled = radar.stc == Radar::Stc::user;
+  const bool sound_control = check_function(
+      findings, {.field = "stc_gain", .what = "sensitivity-time control", .parts = single_part, .used = controlled},
+      radar.stc_gain.part);
+  if (controlled && sound_control && all_zero(radar.stc_gain.part[0]))
+    findings.error("stc_gain", {.message = "the sensitivity-time control is zero throughout",
+                                .found = "only zeros",
+                                .expected = "a gain that lets something pass",
+                                .hint = {}});
 }
 
 }  // namespace

@@ -210,6 +210,8 @@ TEST(CheckRadar, NeedsAUserWindowThatLetsSomethingPass) {
 TEST(CheckRadar, NeedsPointsForAUserSensitivityControl) {
   Scene scene = with_radar([](Radar& r) { r.stc = Radar::Stc::user; });
   expect_error(scene, radar_field("stc_gain"));
+  scene.radars[0].stc_gain.part[0] = points({{0.0, 0.0}, {11e3, 0.0}});
+  EXPECT_THAT(expect_error(scene, radar_field("stc_gain")).message, HasSubstr("zero throughout"));
   scene.radars[0].stc_gain.part[0] = points({{0.0, 0.0}, {11e3, 1.0}});
   EXPECT_TRUE(check(scene).empty());
 }

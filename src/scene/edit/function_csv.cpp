@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 #include "scene/model/limits.hpp"
 #include "scene/schema/function_table.hpp"
 #include "scene/schema/table_text.hpp"
+#include "scene/script/named_columns.hpp"
 
 namespace sarsim::scene {
 
@@ -40,6 +42,8 @@ class CsvReader {
     if (x_given_) columns_.push_back({std::string(kind_.x_name), kind_.x_quantity, {}});
     for (std::size_t i = 0; i < kind_.block.count; ++i)
       columns_.push_back({std::string(kind_.part_names[i]), kind_.y_quantity, {}});
+    places_.resize(columns_.size());
+    std::iota(places_.begin(), places_.end(), std::size_t{0});
     if (named) read_heading(lines.front());
     for (const TableLine& row : rows) read_line(row);
     for (std::size_t i = 0; i < functions_.size(); ++i) finish(i);
@@ -68,16 +72,22 @@ class CsvReader {
   }
 
   void read_heading(const TableLine& line) {
+    std::vector<std::size_t> usual(columns_.size());
+    std::iota(usual.begin(), usual.end(), x_given_ ? 0U : 1U);
     const std::vector<ColumnHeading> headings = headings_of(line);
+    const NamedColumns named = named_columns(kind_.block, headings, usual);
+    if (named.fault) return add(line, named.fault->message, named.fault->found, named.fault->expected);
+    places_ = named.places;
     for (std::size_t i = 0; i < std::min(headings.size(), columns_.size()); ++i) {
-      const std::string& unit = headings[i].unit;
+      Column& column = columns_[places_[i]];
+      const std::string& unit = named.units[i];
       // A unit that the quantity does not know, such as m/sqrt(s), says what the editor says.
-      if (unit.empty() || units_of(columns_[i].quantity).empty()) continue;
-      if (!read_quantity("1 " + unit, columns_[i].quantity).value)
-        add(line, fmt::format("the unit of column {} is not known", columns_[i].name), unit,
-            fmt::format("{}", fmt::join(units_of(columns_[i].quantity), ", ")));
+      if (unit.empty() || units_of(column.quantity).empty()) continue;
+      if (!read_quantity("1 " + unit, column.quantity).value)
+        add(line, fmt::format("the unit of column {} is not known", column.name), unit,
+            fmt::format("{}", fmt::join(units_of(column.quantity), ", ")));
       else
-        columns_[i].unit = unit;
+        column.unit = unit;
     }
   }
 
@@ -89,14 +99,16 @@ class CsvReader {
     std::vector<bool> given(columns_.size(), false);
     for (std::size_t i = 0; i < line.cells.size(); ++i) {
       if (line.cells[i].empty()) continue;
-      const QuantityReading reading = read_cell(line.cells[i], columns_[i].quantity, columns_[i].unit);
+      const std::size_t at = places_[i];
+      const Column& column = columns_[at];
+      const QuantityReading reading = read_cell(line.cells[i], column.quantity, column.unit);
       if (!reading.value)
-        return add(line, fmt::format("{}: {}", columns_[i].name, reading.failure), line.cells[i], "a number");
+        return add(line, fmt::format("{}: {}", column.name, reading.failure), line.cells[i], "a number");
       if (!computable(*reading.value))
-        return add(line, fmt::format("{} is too large to compute with", columns_[i].name), line.cells[i],
+        return add(line, fmt::format("{} is too large to compute with", column.name), line.cells[i],
                    fmt::format("a magnitude up to {:g}", largest_value));
-      values[i] = *reading.value;
-      given[i] = true;
+      values[at] = *reading.value;
+      given[at] = true;
     }
     if (x_given_ && !given[0]) return add(line, fmt::format("{} is missing", kind_.x_name), line.text, expected());
     const std::size_t first = x_given_ ? 1 : 0;
@@ -107,7 +119,8 @@ class CsvReader {
       auto& knots = functions_[i - first];
       const double x = x_given_ ? values[0] : static_cast<double>(knots.size());
       if (kind_.block.x_ignored && !(values[i] > 0.0))
-        return add(line, fmt::format("{} is not above zero", columns_[i].name), line.cells[i], "a number above 0");
+        return add(line, fmt::format("{} is not above zero", columns_[i].name), core::format_number(values[i]),
+                   "a number above 0");
       knots.push_back({x, values[i]});
     }
   }
@@ -127,6 +140,7 @@ class CsvReader {
   const FunctionKind& kind_;
   std::string file_name_;
   std::vector<Column> columns_;
+  std::vector<std::size_t> places_;  // Of each column of the file, in `columns_`.
   std::vector<std::vector<core::Knot>> functions_;
   core::Problems problems_;
   bool x_given_ = true;

@@ -262,6 +262,18 @@ TEST(FunctionModel, CsvGivesXAndAColumnForEachPart) {
   EXPECT_EQ(reading.draft.file, "");
 }
 
+TEST(FunctionModel, CsvColumnsAreThoseOfTheirNames) {
+  const FunctionReading reading =
+      import_function_csv(Platform{}, "trajectory_m", "y,t_ms,z,x [km]\n2,1000,3,1\n", "track.csv");
+  EXPECT_EQ(printed(reading.problems), "");
+  EXPECT_EQ(reading.draft.parts[0].knots, (std::vector<core::Knot>{{1.0, 1000.0}}));
+  EXPECT_EQ(reading.draft.parts[1].knots, (std::vector<core::Knot>{{1.0, 2.0}}));
+  EXPECT_EQ(reading.draft.parts[2].knots, (std::vector<core::Knot>{{1.0, 3.0}}));
+  EXPECT_NE(printed(import_function_csv(Platform{}, "trajectory_m", "t,lat,lon,h\n0,1,2,3\n", "t.csv").problems)
+                .find("the name of column 2 is not that of position x"),
+            std::string::npos);
+}
+
 TEST(FunctionModel, AListMayBeAColumnOfValuesAlone) {
   const FunctionReading reading = import_function_csv(Radar{}, "carrier_list_hz", "f [GHz]\n9.5\n9.6\n", "f.csv");
   EXPECT_EQ(printed(reading.problems), "");

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -68,6 +69,14 @@ std::optional<std::size_t> kind_of(const ColumnHeading& heading, const ColumnKin
   return std::nullopt;
 }
 
+// The unit that a name ends in: "rcs_dbsm" is in dBsm; empty where it has none.
+std::string_view unit_in_name(std::string_view name) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> endings{
+      {{"_dbsm", "dBsm"}, {"_m2", "m2"}, {"_deg", "deg"}, {"_m", "m"}}};
+  const auto found = std::ranges::find_if(endings, [&](const auto& ending) { return name.ends_with(ending.first); });
+  return found == endings.end() ? std::string_view() : found->second;
+}
+
 // How many of the first `count` quantities are named.
 std::size_t named(const std::vector<ColumnHeading>& headings, const ColumnKinds& meant, std::size_t count) {
   std::array<bool, quantities> met{};
@@ -86,16 +95,25 @@ std::optional<core::Problem> take_column(TargetColumns& columns, const TableLine
   const ColumnKind& meant = kinds_of(columns)[kind];
   if (columns.at[kind])
     return problem_of(core::Severity::error, line, fmt::format("two columns are named {}", meant.words),
-                      std::string(line.text), "each name once");
+                      core::quoted_word(line.text), "each name once");
+  const std::string_view in_name = unit_in_name(heading.name);
   const std::string unit = heading.unit.empty() && heading.name == decibel_name ? "dBsm" : heading.unit;
   columns.at[kind] = at;
   columns.unit[kind] = unit;
-  if (unit.empty() || read_quantity("1 " + unit, meant.quantity).value) return std::nullopt;
+  if (unit.empty()) return std::nullopt;
+  if (const auto value = read_quantity("1 " + unit, meant.quantity).value) {
+    if (in_name.empty() || *value == read_quantity(fmt::format("1 {}", in_name), meant.quantity).value)
+      return std::nullopt;
+    return problem_of(core::Severity::error, line,
+                      fmt::format("name and unit of the column of {} contradict each other", meant.words),
+                      fmt::format("{} [{}]", core::quoted_word(heading.written), core::quoted_word(unit)),
+                      fmt::format("{}, or a name without a unit", in_name));
+  }
   std::string units;
   for (const std::string_view name : units_of(meant.quantity))
     units += fmt::format("{}{}", units.empty() ? "" : ", ", name);
-  return problem_of(core::Severity::error, line, fmt::format("the unit of column {} is not known", meant.words), unit,
-                    units);
+  return problem_of(core::Severity::error, line, fmt::format("the unit of column {} is not known", meant.words),
+                    core::quoted_word(unit), units);
 }
 
 class Importer {
@@ -159,7 +177,7 @@ class Importer {
     if (more_cells_ == 0) return;
     core::Problem problem = problem_of(core::Severity::warning, first_longer_,
                                        fmt::format("columns behind the {} expected are ignored", columns_.count),
-                                       std::string(first_longer_.text), columns_.words());
+                                       core::quoted_word(first_longer_.text), columns_.words());
     problem.count = more_cells_;
     import_.problems.push_back(std::move(problem));
   }
@@ -201,7 +219,7 @@ TargetColumns target_columns(const TableLine& line, core::Problems& problems) {
     if (!columns.at[kind])
       problems.push_back(problem_of(
           core::Severity::error, line, fmt::format("the names of the columns do not include {}", meant[kind].words),
-          std::string(line.text),
+          core::quoted_word(line.text),
           fmt::format("{}, {}, {} and, where there is one, rcs", meant[0].words, meant[1].words, meant[2].words)));
   return columns;
 }
@@ -211,8 +229,8 @@ std::optional<core::Problem> problem_of_places(const TargetColumns& columns, con
   if (!columns.geodetic) return std::nullopt;
   std::optional<core::Problem> problem;
   if (world.frame != World::Frame::earth) {
-    problem = problem_of(core::Severity::error, line, "the world is flat and has no latitudes", std::string(line.text),
-                         "columns x, y, z");
+    problem = problem_of(core::Severity::error, line, "the world is flat and has no latitudes",
+                         core::quoted_word(line.text), "columns x, y, z");
     problem->hint = "Latitudes need [world] frame = \"earth\" with an anchor.";
   } else if (!core::equal_ignoring_case(platform, "Earth")) {
     problem = problem_of(core::Severity::error, line, "places on the Earth cannot be those of a platform", platform,

@@ -58,6 +58,22 @@ TEST(ImportTargets, NamesGiveTheOrderAndTheUnitsOfTheColumns) {
   expect_targets("x [m] y [m] z [km]\n1 2 3\n", {target(1, 2, 3000)});
 }
 
+TEST(ImportTargets, NamesWithAUnitAreNotContradicted) {
+  expect_targets("x_m [m],y,z,rcs_dbsm [dBsm]\n1,2,3,10\n", {target(1, 2, 3, 10.0)});
+  expect_targets("x,y,z,rcs_m2 [m^2]\n1,2,3,10\n", {target(1, 2, 3, 10.0)});
+  for (const char* const text :
+       {"x,y,z,rcs_dbsm [m2]\n1,2,3,10\n", "x,y,z,rcs_m2 [dBsm]\n1,2,3,10\n", "x_m [km],y,z,rcs\n1,2,3,10\n"}) {
+    const TargetImport import = import_targets(text, "Ship");
+    EXPECT_TRUE(import.targets.empty()) << text;
+    EXPECT_NE(printed(import).find("contradict each other"), std::string::npos) << printed(import);
+  }
+}
+
+TEST(ImportTargets, QuotesHoldANameAndItsUnitTogether) {
+  expect_targets("\"x [km]\" \"y [m]\" \"z\"\n1 2 3\n", {target(1000, 2, 3)});
+  expect_targets("\"x [km]\",\"y, north\",y,z\n1,9,2,3\n", {target(1000, 2, 3)});
+}
+
 TEST(ImportTargets, CellsMayHaveUnitsOfTheirOwn) {
   expect_targets("1 km, 20 cm, 3\n", {target(1000, 0.2, 3)});
   expect_targets("x [km],y [km],z [km]\n1,2 m,3\n", {target(1000, 2, 3000)});

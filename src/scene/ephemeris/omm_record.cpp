@@ -1,5 +1,6 @@
 #include "scene/ephemeris/omm_record.hpp"
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "scene/ephemeris/known_words.hpp"
 
 namespace sarsim::scene::ephemeris {
@@ -47,6 +49,11 @@ constexpr std::array<OmmWord, static_cast<std::size_t>(OmmKey::none)> omm_words{
 
 const OmmWord& word_of(OmmKey key) { return omm_words[static_cast<std::size_t>(key)]; }
 
+bool is_convention(OmmKey key) {
+  return key == OmmKey::center_name || key == OmmKey::ref_frame || key == OmmKey::time_system ||
+         key == OmmKey::mean_element_theory;
+}
+
 constexpr double rad_of_deg = std::numbers::pi / 180.0;
 constexpr double radps_of_rev_per_day = 2.0 * std::numbers::pi / 86400.0;
 
@@ -74,7 +81,10 @@ void OmmRecord::miss_value(OmmKey key, std::string_view at, FileProblems& proble
 }
 
 void OmmRecord::set(OmmKey key, std::string value, std::string_view at, std::string_view unit, FileProblems& problems) {
-  if (key == OmmKey::none || value.empty()) return;
+  if (key == OmmKey::none) return;
+  // What the elements mean may be left out, but not be left empty.
+  const bool quoted = at.starts_with('"');  // A null and a cell with nothing in it are left out.
+  if (value.empty()) return quoted && is_convention(key) ? miss_value(key, at, problems) : void();
   Value& kept = values_[static_cast<std::size_t>(key)];
   if (!kept.text.empty())
     problems.error(at, {fmt::format("{} stands twice in one message", word_of(key).word), core::clipped(value),
@@ -160,6 +170,22 @@ bool OmmRecord::read_whole(OmmKey key, bool required, FileProblems& problems, in
   return true;
 }
 
+// The axis of a mean motion: n^2 a^3 = GM, to the thousandth by which definitions of mean elements differ.
+void OmmRecord::compare_axis(FileProblems& problems, double motion_rev_per_day) const {
+  constexpr double share = 0.01;
+  constexpr double gm_km3_per_s2 = 398600.8;  // WGS 72, as of SGP4.
+  const Value& kept = of(OmmKey::semi_major_axis);
+  const auto axis_km = core::parse_number(kept.text);
+  if (kept.text.empty()) return;
+  const double rate = motion_rev_per_day * radps_of_rev_per_day;
+  const double expected_km = std::cbrt(gm_km3_per_s2 / (rate * rate));
+  if (axis_km && std::abs(*axis_km - expected_km) <= share * expected_km) return;
+  problems.warning(kept.at,
+                   {"SEMI_MAJOR_AXIS is not that of MEAN_MOTION, which counts", core::quoted_word(kept.text),
+                    fmt::format("{:.6g} km, as {} rev/day need", expected_km, core::format_number(motion_rev_per_day)),
+                    "the message may be of two pieces"});
+}
+
 bool OmmRecord::read_elements(FileProblems& problems, ElementSet& set) const {
   constexpr double any = 1e30;
   set.object_name = of(OmmKey::object_name).text;
@@ -177,6 +203,7 @@ bool OmmRecord::read_elements(FileProblems& problems, ElementSet& set) const {
     good = false;
   }
   good &= read(OmmKey::mean_motion, true, 1e-3, 20.0, problems, motion);
+  if (good) compare_axis(problems, motion);
   good &= read(OmmKey::eccentricity, true, 0.0, 0.999999999, problems, set.elements.eccentricity);
   good &= read(OmmKey::inclination, true, 0.0, 180.0, problems, inclination);
   good &= read(OmmKey::ra_of_asc_node, true, -360.0, 360.0, problems, node);

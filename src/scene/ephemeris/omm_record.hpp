@@ -46,9 +46,10 @@ class OmmRecord {
   /// Forgets all values; a new message begins at `at`.
   void begin(std::string_view at);
   /// Reports a keyword of a message without a value, unless the keyword is unknown. Cells of tables and members of JSON
-  /// may be empty, keywords of messages may not.
+  /// JSON may be empty but for those that say what the elements mean, keywords of messages may not.
   void miss_value(OmmKey key, std::string_view at, FileProblems& problems);
-  /// Keeps the value of a keyword; reports one that stands twice. An empty value is a missing one.
+  /// Keeps the value of a keyword; reports one that stands twice. An empty value is a missing one; an empty frame,
+  /// centre, time system or theory is reported.
   /// @param at    where it stands in the text
   /// @param unit  as given beside it; empty for none
   void set(OmmKey key, std::string value, std::string_view at, std::string_view unit, FileProblems& problems);
@@ -66,6 +67,7 @@ class OmmRecord {
   void check_conventions(FileProblems& problems) const;
   bool read(OmmKey key, bool required, double low, double high, FileProblems& problems, double& value) const;
   bool read_whole(OmmKey key, bool required, FileProblems& problems, int& value) const;
+  void compare_axis(FileProblems& problems, double motion_rev_per_day) const;
   bool read_elements(FileProblems& problems, ElementSet& set) const;
 
   std::array<Value, static_cast<std::size_t>(OmmKey::none)> values_;

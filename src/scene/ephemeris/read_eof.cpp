@@ -8,6 +8,7 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "radar/earth/instant.hpp"
 #include "scene/ephemeris/formats.hpp"
 #include "scene/ephemeris/known_words.hpp"
@@ -88,6 +89,10 @@ class EofReader {
       else
         problems_.error(text, {"the name of the mission has an entity that is not known", core::clipped(text),
                                "&amp;, &lt;, &gt;, &quot;, &apos; or the number of a character", ""});
+    } else if (name == "Time_Reference") {
+      if (!text.empty() && !core::equal_ignoring_case(text, "UTC"))
+        problems_.error(text, {"the times are not in UTC (Time_Reference)", core::quoted_word(text), "UTC",
+                               "an orbit file of Sentinel-1 counts in UTC; convert the times, or write an OEM"});
     } else if (name == "Ref_Frame") {
       frame_seen_ = true;
       if (!core::equal_ignoring_case(text, "EARTH_FIXED"))

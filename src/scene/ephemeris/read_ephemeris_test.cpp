@@ -330,6 +330,14 @@ TEST(ReadEphemeris, RefusesDamagedSentinelFiles) {
   EXPECT_EQ(problem.place.line, 29U);
   EXPECT_EQ(problem_of(eof_text, "unit=\"m/s\"", "unit=\"km/s\"").message, "VX has another unit than it should");
   EXPECT_EQ(problem_of(eof_text, "EARTH_FIXED", "EME2000").message, "the frame is not known");
+  for (const char* const other : {"GPS", "TAI"})
+    EXPECT_EQ(
+        problem_of(eof_text, "<Mission>", fmt::format("<Time_Reference>{}</Time_Reference><Mission>", other)).message,
+        "the times are not in UTC (Time_Reference)");
+  EXPECT_EQ(words_of(read_ephemeris(replaced(eof_text, "<Mission>", "<Time_Reference>UTC</Time_Reference><Mission>"),
+                                    "o.txt", {{}})
+                         .problems),
+            "");
   EXPECT_EQ(problem_of(eof_text, "count=\"2\"", "count=\"3\"").message,
             "the number of states is not the one that the list announces");
   EXPECT_EQ(problem_in(eof_text.substr(0, eof_text.size() / 2)).hint, "the file may be cut off");
@@ -476,6 +484,8 @@ TEST(ReadEphemeris, ReadsTheSameStatesFromEveryFormat) {
             "X_DOT has another unit than it should");
   EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<Y_DOT>", "<Y_DOTS>").replace(0, 0, "")).severity,
             core::Severity::error);
+  EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<Y_DOT", "<X units=\"km\">5</X><Y_DOT")).message,
+            "X stands twice in one stateVector");
   EXPECT_EQ(problem_in(replaced(texts.oem_xml, "<REF_FRAME>ITRF</REF_FRAME>", "")).message, "REF_FRAME is missing");
 }
 

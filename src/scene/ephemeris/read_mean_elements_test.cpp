@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "scene/ephemeris/element_choice.hpp"
 #include "scene/ephemeris/ephemeris_test_support.hpp"
 #include "scene/ephemeris/read_ephemeris.hpp"
 
@@ -96,6 +97,38 @@ TEST(ReadMeanElements, KeepsAHistoryOfOneSatellite) {
   ASSERT_EQ(file.sets.size(), 2U);
   EXPECT_LT(file.sets[0].epoch, file.sets[1].epoch);
   EXPECT_EQ(sound(std::string(omm_kvn_text) + std::string(omm_kvn_text)).sets.size(), 2U);
+}
+
+TEST(ReadMeanElements, TellsOfOtherElementsAtTheSameEpoch) {
+  const std::string other = tle_with(2, 44, "285.0350");
+  const MeanElementsFile file = sound(tle_with(1, 21, "092") + tle_with(2, 44, "275.0350") + other);
+  ASSERT_EQ(file.sets.size(), 3U);
+  const auto problem = problem_of_other_sets(file.sets, file.sets[1]);
+  ASSERT_TRUE(problem);
+  EXPECT_NE(problem->message.find("2 sets of the epoch 2024-04-01T12:00:00"), std::string::npos) << problem->message;
+  EXPECT_EQ(problem->found, "mean anomaly 275.035 and 285.035 deg");
+  EXPECT_FALSE(problem_of_other_sets(sound(std::string(omm_kvn_text) + std::string(omm_kvn_text)).sets,
+                                     sound(omm_kvn_text).sets[0]));
+}
+
+// 14.59198062 rev/day is an axis of 7073.5 km.
+TEST(ReadMeanElements, ComparesTheAxisWithTheMeanMotion) {
+  const auto with_axis = [](const std::string& axis) {
+    return read_mean_elements(
+               replaced(omm_json_text, "\"ECCENTRICITY\"", "\"SEMI_MAJOR_AXIS\":" + axis + ",\"ECCENTRICITY\""),
+               "o.txt", {{}})
+        .problems;
+  };
+  EXPECT_TRUE(with_axis("7073.5").empty()) << words_of(with_axis("7073.5"));
+  const core::Problem problem = only_problem(with_axis("9000"));
+  EXPECT_EQ(problem.severity, core::Severity::warning);
+  EXPECT_EQ(problem.message, "SEMI_MAJOR_AXIS is not that of MEAN_MOTION, which counts");
+  EXPECT_NE(problem.expected.find("707"), std::string::npos) << problem.expected;
+}
+
+TEST(ReadMeanElements, RefusesAnEmptyFrameOfJson) {
+  EXPECT_EQ(problem_of(omm_json_text, "\"ECCENTRICITY\"", "\"REF_FRAME\":\"\",\"ECCENTRICITY\"").message,
+            "REF_FRAME has no value");
 }
 
 TEST(ReadMeanElements, ReadsNumbersOfTheCatalogueWithLetters) {

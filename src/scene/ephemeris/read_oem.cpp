@@ -220,8 +220,13 @@ class OemXmlReader {
     } else if (event == XmlEvent::text && in_metadata_ && name != "COMMENT") {
       content_.add_metadata({scan_.text(), name, scan_.text(), {}}, false);
     } else if (event == XmlEvent::text && in_state_) {
-      for (std::size_t i = 0; i < state_names.size(); ++i)
-        if (name == state_names[i]) cells_[i] = scan_.text();
+      for (std::size_t i = 0; i < state_names.size(); ++i) {
+        if (name != state_names[i]) continue;
+        if (!cells_[i].empty())
+          problems_.error(scan_.text(), {fmt::format("{} stands twice in one stateVector", name),
+                                         core::clipped(scan_.text()), "each once", ""});
+        cells_[i] = scan_.text();
+      }
     }
   }
 

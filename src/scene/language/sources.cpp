@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "core/toml/values.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"
@@ -66,18 +67,25 @@ std::string remedy_of_mark(const std::string& mark, const std::string& expected)
   return number && *number > 2.0 ? "perhaps the file was written for a newer Sarsim" : "write " + expected;
 }
 
-void check_mark(SourceReader& reader) {
+bool has_mark(SourceReader& reader) {
+  const toml::Entry* const mark = reader.root_entry("format");
+  return mark != nullptr && mark->value.kind == toml::Kind::string && reader.string_of(mark->value) == format_2_mark;
+}
+
+// @param included  a file that may never have been meant to be read: a word of it is told
+void check_mark(SourceReader& reader, bool included) {
   const toml::Entry* const mark = reader.root_entry("format");
   const std::string expected = fmt::format("format = \"{}\"", format_2_mark);
   if (mark == nullptr)
     reader.error({}, {"the format of the scene is not stated", "", expected,
                       fmt::format("write {} before the first header", expected)});
-  else if (mark->value.kind != toml::Kind::string || reader.string_of(mark->value) != format_2_mark)
-    reader.error(
-        mark->value.span,
-        {"this format is not known", script::shown(reader.text_of(mark->value.span)),
-         fmt::format("\"{}\"", format_2_mark),
-         remedy_of_mark(mark->value.kind == toml::Kind::string ? reader.string_of(mark->value) : "", expected)});
+  else if (!has_mark(reader))
+    reader.error(mark->value.span,
+                 {"this format is not known",
+                  included ? core::quoted_word(reader.text_of(mark->value.span))
+                           : script::shown(reader.text_of(mark->value.span)),
+                  fmt::format("\"{}\"", format_2_mark),
+                  remedy_of_mark(mark->value.kind == toml::Kind::string ? reader.string_of(mark->value) : "", expected)});
 }
 
 // The path of a file that another one names.
@@ -100,14 +108,14 @@ class Taking {
     Source source = source_of(text, file, name);
     SourceReader reader(source, reading_);
     // What an included file that is no scene says is not told: it may never have been meant to be read.
-    if (!name.empty() && reader.root_entry("format") == nullptr) {
+    if (!name.empty() && !has_mark(reader)) {
       reading_.names_lost = true;
-      return check_mark(reader);
+      return check_mark(reader, true);
     }
     reader.report_mistakes();
     const auto is_broken = [](const toml::Table& table) { return table.broken; };
     reading_.names_lost = reading_.names_lost || std::ranges::any_of(source.document.tables, is_broken);
-    check_mark(reader);
+    check_mark(reader, !name.empty());
     if (const toml::Entry* const include = reader.root_entry("include"))
       take_included(include->value, reader, source, name);
     sources_.sources.push_back(std::move(source));

@@ -1,6 +1,9 @@
 #include "scene/schema/table_text.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
@@ -20,13 +23,38 @@ std::string_view unquoted(std::string_view cell) {
   return cell;
 }
 
+// The end of the cell that begins at `start`: where one of `separators` follows that is not within quotes around it.
+std::size_t cell_end(std::string_view line, std::size_t start, std::string_view separators) {
+  const std::size_t first = line.find_first_not_of(blanks, start);
+  std::size_t from = start;
+  if (first != std::string_view::npos && line[first] == '"') {
+    const std::size_t close = line.find('"', first + 1);
+    if (close != std::string_view::npos) from = close + 1;
+  }
+  return std::min(line.find_first_of(separators, from), line.size());
+}
+
+// What parts the cells of a line; quotes around names such as "x, m" or "x [km]" hold them together.
+std::string_view separators_of(std::string_view line) {
+  const bool pairs = std::ranges::count(line, '"') % 2 == 0;
+  for (const std::string_view separator : {std::string_view("\t"), std::string_view(";"), std::string_view(",")}) {
+    if (line.find(separator) == std::string_view::npos) continue;
+    bool within = false;
+    for (const char c : line) {
+      within = pairs && c == '"' ? !within : within;
+      if (c == separator.front() && !within) return separator;
+    }
+  }
+  return blanks;
+}
+
 void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
   cells.clear();
-  for (const char separator : {'\t', ';', ','}) {
-    if (line.find(separator) == std::string_view::npos) continue;
+  const std::string_view separators = separators_of(line);
+  if (separators != blanks) {
     std::size_t start = 0;
-    for (std::size_t end = line.find(separator); end != std::string_view::npos && cells.size() < most_cells;
-         end = line.find(separator, start)) {
+    for (std::size_t end = cell_end(line, start, separators); end < line.size() && cells.size() < most_cells;
+         end = cell_end(line, start, separators)) {
       cells.push_back(unquoted(line.substr(start, end - start)));
       start = end + 1;
     }
@@ -36,7 +64,7 @@ void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
   }
   for (std::size_t start = line.find_first_not_of(blanks);
        start != std::string_view::npos && cells.size() < most_cells;) {
-    const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
+    const std::size_t end = cell_end(line, start, blanks);
     cells.push_back(unquoted(line.substr(start, end - start)));
     start = line.find_first_not_of(blanks, end);
   }
@@ -49,6 +77,27 @@ ColumnHeading heading_of(std::string_view cell) {
   const std::string_view name = core::trimmed(cell.substr(0, open));
   return {core::lower_case(name), std::string(core::trimmed(cell.substr(open + 1, close - open - 1))),
           std::string(name)};
+}
+
+// What is wrong with a cell, with no more of it than a word beside its number: the table may be a file of another kind.
+std::string failure_of(std::string_view cell, Quantity quantity, std::string failure) {
+  constexpr std::string_view between = " \t\r\n\v\f";
+  const std::string_view whole = core::trimmed(cell);
+  const std::string word = core::quoted_word(whole);
+  std::string shown(whole);
+  if (const std::size_t gap = whole.find_first_of(between); gap != std::string_view::npos) {
+    const bool number = core::parse_number(whole.substr(0, gap)).has_value();
+    shown = number ? fmt::format("{} {}", whole.substr(0, gap), core::quoted_word(whole.substr(gap))) : word;
+  } else {
+    shown = word;
+  }
+  if (shown != whole) {
+    const QuantityReading again = read_quantity(shown, quantity);
+    failure = again.value ? fmt::format("'{}' is not valid", word) : again.failure;
+  }
+  if (const std::size_t at = failure.find(shown); at != std::string::npos && !shown.empty() && word != shown)
+    failure.replace(at, shown.size(), core::quoted_word(shown));
+  return failure;
 }
 
 }  // namespace
@@ -101,11 +150,7 @@ QuantityReading read_cell(std::string_view cell, Quantity quantity, const std::s
     return read_quantity(std::string(cell) + " " + column_unit, quantity);
   }
   QuantityReading reading = read_quantity(cell, quantity);
-  // No more of it is told than a word: the table may be a file of another kind.
-  const std::string whole = core::clipped(core::trimmed(cell));
-  const std::string word = core::quoted_word(cell);
-  if (const std::size_t at = reading.failure.find(whole); at != std::string::npos && !whole.empty() && word != whole)
-    reading.failure.replace(at, whole.size(), word);
+  if (!reading.value) reading.failure = failure_of(cell, quantity, std::move(reading.failure));
   return reading;
 }
 

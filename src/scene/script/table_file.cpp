@@ -11,10 +11,12 @@
 
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "scene/model/limits.hpp"
 #include "scene/schema/field_spec.hpp"
 #include "scene/schema/table_text.hpp"
 #include "scene/schema/unit_table.hpp"
+#include "scene/script/named_columns.hpp"
 
 namespace sarsim::scene {
 
@@ -63,9 +65,8 @@ bool suits(const FunctionBlock& block, std::size_t columns) {
 
 // Which axis a column has, of a table with so many.
 const FunctionAxis& axis_of(const FunctionBlock& block, std::size_t column, std::size_t columns) {
-  const bool has_x = columns == block.count + 1 || is_antenna(block);
-  if (!has_x) return block.y[std::min(column, block.count - 1)];
-  return column == 0 ? block.x : block.y[column - 1];
+  const std::size_t axis = usual_columns(block, columns)[column];
+  return axis == 0 ? block.x : block.y[axis - 1];
 }
 
 // Where the first column of two is the place within the pulse rather than I.
@@ -77,9 +78,15 @@ bool has_pulse_places(const std::vector<double>& numbers) {
 
 class TableFunctions {
  public:
+  // @param pulse_has_x  of two columns of a pulse; nothing: the numbers tell
   TableFunctions(const std::vector<double>& numbers, std::size_t columns, const std::string& file,
-                 const FunctionBlock& block)
-      : numbers_(numbers), columns_(columns), rows_(numbers.size() / columns), file_(file), block_(block) {
+                 const FunctionBlock& block, std::optional<bool> pulse_has_x)
+      : numbers_(numbers),
+        columns_(columns),
+        rows_(numbers.size() / columns),
+        file_(file),
+        block_(block),
+        pulse_has_x_(pulse_has_x) {
     reading_.functions.resize(block.count);
   }
 
@@ -88,7 +95,7 @@ class TableFunctions {
       with_x();
     else if (block_.x_ignored)
       for (std::size_t row = 0; row < rows_; ++row) add(0, static_cast<double>(row), at(row, 0), row);
-    else if (is_antenna(block_) || has_pulse_places(numbers_))
+    else if (is_antenna(block_) || pulse_has_x_.value_or(has_pulse_places(numbers_)))
       one_value();
     else
       even_pulse();
@@ -136,8 +143,17 @@ class TableFunctions {
   std::size_t rows_;
   const std::string& file_;
   const FunctionBlock& block_;
+  std::optional<bool> pulse_has_x_;
   DataFileReading reading_;
 };
+
+// Of a sound number of columns.
+DataFileReading functions_of_rows(const std::vector<double>& numbers, std::size_t columns, const std::string& file_name,
+                                  const FunctionBlock& block, std::optional<bool> pulse_has_x) {
+  if (numbers.empty())
+    return failed_table(block, table_problem(file_name, 0, "the table holds no numbers", {}, columns_text(block)));
+  return TableFunctions(numbers, columns, file_name, block, pulse_has_x).take();
+}
 
 // The rows of a text, each cell in the unit of its axis.
 class TextTable {
@@ -156,11 +172,11 @@ class TextTable {
 
   DataFileReading read() {
     if (!is_table()) return failed_table(block_, wrong_columns());
-    read_units();
+    read_names();
     std::vector<double> numbers;
     for (std::size_t i = named_ ? 1 : 0; i < lines_.size() && problems_.empty(); ++i) read_row(lines_[i], numbers);
     if (!problems_.empty()) return failed_table(block_, problems_.front());
-    return functions_of_table(numbers, columns_, file_, block_);
+    return functions_of_rows(numbers, columns_, file_, block_, columns_named_.pulse_has_x);
   }
 
  private:
@@ -172,31 +188,37 @@ class TextTable {
     return table_problem(file_, 0, "the table holds no numbers", {}, columns_text(block_));
   }
 
-  void read_units() {
-    units_.assign(columns_, {});
-    if (!named_) return;
-    const std::vector<ColumnHeading> headings = headings_of(lines_.front());
-    for (std::size_t i = 0; i < std::min(headings.size(), columns_); ++i) {
-      const FunctionAxis& axis = axis_of(block_, i, columns_);
-      const std::string& unit = headings[i].unit;
+  void read_names() {
+    columns_named_ = named_columns(block_, named_ ? headings_of(lines_.front()) : std::vector<ColumnHeading>(),
+                                   usual_columns(block_, columns_));
+    if (auto& fault = columns_named_.fault) {
+      problems_.push_back(table_problem(file_, lines_.front().number, std::move(fault->message),
+                                        std::move(fault->found), std::move(fault->expected), std::move(fault->hint)));
+      return;
+    }
+    for (std::size_t i = 0; i < columns_; ++i) {
+      const FunctionAxis& axis = axis_of(block_, columns_named_.places[i], columns_);
+      std::string& unit = columns_named_.units[i];
       if (unit.empty() || unit == axis.unit) {
-        units_[i] = quantity_of(axis) == Quantity::number ? std::string() : unit;
+        if (quantity_of(axis) == Quantity::number) unit.clear();
         continue;
       }
       if (units_of(quantity_of(axis)).empty() || !read_quantity("1 " + unit, quantity_of(axis)).value)
         problems_.push_back(table_problem(file_, lines_.front().number,
                                           fmt::format("the unit of column {} is not that of {}", i + 1, axis.name),
-                                          core::clipped(unit), units_listed(quantity_of(axis))));
-      units_[i] = unit;
+                                          core::quoted_word(unit), units_listed(quantity_of(axis))));
     }
   }
 
   void read_row(const TableLine& line, std::vector<double>& numbers) {
+    const std::size_t first = numbers.size();
+    numbers.resize(first + columns_);
     for (std::size_t i = 0; i < columns_; ++i) {
-      const FunctionAxis& axis = axis_of(block_, i, columns_);
-      const QuantityReading cell = read_cell(line.cells[i], quantity_of(axis), units_[i]);
+      const std::size_t place = columns_named_.places[i];
+      const FunctionAxis& axis = axis_of(block_, place, columns_);
+      const QuantityReading cell = read_cell(line.cells[i], quantity_of(axis), columns_named_.units[i]);
       if (cell.value) {
-        numbers.push_back(*cell.value);
+        numbers[first + place] = *cell.value;
         continue;
       }
       problems_.push_back(table_problem(file_, line.number, fmt::format("{}: {}", axis.name, cell.failure)));
@@ -210,7 +232,7 @@ class TextTable {
   bool named_;
   bool even_ = true;
   std::size_t columns_ = 0;
-  std::vector<std::string> units_;
+  NamedColumns columns_named_;
   core::Problems problems_;
 };
 
@@ -309,12 +331,10 @@ bool is_hdf5(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a
 
 DataFileReading functions_of_table(const std::vector<double>& numbers, std::size_t columns,
                                    const std::string& file_name, const FunctionBlock& block) {
-  if (numbers.empty())
-    return failed_table(block, table_problem(file_name, 0, "the table holds no numbers", {}, columns_text(block)));
-  if (!suits(block, columns))
+  if (!numbers.empty() && !suits(block, columns))
     return failed_table(block, table_problem(file_name, 0, fmt::format("a table of {} has other columns", block.words),
                                              fmt::format("{} columns", columns), columns_text(block)));
-  return TableFunctions(numbers, columns, file_name, block).take();
+  return functions_of_rows(numbers, columns, file_name, block, std::nullopt);
 }
 
 std::optional<DataFileReading> read_npy_table(std::string_view bytes, const std::string& file_name,
@@ -328,7 +348,7 @@ std::optional<DataFileReading> read_npy_table(std::string_view bytes, const std:
   if (!header) return fail("the header of the array cannot be read", {}, "an array of numbers as numpy.save writes it");
   const auto type = std::ranges::find(array_types, header->type, &ArrayType::name);
   if (type == array_types.end())
-    return fail("the numbers of the array are of a type that is not read", core::clipped(header->type),
+    return fail("the numbers of the array are of a type that is not read", core::quoted_word(header->type),
                 "floating-point, whole or complex numbers, least significant byte first",
                 "save it with numpy.save(file, table.astype('<f8'))");
   const std::vector<std::size_t>& shape = header->shape;

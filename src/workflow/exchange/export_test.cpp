@@ -335,6 +335,23 @@ TEST(ExportCphd, KeepsTheRulesOfTheStandard) {
     }
 }
 
+TEST(ExportCphd, TheImageAreaIsThatOfTheTargetsWhateverTheReferencePointDoes) {
+  const SmallScene scene;
+  const auto area_of = [&](ReferencePoint::Kind kind) {
+    ExportRequest request = scene.request("area.cphd");
+    request.reference = ReferencePoint{kind, {}};
+    export_recording(request, {});
+    return whole_of(request.output).d.scene;
+  };
+  const raster::SceneCoordinates fixed = area_of(ReferencePoint::Kind::fixed);
+  const raster::SceneCoordinates moving = area_of(ReferencePoint::Kind::moving);
+  // Along x, the flight: lambda/2 over the angle of 120 m in 2 915 m; the targets span 21 m.
+  const double cell_m = 0.5 * light_mps / 9.6e9 / (120.0 / 2915.0);
+  EXPECT_NEAR(moving.area.x2 - moving.area.x1, 1.2 * 21.0 + 16.0 * cell_m, 1.5 * cell_m);
+  EXPECT_NEAR(moving.area.x2 - moving.area.x1, fixed.area.x2 - fixed.area.x1, 1e-6);
+  EXPECT_NEAR(moving.area.y2 - moving.area.y1, fixed.area.y2 - fixed.area.y1, 1e-6);
+}
+
 TEST(ExportCphd, LaysThePlaneOnTheEarth) {
   const SmallScene scene;
   core::Problems heard;

@@ -54,14 +54,17 @@ void include_scatterers(const simulate::Plan& plan, Rectangle& rectangle) {
     for (const core::Vec3& point_m : sheet.points_m) include(sheet.platform, point_m);
 }
 
-// Width of a cell along an axis, from the directions of the pulses at both ends of the recording and the band.
-double cell_m(const Collection& collection, const raster::PhaseVector& middle, const core::Vec3& axis) {
+// Width of a cell along an axis, from the directions in which the pulses at both ends of the recording see a point that
+// rests, and the band. The reference points of the pulses may fly along, and all of them be seen in one direction.
+// @param point_m  ECF
+double cell_m(const Collection& collection, const raster::PhaseVector& middle, const core::Vec3& point_m,
+              const core::Vec3& axis) {
   CollectionGeometry geometry(collection);
   const double c = collection.plan->scene->conventions.light_speed_mps;
   double least = INFINITY, most = -INFINITY;
   for (const std::size_t row : {std::size_t{0}, collection.plan->rows / 2, collection.plan->rows - 1}) {
     const raster::PhaseVector v = geometry.pulse_of(row).vector;
-    const core::Vec3 out = v.tx_m - v.srp_m, back = v.rcv_m - v.srp_m;
+    const core::Vec3 out = v.tx_m - point_m, back = v.rcv_m - point_m;
     const double slope = core::dot(out, axis) / core::norm(out) + core::dot(back, axis) / core::norm(back);
     for (const double fx_hz : {middle.fx1_hz, middle.fx2_hz}) {
       least = std::min(least, slope * fx_hz / c);
@@ -92,8 +95,8 @@ raster::SceneCoordinates image_area_of(const Collection& collection, const core:
   scene.origin_m = earth.ecef_from_world(reference_m);
   scene.x_axis = earth.ecef_axes_from_world(x);
   scene.y_axis = earth.ecef_axes_from_world(y);
-  const double x_cell_m = cell_m(collection, middle, scene.x_axis);
-  const double y_cell_m = cell_m(collection, middle, scene.y_axis);
+  const double x_cell_m = cell_m(collection, middle, scene.origin_m, scene.x_axis);
+  const double y_cell_m = cell_m(collection, middle, scene.origin_m, scene.y_axis);
   Rectangle rectangle(reference_m, x, y);
   include_scatterers(*collection.plan, rectangle);
   if (rectangle.empty()) {

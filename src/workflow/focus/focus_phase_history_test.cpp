@@ -191,6 +191,20 @@ TEST_F(FocusCphd, RefusesWhatMeansNothing) {
   EXPECT_THAT(refusal(), HasSubstr("holds a sample that is not a number"));
 }
 
+// 1e30 as a float, most significant byte first, and 9.9e27, which is computed with.
+TEST_F(FocusCphd, RefusesSamplesThatAreTooLargeToComputeWith) {
+  static_cast<void>(focused(ideal()));
+  std::string bytes = bytes_of(folder_ / "a.cphd");
+  const Opened opened = opened_of(folder_ / "a.cphd");
+  const std::uint64_t samples = raster::read_block_header(opened.file->file())->block("SIGNAL").value().offset;
+  bytes.replace(samples, 4, "\x71\x49\xF2\xCA");
+  std::ofstream(folder_ / "a.cphd", std::ios::binary) << bytes;
+  EXPECT_THAT(refusal(), HasSubstr("vector 0 (from 0) holds a sample that is too large to compute with"));
+  bytes.replace(samples, 4, "\x6D\xFF\xE8\xB4");
+  std::ofstream(folder_ / "a.cphd", std::ios::binary) << bytes;
+  EXPECT_EQ(refusal(), "nothing was refused");
+}
+
 TEST_F(FocusCphd, WritesTheImageOfThePlaneWithItsPlaceOnTheEarth) {
   request_.output = folder_ / "a.img";
   static_cast<void>(focused(ideal()));

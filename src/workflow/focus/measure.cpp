@@ -147,6 +147,36 @@ std::optional<radar::EarthFrame> earth_under(const scene::World& world, const Im
   return std::nullopt;
 }
 
+// What the header repeats of the recording: phases, places and theory follow the one or the other.
+core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& input, const fs::path& file) {
+  constexpr double share = 1e-6;
+  constexpr double least_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
+  core::Problems remarks;
+  const auto remark = [&](const char* field, std::string found, std::string expected) {
+    remarks.push_back(core::problem_of(
+        core::Severity::warning,
+        fmt::format("the header of '{}' contradicts what it was made from: {}", file.string(), field), std::move(found),
+        std::move(expected), "the header was edited, or belongs to another image: focus again"));
+  };
+  const signal::SarWaveform& waveform = input.echoes.waveform;
+  const auto differ = [](double a, double b) { return std::abs(a - b) > share * std::abs(b); };
+  // Images of phase histories have the speed of light of their standard and the middle of the band that was kept.
+  if (opened.origin.anchor) return remarks;
+  if (differ(opened.image.light_speed_mps, waveform.light_speed_mps))
+    remark("light speed mps", fmt::format("{} m/s", opened.image.light_speed_mps),
+           fmt::format("{} m/s", waveform.light_speed_mps));
+  if (is_of_turning_target(opened.origin)) return remarks;
+  if (differ(opened.image.carrier_hz, waveform.carrier_hz))
+    remark("carrier hz", fmt::format("{} Hz", opened.image.carrier_hz), fmt::format("{} Hz", waveform.carrier_hz));
+  if (opened.image.frame.plane != signal::ImagePlane::slant_range || input.echoes.track.size() < 2) return remarks;
+  const core::Vec3 flown = signal::fit_straight(input.echoes.track).along;
+  const core::Vec3& along = opened.image.frame.along;
+  if (!(core::dot(flown, along) >= least_cosine))
+    remark("along", fmt::format("({:.4g}, {:.4g}, {:.4g})", along.x, along.y, along.z),
+           fmt::format("({:.4g}, {:.4g}, {:.4g}), as was flown", flown.x, flown.y, flown.z));
+  return remarks;
+}
+
 std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusInput& input,
                                       const core::WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
@@ -303,6 +333,9 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
   opened.origin.earth = earth_under(input.world, opened.origin);
   turn_to_world(input.world, opened);
+  core::Problems of_header = remarks_on_header(opened, input, request.image);
+  observer.remarks(of_header);
+  std::ranges::move(of_header, std::back_inserter(way.problems));
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
   if (auto note = note_of_clouds(*input.plan->scene, theories.size())) {
     observer.remarks({*note});

@@ -10,6 +10,7 @@
 #include "core/maths/fft.hpp"
 #include "core/maths/turns.hpp"
 #include "core/report/refused.hpp"
+#include "raster/cphd/vector_check.hpp"
 
 namespace sarsim::workflow {
 
@@ -23,9 +24,11 @@ constexpr double oversampling = 1.3;
 
 std::size_t middle_sample(std::size_t samples) { return samples / 2; }
 
-[[noreturn]] void refuse_vector(const raster::CphdFile& file, std::size_t vector, const char* what) {
-  core::Problem problem = core::problem_of(core::Severity::error, fmt::format("vector {} (from 0) {}", vector, what),
-                                           {}, "finite numbers", "the file is damaged, or cut off and filled up");
+[[noreturn]] void refuse_vector(const raster::CphdFile& file, std::size_t vector, const char* what,
+                                std::string found = {}, std::string expected = "finite numbers") {
+  core::Problem problem =
+      core::problem_of(core::Severity::error, fmt::format("vector {} (from 0) {}", vector, what), std::move(found),
+                       std::move(expected), "the file is damaged, or cut off and filled up");
   problem.place.file = file.file().path().string();
   throw core::Refused({std::move(problem)});
 }
@@ -148,6 +151,11 @@ signal::SarEchoes PhaseHistoryRows::echoes(std::size_t first, std::size_t count,
       for (std::complex<float>& sample : samples) {
         if (!std::isfinite(sample.real()) || !std::isfinite(sample.imag()))
           refuse_vector(*file_, first + used[i], "holds a sample that is not a number");
+        if (!(std::abs(static_cast<double>(sample.real())) <= raster::most_cphd_sample &&
+              std::abs(static_cast<double>(sample.imag())) <= raster::most_cphd_sample))
+          refuse_vector(*file_, first + used[i], "holds a sample that is too large to compute with",
+                        fmt::format("{:g} + {:g}j", sample.real(), sample.imag()),
+                        fmt::format("finite numbers, up to {:g}", raster::most_cphd_sample));
         if (sign_ > 0) sample = std::conj(sample);
       }
       const std::complex<double> turn = core::turned_exactly(-echoes.carriers_hz[i] * delays_s[i]);

@@ -207,6 +207,10 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
     way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems);
   else
     way.source = source_with_samples(sources, *sum, way.script, origin, image, way.problems);
+  // The scene inside the recording may have been edited, too: then targets are expected elsewhere.
+  if (sum && way.script.empty() && !scene_sum.empty())
+    if (const auto now = checksum_of(way.source, {}); now && *now != scene_sum)
+      way.problems.push_back(warning_of_scene(way.source, image));
   return way;
 }
 

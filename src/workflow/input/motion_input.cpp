@@ -15,6 +15,7 @@
 #include "radar/orbit/j2_motion.hpp"
 #include "radar/orbit/kepler.hpp"
 #include "radar/orbit/sgp4.hpp"
+#include "scene/ephemeris/element_choice.hpp"
 #include "scene/ephemeris/read_ephemeris.hpp"
 #include "scene/ephemeris/sample_accuracy.hpp"
 #include "scene/model/orbit.hpp"
@@ -422,6 +423,10 @@ class PathMaker {
     if (broken) return nullptr;
     if (!expect_epoch(radar::format_civil(reading.file.sets.front().epoch))) return nullptr;
     const scene::ElementSet& set = nearest(reading.file.sets, *axes_.epoch());
+    if (auto problem = scene::problem_of_other_sets(reading.file.sets, set)) {
+      problem->place.file = file.path;
+      problems_.push_back(*std::move(problem));
+    }
     auto theory = radar::Sgp4::from(set.elements, set.epoch);
     if (auto* const problem = std::get_if<core::Problem>(&theory)) return refuse(std::move(*problem));
     const auto at_s = time_of(set.epoch, radar::TimeScale::utc);

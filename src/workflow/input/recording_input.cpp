@@ -25,6 +25,7 @@
 #include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/sources.hpp"
+#include "workflow/input/carried_problems.hpp"
 #include "workflow/input/motion_input.hpp"
 #include "workflow/input/output_names.hpp"
 
@@ -38,23 +39,6 @@ void take(core::Problems& all, core::Problems more) { std::ranges::move(more, st
 
 void expect_sound(core::Problems problems) {
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
-}
-
-// Nobody asked for the files that a script in a file names: what they hold is not told.
-void drop_quotes(core::Problem& problem) {
-  problem.found.clear();
-  std::string& text = problem.message;
-  for (std::size_t begin = text.find('\''); begin != std::string::npos;) {
-    const std::size_t end = text.find('\'', begin + 1);
-    if (end == std::string::npos) break;
-    text.replace(begin, end + 1 - begin, "'...'");
-    begin = text.find('\'', begin + 5);
-  }
-}
-
-core::Problems without_quotes(core::Problems problems) {
-  std::ranges::for_each(problems, drop_quotes);
-  return problems;
 }
 
 // The simulation that is named, or else the first that suits, or else the first.

@@ -29,8 +29,9 @@ class DataFiles {
   }
 
   void add(const scene::Scene& scene) {
+    const radar::TimeSpan needed = scene::needed_times(scene);
     for (const scene::Platform& p : scene.platforms) {
-      if (p.read_path) add_states(*p.read_path);
+      add_motion(p, needed);
       add(p.trajectory_m);
       add(p.rotation_deg);
       add(p.position_envelope);
@@ -55,13 +56,32 @@ class DataFiles {
   }
 
  private:
-  // The motion itself, at times all over the file.
-  void add_states(const scene::ReadPath& path) {
-    constexpr double steps = 64.0;
-    const double span_s = path.usable.last_s - path.usable.first_s;
-    for (double step = 0.0; step <= steps; step += 1.0)
-      if (const auto motion = path.states->at(path.usable.first_s + step / steps * span_s))
-        sum_.add(std::as_bytes(std::span(&*motion, 1)));
+  // The motion itself, at times all over the file and closely where the scene needs it: states count for some samples
+  // around them, so that a change of any of those that echoes depend on is met.
+  void add_motion(const scene::Platform& platform, const radar::TimeSpan& needed) {
+    if (platform.read_path) {
+      const scene::ReadPath& path = *platform.read_path;
+      at_times(path.usable, needed, [&](double time_s) {
+        if (const auto motion = path.states->at(time_s)) sum_.add(std::as_bytes(std::span(&*motion, 1)));
+      });
+    }
+    if (platform.read_attitude) {
+      const scene::ReadAttitude& attitude = *platform.read_attitude;
+      at_times(attitude.usable, needed, [&](double time_s) {
+        const radar::TurningMatrix turning = attitude.attitudes->turning_at(time_s);
+        sum_.add(std::as_bytes(std::span(&turning, 1)));
+      });
+    }
+  }
+
+  template <class Take>
+  static void at_times(const radar::TimeSpan& usable, const radar::TimeSpan& needed, const Take& take) {
+    const auto over = [&](double first_s, double last_s, int steps) {
+      for (int step = 0; step <= steps && first_s <= last_s; ++step)
+        take(first_s + static_cast<double>(step) / static_cast<double>(steps) * (last_s - first_s));
+    };
+    over(usable.first_s, usable.last_s, 64);
+    over(std::max(usable.first_s, needed.first_s), std::min(usable.last_s, needed.last_s), 1 << 14);
   }
 
   core::Checksum& sum_;

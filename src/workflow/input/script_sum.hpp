@@ -8,7 +8,9 @@
 
 namespace sarsim::workflow {
 
-/// Checksum of a scene as 16 hexadecimal digits: of its text and of what its data files and tables of points hold.
+/// Checksum of a scene as 16 hexadecimal digits: of its text and of what its data files and tables of points hold, and
+/// of the motions and attitudes that were read, as they are throughout their files and, 16 385 times, throughout the
+/// times that the scene needs.
 [[nodiscard]] std::string script_sum(const scene::Scene& scene, const core::WorkControl& control = {});
 
 /// Checksum of a recording as 16 hexadecimal digits: of its shape and of up to 64 of its rows, evenly chosen, the first

@@ -53,7 +53,7 @@ class TableReader {
     expect_whole_brackets(line);
     std::vector<SweepAxis> axes;
     if (line.cells.empty())
-      tell(line.number, "the first line of the table names no fields", std::string(line.text),
+      tell(line.number, "the first line of the table names no fields", core::quoted_word(line.text),
            "names as in Radar1.bandwidth or seed");
     for (const scene::ColumnHeading& column : scene::headings_of(line)) {
       if (problems_.size() >= most_told) break;
@@ -64,7 +64,11 @@ class TableReader {
         tell(line.number, "a column has no name", std::string(core::quoted_word(line.text)),
              "names as in Radar1.bandwidth or seed");
       else if (axis.field.field == nullptr)
-        tell(line.number, "a column is not named after a field: " + axis.field.failure,
+        tell(line.number,
+             // What is wrong with a name of several words would quote them.
+             core::quoted_word(column.written) == column.written
+                 ? "a column is not named after a field: " + axis.field.failure
+                 : "a column is not named after a field",
              core::quoted_word(column.written), "names as in Radar1.bandwidth or seed",
              "leave other columns out of the table");
       else if (!column.unit.empty())
