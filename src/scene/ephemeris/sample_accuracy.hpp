@@ -16,21 +16,29 @@ struct SampleAccuracy {
   double step = 0.0;       ///< How far it moves from the sample before that time to the next: m, or rad.
 };
 
-/// Estimates the error of `radar::StateTable` between the states within a time. In each interval three places are
-/// compared with the polynomials of two more and of two fewer states, p+ and p-. Differences of orders fall by a factor
-/// q = |p+ - p| / |p - p-| where interpolation converges, so that the error is near |p+ - p| / (1 - q), q up to 3/4;
-/// where they do not fall, it is the larger of both. With too few states for p+ the next difference is taken to be
-/// smaller by the same factor as the one before. Within a factor of 3 of the largest true error, for orbits, flights
-/// and vibrations at 3 states a period or more; motion faster than that between positions alone cannot be told from a
-/// slower one. Noise of the states counts as error. At most 2000 intervals are examined.
+/// Estimates the error of `radar::StateTable` between the states within a time: what the polynomials lose of a smooth
+/// motion, and what the states are off by themselves (`StateNoises`: noise, rounding, single wrong states, states that
+/// are off by turns), as the polynomials pass it on.
+///
+/// Of a smooth motion, three places of each interval are compared with the polynomials of two more and of two fewer
+/// states, p+ and p-. Differences of orders fall by a factor q = |p+ - p| / |p - p-| where interpolation converges, so
+/// that the error is near |p+ - p| / (1 - q), q up to 3/4; where they do not fall, it is the larger of both. With too
+/// few states for p+ the next difference is taken to be smaller by the same factor as the one before. Differences that
+/// noise explains are no loss.
+///
+/// Within a factor of 2 of the root mean square or the largest of the true errors: of orbits, flights and vibrations at
+/// 8 states a period or more, of states with noise of positions, velocities or both, and of wrong states. Down to 3
+/// states a period within a factor of 3; of long ellipses with velocities and fewer than 11 states around the perigee
+/// up to some hundred times too large. Motion faster than that between positions alone cannot be told from a slower
+/// one, and what is the same in all states, as an offset, is not seen. At most 2000 intervals are examined.
 /// @param samples  as `radar::StateTable::from` takes them, sound, and its interpolation
 /// @return         nothing where no interval of two states has a part of the time
 [[nodiscard]] std::optional<SampleAccuracy> accuracy_between(const radar::StateSamples& samples,
                                                              const radar::StateInterpolation& interpolation,
                                                              const radar::TimeSpan& within);
 
-/// The same of `radar::AttitudeTable`: its splines against the polynomials through the eight attitudes next to each
-/// place, as an angle.
+/// The same of `radar::AttitudeTable`, as an angle: its splines against the polynomials through the eight attitudes
+/// next to each place, and the noise of the attitudes.
 [[nodiscard]] std::optional<SampleAccuracy> accuracy_between(const radar::AttitudeSamples& samples,
                                                              const radar::TimeSpan& within);
 

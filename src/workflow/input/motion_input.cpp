@@ -376,7 +376,6 @@ class PathMaker {
                                              1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s),
                                  fmt::format("at most {:g} km", 1e-3 * most_error_m),
                                  "take a file with closer states"));
-    if (file.contradicts) return path;  // What it is off is said already.
     auto known = std::make_shared<scene::ReadPath>(*path);
     known->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
     return known;
