@@ -8,9 +8,10 @@
 
 namespace sarsim::simulate {
 
-/// Adds which targets are seen at angles beyond the points of an antenna's cuts, or of their own reflectivity, while
-/// the beam is on them: how many, at which angle, of which table, and what is taken there.
-void check_tables(const SightCase& sighted, core::Problems& problems);
+/// Adds which targets, points of clouds and surfaces are seen at angles beyond the points of an antenna's cuts, or of
+/// their own reflectivity, while the beam is on them: how many, at which angle, of which table, and what is taken
+/// there. Besides the sights those count that reach farthest of all others (`reach_beyond_tables`).
+void check_tables(const SightCase& sighted, const EchoSurvey& survey, core::Problems& problems);
 
 /// Where the profiles `classic` and `physical` read the functions of a scene differently, by more than a tenth of a
 /// decibel: cuts of antennas, reflectivities and gains of the receiver, of targets as the survey saw them. Notes, or
