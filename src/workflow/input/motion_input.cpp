@@ -620,12 +620,6 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
   return all;
 }
 
-bool concerns_input_file(const core::Problem& problem) {
-  const std::string& field = problem.subject.field;
-  const bool of_motion = field == "ephemeris_file" || field == "attitude_file" || field == "satellite";
-  return (problem.subject.kind == "platform" && of_motion) || (problem.subject.kind == "cloud" && field == "file");
-}
-
 core::Problems read_files_of(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {
   core::Problems problems = read_clouds(scene, folder, control);
   std::ranges::move(read_motions(scene, folder), std::back_inserter(problems));
