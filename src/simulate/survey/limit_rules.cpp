@@ -11,6 +11,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/earth/earth_depth.hpp"
 #include "radar/earth/ellipsoid_height.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
@@ -143,11 +144,13 @@ class LimitRules {
              : radar::height_over_ellipsoid_m(radar_m - turning.centre_m, (1.0 / rate) * turning.rotation_rad_per_s);
     if (height > -(flat ? max_below_ground_m : max_below_ellipsoid_m)) return;
     if (flat && std::ranges::any_of(placed_, [](const Placed& target) { return target.from_radar_m.z <= 0.0; })) return;
-    add(core::Severity::warning, "radar",
+    const bool impossible = !flat && height < radar::deepest_place_m;
+    add(impossible ? core::Severity::error : core::Severity::warning, "radar",
         flat ? "the radar is below the ground and below its targets" : "the radar is below the ellipsoid",
         fmt::format("a height of {:.6g} m{}", height, flat ? ", z of the world" : ""),
         flat ? "z above 0" : fmt::format("above -{:g} m, the lowest level of the sea", max_below_ellipsoid_m),
-        "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
+        impossible ? "Heights are positive upwards: is the sign wrong?"
+                   : "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
   }
 
   void check_dispersion() {
