@@ -268,6 +268,7 @@ Plotted plot_scene(const PlotArguments& a, Streams& streams) {
                         "rows of a script's echoes have times: --time");
   workflow::SceneInput input = workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values);
   workflow::expect_usable(input);
+  print_problems(streams, input.of_files);
   switch (a.kind) {
     case PlotKind::picture: return picture(a, input.scene, streams.stop);
     case PlotKind::antenna:

@@ -97,6 +97,7 @@ void plot_view(const PlotArguments& a, Streams& streams) {
   expect_view(a);
   workflow::SceneInput input = workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values);
   workflow::expect_usable(input);
+  print_problems(streams, input.of_files);
   const std::vector<double> times_s = times_of(a, input.scene);
   const std::vector<fs::path> paths = paths_of(a, times_s.size());
   if (a.frames) workflow::expect_free_outputs(paths, {input.sources, a.force, "-o"});

@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <filesystem>
@@ -61,8 +62,10 @@ inline PhaseVector small_vector(const CphdDescription& d, std::size_t i) {
   v.tx_time_s = time_s;
   v.tx_m = {6378137.0 + 5000.0, 100.0 * (time_s - 0.5 * d.tx_time2_s), 8000.0};
   v.tx_mps = v.rcv_mps = {0.0, 100.0, 0.0};
-  v.rcv_time_s = time_s + 6.3e-5;
-  v.rcv_m = v.tx_m + 6.3e-5 * v.tx_mps;
+  // Far along the line the way is longer.
+  const double delay_s = std::max(6.3e-5, 2.0 * core::norm(v.tx_m - d.scene.origin_m) / 299792458.0);
+  v.rcv_time_s = time_s + delay_s;
+  v.rcv_m = v.tx_m + delay_s * v.tx_mps;
   v.srp_m = d.scene.origin_m;
   v.fx1_hz = v.first = d.fx_min_hz;
   v.fx2_hz = d.fx_max_hz;

@@ -12,6 +12,7 @@
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
 #include "core/xml/xml.hpp"
+#include "radar/earth/earth_depth.hpp"
 #include "raster/cphd/cphd_file.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -267,6 +268,9 @@ void compare_origin(XmlReading& xml, xml_node scene, const core::Vec3& origin_m)
   if (!(core::norm(origin_m) <= most_m && core::norm(origin_m) > 0.0))
     return xml.error("IARP/ECF is no place", fmt::format("({:g}, {:g}, {:g})", origin_m.x, origin_m.y, origin_m.z),
                      "Earth-fixed metres, up to 4e9");
+  if (const auto depth_m = radar::impossible_depth_m(origin_m))
+    return xml.error("IARP/ECF lies inside the Earth", fmt::format("{:.6g} m below the ellipsoid", *depth_m),
+                     fmt::format("Earth-fixed metres, at most {:g} m below it", -radar::deepest_place_m));
   const xml_node llh = XmlReading::find(scene, "IARP/LLH");
   if (!llh) return;
   constexpr double rad_per_degree = core::pi / 180.0;

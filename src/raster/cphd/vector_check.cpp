@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "radar/earth/earth_depth.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -121,6 +122,31 @@ std::optional<VectorFault> fault_of_order(const V& v) {
   return std::nullopt;
 }
 
+// Places where no radar and no scene is, and ways that are not those of the echo by a factor of three: the reference
+// point, or the antenna, is elsewhere.
+std::optional<VectorFault> fault_of_places(const V& v, const core::Vec3& origin_m) {
+  for (const auto& [place, name] :
+       {std::pair(&V::tx_m, "TxPos"), std::pair(&V::rcv_m, "RcvPos"), std::pair(&V::srp_m, "SRPPos")})
+    if (const auto depth_m = radar::impossible_depth_m(v.*place))
+      return VectorFault{
+          name, fmt::format("{:.6g} m below the ellipsoid", *depth_m),
+          fmt::format("Earth-fixed places (ECF) in metres, at most {:g} m below it", -radar::deepest_place_m)};
+  constexpr double most_ratio = 3.0;
+  const double way_m = v.reference_way_m();
+  const double flown_m = core::exact_light_speed_mps * (v.rcv_time_s - v.tx_time_s);
+  // Some files have no time under way.
+  if (flown_m > 0.0 && !(way_m < most_ratio * flown_m && flown_m < most_ratio * way_m))
+    return VectorFault{
+        "the way from TxPos over SRPPos to RcvPos", fmt::format("{:.6g} m", way_m),
+        fmt::format("about {:.6g} m, as RcvTime is {:.6g} s after TxTime", flown_m, v.rcv_time_s - v.tx_time_s)};
+  constexpr double farthest_m = 1e7;
+  const double apart_m = core::norm(v.srp_m - origin_m);
+  if (!(apart_m <= farthest_m))
+    return VectorFault{"SRPPos", fmt::format("{:.6g} m from IARP/ECF, the middle of the image area", apart_m),
+                       fmt::format("at most {:g} m", farthest_m)};
+  return std::nullopt;
+}
+
 // What is remarkable without being wrong beyond use, with the first vector of which it is true.
 class Remark {
  public:
@@ -186,6 +212,7 @@ class ChannelCheck {
     if (auto fault = fault_of_numbers(v)) return fault;
     if (auto fault = fault_of_samples(v, description().domain, channel().samples)) return fault;
     if (auto fault = fault_of_order(v)) return fault;
+    if (auto fault = fault_of_places(v, description().scene.origin_m)) return fault;
     compare_times(v, i);
     compare_places(v, i);
     compare_bands(v, i);
@@ -208,17 +235,6 @@ class ChannelCheck {
   }
 
   void compare_places(const V& v, std::size_t i) {
-    constexpr double deepest_m = -12e3;        // Of seas and mines.
-    constexpr double surely_out_m = 6.3662e6;  // From the centre: the equator's radius less that.
-    for (const auto& [place, name_of_place] :
-         {std::pair(&V::tx_m, "TxPos"), std::pair(&V::rcv_m, "RcvPos"), std::pair(&V::srp_m, "SRPPos")}) {
-      if (core::norm(v.*place) >= surely_out_m) continue;
-      const double height_m = radar::geodetic_of(v.*place).height_m;
-      if (!(height_m < deepest_m)) continue;
-      inside_.note(i, fmt::format("{} {:.6g} m below the ellipsoid", name_of_place, -height_m),
-                   "Earth-fixed places (ECF), m");
-      break;
-    }
     const double under_way_s = v.rcv_time_s - v.tx_time_s;
     // Some files have no motion while the echo is under way: the antenna stops for it.
     if (description().bistatic || !(under_way_s > 0.0) || core::norm(v.rcv_m - v.tx_m) < 1e-3) return;
@@ -279,7 +295,6 @@ class ChannelCheck {
     };
     report(descending_, "their times do not ascend", "sort the vectors by TxTime");
     report(late_, "the time of reception contradicts the places", "the speed of the antenna is taken from both");
-    report(inside_, "a place lies inside the Earth", "places are Earth-fixed (ECF), in metres");
     report(velocity_, "the velocities contradict the places", "the speed of the antenna is taken from the places");
     report(flags_, "they differ although the XML says that they do not");
     report(band_, "the band lies beyond the samples");
@@ -319,7 +334,7 @@ class ChannelCheck {
   double least_hz_ = std::numeric_limits<double>::infinity();
   double most_hz_ = -std::numeric_limits<double>::infinity();
   double longest_s_ = 0.0;
-  Remark descending_, late_, inside_, velocity_, flags_, band_, global_band_, arrivals_, swath_;
+  Remark descending_, late_, velocity_, flags_, band_, global_band_, arrivals_, swath_;
 };
 
 }  // namespace

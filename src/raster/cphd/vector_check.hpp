@@ -12,10 +12,12 @@ inline constexpr double most_cphd_sample = 1e28;
 /// (docs/formats/cphd.md).
 ///
 /// Errors, one for each channel: parameters that are not finite or outside the range of any collection, bands and
-/// swaths with exchanged ends, an echo that arrives before its pulse leaves, and sample spacings that are not above 0.
-/// above 0 or that tell fewer times of arrival apart than the vector has. Warnings, each once with its count: times
-/// that do not ascend, places inside the Earth, a reception that contradicts the ways, velocities that contradict the
-/// places, bands, swaths and flags that contradict the XML. Takes time linear in the vectors and constant memory.
+/// swaths with exchanged ends, an echo that arrives before its pulse leaves, sample spacings that are not above 0 or
+/// that resolve fewer times of arrival than the vector has, positions more than 12 km inside the Earth, two-way paths
+/// that are three times as long or short as the echo took, and reference points more than 1e7 m from the image area.
+/// Warnings, each once with its count: times that do not ascend, receive times that contradict the two-way path by a
+/// tenth, velocities that contradict the positions, bands, swaths and flags that contradict the XML. Takes time linear
+/// in the vectors and constant memory.
 /// @param[in,out] problems  receives the findings
 void check_vectors(const CphdFile& file, core::Problems& problems);
 

@@ -60,6 +60,10 @@ TEST(CphdVectors, RefusesWhatNoCollectionHasByTheNameOfItsParameter) {
        [](PhaseVector& v) {
          v.srp_m = {1e30, 0.0, 0.0};
        }},
+      {"SRPPos",
+       [](PhaseVector& v) {
+         v.srp_m = {6300000.0, 0.0, 0.0};
+       }},
       {"TxPos", [](PhaseVector& v) { v.tx_m.y = nan; }},
       {"RcvPos", [](PhaseVector& v) { v.rcv_m.z = std::numeric_limits<double>::infinity(); }},
       {"TxVel",
@@ -92,15 +96,37 @@ TEST(CphdVectors, RefusesWhatNoCollectionHasByTheNameOfItsParameter) {
 // What is said of a channel names no vector.
 bool is_of_channel(std::string_view name) { return name.starts_with("TOASaved"); }
 
+// Places at random heights: below the deepest sea, and so far out that the echo would take another time.
+TEST(CphdVectors, RefusesPlacesWhereNoneIs) {
+  const CphdScratch scratch("vectors_places");
+  std::mt19937 random(21);
+  std::uniform_real_distribution<double> angle(-1.0, 1.0), exponent(4.1, 6.6), far(6.0, 9.0);
+  core::Vec3 PhaseVector::*const places[] = {&PhaseVector::tx_m, &PhaseVector::rcv_m, &PhaseVector::srp_m};
+  const char* const names[] = {"TxPos", "RcvPos", "SRPPos"};
+  for (int draw = 0; draw < 60; ++draw) {
+    const double depth_m = std::pow(10.0, exponent(random));
+    const double latitude = 1.5 * angle(random), longitude = 3.0 * angle(random);
+    const core::Vec3 deep_m = radar::ecef_of({latitude, longitude, -depth_m});
+    const Opened deep = changed(scratch, [&](PhaseVector& v) { v.*places[draw % 3] = deep_m; });
+    EXPECT_FALSE(deep.file);
+    EXPECT_THAT(deep.text(), HasSubstr(fmt::format("{} cannot be", names[draw % 3])));
+    EXPECT_THAT(deep.text(), HasSubstr(fmt::format("{:.6g} m below the ellipsoid", depth_m)));
+    const core::Vec3 out_m = radar::ecef_of({latitude, longitude, std::pow(10.0, far(random))});
+    const Opened out = changed(scratch, [&](PhaseVector& v) { v.*places[draw % 3] = out_m; });
+    EXPECT_FALSE(out.file);
+    EXPECT_THAT(out.text(), HasSubstr("the way from TxPos over SRPPos to RcvPos cannot be"));
+  }
+  CphdDescription d = small_description(3, 4, SignalEncoding::cf8);
+  d.scene.origin_m = {5378137.0, 0.0, 0.0};
+  write_small(scratch.path, d);
+  EXPECT_THAT(opened_of(scratch.path).text(), HasSubstr("IARP/ECF lies inside the Earth; found '1e+06 m below"));
+}
+
 TEST(CphdVectors, WarnsOfWhatContradictsItself) {
   const CphdScratch scratch("vectors_warned");
   const Case cases[] = {
       {"times do not ascend", [](PhaseVector& v) { v.tx_time_s -= 2e-3, v.rcv_time_s -= 2e-3; }},
       {"the time of reception contradicts the places", [](PhaseVector& v) { v.rcv_time_s += 1e-5; }},
-      {"a place lies inside the Earth",
-       [](PhaseVector& v) {
-         v.srp_m = {6300000.0, 0.0, 0.0};
-       }},
       {"the velocities contradict the places", [](PhaseVector& v) { v.rcv_m.y += 10.0; }},
       {"the band lies beyond the samples", [](PhaseVector& v) { v.fx2_hz += 1e9; }},
       {"they differ although the XML says that they do not", [](PhaseVector& v) { v.toa1_s *= 0.5; }},

@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
 #include "core/xml/xml.hpp"
+#include "radar/earth/earth_depth.hpp"
 #include "raster/sicd/sicd.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -201,6 +202,21 @@ std::vector<std::pair<std::string, std::string>> facts_of(pugi::xml_node root) {
   return facts;
 }
 
+// Where the image is, if it says so.
+void expect_reference_point(pugi::xml_node root) {
+  constexpr double most_m = 4e9;
+  if (!element_at(root, "GeoData/SCP/ECF").first_child()) return;
+  const core::Vec3 place_m{number_at(root, "GeoData/SCP/ECF/X", 0.0), number_at(root, "GeoData/SCP/ECF/Y", 0.0),
+                           number_at(root, "GeoData/SCP/ECF/Z", 0.0)};
+  if (!(core::norm(place_m) <= most_m))
+    throw ElementFailure{"the element GeoData/SCP/ECF is far from the Earth",
+                         fmt::format("{:.6g} m from its centre", core::norm(place_m)), "up to 4e9 m"};
+  if (const auto depth_m = radar::impossible_depth_m(place_m))
+    throw ElementFailure{"the element GeoData/SCP/ECF lies inside the Earth",
+                         fmt::format("{:.6g} m below the ellipsoid", *depth_m),
+                         fmt::format("Earth-fixed metres, at most {:g} m below it", -radar::deepest_place_m)};
+}
+
 void expect_version(pugi::xml_node root) {
   constexpr std::string_view known = "urn:SICD:1.";
   const std::string_view whole = root.name();
@@ -237,6 +253,7 @@ SicdDescription read_root(pugi::xml_node root) {
   if (description.pixel == SicdPixel::polar_uint8) description.amplitudes = amplitudes_of(root);
   expect_reference_within(root, description);
   description.places = focused_places(root);
+  expect_reference_point(root);
   description.facts = facts_of(root);
   return description;
 }

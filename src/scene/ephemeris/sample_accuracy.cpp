@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "radar/orbit/state_polynomial.hpp"
+#include "scene/ephemeris/polynomial_weights.hpp"
+#include "scene/ephemeris/sample_noise.hpp"
 
 namespace sarsim::scene {
 
@@ -64,14 +68,51 @@ double error_by_orders(const OrderDifferences& d) {
 // that to the one before it.
 double error_by_last_orders(double last, double before) { return last < before ? last * last / before : last; }
 
-// What is known of the polynomial in one interval at one time.
-double error_at(const radar::StateView& view, std::span<const std::size_t> order, std::size_t used, double time_s) {
-  std::array<radar::OrbitState, radar::most_polynomial_states> sums;
-  radar::polynomial_sums(view, order, time_s, std::span(sums).first(order.size()));
+// The polynomials through the first 1, 2, ... of some states at one time, and the noise that they have of these.
+class PolynomialsAt {
+ public:
+  PolynomialsAt(const radar::StateView& view, std::span<const std::size_t> order, double time_s,
+                RepeatedWeights& weights)
+      : count_(order.size()), weights_(weights.at(view, order, time_s)) {
+    radar::polynomial_sums(view, order, time_s, std::span(sums_).first(count_));
+  }
+
+  /// Between those through the first a and the first b states.
+  [[nodiscard]] double apart(std::size_t a, std::size_t b) const {
+    return core::norm(sums_[a - 1].position_m - sums_[b - 1].position_m);
+  }
+
+  /// Of the polynomial through the first a states, less that through the first b; b is 0 for none.
+  /// @param noises  of the states
+  [[nodiscard]] double noise(std::size_t a, std::size_t b, std::span<const StateNoise> noises) const {
+    double squares = 0.0;
+    for (std::size_t j = 0; j < count_; ++j) {
+      const double of_position = (weight(weights_.of_position, a, j) - weight(weights_.of_position, b, j));
+      const double of_velocity = (weight(weights_.of_velocity, a, j) - weight(weights_.of_velocity, b, j));
+      squares += std::pow(of_position * noises[j].position_m, 2) + std::pow(of_velocity * noises[j].velocity_mps, 2);
+    }
+    return std::sqrt(squares);
+  }
+
+ private:
+  [[nodiscard]] double weight(const std::vector<double>& weights, std::size_t through, std::size_t j) const {
+    return through == 0 || weights.empty() ? 0.0 : weights[(through - 1) * count_ + j];
+  }
+
+  std::size_t count_;
+  const PolynomialWeights& weights_;
+  std::array<radar::OrbitState, radar::most_polynomial_states> sums_;
+};
+
+// What the polynomial through the first `used` states loses of a smooth motion. Differences that noise explains say
+// nothing.
+double smooth_error(const PolynomialsAt& polynomials, std::size_t more, std::size_t used,
+                    std::span<const StateNoise> noises) {
+  constexpr double explained = 3.0;
   const auto off = [&](std::size_t a, std::size_t b) {
-    return core::norm(sums[a - 1].position_m - sums[b - 1].position_m);
+    const double apart = polynomials.apart(a, b);
+    return apart > explained * polynomials.noise(a, b, noises) ? apart : 0.0;
   };
-  const std::size_t more = order.size();
   const std::size_t fewer = used > 2 ? used - 2 : 1;
   const double lower = std::max(off(used, fewer), off(used, used - 1));
   const std::size_t between = used + (more - used) / 2;
@@ -93,6 +134,55 @@ std::vector<std::size_t> order_in(const radar::StateInterpolation& interpolation
     order.push_back(above >= count || (below > 0 && k % 2 == 0) ? --below : above++);
   return order;
 }
+
+// Of the table through states, in intervals of them.
+class StateAccuracy {
+ public:
+  StateAccuracy(const radar::StateView& view, const radar::StateInterpolation& interpolation)
+      : view_(view),
+        interpolation_(interpolation),
+        used_(std::min(interpolation.states, view.time_s.size())),
+        noises_(view) {}
+
+  std::optional<SampleAccuracy> worst_of(const Intervals& intervals) {
+    std::optional<SampleAccuracy> worst;
+    for_some(intervals, [&](std::size_t left) { take_interval(left, worst); });
+    return worst;
+  }
+
+ private:
+  [[nodiscard]] double length_s(std::size_t left) const { return view_.time_s[left + 1] - view_.time_s[left]; }
+  [[nodiscard]] std::vector<std::size_t> order(std::size_t left) const {
+    return order_in(interpolation_, view_.time_s.size(), left);
+  }
+  [[nodiscard]] PolynomialsAt polynomials(std::span<const std::size_t> order, std::size_t left, std::size_t share) {
+    return {view_, order, view_.time_s[left] + shares[share] * length_s(left), weights_[share]};
+  }
+
+  void take_interval(std::size_t left, std::optional<SampleAccuracy>& worst) {
+    const std::vector<std::size_t> through = order(left);
+    const std::vector<StateNoise> noises = noises_.around(left, through);
+    const auto take = [&](double noise_m, double smooth_m, double share) {
+      const double error_m = std::hypot(noise_m, smooth_m);
+      if (worst && !(error_m > worst->error)) return;
+      worst = {error_m, view_.time_s[left] + share * length_s(left), length_s(left),
+               core::norm(view_.position_m[left + 1] - view_.position_m[left])};
+    };
+    for (std::size_t j = 0; j < through.size(); ++j)
+      if (through[j] == left || through[j] == left + 1)
+        take(noises[j].position_m, 0.0, static_cast<double>(through[j] - left));
+    for (std::size_t share = 0; share < shares.size(); ++share) {
+      const PolynomialsAt at = polynomials(through, left, share);
+      take(at.noise(used_, 0, noises), smooth_error(at, through.size(), used_, noises), shares[share]);
+    }
+  }
+
+  radar::StateView view_;
+  radar::StateInterpolation interpolation_;
+  std::size_t used_;
+  StateNoises noises_;
+  std::array<RepeatedWeights, shares.size()> weights_;
+};
 
 using Parts = std::array<double, 4>;  // of a quaternion
 
@@ -149,6 +239,18 @@ class AttitudePolynomial {
     return parts;
   }
 
+  // Of each of the two attitudes at the ends of an interval, as angles.
+  [[nodiscard]] std::array<double, 2> noise_rad(std::size_t left) const {
+    const SampleNoise of_vector(time_s_, vector_), of_scalar(time_s_, scalar_);
+    const auto vector_order = of_vector.order_around(left), scalar_order = of_scalar.order_around(left);
+    std::array<double, 2> noise{};
+    if (!vector_order) return noise;
+    for (std::size_t end = 0; end < 2; ++end)
+      noise[end] = 2.0 * std::hypot(of_vector.size(left + end, *vector_order),
+                                    scalar_order ? of_scalar.size(left + end, *scalar_order) : 0.0);
+    return noise;
+  }
+
  private:
   [[nodiscard]] Vec3 value(const std::vector<Vec3>& of, const std::vector<std::size_t>& order, double time_s) const {
     std::array<radar::OrbitState, radar::most_polynomial_states> sums;
@@ -164,21 +266,15 @@ class AttitudePolynomial {
 
 std::optional<SampleAccuracy> accuracy_between(const radar::StateSamples& samples,
                                                const radar::StateInterpolation& interpolation, const TimeSpan& within) {
-  radar::StateView view{samples.time_s, samples.position_m, {}};
-  if (interpolation.use_velocities) view.velocity_mps = samples.velocity_mps;
-  std::optional<SampleAccuracy> worst;
-  for_some(intervals_within(samples.time_s, within), [&](std::size_t left) {
-    const std::vector<std::size_t> order = order_in(interpolation, samples.time_s.size(), left);
-    const std::size_t used = std::min(interpolation.states, samples.time_s.size());
-    const double length_s = samples.time_s[left + 1] - samples.time_s[left];
-    for (const double share : shares) {
-      const double time_s = samples.time_s[left] + share * length_s;
-      const double error = error_at(view, order, used, time_s);
-      if (worst && !(error > worst->error)) continue;
-      worst = {error, time_s, length_s, core::norm(samples.position_m[left + 1] - samples.position_m[left])};
-    }
-  });
-  return worst;
+  const Intervals intervals = intervals_within(samples.time_s, within);
+  if (intervals.first >= intervals.last) return std::nullopt;
+  constexpr std::size_t around = 40;  // states that have a part in what is estimated
+  const std::size_t begin = intervals.first > around ? intervals.first - around : 0;
+  const std::size_t count = std::min(samples.time_s.size(), intervals.last + around) - begin;
+  radar::StateView view{
+      std::span(samples.time_s).subspan(begin, count), std::span(samples.position_m).subspan(begin, count), {}};
+  if (interpolation.use_velocities) view.velocity_mps = std::span(samples.velocity_mps).subspan(begin, count);
+  return StateAccuracy(view, interpolation).worst_of({intervals.first - begin, intervals.last - begin});
 }
 
 std::optional<SampleAccuracy> accuracy_between(const radar::AttitudeSamples& samples, const TimeSpan& within) {
@@ -190,10 +286,18 @@ std::optional<SampleAccuracy> accuracy_between(const radar::AttitudeSamples& sam
   std::optional<SampleAccuracy> worst;
   for_some(intervals_within(samples.time_s, within), [&](std::size_t left) {
     const double length_s = samples.time_s[left + 1] - samples.time_s[left];
+    const auto take = [&](double error, double share) {
+      if (worst && !(error > worst->error)) return;
+      worst = {error, samples.time_s[left] + share * length_s, length_s, turn_rad(parts[left], parts[left + 1])};
+    };
+    const std::array<double, 2> noise = polynomial.noise_rad(left);
+    const double least = std::max(noise[0], noise[1]);  // Of noise splines and polynomials make different paths, too.
+    take(noise[0], 0.0);
+    take(noise[1], 1.0);
     for (const double share : shares) {
       const double time_s = samples.time_s[left] + share * length_s;
-      const double error = turn_rad(parts_of(table->turning_at(time_s).matrix), polynomial.at(left, time_s));
-      if (!worst || error > worst->error) worst = {error, time_s, length_s, turn_rad(parts[left], parts[left + 1])};
+      const double apart = turn_rad(parts_of(table->turning_at(time_s).matrix), polynomial.at(left, time_s));
+      if (apart > least) take(std::hypot(apart, least), share);
     }
   });
   return worst;

@@ -16,22 +16,29 @@ struct SampleAccuracy {
   double step = 0.0;       ///< Motion from the sample before that time to the next: m, or rad.
 };
 
-/// Estimates the error of `radar::StateTable` between the states within a time span (docs/theory/earth-and-orbits.md).
-/// At three points of each interval its polynomial p is compared with p2 and p4 through two and four more states. If
-/// the differences decrease, by q = |p4 - p2|/|p2 - p|, the error is |p4 - p| + |p4 - p2| q/(1 - q), q up to 3/4;
-/// otherwise the larger of |p2 - p| and the smaller of |p4 - p| and the difference of p to the polynomials of one and
-/// two fewer states. Without more states the last difference, times the factor by which it decreased, is taken. Within
-/// a factor of 3 of the largest true error in 95 % of orbits, flights and vibrations at 3.5 states a period or more;
-/// faster motion between positions alone is an alias of a slower one. Noise of the states counts as error. About 2000
-/// intervals are examined at most.
+/// Estimates the error of `radar::StateTable` between the states within a time: what the polynomials lose of a smooth
+/// motion, and what the states are off by themselves (`StateNoises`: noise, rounding, single wrong states, states that
+/// are off by turns), as the polynomials pass it on.
+///
+/// Of a smooth motion, three places of each interval are compared with the polynomials of two more and of two fewer
+/// states, p+ and p-. Differences of orders fall by a factor q = |p+ - p| / |p - p-| where interpolation converges, so
+/// that the error is near |p+ - p| / (1 - q), q up to 3/4; where they do not fall, it is the larger of both. With too
+/// few states for p+ the next difference is taken to be smaller by the same factor as the one before. Differences that
+/// noise explains are no loss.
+///
+/// Within a factor of 2 of the root mean square or the largest of the true errors: of orbits, flights and vibrations at
+/// 8 states a period or more, of states with noise of positions, velocities or both, and of wrong states. Down to 3
+/// states a period within a factor of 3; of long ellipses with velocities and fewer than 11 states around the perigee
+/// up to some hundred times too large. Motion faster than that between positions alone cannot be told from a slower
+/// one, and what is the same in all states, as an offset, is not seen. At most 2000 intervals are examined.
 /// @param samples  as `radar::StateTable::from` takes them, sound, and its interpolation
 /// @return         nothing if no interval between two states overlaps the time span
 [[nodiscard]] std::optional<SampleAccuracy> accuracy_between(const radar::StateSamples& samples,
                                                              const radar::StateInterpolation& interpolation,
                                                              const radar::TimeSpan& within);
 
-/// The same for `radar::AttitudeTable`: its splines against the polynomials through the eight attitudes nearest to each
-/// point, as an angle, rad. Nothing also if no table can be made of the samples.
+/// The same of `radar::AttitudeTable`, as an angle: its splines against the polynomials through the eight attitudes
+/// next to each place, and the noise of the attitudes.
 [[nodiscard]] std::optional<SampleAccuracy> accuracy_between(const radar::AttitudeSamples& samples,
                                                              const radar::TimeSpan& within);
 

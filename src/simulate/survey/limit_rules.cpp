@@ -12,6 +12,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/earth/earth_depth.hpp"
 #include "radar/earth/ellipsoid_height.hpp"
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
@@ -183,12 +184,14 @@ class LimitRules {
     if (flat && std::ranges::any_of(
                     placed_, [&](const Placed& target) { return radar_z_m + target.from_radar_m.z <= low.radar_m.z; }))
       return;
-    add(core::Severity::warning, "radar",
+    const bool impossible = !flat && low.height_m < radar::deepest_place_m;
+    add(impossible ? core::Severity::error : core::Severity::warning, "radar",
         flat ? "the radar is below the ground and below its targets" : "the radar is below the ellipsoid",
         fmt::format("a height of {:.6g} m{}, at pulse {} of {}", low.height_m, flat ? ", z of the world" : "",
                     low.pulse + 1, plan_.pulses.count()),
         flat ? "z above 0" : fmt::format("above -{:g} m, the lowest level of the sea", max_below_ellipsoid_m),
-        "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
+        impossible ? "Heights are positive upwards: is the sign wrong?"
+                   : "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
   }
 
   void check_dispersion() {

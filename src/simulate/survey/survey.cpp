@@ -69,7 +69,7 @@ class Surveyor {
     summary.noise = noise_energy_j(plan.scene->conventions, plan.radar) > 0.0;
     const SightCase sighted{scene_, index_, plan, looked, summary, control};
     simulate::check_sights(sighted, problems_);
-    check_tables(sighted, problems_);
+    check_tables(sighted, survey, problems_);
     report_.summaries.push_back(std::move(summary));
   }
 

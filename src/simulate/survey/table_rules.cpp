@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,6 +13,7 @@
 
 #include "core/maths/constants.hpp"
 #include "scene/model/scene_index.hpp"
+#include "simulate/survey/table_reach.hpp"
 
 namespace sarsim::simulate {
 
@@ -77,15 +80,66 @@ class TableRules {
     by_role_ = sighted.plan.scene->conventions.function_ends == Conventions::FunctionEnds::by_role;
   }
 
-  void check() {
+  void check(const EchoSurvey& survey) {
     const std::size_t radar = scene::find_radar(sighted_.scene, sighted_.plan.simulation.radar);
-    if (radar == scene::not_found || sights_.empty()) return;
-    for (const Cut& cut : cuts_of(sighted_.scene.radars[radar])) check_cut(cut, radar);
+    if (radar == scene::not_found) return;
+    const std::vector<Cut> cuts = cuts_of(sighted_.scene.radars[radar]);
+    look_farther(cuts, survey);
+    for (const Cut& cut : cuts) {
+      check_cut(cut, radar);
+      check_cut_of_surfaces(cut, radar);
+    }
     check_reflectivities();
   }
 
  private:
   [[nodiscard]] core::InterpolationRules usual() const { return interpolation_rules(sighted_.plan.scene->options); }
+  [[nodiscard]] core::AngleFunction function_of(const Cut& cut) const {
+    return scene::angle_function(cut.role, *cut.points, usual(), by_role_);
+  }
+
+  // Adds what reaches beyond the tables among what the survey of sights left out.
+  void look_farther(const std::vector<Cut>& cuts, const EchoSurvey& survey) {
+    const std::vector<core::Interpolator>& curves = sighted_.plan.scene->gain_curves;
+    const bool has_surfaces = !sighted_.plan.scene->sheets.empty();
+    const bool knows_targets = survey.totals.in_window <= sights_.size();
+    if ((cuts.empty() && curves.empty()) || (knows_targets && (cuts.empty() || !has_surfaces))) return;
+    std::vector<std::size_t> examined;
+    for (const TargetSight& sight : sights_) examined.push_back(sight.target);
+    std::vector<core::AngleFunction> functions;
+    for (const Cut& cut : cuts) functions.push_back(function_of(cut));
+    AngleTables tables;
+    tables.count = cuts.size() + 1;
+    tables.beyond = [&](const radar::BeamOffset& offset, std::optional<double> incidence_rad, std::uint32_t curve,
+                        std::span<double> by_deg) {
+      for (std::size_t i = 0; i < cuts.size(); ++i) by_deg[i] = beyond_cut_deg(cuts[i], functions[i], offset);
+      by_deg.back() = incidence_rad ? beyond_curve_deg(curves[curve], *incidence_rad * core::deg_per_rad) : 0.0;
+    };
+    TableReach reach = reach_beyond_tables(sighted_.plan, survey, examined, tables, sighted_.control);
+    std::ranges::move(reach.targets, std::back_inserter(sights_));
+    surfaces_ = std::move(reach.surfaces);
+  }
+
+  static double beyond_cut_deg(const Cut& cut, const core::AngleFunction& function, const radar::BeamOffset& offset) {
+    const std::vector<core::Knot>& knots = cut.points->knots;
+    const double angle_deg = offset.*cut.angle * core::deg_per_rad;
+    if (knots.size() < 2 || function.covers(angle_deg)) return 0.0;
+    return beyond_deg(knots, function.is_even() ? std::abs(angle_deg) : angle_deg);
+  }
+  static double beyond_curve_deg(const core::Interpolator& curve, double angle_deg) {
+    if (curve.knots().size() < 2) return 0.0;
+    const double by_deg = std::max(curve.knots().front().x - angle_deg, angle_deg - curve.knots().back().x);
+    return by_deg <= 1e-9 ? 0.0 : by_deg;
+  }
+
+  // Points of clouds have numbers behind those of the targets.
+  [[nodiscard]] std::string name_of(std::size_t target) const {
+    const ScattererList& list = sighted_.plan.scene->scatterers;
+    if (target < list.targets()) return fmt::format("target {}", target + 1);
+    std::size_t cloud = 0;
+    while (cloud + 1 < list.clouds().size() && list.clouds()[cloud + 1].first <= target) ++cloud;
+    return fmt::format("a point of cloud {}", cloud + 1);
+  }
 
   [[nodiscard]] std::string words_of(FunctionRole role) const {
     return std::string(by_role_ ? scene::function_ends(role).words : "goes on as its interpolation does");
@@ -101,25 +155,50 @@ class TableRules {
   void check_cut(const Cut& cut, std::size_t radar) {
     const std::vector<core::Knot>& knots = cut.points->knots;
     if (knots.size() < 2) return;
-    const core::AngleFunction function = scene::angle_function(cut.role, *cut.points, usual(), by_role_);
+    const core::AngleFunction function = function_of(cut);
     Farthest farthest;
-    for (const TargetSight& sight : sights_) {
-      bool outside = false;
-      for (const LitLook& look : sight.lit) {
-        const double angle_deg = look.offset.*cut.angle * core::deg_per_rad;
-        if (function.covers(angle_deg)) continue;
-        outside = true;
-        farthest.take(sight.target, angle_deg, beyond_deg(knots, function.is_even() ? std::abs(angle_deg) : angle_deg));
-      }
-      if (outside) ++farthest.targets;
+    for (const TargetSight& sight : sights_)
+      if (take_cut(cut, function, sight, sight.target, farthest)) ++farthest.targets;
+    if (farthest.targets == 0) return;
+    report_cut(cut, radar, function, sentence_of(farthest.targets, sights_.size()), name_of(farthest.target), farthest);
+  }
+
+  // Whether it is seen beyond the cut.
+  static bool take_cut(const Cut& cut, const core::AngleFunction& function, const TargetSight& sight,
+                       std::size_t number, Farthest& farthest) {
+    bool outside = false;
+    for (const LitLook& look : sight.lit) {
+      const double by_deg = beyond_cut_deg(cut, function, look.offset);
+      if (by_deg <= 0.0) continue;
+      outside = true;
+      farthest.take(number, look.offset.*cut.angle * core::deg_per_rad, by_deg);
+    }
+    return outside;
+  }
+
+  void check_cut_of_surfaces(const Cut& cut, std::size_t radar) {
+    const core::AngleFunction function = function_of(cut);
+    Farthest farthest;
+    std::size_t last = scene::not_found;
+    for (const SurfaceSight& one : surfaces_) {
+      if (!take_cut(cut, function, one.sight, one.surface, farthest) || one.surface == last) continue;
+      ++farthest.targets;
+      last = one.surface;
     }
     if (farthest.targets == 0) return;
+    const std::size_t all = sighted_.plan.scene->sheets.size();
+    report_cut(cut, radar, function, fmt::format("{} of {} surface{}", farthest.targets, all, all == 1 ? "" : "s"),
+               fmt::format("surface {}", farthest.target + 1), farthest);
+  }
+
+  void report_cut(const Cut& cut, std::size_t radar, const core::AngleFunction& function, const std::string& who,
+                  const std::string& worst, const Farthest& farthest) {
+    const std::vector<core::Knot>& knots = cut.points->knots;
     add({"radar", radar, cut.field},
-        fmt::format("{} are seen beyond the points of the {}antenna's cut in {}, where it {}",
-                    sentence_of(farthest.targets, sights_.size()), cut.antenna, cut.plane,
-                    words_of(FunctionRole::elevation_cut)),
-        fmt::format("target {} at {:.4g} deg, points from {:g} to {:g} deg{}; {:.4g} dB is taken", farthest.target + 1,
-                    farthest.angle_deg, knots.front().x, knots.back().x, function.is_even() ? " to either side" : "",
+        fmt::format("{} are seen beyond the points of the {}antenna's cut in {}, where it {}", who, cut.antenna,
+                    cut.plane, words_of(FunctionRole::elevation_cut)),
+        fmt::format("{} at {:.4g} deg, points from {:g} to {:g} deg{}; {:.4g} dB is taken", worst, farthest.angle_deg,
+                    knots.front().x, knots.back().x, function.is_even() ? " to either side" : "",
                     function.value(farthest.angle_deg)),
         cut.role == FunctionRole::azimuth_cut
             ? "Azimuth is positive to the right of the beam, clockwise seen from above."
@@ -137,8 +216,8 @@ class TableRules {
       bool outside = false;
       for (const LitLook& look : sight.lit) {
         const double angle_deg = look.incidence_rad * core::deg_per_rad;
-        const double by_deg = std::max(curve->knots().front().x - angle_deg, angle_deg - curve->knots().back().x);
-        if (by_deg <= 1e-9) continue;
+        const double by_deg = beyond_curve_deg(*curve, angle_deg);
+        if (by_deg <= 0.0) continue;
         outside = true;
         if (by_deg > farthest.by_deg) of = curve;
         farthest.take(sight.target, angle_deg, by_deg);
@@ -149,7 +228,7 @@ class TableRules {
     add({"target", farthest.target, "gain_db"},
         fmt::format("{} with a reflectivity by points are seen at incidence angles beyond these, where it {}",
                     sentence_of(farthest.targets, some), words_of(FunctionRole::reflectivity)),
-        fmt::format("target {} at {:.4g} deg, points from {:g} to {:g} deg; {:.4g} dB is taken", farthest.target + 1,
+        fmt::format("{} at {:.4g} deg, points from {:g} to {:g} deg; {:.4g} dB is taken", name_of(farthest.target),
                     farthest.angle_deg, of->knots().front().x, of->knots().back().x, of->value(farthest.angle_deg)),
         "The angle counts from the normal, 0 to 180 deg.");
   }
@@ -161,7 +240,8 @@ class TableRules {
   }
 
   const SightCase& sighted_;
-  const std::vector<TargetSight>& sights_;
+  std::vector<TargetSight> sights_;
+  std::vector<SurfaceSight> surfaces_;  // of one surface one after the other
   core::Problems& problems_;
   bool by_role_ = true;
 };
@@ -312,6 +392,8 @@ core::Problems differences_of_profiles(const scene::Scene& scene, std::span<cons
   return problems;
 }
 
-void check_tables(const SightCase& sighted, core::Problems& problems) { TableRules(sighted, problems).check(); }
+void check_tables(const SightCase& sighted, const EchoSurvey& survey, core::Problems& problems) {
+  TableRules(sighted, problems).check(survey);
+}
 
 }  // namespace sarsim::simulate

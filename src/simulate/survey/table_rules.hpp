@@ -8,9 +8,10 @@
 
 namespace sarsim::simulate {
 
-/// Reports targets that the beam illuminates at angles beyond the points of an antenna's cuts, or of their own
-/// reflectivity: how many, at which angle, of which table, and the value used there.
-void check_tables(const SightCase& sighted, core::Problems& problems);
+/// Adds which targets, points of clouds and surfaces are seen at angles beyond the points of an antenna's cuts, or of
+/// their own reflectivity, while the beam is on them: how many, at which angle, of which table, and what is taken
+/// there. Besides the sights those count that reach farthest of all others (`reach_beyond_tables`).
+void check_tables(const SightCase& sighted, const EchoSurvey& survey, core::Problems& problems);
 
 /// Differences of more than 0.1 dB between the profiles `classic` and `physical` in reading the functions of a scene:
 /// cuts of antennas, reflectivities and gains of the receiver, for the targets in the survey. Notes, or warnings if

@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <random>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "core/maths/constants.hpp"
+#include "scene/model/cloud_points.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
 #include "simulate/survey/survey.hpp"
 
@@ -117,6 +121,109 @@ TEST(TablesOfAngles, OfReflectivitiesSayWhoIsBeyond) {
             std::string::npos)
       << words;
   EXPECT_NE(words.find("target 2 at 90 deg, points from 0 to 60 deg; -20 dB is taken"), std::string::npos) << words;
+}
+
+// The largest azimuth and elevation of the corners off a beam to the north, deg.
+std::array<double, 2> largest_offsets_deg(const scene::Surface& surface) {
+  std::array<double, 2> largest{};
+  for (const core::Vec3& corner : surface.corner_m) {
+    largest[0] = std::max(largest[0], std::abs(core::azimuth_rad(corner)) * core::deg_per_rad);
+    largest[1] = std::max(largest[1], std::abs(core::elevation_rad(corner)) * core::deg_per_rad);
+  }
+  return largest;
+}
+
+// A triangle of some hundred square metres around a direction, 1 km away, whose front shows to the radar.
+scene::Surface surface_at(double azimuth_deg, double elevation_deg, std::mt19937& random) {
+  std::uniform_real_distribution<double> draw(-1.0, 1.0);
+  const core::Vec3 middle =
+      1000.0 * core::direction(azimuth_deg * core::rad_per_deg, elevation_deg * core::rad_per_deg);
+  scene::Surface surface;
+  for (core::Vec3& corner : surface.corner_m)
+    corner = middle + core::Vec3{25.0 * draw(random), 5.0 * draw(random), 25.0 * draw(random)};
+  const auto& c = surface.corner_m;
+  if (core::dot(core::cross(c[1] - c[0], c[2] - c[0]), middle) > 0.0)
+    std::swap(surface.corner_m[1], surface.corner_m[2]);
+  return surface;
+}
+
+// Alone in the scene, or beside targets: what no target shows is told, with the angle of its farthest corner.
+TEST(TablesOfAngles, TellSurfacesThatReachBeyondThem) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> angle(-20.0, 20.0);
+  int told = 0, silent = 0;
+  for (int draw = 0; draw < 60; ++draw) {
+    const scene::Surface surface = surface_at(angle(random), angle(random), random);
+    const std::array<double, 2> largest = largest_offsets_deg(surface);
+    scene::Scene scene = draw % 2 == 0 ? seen_at({}) : seen_at({{0, 0}});
+    scene.surfaces = {surface_at(0.0, 0.0, random), surface};
+    scene.radars[0].transmit_antenna = by_points({{-12, -6}, {0, 0}, {12, -6}}, {{-9, -8}, {0, 0}, {9, -8}});
+    const std::string words = said(survey(scene));
+    for (const auto& [plane, reach, table] :
+         {std::tuple("azimuth", largest[0], 12.0), std::tuple("elevation", largest[1], 9.0)}) {
+      const auto at =
+          words.find(fmt::format("1 of 2 surfaces are seen beyond the points of the antenna's cut in {}", plane));
+      // Points of a surface stay some metres away from its acute corners: half a degree.
+      if (reach < table) {
+        EXPECT_EQ(at, std::string::npos) << words;
+        ++silent;
+      }
+      if (reach < table + 0.6) continue;
+      ASSERT_NE(at, std::string::npos) << draw << plane << reach << words;
+      const auto number = words.find("surface 2 at ", at);
+      ASSERT_NE(number, std::string::npos) << words;
+      EXPECT_NEAR(std::abs(std::stod(words.substr(number + 13))), reach, 0.6) << words;
+      ++told;
+    }
+  }
+  EXPECT_GT(told, 20);
+  EXPECT_GT(silent, 20);
+}
+
+// One of very many targets, which is none of the 64 that are examined as they pass the beam.
+TEST(TablesOfAngles, TellTheOneTargetOfManyThatIsBeyond) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> near(-3.0, 3.0), where(0.2, 0.8);
+  for (int draw = 0; draw < 10; ++draw) {
+    std::vector<std::array<double, 2>> offsets(1000);
+    for (auto& offset : offsets) offset = {near(random), near(random)};
+    scene::Scene scene = seen_at(offsets);
+    scene.radars[0].transmit_antenna = by_points({{-9, -8}, {0, 0}, {9, -8}}, {{-9, -8}, {0, 0}, {9, -8}});
+    EXPECT_EQ(said(survey(scene)), "");
+    const auto odd = static_cast<std::size_t>(1000.0 * where(random));
+    offsets[odd] = {1.0, -11.5};
+    scene.targets = seen_at(offsets).targets;
+    EXPECT_NE(said(survey(scene)).find(fmt::format("target {} at -11.5 deg", odd + 1)), std::string::npos)
+        << said(survey(scene));
+  }
+}
+
+// Points of clouds, of their reflectivity and of the antenna.
+TEST(TablesOfAngles, TellPointsOfCloudsThatAreBeyond) {
+  scene::CloudPoints points;
+  for (int i = 0; i < 2000; ++i) {
+    points.arrays.x_m.push_back(0.01 * i);
+    points.arrays.y_m.push_back(1000.0);
+    points.arrays.z_m.push_back(i == 777 ? 300.0 : 0.0);
+    points.arrays.root_rcs_m.push_back(1.0);
+  }
+  points.most_m = {20.0, 1000.0, 300.0};
+  points.least_m = {0.0, 1000.0, 0.0};
+  points.file = "points.npy";
+  scene::Scene scene = seen_at({{0, 0}});
+  scene.clouds.emplace_back();
+  scene.clouds[0].points = std::make_shared<const scene::CloudPoints>(std::move(points));
+  scene.radars[0].transmit_antenna = by_points(flat, {{-9, -8}, {0, 0}, {9, -8}});
+  const std::string words = said(survey(scene));
+  EXPECT_NE(words.find("a point of cloud 1 at 16.7 deg"), std::string::npos) << words;
+  scene::TargetTraits& traits = scene.clouds[0].traits;
+  traits.reflectivity = scene::TargetTraits::Reflectivity::directional;
+  traits.azimuth = core::Angle::from_deg(180.0);
+  traits.gain = scene::TargetTraits::Gain::user;
+  traits.gain_db.part[0] = lines({{0, 0}, {10, -20}});
+  scene.radars[0].transmit_antenna = {};
+  const std::string of_curves = said(survey(scene));
+  EXPECT_NE(of_curves.find("a point of cloud 1 at 16.7 deg, points from 0 to 10 deg"), std::string::npos) << of_curves;
 }
 
 TEST(ProfileDifferences, AreTheHalfThatClassicLeavesOut) {

@@ -316,7 +316,7 @@ ConvertReport convert(const ConvertRequest& request, const core::Observer& obser
   if (request.simulation && request.sample.script.empty())
     throw core::Refused("--simulation is a number in a script", "name it with --script");
   const raster::RasterHints hints =
-      request.held ? raster::RasterHints() : hints_for(request.input, request.sample, request.simulation);
+      request.held ? raster::RasterHints() : hints_for(request.input, request.sample, request.simulation, observer);
   const std::shared_ptr<const raster::Raster> file =
       request.held ? request.held : open_samples(request.input, hints, observer);
   Conversion conversion(*file, hints, request, observer);

@@ -226,7 +226,7 @@ ArrayCut cut_of_array(std::uint64_t rows, std::uint64_t row_bytes) {
 }
 
 void write_references(const ReferencesRequest& request, const core::Observer& observer) {
-  const raster::RasterHints hints = hints_for(request.input, request.sample);
+  const raster::RasterHints hints = hints_for(request.input, request.sample, observer);
   const std::shared_ptr<const raster::Raster> raster = open_samples(request.input, hints, observer);
   if (raster->info().format->folder)
     throw core::Refused(

@@ -34,7 +34,7 @@ struct CopiedImage {
 
 CopiedImage opened_image(const ConvertRequest& request, const core::Observer& observer) {
   CopiedImage opened;
-  const raster::RasterHints hints = hints_for(request.input, {}, {});
+  const raster::RasterHints hints = hints_for(request.input, {}, {}, observer);
   opened.file = open_samples(request.input, hints, observer);
   auto header = header_beside(request.input, *opened.file);
   if (!header || !header->field("image plane"))

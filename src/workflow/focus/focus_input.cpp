@@ -60,6 +60,7 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
   std::ranges::move(input.problems, std::back_inserter(focus.problems));
   if (core::has_errors(focus.problems)) throw core::Refused(core::ranked(std::move(focus.problems)));
   believe(navigation, input.scene, focus);
+  focus.of_files = std::move(input.of_files);
   focus.sources = std::move(input.sources);
   return focus;
 }
@@ -71,6 +72,7 @@ FocusInput of_file(const RecordingArguments& arguments, const core::WorkControl&
   FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems), stored.scene.world};
   focus.echoes = sar_rows_of_recording(focus.plan, stored.rows);
   believe(navigation, stored.scene, focus);
+  focus.of_files = std::move(stored.of_files);
   focus.sources = std::move(stored.sources);
   return focus;
 }

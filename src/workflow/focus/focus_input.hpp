@@ -18,6 +18,7 @@ struct FocusInput {
   core::Problems problems;                       ///< Warnings about script and file.
   scene::World world;                            ///< Where and when the scene is.
   std::vector<std::filesystem::path> sources{};  ///< Files that the echoes are made from.
+  core::Problems of_files{};                     ///< Of the problems those about the files that the script names.
 };
 
 /// Simulation number `simulation` of a sound scene, which becomes what focusing wants recorded (`recorded_for_sar`).

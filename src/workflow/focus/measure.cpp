@@ -331,6 +331,8 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   if (!request.kept) way = way_back(opened.header, opened.origin, request.image, request.input.script);
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
+  observer.remarks(input.of_files);
+  std::ranges::copy(input.of_files, std::back_inserter(way.problems));
   opened.origin.earth = earth_under(input.world, opened.origin);
   turn_to_world(input.world, opened);
   core::Problems of_header = remarks_on_header(opened, input, request.image);

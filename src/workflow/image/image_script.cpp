@@ -63,8 +63,9 @@ std::optional<std::string> samples_checksum_of(const std::string& source, const 
   try {
     SampleArguments samples;
     samples.script = script;
-    const raster::RasterHints hints =
-        script.empty() ? raster::RasterHints{} : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1);
+    const raster::RasterHints hints = script.empty()
+                                          ? raster::RasterHints{}
+                                          : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
     const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
     if (opened.raster) return samples_sum(*opened.raster);
   } catch (const std::exception&) {

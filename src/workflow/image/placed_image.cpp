@@ -155,7 +155,7 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
     input.header = header;
     input.focused = places_of(*header, raster::envi_header_of(request.path).string());
   } else {
-    hints = hints_for(request.path, request.samples, request.simulation);
+    hints = hints_for(request.path, request.samples, request.simulation, observer);
   }
   raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, request.path, hints);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));

@@ -377,7 +377,6 @@ class PathMaker {
                                              1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s),
                                  fmt::format("at most {:g} km", 1e-3 * most_error_m),
                                  "take a file with closer states"));
-    if (file.contradicts) return path;  // What it is off is said already.
     auto known = std::make_shared<scene::ReadPath>(*path);
     known->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
     return known;
@@ -624,12 +623,6 @@ core::Problems read_motions(scene::Scene& scene, const fs::path& folder) {
     add(std::move(of_attitude), "attitude_file");
   }
   return all;
-}
-
-bool concerns_input_file(const core::Problem& problem) {
-  const std::string& field = problem.subject.field;
-  const bool of_motion = field == "ephemeris_file" || field == "attitude_file" || field == "satellite";
-  return (problem.subject.kind == "platform" && of_motion) || (problem.subject.kind == "cloud" && field == "file");
 }
 
 core::Problems read_files_of(scene::Scene& scene, const fs::path& folder, const core::WorkControl& control) {

@@ -15,9 +15,6 @@ namespace sarsim::workflow {
 /// @param folder  of the script: where files are looked for first, as data files of functions are
 [[nodiscard]] core::Problems read_motions(scene::Scene& scene, const std::filesystem::path& folder);
 
-/// Whether a problem of a scene is about a file that its objects read.
-[[nodiscard]] bool concerns_input_file(const core::Problem& problem);
-
 /// Everything that the objects of a scene take from files: `read_clouds`, `read_motions` and
 /// `read_function_tables`.
 [[nodiscard]] core::Problems read_files_of(scene::Scene& scene, const std::filesystem::path& folder,

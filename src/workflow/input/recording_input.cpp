@@ -79,6 +79,7 @@ scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecordin
   SceneInput input = read_scene(arguments.script, arguments.overrides, Scrutiny::values, control);
   expect_usable(input);
   take(recording.problems, std::move(input.problems));
+  recording.of_files = std::move(input.of_files);
   std::ranges::move(input.sources, std::back_inserter(recording.sources));
   return std::move(input.scene);
 }
@@ -94,6 +95,7 @@ scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& in
   core::Problems of_clouds =
       without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)}));
   expect_sound(of_clouds);
+  recording.of_files = of_clouds;
   take(recording.problems, std::move(of_clouds));
   expect_sound(scene::check(reading.scene));
   std::ranges::move(data_files_of(reading.scene, fs::path(path).parent_path()), std::back_inserter(recording.sources));
@@ -295,6 +297,7 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
   StoredRecording recording;
   recording.scene = input.scene;
   recording.sources = input.sources;
+  recording.of_files = input.of_files;
   recording.simulation = simulation_of_scene(recording.scene, arguments.path, arguments.simulation, suits);
   recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));

@@ -69,6 +69,7 @@ struct StoredRecording {
   scene::Scene scene;                          ///< Of the script.
   core::SampleRows<double> rows;               ///< Like those of the plan, in V, or in counts where no LSB is known.
   core::Problems problems;                     ///< Warnings about script and file.
+  core::Problems of_files;                     ///< Of these the ones about the files that the script names.
   std::vector<std::filesystem::path> sources;  ///< The file, its script and the data files of that.
 };
 

@@ -50,7 +50,7 @@ void estimate_rows(SampleFacts& facts) {
 
 SampleFacts facts_of_samples(const std::string& path, const SampleArguments& sample, bool statistics,
                              const core::Observer& observer) {
-  const raster::RasterHints hints = hints_for(path, sample);
+  const raster::RasterHints hints = hints_for(path, sample, observer);
   const bool growing = !statistics && is_long(path);
   SampleFacts facts;
   facts.file = open_samples(path, hints, observer, growing ? raster::Integrity::partial : raster::Integrity::whole);

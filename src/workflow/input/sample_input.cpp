@@ -62,15 +62,17 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
 
 // The simulation that writes a file, with its plan.
 std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& path, const std::string& script,
-                                                          const Choice& choice) {
+                                                          const Choice& choice, const core::Observer& observer) {
   const SceneInput input = read_scene(script, {}, Scrutiny::values);
   expect_usable(input);
+  observer.remarks(input.of_files);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
   return {input.scene.simulations[index], simulate::make_plan(input.scene, index)};
 }
 
-void take_script(raster::RasterHints& hints, const std::string& path, const std::string& script, const Choice& choice) {
-  const auto [simulation, plan] = recording_of(path, script, choice);
+void take_script(raster::RasterHints& hints, const std::string& path, const std::string& script, const Choice& choice,
+                 const core::Observer& observer) {
+  const auto [simulation, plan] = recording_of(path, script, choice, observer);
   hints.columns = plan.columns;
   hints.rows = plan.rows;
   hints.bits = simulation.bits;
@@ -78,9 +80,10 @@ void take_script(raster::RasterHints& hints, const std::string& path, const std:
   if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
 }
 
-raster::RasterHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice) {
+raster::RasterHints hints_said(const std::string& path, const SampleArguments& arguments, const Choice& choice,
+                               const core::Observer& observer) {
   raster::RasterHints hints;
-  if (!arguments.script.empty()) take_script(hints, path, arguments.script, choice);
+  if (!arguments.script.empty()) take_script(hints, path, arguments.script, choice, observer);
   if (arguments.format) hints.format = arguments.format;
   if (arguments.columns) {
     hints.columns = static_cast<std::size_t>(*arguments.columns);
@@ -105,18 +108,19 @@ raster::RasterHints hints_said(const std::string& path, const SampleArguments& a
 
 }  // namespace
 
-raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments) {
-  return hints_said(path, arguments, {});
+raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
+                              const core::Observer& observer) {
+  return hints_said(path, arguments, {}, observer);
 }
 
 raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
-                              std::optional<std::int64_t> simulation) {
-  return hints_said(path, arguments, {true, simulation});
+                              std::optional<std::int64_t> simulation, const core::Observer& observer) {
+  return hints_said(path, arguments, {true, simulation}, observer);
 }
 
 simulate::Plan plan_of_file(const std::string& path, const std::string& script,
                             std::optional<std::int64_t> simulation) {
-  return recording_of(path, script, {true, simulation}).second;
+  return recording_of(path, script, {true, simulation}, {}).second;
 }
 
 std::shared_ptr<const raster::Raster> open_samples(const std::string& path, const raster::RasterHints& hints,

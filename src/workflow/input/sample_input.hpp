@@ -22,12 +22,14 @@ struct SampleArguments {
 };
 
 /// The hints for a file: what is said of it, otherwise what the simulation of its script with that output
-/// name says. Throws core::Refused where the script has errors or no such simulation.
-[[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments);
+/// name says. Throws core::Refused where the script has errors or no such simulation. The observer hears warnings about
+/// the files that the script names.
+[[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
+                                            const core::Observer& observer);
 /// The same of a command that has --simulation, which its hints name.
 /// @param simulation  its number from 1, where the name shall not decide
 [[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
-                                            std::optional<std::int64_t> simulation);
+                                            std::optional<std::int64_t> simulation, const core::Observer& observer);
 
 /// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
 /// core::Refused like `hints_for`.

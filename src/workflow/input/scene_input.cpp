@@ -233,6 +233,22 @@ core::Problem nothing_asked(scene::Language language) {
                           is_script ? "add a $SIMULATION or a $GEOMETRY" : "add a [[recording]] or a [[geometry]]");
 }
 
+// What was found in some files themselves, as in those of functions by points.
+core::Problems problems_in(const std::vector<std::filesystem::path>& files, const core::Problems& problems) {
+  core::Problems found;
+  std::ranges::copy_if(problems, std::back_inserter(found), [&](const core::Problem& problem) {
+    return std::ranges::any_of(files, [&](const auto& file) { return file == problem.place.file; });
+  });
+  return found;
+}
+
+core::Problems warnings_of_files(core::Problems problems, const SceneInput& input) {
+  std::erase_if(problems, [](const core::Problem& problem) { return problem.severity != core::Severity::warning; });
+  if (input.language == scene::Language::format_2) scene::say_in_format_2(problems);
+  scene::locate(problems, input.places);
+  return core::ranked(std::move(problems));
+}
+
 // A scene with what its reader found, on its way to an input.
 SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& folder, const SceneOverrides& overrides,
                      Scrutiny scrutiny, const core::WorkControl& control, const ChooseProducts& choose) {
@@ -251,8 +267,12 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
             problems_of_setting(overrides.settings, input.scene, scene::disk_points(folder), reading.problems);
         !mistakes.empty())
       throw core::Refused(std::move(mistakes));
-  if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems))
-    append(reading.problems, read_files_of(input.scene, folder, control));
+  core::Problems of_files = problems_in(data_files_of(input.scene, folder), reading.problems);
+  if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems)) {
+    core::Problems read = read_files_of(input.scene, folder, control);
+    append(of_files, core::Problems(read));
+    append(reading.problems, std::move(read));
+  }
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
   if (scrutiny != Scrutiny::reading) {
@@ -274,6 +294,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   if (input.language == scene::Language::format_2) scene::say_in_format_2(reading.problems);
   scene::locate(reading.problems, input.places);
   input.problems = core::ranked(std::move(reading.problems));
+  input.of_files = warnings_of_files(std::move(of_files), input);
   return input;
 }
 

@@ -43,6 +43,7 @@ struct SceneInput {
   scene::LetNames names;                       ///< Of [let], as they stand for numbers in the scene.
   std::vector<std::filesystem::path> sources;  ///< The script, what it includes, and the data files that it names.
   core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
+  core::Problems of_files;                     ///< Of these the warnings about the files that it names.
   std::vector<simulate::EchoSummary> echoes;   ///< Of the simulations that are wanted, where echoes were looked at.
   std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
   scene::Language language = scene::Language::script;       ///< Of the text that was read.

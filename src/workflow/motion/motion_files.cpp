@@ -217,9 +217,12 @@ MotionReport write_motion(const MotionRequest& request) {
   report.first_s = times.first_s;
   report.last_s = times.last_s;
   // What is wrong with recordings is no matter of the motion.
-  std::ranges::copy_if(input.problems, std::back_inserter(report.remarks), [](const core::Problem& problem) {
+  std::ranges::copy_if(input.problems, std::back_inserter(report.remarks), [&](const core::Problem& problem) {
     const std::string& kind = problem.subject.kind;
-    return kind.empty() || kind == "platform" || kind == "world";
+    return kind.empty() || kind == "platform" || kind == "world" ||
+           std::ranges::any_of(input.of_files, [&](const core::Problem& known) {
+             return known.message == problem.message && known.place == problem.place;
+           });
   });
   Sampling sampling;
   if (*format == MotionFormat::aem) {

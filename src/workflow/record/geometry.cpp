@@ -39,8 +39,7 @@ GeometrySource source_of(const GeometryRequest& request) {
                            ? check_again(arguments.held->input, Scrutiny::values, {}, {}, arguments.overrides)
                            : read_scene(arguments.path, arguments.overrides, Scrutiny::values);
     expect_usable(input);
-    std::erase_if(input.problems, [](const core::Problem& problem) { return !concerns_input_file(problem); });
-    return {std::move(input.scene), {}, std::move(input.sources), std::move(input.problems)};
+    return {std::move(input.scene), {}, std::move(input.sources), std::move(input.of_files)};
   }
   StoredRecording recording =
       open_recording(arguments, records_pulses, [](const simulate::Plan&) { return core::Problems(); });
