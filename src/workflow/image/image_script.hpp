@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
 #include "raster/format/envi.hpp"
 #include "workflow/image/image_fields.hpp"
 
@@ -12,7 +13,9 @@ namespace sarsim::workflow {
 /// Adds to the header of an image what leads back to its script: where the source and the script are seen from the
 /// image ("source from image", "script from image"), and the checksums of the script as it is now ("script checksum")
 /// and, of a recording, of its samples ("source checksum"). What cannot be read has none.
-void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const std::filesystem::path& image);
+/// @param stop  asked now and then; a requested stop throws Interrupted
+void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const std::filesystem::path& image,
+                  const core::StopFlag* stop = nullptr);
 
 /// Where the source of an image and its script are now.
 struct WayBack {
@@ -27,7 +30,9 @@ struct WayBack {
 /// another recording or, elsewhere than where the scene was, another scene. A scene that was edited at its place is
 /// taken, with a warning; so is, with a note, the recording of an image of an earlier version, which has no checksum.
 /// @param script  the one to take instead of the header's, which it need not be like; empty: none
+/// @param stop    asked now and then; a requested stop throws Interrupted
 [[nodiscard]] WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin,
-                               const std::filesystem::path& image, const std::string& script);
+                               const std::filesystem::path& image, const std::string& script,
+                               const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::workflow

@@ -14,6 +14,6 @@ namespace sarsim::workflow {
 /// Checksum of a recording as 16 hexadecimal digits: of its shape and of up to 64 of its rows, evenly chosen, the first
 /// and the last included, as they are stored. Another seed, another track or another level changes every row; it is the
 /// same in every format that stores the same numbers. Throws what reading does.
-[[nodiscard]] std::string samples_sum(const raster::Raster& file);
+[[nodiscard]] std::string samples_sum(const raster::Raster& file, const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::workflow
