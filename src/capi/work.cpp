@@ -201,7 +201,8 @@ void geometry(Job& job, const sarsim_source* source, const char* const* options,
   workflow::TakenProblems mistakes = table.take_words(capi::words_of(table.options(), options, count), request);
   if (!mistakes.empty()) throw core::Refused(std::move(mistakes.early));
   hold(request.input, input);
-  workflow::GeometryTables made = workflow::geometry_tables(request);
+  workflow::GeometryTables made =
+      workflow::geometry_tables(request, job.observer.control(core::thread_count(job.how.threads)));
   std::ranges::move(made.remarks, std::back_inserter(job.found));
   for (const scene::GeometryTable& wanted : made.tables) {
     std::string csv;

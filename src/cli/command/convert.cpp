@@ -93,8 +93,8 @@ ExitStatus run_convert(const ConvertArguments& arguments, Streams& streams) {
   if (workflow::is_exchange_file(request.output)) return export_recording(arguments, streams);
   expect_no_exchange_options(arguments);
   if (workflow::holds_script(request.input)) {
-    print_problems(streams,
-                   workflow::convert_scene({request.input, request.output, arguments.overrides, request.force}));
+    print_problems(streams, workflow::convert_scene({request.input, request.output, arguments.overrides, request.force},
+                                                    {core::thread_count(0), streams.stop}));
     return exit_done;
   }
   if (!workflow::words_of_overrides(arguments.overrides).empty())

@@ -35,7 +35,8 @@ void write_tables(const GeometryArguments& arguments, const workflow::GeometryTa
 
 ExitStatus print_geometry(GeometryArguments arguments, Streams& streams) {
   if (arguments.columns) arguments.request.columns = static_cast<int>(*arguments.columns);
-  const workflow::GeometryTables geometry = workflow::geometry_tables(arguments.request);
+  const workflow::GeometryTables geometry =
+      workflow::geometry_tables(arguments.request, {core::thread_count(0), streams.stop});
   print_problems(streams, geometry.remarks);
   if (arguments.output.empty()) {
     const auto write = [&](std::string_view piece) { write_data(streams, piece); };

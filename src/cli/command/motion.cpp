@@ -41,7 +41,7 @@ ExitStatus run_motion(const MotionArguments& arguments, Streams& streams) {
     if (arguments.height_m || !arguments.parent.empty())
       throw core::Refused("--height and --parent belong to --walker", "leave them out, or give --walker SPEED");
     if (motion.input.empty()) throw core::Refused("no scene is given", "sarsim motion SCENE --platform P --out FILE");
-    const workflow::MotionReport report = workflow::write_motion(motion);
+    const workflow::MotionReport report = workflow::write_motion(motion, {core::thread_count(0), streams.stop});
     if (!arguments.quiet) print_report(report, streams);
     return exit_done;
   }

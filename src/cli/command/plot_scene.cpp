@@ -266,7 +266,8 @@ Plotted plot_scene(const PlotArguments& a, Streams& streams) {
   if (!a.azimuth_m.empty() || a.at_azimuth_m)
     throw core::Refused("--azimuth and --at-azimuth are for focused images",
                         "rows of a script's echoes have times: --time");
-  workflow::SceneInput input = workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values);
+  workflow::SceneInput input =
+      workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values, {core::thread_count(0), streams.stop});
   workflow::expect_usable(input);
   print_problems(streams, input.of_files);
   switch (a.kind) {

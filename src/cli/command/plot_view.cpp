@@ -95,7 +95,8 @@ void expect_view(const PlotArguments& a) {
 
 void plot_view(const PlotArguments& a, Streams& streams) {
   expect_view(a);
-  workflow::SceneInput input = workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values);
+  workflow::SceneInput input =
+      workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::values, {core::thread_count(0), streams.stop});
   workflow::expect_usable(input);
   print_problems(streams, input.of_files);
   const std::vector<double> times_s = times_of(a, input.scene);

@@ -16,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include "core/os/write_behind.hpp"
+
 namespace sarsim::core {
 
 namespace fs = std::filesystem;
@@ -126,6 +128,13 @@ void OutputFile::write(std::span<const std::byte> bytes) {
       fail(written < 0 ? errno : EIO, "write");
     }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
+    const off_t end = direct_ ? -1 : ::lseek(descriptor_, 0, SEEK_CUR);
+    if (end < 0) continue;
+    const auto offset = static_cast<std::uint64_t>(end - written);
+    if (const int error = write_behind(descriptor_, offset, static_cast<std::size_t>(written)); error != 0) {
+      failed_ = true;
+      fail(error, "write");
+    }
   }
 }
 
@@ -137,6 +146,11 @@ void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes
     if (written <= 0) {
       failed_ = true;
       fail(written < 0 ? errno : EIO, "write");
+    }
+    const int error = direct_ ? 0 : write_behind(descriptor_, offset, static_cast<std::size_t>(written));
+    if (error != 0) {
+      failed_ = true;
+      fail(error, "write");
     }
     bytes = bytes.subspan(static_cast<std::size_t>(written));
     offset += static_cast<std::uint64_t>(written);

@@ -13,6 +13,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
+#include "core/os/write_behind.hpp"
 #include "core/report/refused.hpp"
 
 namespace sarsim::core {
@@ -120,6 +121,7 @@ void RawFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
     if (written < 0 && errno == EINTR) continue;
     if (written == 0) errno = EIO;
     if (written <= 0) fail("write");
+    if ((errno = write_behind(descriptor_, offset, static_cast<std::size_t>(written))) != 0) fail("write");
     bytes = bytes.subspan(static_cast<std::size_t>(written));
     offset += static_cast<std::uint64_t>(written);
   }

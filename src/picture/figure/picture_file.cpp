@@ -45,15 +45,17 @@ void expect_memory(PictureKind kind, const PictureStyle& style) {
 std::string draw_picture(const Figure& figure, PictureKind kind, const PictureStyle& style) {
   CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
   CORE_EXPECT(style.scale > 0.0);
+  const auto& module = drawing_module();  // Takes its part of the memory first.
   expect_memory(kind, style);
-  return drawing_module().draw(figure, kind, style);
+  return module.draw(figure, kind, style);
 }
 
 std::string draw_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style) {
   CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
   CORE_EXPECT(style.scale > 0.0);
+  const auto& module = drawing_module();
   expect_memory(kind, style);
-  return drawing_module().draw_sheet(sheet, kind, style);
+  return module.draw_sheet(sheet, kind, style);
 }
 
 namespace {

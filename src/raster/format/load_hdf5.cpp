@@ -2,9 +2,13 @@
 
 #include <dlfcn.h>
 
+#include <cstdint>
 #include <stdexcept>
 
 #include <fmt/format.h>
+
+#include "core/os/free_memory.hpp"
+#include "core/text/number_text.hpp"
 
 namespace sarsim::raster {
 
@@ -22,10 +26,19 @@ const Hdf5Module& loaded(const std::filesystem::path& wanted_for) {
   return found;
 }
 
+// The library ends the process where it gets no memory.
+void expect_memory(const std::filesystem::path& wanted_for) {
+  constexpr std::uint64_t of_library = std::uint64_t{16} << 20U;
+  if (core::can_map(of_library)) return;
+  throw std::runtime_error(fmt::format("cannot read or write {}: HDF5 needs memory, and {} cannot be had",
+                                       wanted_for.string(), core::bytes_text(static_cast<double>(of_library))));
+}
+
 }  // namespace
 
 const Hdf5Module& hdf5_module(const std::filesystem::path& wanted_for) {
   static const Hdf5Module& module = loaded(wanted_for);
+  expect_memory(wanted_for);
   return module;
 }
 

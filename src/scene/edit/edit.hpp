@@ -62,6 +62,10 @@ void revert(const Edit& edit, Scene& scene);
 /// True where applying the edit would leave scene and text as they are.
 [[nodiscard]] bool changes_nothing(const Edit& edit);
 
+/// Removes objects and what goes with them, as `remove_objects` does, without keeping anything of them.
+/// @throws std::out_of_range for an id that the scene does not have; the scene is then unchanged
+void erase_objects(Scene& scene, const std::vector<ObjectId>& ids);
+
 /// What two edits, one after the other, come to. An object that both replace is in it once.
 [[nodiscard]] Edit composed(Edit first, const Edit& second);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -20,16 +21,33 @@ std::string counted(std::string_view verb, const std::set<ObjectId>& ids) {
   return fmt::format("{} {}", verb, name_of(ids.begin()->kind));
 }
 
+// What stands on platforms among the objects, in one pass for all of them.
+void add_standing(const Scene& scene, std::set<ObjectId>& all) {
+  std::vector<bool> gone(scene.platforms.size(), false);
+  for (const ObjectId id : all)
+    if (id.kind == ObjectKind::platform) gone[id.index] = true;
+  if (std::ranges::find(gone, true) == gone.end()) return;
+  SceneIndex names(scene);
+  for_each_kind([&]<class Object>(const Kind<Object>& kind) {
+    if constexpr (Kind<Object>::stands_on_platform) {
+      const std::vector<Object>& list = scene.*kind.list;
+      for (std::size_t i = 0; i < list.size(); ++i)
+        if (const std::size_t platform = names.platform(*carrier_in(list[i])); platform < gone.size() && gone[platform])
+          all.insert({kind.kind, i});
+    }
+  });
+}
+
 // The objects together with what goes where they go: what stands on platforms and, where wanted, what radars record.
 std::set<ObjectId> with_dependents(const Scene& scene, const std::vector<ObjectId>& ids, bool with_recordings) {
   std::set<ObjectId> all;
   for (const ObjectId id : ids) {
     if (!has_object(scene, id)) throw std::out_of_range("edit: the scene has no such object");
     all.insert(id);
-    if (id.kind != ObjectKind::platform) continue;
-    const std::vector<ObjectId> standing = objects_on(scene, id.index);
-    all.insert(standing.begin(), standing.end());
   }
+  add_standing(scene, all);
+  const bool radars = std::ranges::any_of(all, [](ObjectId id) { return id.kind == ObjectKind::radar; });
+  if (!with_recordings || !radars) return all;
   SceneIndex names(scene);
   const auto add_recordings = [&]<class Object>(const Kind<Object>& kind) {
     if constexpr (Kind<Object>::belongs_to_radar) {
@@ -40,8 +58,22 @@ std::set<ObjectId> with_dependents(const Scene& scene, const std::vector<ObjectI
           all.insert({kind.kind, i});
     }
   };
-  if (with_recordings) for_each_kind(add_recordings);
+  for_each_kind(add_recordings);
   return all;
+}
+
+// @param places  ascending, each once
+template <class Object>
+void erase_places(std::vector<Object>& list, const std::vector<std::size_t>& places) {
+  auto next = places.begin();
+  std::size_t kept = places.front();
+  for (std::size_t at = kept; at < list.size(); ++at) {
+    if (next != places.end() && *next == at)
+      ++next;
+    else
+      list[kept++] = std::move(list[at]);
+  }
+  list.resize(kept);
 }
 
 bool has_control_characters(std::string_view text) {
@@ -132,6 +164,15 @@ Edit remove_objects(const Scene& scene, std::vector<ObjectId> ids) {
   for (auto id = all.rbegin(); id != all.rend(); ++id)
     edit.changes.push_back({*id, object_of(scene, *id), std::nullopt});
   return edit;
+}
+
+void erase_objects(Scene& scene, const std::vector<ObjectId>& ids) {
+  std::array<std::vector<std::size_t>, kind_count> places;  // of each kind, ascending
+  for (const ObjectId id : with_dependents(scene, ids, true))
+    places[static_cast<std::size_t>(id.kind)].push_back(id.index);
+  for (const ObjectKind kind : all_object_kinds)
+    if (const auto& of_kind = places[static_cast<std::size_t>(kind)]; !of_kind.empty())
+      visit_list(scene, kind, [&](auto& list) { erase_places(list, of_kind); });
 }
 
 Edit duplicate_objects(const Scene& scene, const std::vector<ObjectId>& ids) {

@@ -1,5 +1,6 @@
 #include "scene/edit/edit.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -96,6 +97,43 @@ TEST(Moved, FollowsInsertionsAndRemovalsBothWays) {
   EXPECT_EQ(moved(target(1), edit, false), target(2));
   EXPECT_EQ(moved(radar(1), edit), radar(1));
   EXPECT_EQ(moved(target(5), add_object(scene, Target{}), false), std::nullopt);
+}
+
+TEST(EraseObjects, LeavesWhatTheEditLeaves) {
+  const Scene scene = fleet();
+  const std::vector<std::vector<ObjectId>> choices{
+      {target(0)}, {target(4)},   {target(3), target(1), target(3)},
+      {radar(0)},  {platform(1)}, {platform(1), platform(0), target(2), radar(1)},
+      {}};
+  for (const std::vector<ObjectId>& ids : choices) {
+    Scene expected = scene;
+    apply(remove_objects(scene, ids), expected);
+    Scene erased = scene;
+    erase_objects(erased, ids);
+    EXPECT_TRUE(erased == expected) << ids.size();
+  }
+}
+
+TEST(EraseObjects, LeavesTheSceneWhereAnObjectIsMissing) {
+  Scene scene = fleet();
+  EXPECT_THROW(erase_objects(scene, {target(0), target(99)}), std::out_of_range);
+  EXPECT_TRUE(scene == fleet());
+}
+
+// One pass over what stands on platforms, and not one for each of them.
+TEST(EraseObjects, TakesManyPlatformsAtOnce) {
+  Scene scene;
+  std::vector<ObjectId> ids;
+  for (std::size_t i = 0; i < 20'000; ++i) {
+    scene.platforms.emplace_back().name = fmt::format("P{}", i);
+    scene.targets.emplace_back().platform = scene.platforms.back().name;
+    if (i % 2 == 0) ids.push_back(platform(i));
+  }
+  erase_objects(scene, ids);
+  ASSERT_EQ(scene.platforms.size(), 10'000U);
+  ASSERT_EQ(scene.targets.size(), 10'000U);
+  EXPECT_EQ(scene.platforms[0].name, "P1");
+  EXPECT_EQ(*scene.targets[9'999].platform, "P19999");
 }
 
 TEST(ReplaceObject, KeepsThePlaceInTheList) {

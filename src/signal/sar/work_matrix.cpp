@@ -23,6 +23,9 @@ void WorkCounter::add(std::size_t done) {
 
 // A file that vanishes with the process.
 struct WorkMatrix::File {
+  // Between two looks for a stop: a piece may be all of the memory.
+  static constexpr std::size_t most_bytes = std::size_t{4} << 20U;
+
   int descriptor = -1;
   std::filesystem::path folder;
 
@@ -48,18 +51,22 @@ struct WorkMatrix::File {
     errno = error;
     fail("make room for a temporary file in");
   }
-  void read(std::size_t offset, std::span<std::byte> bytes) const {
+  void read(std::size_t offset, std::span<std::byte> bytes, const core::StopFlag* stop) const {
     while (!bytes.empty()) {
-      const ssize_t done = ::pread(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      end_if_wanted(stop);
+      const std::size_t part = std::min(bytes.size(), most_bytes);
+      const ssize_t done = ::pread(descriptor, bytes.data(), part, static_cast<off_t>(offset));
       if (done < 0 && errno == EINTR) continue;
       if (done <= 0) fail("read a temporary file in");
       offset += static_cast<std::size_t>(done);
       bytes = bytes.subspan(static_cast<std::size_t>(done));
     }
   }
-  void write(std::size_t offset, std::span<const std::byte> bytes) const {
+  void write(std::size_t offset, std::span<const std::byte> bytes, const core::StopFlag* stop) const {
     while (!bytes.empty()) {
-      const ssize_t done = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+      end_if_wanted(stop);
+      const std::size_t part = std::min(bytes.size(), most_bytes);
+      const ssize_t done = ::pwrite(descriptor, bytes.data(), part, static_cast<off_t>(offset));
       if (done < 0 && errno == EINTR) continue;
       if (done == 0) errno = EIO;
       if (done <= 0) fail("write a temporary file in");
@@ -130,29 +137,29 @@ std::vector<WorkMatrix::Piece> WorkMatrix::column_pieces(std::size_t first, std:
   return pieces;
 }
 
-void WorkMatrix::load(Piece& piece) {
+void WorkMatrix::load(Piece& piece, const core::StopFlag* stop) {
   if (!file_) return;
   if (piece.columns == columns_ && piece.stride == stride_) {
     const auto bytes = std::as_writable_bytes(std::span(piece.values, piece.rows * stride_));
-    file_->read(piece.first_row * stride_ * sizeof(Value), bytes);
+    file_->read(piece.first_row * stride_ * sizeof(Value), bytes, stop);
     return;
   }
   for (std::size_t r = 0; r < piece.rows; ++r) {
     const auto bytes = std::as_writable_bytes(std::span(piece.values + r * piece.stride, piece.columns));
-    file_->read(((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes);
+    file_->read(((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes, stop);
   }
 }
 
-void WorkMatrix::store(const Piece& piece) {
+void WorkMatrix::store(const Piece& piece, const core::StopFlag* stop) {
   if (!file_) return;
   if (piece.columns == columns_ && piece.stride == stride_) {
     const auto bytes = std::as_bytes(std::span(piece.values, piece.rows * stride_));
-    file_->write(piece.first_row * stride_ * sizeof(Value), bytes);
+    file_->write(piece.first_row * stride_ * sizeof(Value), bytes, stop);
     return;
   }
   for (std::size_t r = 0; r < piece.rows; ++r) {
     const auto bytes = std::as_bytes(std::span(piece.values + r * piece.stride, piece.columns));
-    file_->write(((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes);
+    file_->write(((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes, stop);
   }
 }
 
@@ -160,7 +167,7 @@ void WorkMatrix::read_row(std::size_t row, std::size_t first, std::span<Value> o
   CORE_EXPECT(row < rows_);
   CORE_EXPECT(first + out.size() <= columns_);
   if (file_) {
-    file_->read((row * stride_ + first) * sizeof(Value), std::as_writable_bytes(out));
+    file_->read((row * stride_ + first) * sizeof(Value), std::as_writable_bytes(out), nullptr);
     return;
   }
   std::copy_n(store_.data() + row * stride_ + first, out.size(), out.data());

@@ -62,6 +62,7 @@ class WorkMatrix {
   [[nodiscard]] bool on_disk() const { return file_ != nullptr; }
 
   /// Calls body(row number, row) for the rows [first, last), on several threads. Rows begin at multiples of 16 bytes.
+  /// A requested stop throws Interrupted, also while pieces come from the disk and go there; their rows are lost then.
   template <class Body>
   void each_row(std::size_t first, std::size_t last, const core::WorkControl& control, WorkCounter& counter,
                 const Body& body);
@@ -79,6 +80,10 @@ class WorkMatrix {
   void read_row(std::size_t row, std::size_t first, std::span<Value> out) const;
 
  private:
+  static void end_if_wanted(const core::StopFlag* stop) {
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
+  }
+
   struct File;
   // Some rows of the matrix and some columns of them: all of it where it is in memory.
   struct Piece {
@@ -89,8 +94,8 @@ class WorkMatrix {
   };
   [[nodiscard]] std::vector<Piece> row_pieces(std::size_t first, std::size_t last);
   [[nodiscard]] std::vector<Piece> column_pieces(std::size_t first, std::size_t last);
-  void load(Piece& piece);
-  void store(const Piece& piece);
+  void load(Piece& piece, const core::StopFlag* stop);
+  void store(const Piece& piece, const core::StopFlag* stop);
 
   std::size_t rows_;
   std::size_t columns_;
@@ -107,13 +112,15 @@ template <class Body>
 void WorkMatrix::each_row(std::size_t first, std::size_t last, const core::WorkControl& control, WorkCounter& counter,
                           const Body& body) {
   for (Piece& piece : row_pieces(first, last)) {
-    load(piece);
+    load(piece, control.stop);
     core::parallel_ranges(piece.rows, 4, control, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t r = begin; r < end; ++r)
+      for (std::size_t r = begin; r < end; ++r) {
+        end_if_wanted(control.stop);  // Rows may be long.
         body(piece.first_row + r, std::span(piece.values + r * piece.stride, columns_));
+      }
       counter.add((end - begin) * columns_);
     });
-    store(piece);
+    store(piece, control.stop);
   }
 }
 
@@ -124,11 +131,12 @@ void WorkMatrix::each_column(std::size_t first, std::size_t last, const core::Wo
   const std::size_t group = columns_at_once(control.threads);
   const std::size_t length = rows_ + rows_ % 2;
   for (Piece& piece : column_pieces(first, last)) {
-    load(piece);
+    load(piece, control.stop);
     core::parallel_ranges(piece.columns, group, control, [&](std::size_t begin, std::size_t end) {
       const RawSamples copies((end - begin) * length);
       transpose(piece.values + begin, piece.stride, filled, end - begin, copies.data(), length);
       for (std::size_t c = 0; c < end - begin; ++c) {
+        end_if_wanted(control.stop);
         const std::span column(copies.data() + c * length, rows_);
         std::fill(column.begin() + static_cast<std::ptrdiff_t>(filled), column.end(), Value());
         body(piece.first_column + begin + c, column);
@@ -136,7 +144,7 @@ void WorkMatrix::each_column(std::size_t first, std::size_t last, const core::Wo
       transpose(copies.data(), length, end - begin, rows_, piece.values + begin, piece.stride);
       counter.add((end - begin) * rows_);
     });
-    store(piece);
+    store(piece, control.stop);
   }
 }
 

@@ -46,6 +46,27 @@ TEST(WorkMatrix, IsGoneThroughByRowsAndColumnsInMemoryAndOnDisk) {
   }
 }
 
+// Rows and pieces may be long: nothing more is begun of either.
+TEST(WorkMatrix, StopsBetweenRowsAndColumns) {
+  for (const std::size_t memory : {std::size_t{0}, std::size_t{4000}}) {
+    WorkMatrix matrix(37, 53, memory);
+    number(matrix, {.threads = 1});
+    core::StopFlag stop;
+    int calls = 0;
+    const auto body = [&](std::size_t, std::span<Value>) {
+      ++calls;
+      stop.request();
+    };
+    const core::WorkControl control{1, &stop};
+    WorkCounter counter({}, 1, 1);
+    EXPECT_THROW(matrix.each_row(0, 37, control, counter, body), core::Interrupted);
+    EXPECT_EQ(calls, 1);
+    // Asked for before: a piece on the disk is not even read.
+    EXPECT_THROW(matrix.each_column(0, 53, control, counter, body), core::Interrupted);
+    EXPECT_EQ(calls, 1);
+  }
+}
+
 TEST(WorkMatrix, StaysInMemoryWhereThatIsEnough) { EXPECT_FALSE(WorkMatrix(10, 10, 100000).on_disk()); }
 
 TEST(WorkMatrix, CountsCopiesOfColumnsInItsMemory) {

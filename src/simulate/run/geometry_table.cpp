@@ -27,12 +27,13 @@ using Write = std::function<void(std::string_view)>;
 // The pulses of a table and where everything stands at each of them.
 class TablePulses {
  public:
-  TablePulses(const scene::Scene& scene, const scene::GeometryTable& table)
-      : resolved_(resolve(scene)),
+  TablePulses(const scene::Scene& scene, const scene::GeometryTable& table, const core::StopFlag* stop)
+      : resolved_(resolve(scene, {1, stop})),
         radar_(resolve_radar(scene, resolved_, radar_index(scene, table))),
         geometry_(resolved_, radar_),
         range_(radar_.repetition.pulses_in(table.time_start_s, table.time_end_s)),
-        platforms_(scene.platforms.size()) {}
+        platforms_(scene.platforms.size()),
+        stop_(stop) {}
 
   [[nodiscard]] radar::PulseRange range() const { return range_; }
   [[nodiscard]] std::size_t platforms() const { return platforms_; }
@@ -47,15 +48,27 @@ class TablePulses {
 
   /// Calls `line` with the geometry set to each pulse in turn.
   template <class Line>
-  void each(const core::StopFlag* stop, const Line& line) {
+  void each(const Line& line) {
     for (std::int64_t pulse = range_.first; pulse <= range_.last; ++pulse) {
-      if (stop != nullptr && stop->requested()) throw core::Interrupted();
+      end_if_wanted();
       geometry_.set_pulse(pulse);
       line();
     }
   }
+  /// Calls `each_target` with the number of each target in turn; there may be millions.
+  template <class Each>
+  void each_target(const Each& each_target) const {
+    constexpr std::size_t between_looks = 1U << 12U;
+    for (std::size_t i = 0; i < targets(); ++i) {
+      if (i % between_looks == 0) end_if_wanted();
+      each_target(i);
+    }
+  }
 
  private:
+  void end_if_wanted() const {
+    if (stop_ != nullptr && stop_->requested()) throw core::Interrupted();
+  }
   static std::size_t radar_index(const scene::Scene& scene, const scene::GeometryTable& table) {
     const std::size_t found = scene::find_radar(scene, table.radar);
     if (found == scene::not_found) throw std::invalid_argument("radar '" + table.radar + "' is not defined");
@@ -67,6 +80,7 @@ class TablePulses {
   PulseGeometry geometry_;
   radar::PulseRange range_;
   std::size_t platforms_;
+  const core::StopFlag* stop_;
 };
 
 // Gathers text and passes it on in large pieces, so that a line of a million targets is never held whole.
@@ -125,12 +139,12 @@ void put_header_line(PieceWriter& out, int line, const TablePulses& pulses, int 
     if ((columns & geometry_velocity) != 0) put_platform_heading(out, line, "Velocity of platform", "m/s", name);
     if ((columns & geometry_rotation) != 0) put_platform_heading(out, line, "Rotation of platform", "deg", name);
   }
-  for (std::size_t i = 0; i < pulses.targets(); ++i) {
+  pulses.each_target([&](std::size_t i) {
     const std::string target = fmt::format("Target {}", i + 1);
     if ((columns & geometry_delay) != 0) put_heading(out, line, 17, {"Two-way delay", target, "(s)"});
     if ((columns & geometry_amplitude) != 0) put_heading(out, line, 17, {"Echo amplitude", target, "(V)"});
     if ((columns & geometry_speed) != 0) put_heading(out, line, 17, {"Radial speed", target, "(m/s)"});
-  }
+  });
   out.put("\n");
 }
 
@@ -160,7 +174,7 @@ void put_platforms(PieceWriter& out, const TablePulses& pulses, int columns, cha
 
 void put_targets(PieceWriter& out, const TablePulses& pulses, const scene::GeometryTable& table, char separator) {
   if ((table.columns & (geometry_delay | geometry_amplitude | geometry_speed)) == 0) return;
-  for (std::size_t i = 0; i < pulses.targets(); ++i) {
+  pulses.each_target([&](std::size_t i) {
     const ScattererView view = pulses.geometry().view(i);
     const double range_m = radar::range_of(view.delay_s, pulses.light_speed_mps());
     const bool seen = range_m >= table.range_start_m && range_m <= table.range_end_m;
@@ -174,7 +188,7 @@ void put_targets(PieceWriter& out, const TablePulses& pulses, const scene::Geome
     put(geometry_delay, view.delay_s, 12);
     put(geometry_amplitude, std::abs(view.amplitude_sqrt_w), 12);
     put(geometry_speed, view.speed_mps, 11);
-  }
+  });
 }
 
 // --- CSV ------------------------------------------------------------------------------------------------------------
@@ -209,8 +223,9 @@ void put_csv_header(PieceWriter& out, const TablePulses& pulses, const WorldColu
   }
   std::vector<const char*> of_target{"distance_m", "delay_s", "radial_speed_mps", "amplitude_v"};
   if (pulses.geometry().advances()) of_target.insert(of_target.begin() + 2, "phase_delay_s");
-  for (std::size_t i = 0; i < pulses.targets(); ++i)
+  pulses.each_target([&](std::size_t i) {
     for (const char* quantity : of_target) out.put(",target {} {}", i + 1, quantity);
+  });
   out.put("\n");
 }
 
@@ -245,14 +260,14 @@ void put_csv_line(PieceWriter& out, const TablePulses& pulses, const WorldColumn
     put_exact(out, pose.velocity_world_mps);
     put_exact(out, rotation_deg(pose));
   }
-  for (std::size_t i = 0; i < pulses.targets(); ++i) {
+  pulses.each_target([&](std::size_t i) {
     const ScattererView view = geometry.view(i);
     put_exact(out, view.distance_m);
     put_exact(out, view.delay_s);
     if (geometry.advances()) put_exact(out, view.phase_delay_s(geometry.carrier_hz()));
     put_exact(out, view.speed_mps);
     put_exact(out, std::abs(view.amplitude_sqrt_w));
-  }
+  });
   out.put("\n");
 }
 
@@ -261,12 +276,12 @@ void put_csv_line(PieceWriter& out, const TablePulses& pulses, const WorldColumn
 void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& table, const Write& write,
                          const core::StopFlag* stop) {
   CORE_EXPECT(write);
-  TablePulses pulses(scene, table);
+  TablePulses pulses(scene, table, stop);
   if (pulses.range().count() == 0) return;  // As the originals: not even headings.
   PieceWriter out(write);
   const char separator = table.separator == scene::GeometryTable::Separator::comma ? ',' : ' ';
   for (int line = 0; line < header_lines; ++line) put_header_line(out, line, pulses, table.columns);
-  pulses.each(stop, [&] {
+  pulses.each([&] {
     out.put("{:>9}{}", pulses.geometry().pulse(), separator);
     if ((table.columns & geometry_time) != 0) put_number(out, pulses.geometry().send_time_s(), 12, 8, separator);
     if ((table.columns & geometry_frequency) != 0)
@@ -281,11 +296,11 @@ void write_geometry_text(const scene::Scene& scene, const scene::GeometryTable& 
 void write_geometry_csv(const scene::Scene& scene, const scene::GeometryTable& table, const Write& write,
                         const core::StopFlag* stop) {
   CORE_EXPECT(write);
-  TablePulses pulses(scene, table);
+  TablePulses pulses(scene, table, stop);
   PieceWriter out(write);
   const WorldColumns world(scene.world);
   put_csv_header(out, pulses, world);
-  pulses.each(stop, [&] { put_csv_line(out, pulses, world); });
+  pulses.each([&] { put_csv_line(out, pulses, world); });
   out.flush();
 }
 

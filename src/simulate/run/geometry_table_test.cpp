@@ -250,6 +250,31 @@ TEST(GeometryTable, WindowWithoutPulsesGivesNoText) {
   EXPECT_TRUE(text_lines(moving_scene(), table).empty());
 }
 
+// A line has a column for each target, of which there may be millions.
+TEST(GeometryTable, StopsWithinALine) {
+  scene::Scene scene = moving_scene();
+  scene.targets.resize(50'000, scene.targets.front());
+  const auto pieces_until_stop = [&](const auto& write_table) {
+    core::StopFlag stop;
+    std::size_t bytes = 0;
+    const auto write = [&](std::string_view piece) {
+      bytes += piece.size();
+      stop.request();
+    };
+    EXPECT_THROW(write_table(write, &stop), core::Interrupted);
+    return bytes;
+  };
+  // The header alone of the CSV has 4 MB, a line of the other 3 MB.
+  EXPECT_LT(pieces_until_stop([&](const auto& write, const core::StopFlag* stop) {
+              write_geometry_csv(scene, table_of(255), write, stop);
+            }),
+            1'000'000U);
+  EXPECT_LT(pieces_until_stop([&](const auto& write, const core::StopFlag* stop) {
+              write_geometry_text(scene, table_of(255), write, stop);
+            }),
+            1'000'000U);
+}
+
 TEST(GeometryTable, StopsWhenAsked) {
   core::StopFlag stop;
   stop.request();

@@ -87,18 +87,24 @@ class BlockMaker {
     EncodedRows result;
     const RowRange rows = result.rows = blocks_[block];
     for (std::size_t row = rows.first; row < rows.end(); ++row) {
-      if (treatment_.stop != nullptr && treatment_.stop->requested()) throw core::Interrupted();
+      end_if_wanted();
       const radar::SampleSpan before = filled_;
       filled_ = make_row_(row, volts_, before);
+      end_if_wanted();  // A row may be long.
       const radar::ConversionTally met = convert(before);
       expect_finite(volts_, met, row);
       result.tally.add(met);
+      end_if_wanted();
       if (encoder_ != nullptr) encode(row, result);
     }
     return result;
   }
 
  private:
+  void end_if_wanted() const {
+    if (treatment_.stop != nullptr && treatment_.stop->requested()) throw core::Interrupted();
+  }
+
   // Of the row; samples that were 0 before and still are have the count 0 already.
   radar::ConversionTally convert(const radar::SampleSpan& before) {
     const radar::SampleSpan changed = before.with(filled_);

@@ -167,6 +167,28 @@ TEST(Run, ReportsProgressUpToTheLastRow) {
   EXPECT_EQ(done.back(), 3001u);
 }
 
+// A row may be long: what was asked for while it was made is not left until it is encoded.
+TEST(Run, StopsBetweenTheStepsOfARow) {
+  core::StopFlag stop;
+  RunControl control;
+  control.stop = &stop;
+  const auto read = [&](std::size_t, std::span<std::complex<double>> volts) {
+    std::ranges::fill(volts, 1.0);
+    stop.request();
+  };
+  class Encoder : public SpySink {
+   public:
+    Encoder() : SpySink(false) {}
+    [[nodiscard]] std::vector<std::byte> encode(const Block&) const override {
+      ADD_FAILURE() << "encoded";
+      return {};
+    }
+  } sink;
+  EXPECT_THROW(run_stored(
+                   {1, 16, 8}, [&] { return RowReader(read); }, 0.0, sink, control),
+               core::Interrupted);
+}
+
 TEST(Run, StopsWhenAskedAndLeavesTheSinkUnfinished) {
   scene::Scene scene = one_target(1000.0);
   scene.simulations[0].time_end_s = 100.0;

@@ -22,6 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // which amplitudes are summed.
 constexpr std::size_t range_targets = 2048;
 constexpr std::size_t most_poses = 100'000;
+constexpr std::size_t range_poses = 2000;  // that are worth a thread
 
 std::size_t batch_pulses(std::size_t platforms) {
   return std::clamp<std::size_t>(most_poses / std::max<std::size_t>(platforms, 1), 1, most_pulses);
@@ -142,8 +143,9 @@ class Look {
     std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
     for (std::size_t first = 0; first < pulses.size(); first += batch) {
       const std::size_t count = std::min(batch, pulses.size() - first);
-      core::parallel_ranges(count, 1, control_,
-                            [&](std::size_t p, std::size_t) { geometries[p].set_pulse(pulses[first + p]); });
+      core::parallel_ranges(count, pulses_worth_a_thread(), control_, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) geometries[p].set_pulse(pulses[first + p]);
+      });
       look_at_pulses(std::span(geometries).first(count), first);
     }
     add_up();
@@ -152,6 +154,9 @@ class Look {
   }
 
  private:
+  [[nodiscard]] std::size_t pulses_worth_a_thread() const {
+    return std::max<std::size_t>(range_poses / std::max<std::size_t>(plan_.scene->platforms.size(), 1), 1);
+  }
   template <class Body>
   void over_targets(const Body& body) const {
     core::parallel_ranges(survey_.targets.size(), range_targets, control_, body);

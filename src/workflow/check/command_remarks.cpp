@@ -152,14 +152,14 @@ class Asking {
     take("doppler", detects && !sweeps && !movement.radar && movement.targets && !movement.turning,
          [&] { return doppler(index); });
     take("profiles", suits_use(SteppedUse::profiles)(scene_, asked) && (movement.targets || !movement.radar),
-         [&] { return profiles(index); });
+         [&] { return profiles(index, plan); });
     const bool steps = suits_use(SteppedUse::profiles)(scene_, asked);
     take("isar", suits_use(SteppedUse::isar)(scene_, asked) && (movement.turning || (steps && movement.moving)),
-         [&] { return isar(index); });
+         [&] { return isar(index, plan); });
     take("focus",
          pulses && movement.radar && movement.aperture && !simulate::turns(plan.radar.beam) &&
              plan.scene->scatterers.size() <= most_focus_looks / looks_at_targets(plan),
-         [&] { return focus(index); });
+         [&] { return focus(index, plan); });
   }
 
   // A recording that a command refuses does not suit it; but an aperture is flown to be focused.
@@ -202,21 +202,21 @@ class Asking {
     return remarks_on_pulses(*plan, doppler_pulses(*plan), control_);
   }
 
-  [[nodiscard]] core::Problems profiles(std::size_t index) {
-    const SteppedInput input = stepped_input_of(scene_, index, resolved_, SteppedUse::profiles);
+  [[nodiscard]] core::Problems profiles(std::size_t index, const simulate::Plan& plan) {
+    const SteppedInput input = stepped_input_of(scene_, index, plan, SteppedUse::profiles);
     return core::has_errors(input.problems) ? core::Problems{} : remarks_on_profiles(input.rows, {});
   }
 
-  [[nodiscard]] core::Problems isar(std::size_t index) {
-    const SteppedInput input = stepped_input_of(scene_, index, resolved_, SteppedUse::isar);
+  [[nodiscard]] core::Problems isar(std::size_t index, const simulate::Plan& plan) {
+    const SteppedInput input = stepped_input_of(scene_, index, plan, SteppedUse::isar);
     if (core::has_errors(input.problems) || input.rows.bursts < 2) return {};
     IsarOptions options;
     options.platform = platform_of_targets(*input.rows.plan).value();
     return remarks_on_isar(input.rows, {0}, input.rows.bursts, options, control_);
   }
 
-  [[nodiscard]] core::Problems focus(std::size_t index) {
-    FocusInput input = focus_input_of(scene_, index, resolved_);
+  [[nodiscard]] core::Problems focus(std::size_t index, const simulate::Plan& plan) {
+    FocusInput input = focus_input_of(scene_, index, plan);
     return core::has_errors(input.problems) ? input.problems : remarks_of_focus(std::move(input), control_);
   }
 

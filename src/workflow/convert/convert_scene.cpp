@@ -78,7 +78,7 @@ std::string scene_text(const SceneInput& input, scene::Language language, bool e
   return scene::write_format_2(scene::with_exact_names(input.scene), saying);
 }
 
-core::Problems convert_scene(const ConvertSceneRequest& request) {
+core::Problems convert_scene(const ConvertSceneRequest& request, const core::WorkControl& control) {
   const auto language = language_of_name(request.output);
   if (!language) {
     const auto format = raster::format_from_path(request.output);
@@ -87,7 +87,7 @@ core::Problems convert_scene(const ConvertSceneRequest& request) {
         format ? fmt::format("to record the scene: sarsim run {} --format {}", request.input, format_word(*format))
                : "end it with .toml for format 2 or .scr for the language of 1998");
   }
-  const SceneInput input = read_scene(request.input, request.overrides, Scrutiny::reading);
+  const SceneInput input = read_scene(request.input, request.overrides, Scrutiny::reading, control);
   expect_usable(input);
   expect_free_outputs({request.output}, {input.sources, request.force, "OUT"});
   const std::string text = scene_text(input, *language);

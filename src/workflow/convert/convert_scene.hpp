@@ -25,6 +25,6 @@ struct ConvertSceneRequest {
 /// Writes a scene in the language that the name of the output asks for. Comments of the input are not kept.
 /// @returns remarks on the input and on what the new file does differently
 /// @throws core::Refused where the input holds errors, or says what the other language cannot
-[[nodiscard]] core::Problems convert_scene(const ConvertSceneRequest& request);
+[[nodiscard]] core::Problems convert_scene(const ConvertSceneRequest& request, const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

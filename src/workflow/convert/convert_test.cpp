@@ -11,6 +11,9 @@
 #include "core/report/refused.hpp"
 #include "raster/format/npy_header.hpp"
 #include "raster/format/open_raster.hpp"
+#include "workflow/convert/convert_scene.hpp"
+#include "workflow/motion/motion_files.hpp"
+#include "workflow/record/geometry.hpp"
 
 namespace sarsim::workflow {
 namespace convert_test {
@@ -151,6 +154,24 @@ TEST_F(Convert, TellsHowFarItIs) {
   };
   static_cast<void>(converted("out.csv"));
   EXPECT_EQ(stages, std::vector<std::string>{path("out.csv")});
+}
+
+// The reading of a scene, too, which may be long.
+TEST_F(Convert, ScenesAreReadUntilAStopIsAskedFor) {
+  std::ofstream(path("scene.toml")) << "format = \"sarsim 2\"\n[[platform]]\nname = \"P\"\n";
+  core::StopFlag stop;
+  stop.request();
+  const core::WorkControl control{1, &stop};
+  EXPECT_THROW(static_cast<void>(convert_scene({path("scene.toml"), path("new.toml"), {}, false}, control)),
+               core::Interrupted);
+  EXPECT_FALSE(fs::exists(path("new.toml")));
+  MotionRequest motion;
+  motion.input = path("scene.toml");
+  motion.output = path("p.csv");
+  EXPECT_THROW(static_cast<void>(write_motion(motion, control)), core::Interrupted);
+  GeometryRequest geometry;
+  geometry.input.path = path("scene.toml");
+  EXPECT_THROW(static_cast<void>(geometry_tables(geometry, control)), core::Interrupted);
 }
 
 }  // namespace convert_test

@@ -51,7 +51,7 @@ CopiedImage opened_image(const ConvertRequest& request, const core::Observer& ob
 // The recording that the image was made from, for its plan and its track.
 FocusInput recorded(const CopiedImage& opened, const ConvertRequest& request, const core::Observer& observer,
                     const core::WorkControl& control) {
-  WayBack way = way_back(opened.header, opened.origin, request.input, request.sample.script);
+  WayBack way = way_back(opened.header, opened.origin, request.input, request.sample.script, observer.stop);
   observer.remarks(way.problems);
   RecordingArguments arguments;
   arguments.path = way.source;

@@ -81,16 +81,19 @@ FocusInput of_file(const RecordingArguments& arguments, const core::WorkControl&
 
 FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
                           const std::shared_ptr<const simulate::ResolvedScene>& resolved) {
+  return focus_input_of(scene, simulation, simulate::make_plan(scene, simulation, resolved));
+}
+
+FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation, const simulate::Plan& window) {
   FocusInput focus;
   focus.simulation = simulation;
   focus.world = scene.world;
-  const simulate::Plan window = simulate::make_plan(scene, simulation, resolved);
   focus.problems = problems_of_sar(window, false);
   if (core::has_errors(focus.problems)) return focus;
   scene::Simulation& recorded = scene.simulations[simulation];
   recorded = recorded_for_sar(recorded, window);
   focus.plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(scene, simulation, resolved, simulate::Engine::automatic));
+      simulate::make_plan(scene, simulation, window.scene, simulate::Engine::automatic));
   focus.echoes = sar_rows_of_scene(focus.plan, window.columns);
   return focus;
 }

@@ -25,6 +25,9 @@ struct FocusInput {
 /// Where `problems` holds an error, there is nothing else.
 [[nodiscard]] FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
                                         const std::shared_ptr<const simulate::ResolvedScene>& resolved);
+/// The same of a simulation that is planned already.
+/// @param window  its plan, of any engine
+[[nodiscard]] FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation, const simulate::Plan& window);
 
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
 /// @param navigation  file of the motion that is believed, in place of the true one; empty: the true one

@@ -328,7 +328,7 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   MeasuredImage opened = request.kept ? kept_image_to_measure(request) : opened_image(request.image.string());
   expect_folder(request.pictures);
   WayBack way;
-  if (!request.kept) way = way_back(opened.header, opened.origin, request.image, request.input.script);
+  if (!request.kept) way = way_back(opened.header, opened.origin, request.image, request.input.script, observer.stop);
   observer.remarks(way.problems);
   const FocusInput input = open_focus_input(input_of(request, way, opened.origin), control);
   observer.remarks(input.of_files);

@@ -138,7 +138,7 @@ void write_image(const KeptImage& image, const fs::path& path, bool replace, con
   if (image.write) return image.write(path, replace, stop);
   ImageContent content = image.content;
   if (image.origin && (files_of_image(path).size() > 1 || is_sicd(path) || carries_axes(path)))
-    add_way_back(content.header, *image.origin, path);
+    add_way_back(content.header, *image.origin, path, stop);
   if (is_sicd(path)) content.sicd = sicd_of(image, content.header, path);
   if (image.origin && carries_axes(path))
     std::ranges::move(facts_of_header(content.header), std::back_inserter(content.product.image.facts));

@@ -55,23 +55,30 @@ std::optional<std::string> checksum_of(const std::string& source, const std::str
   return workflow::script_sum(reading.scene);
 }
 
-// Of the samples of a recording; nothing of a script, and where they cannot be read.
-std::optional<std::string> samples_checksum_of(const std::string& source, const std::string& script,
-                                               std::size_t simulation) {
+// Of the samples of a recording; nothing of a script.
+// @throw  whatever says why they cannot be read
+std::optional<std::string> sum_of_samples(const std::string& source, const std::string& script, std::size_t simulation,
+                                          const core::StopFlag* stop) {
   std::error_code ignored;
   if (!fs::exists(source, ignored) || holds_script(source)) return std::nullopt;
+  SampleArguments samples;
+  samples.script = script;
+  const raster::RasterHints hints =
+      script.empty() ? raster::RasterHints{} : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
+  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
+  return opened.raster ? std::optional(samples_sum(*opened.raster, stop)) : std::nullopt;
+}
+
+// The same; nothing also where they cannot be read.
+std::optional<std::string> samples_checksum_of(const std::string& source, const std::string& script,
+                                               std::size_t simulation, const core::StopFlag* stop) {
   try {
-    SampleArguments samples;
-    samples.script = script;
-    const raster::RasterHints hints = script.empty()
-                                          ? raster::RasterHints{}
-                                          : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
-    const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
-    if (opened.raster) return samples_sum(*opened.raster);
+    return sum_of_samples(source, script, simulation, stop);
+  } catch (const core::Interrupted&) {
+    throw;
   } catch (const std::exception&) {
-    return std::nullopt;  // What cannot be read has no sum; who reads it is told why.
+    return std::nullopt;
   }
-  return std::nullopt;
 }
 
 // A file that may be the one of the header.
@@ -123,14 +130,16 @@ core::Problem warning_of_scene(const std::string& file, const fs::path& image) {
 // The recording with the samples that the header has the sum of.
 std::string source_with_samples(const std::vector<FoundFile>& sources, const std::string& sum,
                                 const std::string& script, const ImageOrigin& origin, const fs::path& image,
-                                core::Problems& problems) {
+                                core::Problems& problems, const core::StopFlag* stop) {
   for (const FoundFile& file : sources) {
-    if (samples_checksum_of(file.path, script, origin.simulation) != sum) continue;
+    if (samples_checksum_of(file.path, script, origin.simulation, stop) != sum) continue;
     if (!file.same_place)
       problems.push_back(note_of(fmt::format("'{}' is taken for '{}': it has the samples that '{}' was made from",
                                              file.path, origin.source, image.string())));
     return file.path;
   }
+  // Nobody knows the samples of a file that cannot be read: then this says why.
+  static_cast<void>(sum_of_samples(sources.front().path, script, origin.simulation, stop));
   refuse_namesake(sources.front(), "samples", origin.source, image);
 }
 
@@ -169,17 +178,18 @@ std::string scene_with_sum(const std::vector<FoundFile>& files, const std::strin
 
 }  // namespace
 
-void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image) {
+void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image,
+                  const core::StopFlag* stop) {
   header.fields.emplace_back("source from image", seen_from(image, origin.source));
   header.fields.emplace_back("script from image", seen_from(image, origin.script));
   header.fields.emplace_back("script checksum", checksum_of(origin.source, origin.script).value_or(""));
   // Of a scene that is the source itself there are no samples.
-  if (auto sum = samples_checksum_of(origin.source, origin.script, origin.simulation))
+  if (auto sum = samples_checksum_of(origin.source, origin.script, origin.simulation, stop))
     header.fields.emplace_back("source checksum", std::move(*sum));
 }
 
 WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, const fs::path& image,
-                 const std::string& script) {
+                 const std::string& script, const core::StopFlag* stop) {
   const std::string scene_sum = header.field("script checksum").value_or("");
   WayBack way;
   // A script alone: the source was a script, too, or carries its own.
@@ -207,7 +217,7 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
   if (!sum)
     way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems);
   else
-    way.source = source_with_samples(sources, *sum, way.script, origin, image, way.problems);
+    way.source = source_with_samples(sources, *sum, way.script, origin, image, way.problems, stop);
   // The scene inside the recording may have been edited, too: then targets are expected elsewhere.
   if (sum && way.script.empty() && !scene_sum.empty())
     if (const auto now = checksum_of(way.source, {}); now && *now != scene_sum)

@@ -183,7 +183,7 @@ std::size_t add_object(SceneInput& input, scene::ObjectKind kind, const std::str
 }
 
 void remove_object(SceneInput& input, scene::ObjectId id) {
-  scene::apply(scene::remove_objects(input.scene, {id}), input.scene);
+  scene::erase_objects(input.scene, {id});
   input.places = {};  // What they say counts objects that are gone.
   input.problems.clear();
 }

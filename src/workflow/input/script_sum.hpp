@@ -16,6 +16,6 @@ namespace sarsim::workflow {
 /// Checksum of a recording as 16 hexadecimal digits: of its shape and of up to 64 of its rows, evenly chosen, the first
 /// and the last included, as they are stored. Another seed, track or level changes every row; formats that store the
 /// same numbers give the same checksum. Throws what reading throws.
-[[nodiscard]] std::string samples_sum(const raster::Raster& file);
+[[nodiscard]] std::string samples_sum(const raster::Raster& file, const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::workflow

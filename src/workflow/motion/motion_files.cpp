@@ -193,14 +193,14 @@ std::optional<MotionFormat> motion_format_of(const std::string& file) {
   return std::nullopt;
 }
 
-MotionReport write_motion(const MotionRequest& request) {
+MotionReport write_motion(const MotionRequest& request, const core::WorkControl& control) {
   const auto format = motion_format_of(request.output);
   if (!format)
     throw core::Refused(fmt::format("'{}' names no format of motion files", request.output),
                         "end it with .csv, .oem, .aem (attitudes) or .txt (data file of a script)");
   if (request.spacing_s && !(*request.spacing_s > 0.0))
     throw core::Refused("the spacing is not above 0 s", "leave --spacing out to have it chosen");
-  SceneInput input = read_scene(request.input, request.overrides, Scrutiny::values);
+  SceneInput input = read_scene(request.input, request.overrides, Scrutiny::values, control);
   expect_usable(input);
   expect_free_outputs({request.output}, {input.sources, request.force, "--out"});
   const std::size_t index = platform_called(input.scene, request.platform);

@@ -51,7 +51,7 @@ struct MotionReport {
 /// Writes how a platform moves, so that a reader of the file who interpolates as its format has it comes as near as
 /// asked for. Jitter, which is drawn anew for each pulse, is no motion and left out. core::Refused where the scene is
 /// not sound, the format cannot say it, or no spacing is close enough.
-[[nodiscard]] MotionReport write_motion(const MotionRequest& request);
+[[nodiscard]] MotionReport write_motion(const MotionRequest& request, const core::WorkControl& control = {});
 
 /// A walking person as platforms of a scene.
 struct WalkerRequest {

@@ -32,17 +32,17 @@ struct GeometrySource {
 
 constexpr double unlimited_m = 1e300;
 
-GeometrySource source_of(const GeometryRequest& request) {
+GeometrySource source_of(const GeometryRequest& request, const core::WorkControl& control) {
   const RecordingArguments& arguments = request.input;
   if (arguments.held ? !arguments.held->rows : arguments.script.empty() && holds_script(arguments.path)) {
     SceneInput input = arguments.held
-                           ? check_again(arguments.held->input, Scrutiny::values, {}, {}, arguments.overrides)
-                           : read_scene(arguments.path, arguments.overrides, Scrutiny::values);
+                           ? check_again(arguments.held->input, Scrutiny::values, control, {}, arguments.overrides)
+                           : read_scene(arguments.path, arguments.overrides, Scrutiny::values, control);
     expect_usable(input);
     return {std::move(input.scene), {}, std::move(input.sources), std::move(input.of_files)};
   }
-  StoredRecording recording =
-      open_recording(arguments, records_pulses, [](const simulate::Plan&) { return core::Problems(); });
+  StoredRecording recording = open_recording(
+      arguments, records_pulses, [](const simulate::Plan&) { return core::Problems(); }, control);
   return {std::move(recording.scene), recording.simulation, std::move(recording.sources),
           std::move(recording.problems)};
 }
@@ -137,8 +137,8 @@ OptionTable<GeometryRequest> geometry_option_table() {
   return table;
 }
 
-GeometryTables geometry_tables(const GeometryRequest& request) {
-  GeometrySource source = source_of(request);
+GeometryTables geometry_tables(const GeometryRequest& request, const core::WorkControl& control) {
+  GeometrySource source = source_of(request, control);
   if (request.no_targets) remove_targets(source.scene);
   std::vector<scene::GeometryTable> tables = chosen_tables(request, source);
   if (!request.radar.empty()) source.remarks = expect_pulses(tables.front(), source.scene, source.folder());

@@ -39,6 +39,6 @@ struct GeometryTables {
 };
 
 /// Finds the tables of a request; throws core::Refused where it cannot be met.
-[[nodiscard]] GeometryTables geometry_tables(const GeometryRequest& request);
+[[nodiscard]] GeometryTables geometry_tables(const GeometryRequest& request, const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

@@ -28,6 +28,20 @@ SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use, const 
           std::move(stored.sources)};
 }
 
+// @param window  the plan of the simulation, raw
+SteppedInput input_in(scene::Scene& scene, std::size_t number, const simulate::Plan& window, SteppedUse use) {
+  SteppedInput stepped;
+  stepped.simulation = number;
+  scene::Simulation& simulation = scene.simulations[number];
+  stepped.problems = problems_of_stepped(window, use, false);
+  if (core::has_errors(stepped.problems)) return stepped;
+  simulation = recorded_for_stepped(simulation, window);
+  const auto plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(scene, number, window.scene, simulate::Engine::automatic));
+  stepped.rows = stepped_rows_of_scene(plan, window);
+  return stepped;
+}
+
 }  // namespace
 
 Suits suits_use(SteppedUse use) {
@@ -43,18 +57,14 @@ Suits suits_use(SteppedUse use) {
 
 SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
                               const std::shared_ptr<const simulate::ResolvedScene>& resolved, SteppedUse use) {
-  SteppedInput stepped;
-  stepped.simulation = number;
-  scene::Simulation& simulation = scene.simulations[number];
-  simulation.processing = scene::Processing::raw;
-  const simulate::Plan window = simulate::make_plan(scene, number, resolved);
-  stepped.problems = problems_of_stepped(window, use, false);
-  if (core::has_errors(stepped.problems)) return stepped;
-  simulation = recorded_for_stepped(simulation, window);
-  const auto plan =
-      std::make_shared<const simulate::Plan>(simulate::make_plan(scene, number, resolved, simulate::Engine::automatic));
-  stepped.rows = stepped_rows_of_scene(plan, window);
-  return stepped;
+  scene.simulations[number].processing = scene::Processing::raw;
+  return input_in(scene, number, simulate::make_plan(scene, number, resolved), use);
+}
+
+SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number, const simulate::Plan& planned, SteppedUse use) {
+  if (planned.simulation.processing != scene::Processing::raw)
+    return stepped_input_of(scene, number, planned.scene, use);
+  return input_in(scene, number, planned, use);
 }
 
 SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {

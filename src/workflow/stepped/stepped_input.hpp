@@ -21,6 +21,10 @@ struct SteppedInput {
 [[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
                                             const std::shared_ptr<const simulate::ResolvedScene>& resolved,
                                             SteppedUse use);
+/// The same of a simulation that is planned already.
+/// @param planned  its plan, of any engine
+[[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number, const simulate::Plan& planned,
+                                            SteppedUse use);
 
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be used.
 [[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use,
