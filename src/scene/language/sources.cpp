@@ -80,12 +80,13 @@ void check_mark(SourceReader& reader, bool included) {
     reader.error({}, {"the format of the scene is not stated", "", expected,
                       fmt::format("write {} before the first header", expected)});
   else if (!has_mark(reader))
-    reader.error(mark->value.span,
-                 {"this format is not known",
-                  included ? core::quoted_word(reader.text_of(mark->value.span))
-                           : script::shown(reader.text_of(mark->value.span)),
-                  fmt::format("\"{}\"", format_2_mark),
-                  remedy_of_mark(mark->value.kind == toml::Kind::string ? reader.string_of(mark->value) : "", expected)});
+    reader.error(
+        mark->value.span,
+        {"this format is not known",
+         included ? core::quoted_word(reader.text_of(mark->value.span))
+                  : script::shown(reader.text_of(mark->value.span)),
+         fmt::format("\"{}\"", format_2_mark),
+         remedy_of_mark(mark->value.kind == toml::Kind::string ? reader.string_of(mark->value) : "", expected)});
 }
 
 // The path of a file that another one names.

@@ -104,8 +104,7 @@ std::vector<float> gains_of(const SarEchoes& echoes, const PointGrid& grid, cons
   gains.reserve(echoes.track.size());
   for (std::size_t p = 0; p < echoes.track.size(); ++p) {
     const core::Vec3 sight_m = middle_m - echoes.track[p].position_m;
-    const double closing_mps =
-        core::dot(sight_m, echoes.track[p].velocity_mps) / std::max(core::norm(sight_m), 1e-9);
+    const double closing_mps = core::dot(sight_m, echoes.track[p].velocity_mps) / std::max(core::norm(sight_m), 1e-9);
     const double carrier_hz = echoes.carriers_hz.empty() ? wave.carrier_hz : echoes.carriers_hz[p];
     const double doppler_hz = radar::turns_of(closing_mps, carrier_hz, wave.light_speed_mps);
     gains.push_back(static_cast<float>(1.0 / overlap_of(wave, doppler_hz)));

@@ -402,10 +402,13 @@ double dispersed_samples(const SarWaveform& waveform) {
 }
 
 double secondary_turns(const FocusFrame& frame, double range_hz, double sine, double cosine) {
-  // Without the difference of two large numbers: with s = sqrt(...), s - f0 D = (2 f0 f + f^2)/(s + f0 D).
+  // Without the difference of two large numbers: with s = sqrt(...), s - f0 D = (s^2 - f0^2 D^2)/(s + f0 D).
   const double f0 = frame.waveform.carrier_hz;
-  const double root = std::sqrt(std::max(0.0, (f0 + range_hz) * (f0 + range_hz) - f0 * f0 * sine * sine));
-  const double beyond = (2.0 * f0 + range_hz) * range_hz / (root + f0 * cosine) - range_hz / cosine;
+  const double beta = frame.track.speed_mps / frame.waveform.light_speed_mps;
+  const double along = f0 * sine + range_hz * beta;
+  const double root = std::sqrt(std::max(0.0, (f0 + range_hz) * (f0 + range_hz) - along * along));
+  const double square = (2.0 * f0 * (1.0 - sine * beta) + range_hz * (1.0 - beta * beta)) * range_hz;
+  const double beyond = square / (root + f0 * cosine) - range_hz / cosine;
   return radar::delay_of(frame.reference_range_m, frame.waveform.light_speed_mps) * beyond;
 }
 

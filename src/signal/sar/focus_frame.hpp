@@ -181,8 +181,9 @@ inline constexpr double dispersed_time_bandwidth = 256.0;
 /// Samples that such a chirp is long: 256 (fs/B)^2.
 [[nodiscard]] double dispersed_samples(const SarWaveform& waveform);
 
-/// (2 R/c) (sqrt((f0 + f)^2 - (f0 sine)^2) - f0 D - f/D) of a range frequency f, in turns: what remains of the
-/// spectrum's phase beyond its first order in f. Where no wave has both frequencies the root counts as 0.
+/// (2 R/c) (sqrt((f0 + f)^2 - (f0 sine + f V/c)^2) - f0 D - f/D) of a range frequency f, in turns: what remains of the
+/// spectrum's phase beyond f/D. The antenna flies on while an echo is under way, which adds V/c to the sine of every
+/// frequency. Where no wave has both frequencies the root counts as 0.
 [[nodiscard]] double secondary_turns(const FocusFrame& frame, double range_hz, double sine, double cosine);
 
 }  // namespace sarsim::signal

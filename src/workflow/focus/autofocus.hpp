@@ -37,8 +37,8 @@ struct AutofocusFinding {
 
 /// Whether autofocus failed, in words: the image would lose sharpness or contrast, hardly gain any although much was
 /// found, no point stands out, the points' peaks fall, their SNR does not grow as taking out such an error makes it
-/// grow, or they stay far below what their echoes give. Empty where it did not. Noise alone gains some sharpness, but no
-/// such peaks; points that smear gain SNR, but lose their peaks.
+/// grow, or they stay far below what their echoes give. Empty where it did not. Noise alone gains some sharpness, but
+/// no such peaks; points that smear gain SNR, but lose their peaks.
 [[nodiscard]] std::string failure_of(const AutofocusFinding& finding);
 
 /// The same as a warning that says what to try.

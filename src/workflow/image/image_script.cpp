@@ -63,8 +63,9 @@ std::optional<std::string> sum_of_samples(const std::string& source, const std::
   if (!fs::exists(source, ignored) || holds_script(source)) return std::nullopt;
   SampleArguments samples;
   samples.script = script;
-  const raster::RasterHints hints =
-      script.empty() ? raster::RasterHints{} : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
+  const raster::RasterHints hints = script.empty()
+                                        ? raster::RasterHints{}
+                                        : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
   const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
   return opened.raster ? std::optional(samples_sum(*opened.raster, stop)) : std::nullopt;
 }
