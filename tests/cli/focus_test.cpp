@@ -108,7 +108,7 @@ TEST_F(Focus, SaysWhatIsWrongWithItsArguments) {
   refused({"--memory", "much"}, "--memory: 'much' is not a valid size");
   refused({"--doppler-centroid", "left"}, "--doppler-centroid: invalid 'left'");
   refused({"--doppler-bandwidth", "1000"}, "Doppler bandwidth");
-  refused({"--simulation", "7"}, "no simulation 7");
+  refused({"--simulation", "7"}, "no recording 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");
   refused({"--algorithm", "magic"}, "omega-k");
   refused({"--algorithm", "back-projection", "--memory", "1M"}, "back projection holds echoes and image in memory");

@@ -563,7 +563,7 @@ TEST_F(PlotArguments, NamingASimulationThatIsNotThereAreRefused) {
   write_scene({});
   const Finished done = sarsim({"plot", "scene.scr", "--simulation", "9", "-o", "a.png"});
   EXPECT_EQ(done.status, 2);
-  EXPECT_NE(done.err.find("no simulation 9"), std::string::npos) << done.err;
+  EXPECT_NE(done.err.find("no recording 9"), std::string::npos) << done.err;
 }
 
 TEST_F(PlotArguments, NamingAFileThatIsNotThereAreRefused) {

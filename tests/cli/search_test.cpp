@@ -300,7 +300,7 @@ TEST_F(Search, SaysWhatIsWrongWithItsArguments) {
   refused({"--out", "a.csv", "--detections", "a.csv"}, "the name of two outputs");
   refused({"--out", "a.csv", "--detections", "./a.csv"}, "the name of two outputs");
   refused({"--out", "a.hdr"}, "'a.hdr' is the name of two outputs");
-  refused({"--simulation", "7"}, "no simulation 7");
+  refused({"--simulation", "7"}, "no recording 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");
   refused({"--pixel", "0"}, "--pixel 0: must be above 0", true);
   refused({"--pixel", "0.01"}, "too large", true);

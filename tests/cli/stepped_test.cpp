@@ -173,7 +173,7 @@ TEST_F(Profiles, SayWhatIsWrongWithTheirArguments) {
   refused({"--burst", "9"}, "burst 9 is not illuminated");
   refused({"--from", "3020", "--to", "3000"}, "is empty");
   refused({"--from", "0", "--to", "1e9"}, "cannot be held");
-  refused({"--simulation", "7"}, "no simulation 7");
+  refused({"--simulation", "7"}, "no recording 7");
   refused({"--script", "other.scr"}, "--script is for files of samples");
   refused({"--illumination", "-1"}, "--illumination");
   refused({"--group", "sweeps"}, "scans");

@@ -434,8 +434,8 @@ std::string remedy_without_header(const std::filesystem::path& data) {
   const std::string extension = core::lower_case(data.extension().string());
   if (extension == ".toml" || extension == ".scr" || extension == ".json")
     return "this is a scene: sarsim run records it, and sarsim focus makes an image of the recording";
-  const auto format = format_from_path(data);
-  if (format && *format != scene::FileFormat::npy)
+  // NPY may be either.
+  if (extension != ".npy" && format_from_path(data))
     return fmt::format("if this is a recording, sarsim focus {} makes an image of it", data.string());
   return "sarsim focus writes images with their headers as ENVI and NPY, and convert copies them";
 }

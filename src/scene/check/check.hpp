@@ -8,6 +8,9 @@
 
 namespace sarsim::scene {
 
+/// Message of an output whose name ends as another format does.
+inline constexpr std::string_view other_extension = "the file name has the extension of another format";
+
 /// Message about a recording's window, used where the echoes of its targets are not known. The survey, which knows
 /// them, replaces it by one about targets (simulate::late_echoes).
 inline constexpr std::string_view window_beyond_range = "the slant range window reaches beyond the unambiguous range";

@@ -8,6 +8,7 @@
 #include "core/maths/rounding.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
+#include "scene/check/check.hpp"
 #include "scene/check/carrier_span.hpp"
 #include "scene/check/check_objects.hpp"
 #include "scene/check/check_values.hpp"
@@ -257,7 +258,7 @@ void check_extension(Findings& findings, const Simulation& simulation) {
   for (const Extension& known : extensions) {
     if (!core::equal_ignoring_case(extension, known.extension) || known.format == simulation.format) continue;
     findings.warning(Consequence::surprise, "file",
-                     {.message = "the file name has the extension of another format",
+                     {.message = std::string(other_extension),
                       .found = simulation.file,
                       .expected = "an extension that fits the format of the simulation",
                       .hint = "Programs that go by the extension will not read it: change the name or the format."});

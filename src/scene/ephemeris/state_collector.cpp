@@ -101,7 +101,7 @@ void StateCollector::check_velocity(const EphemerisState& before, const Ephemeri
   constexpr double longest_step_s = 600.0;
   constexpr double least_mps = 100.0;
   const std::optional<double> step = step_s(before, state);
-  if (!before.velocity_mps || !state.velocity_mps || !step || *step > longest_step_s) return;
+  if (!before.velocity_mps || !state.velocity_mps || !step || *step > longest_step_s || problems_.has_errors()) return;
   const double moved_mps = core::norm(state.position_m - before.position_m) / *step;
   const double speed_mps = 0.5 * (core::norm(*before.velocity_mps) + core::norm(*state.velocity_mps));
   if (std::max(moved_mps, speed_mps) < least_mps || (speed_mps < 2.0 * moved_mps && moved_mps < 2.0 * speed_mps))

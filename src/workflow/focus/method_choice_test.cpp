@@ -87,7 +87,7 @@ Found found_in(const FocusReport& report, const FocusRequest& request, const cor
           -20.0 * std::log10(peak.amplitude / sar_targets(*input.plan, input.echoes).at(0).amplitude), moved_m};
 }
 
-// 20 % or 0.02 rad are promised. The grid leaves out up to 0.2 % of the echoes of each axis, and the sampled
+// 20 % or 0.02 rad are promised. The grid leaves out up to 0.4 % of the echoes of each axis, and the sampled
 // band the skirts of the chirp.
 void expect_predicted(const MotionResidual& predicted, const Found& found, const std::string& what) {
   EXPECT_NEAR(predicted.phase_rad, found.phase_rad, std::max(0.02, 0.2 * std::abs(predicted.phase_rad))) << what;
@@ -248,25 +248,6 @@ TEST_F(MethodChoice, MeasuresByBackProjectionPointsOffTheGround) {
       EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.1) << number << ' ' << ground_m;
       EXPECT_NEAR(found.phase_error_rad(), 0.0, 0.02) << number << ' ' << ground_m;
     }
-  }
-}
-
-// 53 kHz of Doppler in pulses of 1 MHz: compression keeps 0.95 of the peak, whatever focuses it.
-TEST_F(MethodChoice, EveryMethodRestoresWhatCompressionLosesOfAFastPlatform) {
-  scene::Scene scene = sar_scene(12e3, {{0.0, 0.0, 0.0}}, 0.1);
-  scene.platforms[1] = simulate::moving("Plane", {-3000.0, -1700.0, 0.0}, {0.0, 3000.0, 0.0});
-  scene.radars[0].bandwidth_hz = 1e6;
-  scene.radars[0].pulse_width_s = 60e-6;
-  scene.simulations[0].sample_rate_hz = 1.6e6;
-  scene.simulations[0].range_start_m = 1500.0;
-  scene.simulations[0].range_end_m = 16000.0;
-  write(scene);
-  for (const FocusAlgorithm method : {FocusAlgorithm::omega_k, FocusAlgorithm::back_projection}) {
-    request_.algorithm = method;
-    static_cast<void>(focus(request_, {}));
-    const MeasuredTarget found = measured().targets.front();
-    ASSERT_TRUE(found.found);
-    EXPECT_NEAR(found.amplitude_error_db(), 0.0, 0.15);
   }
 }
 

@@ -48,7 +48,7 @@ TEST(TheoryOfTargets, IsWhatAnAntennaThatTapersTheEchoesShows) {
 }
 
 // Apertures and bands of which the response is no product of one over range and one over azimuth: carriers of 0.4 to
-// 1 GHz, 10 to 24 degrees, 5 to 60 MHz. The image leaves out 0.1 % of the echoes at either end of either axis.
+// 1 GHz, 10 to 24 degrees, 5 to 60 MHz. The image leaves out 0.2 % of the echoes at either end of either axis.
 TEST(TheoryOfTargets, IsWhatImagesOfWideAperturesShow) {
   std::mt19937 random(20261129);
   const auto between = [&random](double low, double high) {

@@ -15,9 +15,9 @@ enum class SeenPulses {
   all,
 };
 
-/// Share of a target's echoes that an image's spectrum may leave out at either end of each axis: together at most 0.04
+/// Share of a target's echoes that an image's spectrum may leave out at either end of each axis: together at most 0.07
 /// dB of a peak.
-inline constexpr double left_out_of_image = 0.001;
+inline constexpr double left_out_of_image = 0.002;
 
 /// The wave numbers that the images of a scene's targets fill, but for `left_out_of_image`. Targets whose echoes are 40
 /// dB below the strongest do not count, of more than `most_examined_targets` some are looked at. Nothing where there

@@ -51,13 +51,19 @@ std::vector<signal::SeenDirection> directions_of(const SarLooks& looks, std::spa
 Candidate candidate_of(const SarLooks& looks, std::size_t target, std::span<const SarLook> seen,
                        std::span<const signal::SeenDirection> directions) {
   Candidate candidate{.target = target, .low_sine = 1.0, .high_sine = -1.0};
-  double strongest = 0.0, told = 0.0, all = 0.0;
+  const auto amplitude = [](const SarLook& look) { return look.amplitude * look.share; };
+  double strongest = 0.0, strongest_of_all = 0.0, told = 0.0, all = 0.0;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     strongest = std::max(strongest, directions[i].weight);
-    told += directions[i].weight;
-    all += seen[i].amplitude * seen[i].share;
+    strongest_of_all = std::max(strongest_of_all, amplitude(seen[i]));
   }
-  candidate.amplitude = all;
+  // Within 20 dB: what the antenna's side lobes add to a peak is not what a processor is chosen for.
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    candidate.amplitude += amplitude(seen[i]);
+    if (amplitude(seen[i]) < 0.1 * strongest_of_all) continue;
+    told += directions[i].weight;
+    all += amplitude(seen[i]);
+  }
   if (all > 0.0) candidate.told = told / all;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     if (!(strongest > 0.0) || directions[i].weight < 0.1 * strongest) continue;

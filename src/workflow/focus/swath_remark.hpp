@@ -16,8 +16,9 @@ struct MethodLoss {
   std::optional<std::size_t> target;  ///< Counted from 0; nothing for a point at the farther edge of the swath.
   double middle_m = 0.0;              ///< Closest distance of the middle of the swath.
   signal::SwathLoss loss;
-  /// Smallest share of a target's echoes whose Doppler frequency at the carrier is not aliased: the rest is missing
-  /// from its peak as well, which `remarks_on_ghosts` reports. 1 if no targets are examined.
+  /// Smallest share of a target's echoes (within 20 dB of the strongest) whose Doppler frequency at the carrier is not
+  /// aliased: the rest is missing from its peak as well, which `remarks_on_ghosts` reports. 1 if no targets are
+  /// examined.
   double told = 1.0;
   std::size_t least_told = 0;  ///< The target of that share, counted from 0.
 };

@@ -10,7 +10,6 @@
 
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
-#include "raster/table/formats.hpp"
 #include "scene/check/check.hpp"
 #include "scene/check/check_motion.hpp"
 #include "scene/edit/data_functions.hpp"
@@ -79,14 +78,6 @@ void drop_warnings_of(const core::Problems& found, core::Problems& reading) {
   });
 }
 
-// A name that ends as another format takes the ending of this one, as its output does.
-void take_format(scene::FileFormat format, scene::Simulation& simulation) {
-  simulation.format = format;
-  const auto named = raster::format_from_path(simulation.file);
-  if (named && *named != format)
-    simulation.file = std::filesystem::path(simulation.file).replace_extension(raster::extension_of(format)).string();
-}
-
 void apply(const SceneOverrides& overrides, scene::Scene& scene) {
   scene::RunOptions& options = scene.options;
   if (overrides.profile) options.profile = *overrides.profile;
@@ -94,7 +85,7 @@ void apply(const SceneOverrides& overrides, scene::Scene& scene) {
   if (overrides.tolerance) options.tolerance = *overrides.tolerance;
   if (overrides.seed) options.seed = *overrides.seed;
   if (overrides.format)
-    for (scene::Simulation& simulation : scene.simulations) take_format(*overrides.format, simulation);
+    for (scene::Simulation& simulation : scene.simulations) simulation.format = *overrides.format;
 }
 
 std::vector<TargetTable> tables_of(const SceneOverrides& overrides, const scene::Scene& scene) {
@@ -279,6 +270,8 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
     core::Problems found = without_objects_of(scene::check(input.scene, control), reading.problems, input.scene);
     if (core::has_errors(reading.problems))  // Files were not read then.
       std::erase_if(found, [](const core::Problem& p) { return p.message == scene::unread_motion; });
+    if (overrides.format)  // Outputs take its extension.
+      std::erase_if(found, [](const core::Problem& p) { return p.message == scene::other_extension; });
     if (wanted) forget_others(found, *wanted);
     drop_warnings_of(found, reading.problems);
     append(reading.problems, std::move(found));
