@@ -174,7 +174,8 @@ TEST(EchoRecords, RestoreWhatCompressionLosesOfAPulse) {
   echoes.waveform.bandwidth_hz *= 0.01;  // fd is 2.4 % of it; echoes and records stay as they are but for that.
   echoes.waveform.pulse_width_s *= 0.01;
   const double doppler_hz = 2.0 * 200.0 * std::sin(core::pi / 3.0) / (core::exact_light_speed_mps / 5.3e9);
-  EXPECT_NEAR(std::abs(back_project(echoes, point, {}, {})[0]) / kept, 1.0 / overlap_of(echoes.waveform, doppler_hz), 2e-3);
+  EXPECT_NEAR(std::abs(back_project(echoes, point, {}, {})[0]) / kept, 1.0 / overlap_of(echoes.waveform, doppler_hz),
+              2e-3);
 }
 
 TEST(BackProjection, HasTheWidthsAndSidelobesOfItsWindows) {
