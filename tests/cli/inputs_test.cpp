@@ -292,8 +292,8 @@ TEST_F(Inputs, ImagesAreNotFocusedAgain) {
     expect_done({"focus", script, "--out", image, "--force", "--quiet"});
     for (const char* command : {"focus", "doppler", "search"})
       expect_refusal({command, image, "--script", script, "--out", "other.img"},
-                     std::string(command) == "focus" ? "is a focused image already"
-                                                     : "is an image, as its header 'sar_r.hdr' says");
+                     std::string(command) + image == "focussar_r.img" ? "is a focused image already"
+                                                                      : "is an image, as its header 'sar_r.hdr' says");
     fs::remove(folder_ / image);  // The header can be that of one image only.
   }
 }
