@@ -155,23 +155,24 @@ class LimitRules {
     std::int64_t pulse = 0;
   };
 
-  [[nodiscard]] Lowest lowest() const {
-    constexpr std::int64_t most_steps = 16;
+  // Leaves the geometry at the middle pulse, where the other rules expect it.
+  [[nodiscard]] Lowest lowest() {
+    constexpr std::int64_t max_steps = 16;
     const radar::TurningAxes& turning = plan_.scene->turning;
     const double rate = core::norm(turning.rotation_rad_per_s);
-    PulseGeometry geometry(*plan_.scene, plan_.radar);
     Lowest lowest;
     const std::int64_t flown = plan_.pulses.count() - 1;
-    const std::int64_t steps = std::clamp<std::int64_t>(flown, 1, most_steps);
+    const std::int64_t steps = std::clamp<std::int64_t>(flown, 1, max_steps);
     for (std::int64_t i = 0; i <= steps; ++i) {
       const std::int64_t after = flown / steps * i + flown % steps * i / steps;
-      geometry.set_pulse(plan_.pulses.first + after);
-      const core::Vec3 radar_m = geometry.radar_pose().position_world_m;
+      geometry_.set_pulse(plan_.pulses.first + after);
+      const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
       const double height_m = rate == 0.0 ? radar_m.z
                                           : radar::height_over_ellipsoid_m(radar_m - turning.centre_m,
                                                                            (1.0 / rate) * turning.rotation_rad_per_s);
       if (height_m < lowest.height_m) lowest = {radar_m, height_m, after};
     }
+    geometry_.set_pulse(plan_.pulses.first + plan_.pulses.count() / 2);
     return lowest;
   }
 

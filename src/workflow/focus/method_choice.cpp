@@ -39,7 +39,7 @@ std::string too_much(const FocusWork& work) {
 
 // Part of what an image may have that may be left where back-projection leaves less: the rest of it is for what is not
 // computed here, as interpolation and the ends of spectra.
-constexpr double most_excess = 0.5;
+constexpr double max_excess = 0.5;
 
 class Chooser {
  public:
@@ -60,7 +60,7 @@ class Chooser {
   void in_frequency(bool free) {
     auto kind = work_.motion == MotionOrder::none ? TakenFlight::Kind::even : TakenFlight::Kind::compensated;
     auto left = residual(kind);
-    if (kind == TakenFlight::Kind::even && !request_.motion && excess_of(left) > most_excess) {
+    if (kind == TakenFlight::Kind::even && !request_.motion && excess_of(left) > max_excess) {
       expect_one_way(work_.input.echoes);
       work_.motion = MotionOrder::second;
       kind = TakenFlight::Kind::compensated;
@@ -68,7 +68,7 @@ class Chooser {
     }
     const bool open = free && !request_.motion && !request_.autofocus;
     const std::optional<MethodLoss> lost = open ? lost_of_omega_k() : std::nullopt;
-    if (open && (kind == TakenFlight::Kind::compensated || excess_of(lost) > most_excess))
+    if (open && (kind == TakenFlight::Kind::compensated || excess_of(lost) > max_excess))
       compare({kind, left, lost});
     else
       add(remarks_on_residual(left, kind));
@@ -92,7 +92,7 @@ class Chooser {
         words = fmt::format("motion compensation would leave {}", text_of(left));
       else if (left)
         words = fmt::format("the straight line would leave {}", text_of(left));
-      if (!(excess_of(lost) > most_excess)) return words;
+      if (!(excess_of(lost) > max_excess)) return words;
       return fmt::format("{}{}omega-k would lose {}", words, words.empty() ? "" : ", and ", text_of(*lost));
     }
   };
@@ -105,7 +105,7 @@ class Chooser {
   void compare(const OmegaK& by_line) {
     const auto flown = residual(TakenFlight::Kind::flown);
     const std::string on_grid = text_of(flown);
-    const bool better = by_line.excess() > most_excess && excess_of(flown) < by_line.excess();
+    const bool better = by_line.excess() > max_excess && excess_of(flown) < by_line.excess();
     const std::string unaffordable = work_.input.echoes.columns < 2 ? "a row has one sample only" : too_much(work_);
     if (better && unaffordable.empty()) {
       request_.algorithm = FocusAlgorithm::back_projection;
