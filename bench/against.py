@@ -123,6 +123,9 @@ def example_commands(folder, program, examples):
         commands[f"check {example}"] = ["check", examples / f"{example}.toml"]
         commands[f"info {example}"] = ["info", examples / f"{example}.toml"]
         commands[f"run {example}"] = run_words(examples / f"{example}.toml")
+    for kind in ("hdf5", "npy", "csv"):
+        out = os.path.join(folder, f"written_{kind}")
+        commands[f"run sar_r to {kind}"] = ["run", examples / "sar_r.toml", "--out", out, "--force", "--quiet", "--format", kind]
     image = os.path.join(folder, "sar_r.img")
     sar_r = recordings["sar_r"][0]
     subprocess.run([program, "focus", sar_r, "--out", image, "--force", "--quiet"], check=True, stderr=subprocess.DEVNULL)
@@ -130,8 +133,8 @@ def example_commands(folder, program, examples):
     commands |= {
         "focus sar_r": ["focus", sar_r, "--out", os.path.join(folder, "again.img"), *quiet],
         "measure sar_r": ["measure", image],
-        "convert sar_r to NPY": ["convert", sar_r, os.path.join(folder, "sar_r.npy"), *quiet],
-        "convert sar_r to CSV": ["convert", sar_r, os.path.join(folder, "sar_r.csv"), *quiet],
+        "convert sar_r to NPY": ["convert", sar_r, os.path.join(folder, "sar_r.npy"), "--force"],
+        "convert sar_r to CSV": ["convert", sar_r, os.path.join(folder, "sar_r.csv"), "--force"],
         "plot sar_r": ["plot", sar_r, "-o", os.path.join(folder, "sar_r.png"), "--force"],
         "profiles stepped_aircraft": ["profiles", recordings["stepped_aircraft"][0], "--out", os.path.join(folder, "p.img"), *quiet],
         "isar turning_ship": ["isar", recordings["turning_ship"][0], "--out", os.path.join(folder, "i.img"), *quiet],

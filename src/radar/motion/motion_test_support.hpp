@@ -85,10 +85,10 @@ inline void expect_derivatives_of(const Track& track, double time_s, const Deriv
                        pose.world_from_platform_rate),
             1e-12)
       << time_s;
-  const PoseAcceleration again = track.acceleration_at(time_s, pulse, pose);
+  Track::ErrorSteps steps;
+  const PoseAcceleration again = track.acceleration_at(time_s, pulse, pose, steps);
   EXPECT_EQ(again.acceleration_world_mps2, found.acceleration_world_mps2);
   EXPECT_EQ(again.world_from_platform_acceleration, found.world_from_platform_acceleration);
-  Track::ErrorSteps steps;
   const Travel travel = track.travel_at(time_s, pulse, steps);
   EXPECT_EQ(travel.position_world_m, pose.position_world_m);
   EXPECT_EQ(travel.velocity_world_mps, pose.velocity_world_mps);

@@ -133,10 +133,10 @@ Travel Track::travel_at(double time_s, std::int64_t pulse, ErrorSteps& steps) co
   return travel_along(motion_.path.jets(time_s), time_s, pulse, steps);
 }
 
-PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse, const Pose& pose) const {
+PoseAcceleration Track::acceleration_at(double time_s, std::int64_t pulse, const Pose& pose, ErrorSteps& steps) const {
   if (fixed_) return {};
   if (motion_.parent != nullptr) return acceleration_at(time_s, pulse);
-  return own_acceleration_at(time_s, pulse, pose, nullptr);
+  return own_acceleration_at(time_s, pulse, pose, &steps);
 }
 
 Pose Track::own_at(double time_s, std::int64_t pulse, ErrorSteps& steps) const {

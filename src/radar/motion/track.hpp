@@ -44,7 +44,8 @@ class Track {
   /// the turning alone: below 1e-11 1/s^2 for the attitude laws of a satellite.
   [[nodiscard]] PoseAcceleration acceleration_at(double time_s, std::int64_t pulse) const;
   /// The same where the pose of `at` with that time and pulse is known: faster.
-  [[nodiscard]] PoseAcceleration acceleration_at(double time_s, std::int64_t pulse, const Pose& pose) const;
+  [[nodiscard]] PoseAcceleration acceleration_at(double time_s, std::int64_t pulse, const Pose& pose,
+                                                 ErrorSteps& steps) const;
 
   /// No acceleration of the origin in `acceleration_at` exceeds this; infinity where it is not known beforehand.
   [[nodiscard]] double acceleration_bound_mps2() const { return acceleration_bound_mps2_; }

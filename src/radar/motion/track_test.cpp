@@ -149,8 +149,8 @@ TEST(Track, ATurntablesPointHasTheCentripetalAcceleration) {
   const Pose pose = track.at(0.7, 0);
   const core::Vec3 arm{2.0, 1.0, 5.0};
   const core::Vec3 level{2.0, 1.0, 0.0};
-  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, 0, pose), arm),
-              -9.0 * (pose.world_from_platform * level), 1000.0 * epsilon);
+  expect_near(world_acceleration_mps2(track.acceleration_at(0.7, 0), arm), -9.0 * (pose.world_from_platform * level),
+              1000.0 * epsilon);
 }
 
 TEST(Track, StraightFlightsAndBrokenLinesHaveNoAcceleration) {

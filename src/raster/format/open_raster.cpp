@@ -119,12 +119,17 @@ core::Problems contradicted_hints(const Raster& raster, const RasterHints& hints
   return problems;
 }
 
+// Opening a file takes neither memory nor time that grows with it; longer axes are judged where they are used.
+constexpr std::size_t max_looked_at = std::size_t{1} << 20U;
+
 // The gate that every file of samples passes, whatever its format. What is only looked at is shown as it is.
 OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesystem::path& path,
                     const RasterHints& hints, Integrity integrity) {
   if (!opened.raster) return opened;
   opened.raster->set_format(format);
-  core::Problems found = problems_of_facts(*opened.raster, path.string());
+  const bool looked_at = opened.raster->rows() <= max_looked_at && opened.raster->columns() <= max_looked_at;
+  if (looked_at) opened.axes = opened.raster->axes();
+  core::Problems found = problems_of_facts(*opened.raster, opened.axes ? &*opened.axes : nullptr, path.string());
   std::ranges::move(contradicted_hints(*opened.raster, hints, path.string()), std::back_inserter(found));
   for (core::Problem& problem : found) {
     if (integrity == Integrity::partial && problem.severity == core::Severity::error)

@@ -120,6 +120,7 @@ class Raster {
 struct OpenedRaster {
   std::shared_ptr<Raster> raster;
   core::Problems problems;
+  std::optional<RasterAxes> axes{};  ///< Those of the raster, where opening has read them: they need not be read again.
 };
 
 }  // namespace sarsim::raster

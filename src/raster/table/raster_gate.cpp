@@ -30,9 +30,6 @@ constexpr double largest_rate_hz = 1e18;
 // Beyond all times, places and frequencies that are computed with.
 constexpr double largest_place = 1e15;
 
-// Opening a file takes neither memory nor time that grows with it; longer axes are judged where they are used.
-constexpr std::size_t most_looked_at = std::size_t{1} << 20U;
-
 // The attributes that all of our layouts have, and what they may be. 0 says that it is not known.
 struct FactBounds {
   const char* name;
@@ -48,22 +45,21 @@ constexpr FactBounds fact_bounds[] = {
 
 class FactCheck {
  public:
-  FactCheck(const Raster& raster, const std::string& path) : raster_(raster), path_(path) {}
+  FactCheck(const Raster& raster, const RasterAxes* axes, const std::string& path)
+      : raster_(raster), axes_(axes), path_(path) {}
 
   core::Problems run() {
     for (const FactBounds& bounds : fact_bounds) check_fact(bounds);
     check_known();
-    const bool looked_at = raster_.rows() <= most_looked_at && raster_.columns() <= most_looked_at;
-    const auto axes = looked_at ? raster_.axes() : std::nullopt;
-    if (axes) {
-      check_axis("pulse_time_s", axes->row_time_s);
-      check_axis("carrier_hz", axes->row_carrier_hz);
-      check_axis(axes->column_axis, axes->column_range_m);
-      check_axis(axes->row_axis, axes->row_m);
-      check_poses(axes->row_pose);
-      compare_rate(*axes);
+    if (axes_ != nullptr) {
+      check_axis("pulse_time_s", axes_->row_time_s);
+      check_axis("carrier_hz", axes_->row_carrier_hz);
+      check_axis(axes_->column_axis, axes_->column_range_m);
+      check_axis(axes_->row_axis, axes_->row_m);
+      check_poses(axes_->row_pose);
+      compare_rate(*axes_);
     }
-    std::ranges::move(problems_of_image(raster_.info(), axes ? &*axes : nullptr, path_), std::back_inserter(problems_));
+    std::ranges::move(problems_of_image(raster_.info(), axes_, path_), std::back_inserter(problems_));
     return std::move(problems_);
   }
 
@@ -139,14 +135,15 @@ class FactCheck {
   }
 
   const Raster& raster_;
+  const RasterAxes* axes_;
   const std::string& path_;
   core::Problems problems_;
 };
 
 }  // namespace
 
-core::Problems problems_of_facts(const Raster& raster, const std::string& path) {
-  return FactCheck(raster, path).run();
+core::Problems problems_of_facts(const Raster& raster, const RasterAxes* axes, const std::string& path) {
+  return FactCheck(raster, axes, path).run();
 }
 
 }  // namespace sarsim::raster

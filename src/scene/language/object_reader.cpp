@@ -465,6 +465,11 @@ void ObjectReader::finish(const std::vector<std::string>& known) {
 }
 
 void ObjectReader::finish(ObjectKind kind) {
+  // The names of all fields take 2 ms to list: only what is wrong needs them.
+  const bool is_plain = std::ranges::all_of(text_.leaves, [this](const Leaf& leaf) {
+    return leaf.used && !(leaf.is_header && text_of(leaf.key).starts_with("[["));
+  });
+  if (is_plain) return;
   const std::vector<std::string>& known = paths_of(kind);
   for (std::size_t i = 0; i < text_.leaves.size() && !reading_.log.full(); ++i) {
     const Leaf leaf = text_.leaves[i];

@@ -1,30 +1,25 @@
 #include "signal/sar/swath_loss.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/focus_frame.hpp"
+#include "signal/sar/phasor_sum.hpp"
 
 namespace sarsim::signal {
 
 namespace {
 
-// A piece of the spectrum of a point: its wave numbers, its part of the mean and the error of its phase in turns.
-struct SpectrumPiece {
-  double azimuth_per_m = 0.0;
-  double range_per_m = 0.0;
-  double weight = 0.0;
-  double turns = 0.0;
-};
-
 struct PointSpectrum {
-  std::vector<SpectrumPiece> pieces;  // those that the method keeps
-  double whole = 0.0;                 // weights of all
+  std::vector<SpectrumPhasor> pieces;  // those that the method keeps
+  double whole = 0.0;                  // weights of all
 };
 
 class SpectrumMaker {
@@ -32,23 +27,27 @@ class SpectrumMaker {
   SpectrumMaker(const FocusFrame& frame, double range_m)
       : frame_(frame),
         range_m_(range_m),
-        in_range_(weight_of(frame.options.range_window)),
-        in_azimuth_(weight_of(frame.options.azimuth_window)) {}
+        row_m_(radar::range_of(frame.row_samples / frame.waveform.sample_rate_hz, frame.waveform.light_speed_mps)),
+        in_azimuth_(weight_of(frame.options.azimuth_window)) {
+    const auto in_range = weight_of(frame.options.range_window);
+    for (int k = 0; k < count; ++k) in_range_[static_cast<std::size_t>(k)] = in_range(part_of(k));
+  }
 
   // Adds what a pulse sees in a direction. Pulses count from -1/2 to 1/2 over the record.
   void add(PointSpectrum& spectrum, const SeenDirection& seen, double pulse) const {
-    constexpr int count = 33;
     for (int k = 0; k < count; ++k) {
-      const double part = (static_cast<double>(k) + 0.5) / count - 0.5;
-      const double hz = std::abs(frame_.waveform.bandwidth_hz) * part;
+      const double hz = std::abs(frame_.waveform.bandwidth_hz) * part_of(k);
       const double doppler_hz = doppler_of(seen.sine, hz);
-      const double weight = seen.weight * in_range_(part) * azimuth_weight(doppler_hz, pulse);
+      const double weight = seen.weight * in_range_[static_cast<std::size_t>(k)] * azimuth_weight(doppler_hz, pulse);
       spectrum.whole += weight;
       if (keeps(hz, doppler_hz)) spectrum.pieces.push_back(piece_of(hz, doppler_hz, weight));
     }
   }
 
  private:
+  static constexpr int count = 33;  // of frequencies over the band
+  static double part_of(int k) { return (static_cast<double>(k) + 0.5) / count - 0.5; }
+
   [[nodiscard]] bool omega_k() const { return frame_.options.method == FocusMethod::omega_k; }
 
   [[nodiscard]] double doppler_of(double sine, double hz) const {
@@ -71,13 +70,11 @@ class SpectrumMaker {
     if (!(there < most_sine)) return false;
     constexpr double spare = 1.1;
     const double from_reference_m = range_m_ - frame_.row_reference(doppler_hz).range_m;
-    const double row_m =
-        radar::range_of(frame_.row_samples / frame_.waveform.sample_rate_hz, frame_.waveform.light_speed_mps);
-    return std::abs(from_reference_m) / std::sqrt(1.0 - there * there) <= spare * 0.5 * row_m;
+    return std::abs(from_reference_m) / std::sqrt(1.0 - there * there) <= spare * 0.5 * row_m_;
   }
 
-  [[nodiscard]] SpectrumPiece piece_of(double hz, double doppler_hz, double weight) const {
-    SpectrumPiece piece{.azimuth_per_m = doppler_hz / frame_.track.speed_mps, .weight = weight};
+  [[nodiscard]] SpectrumPhasor piece_of(double hz, double doppler_hz, double weight) const {
+    SpectrumPhasor piece{.azimuth_per_m = doppler_hz / frame_.track.speed_mps, .weight = weight};
     if (omega_k()) return piece;
     const SarWaveform& wave = frame_.waveform;
     const double share = (range_m_ - frame_.reference_range_m) / frame_.reference_range_m;
@@ -90,7 +87,8 @@ class SpectrumMaker {
 
   const FocusFrame& frame_;
   double range_m_;
-  std::function<double(double)> in_range_;
+  double row_m_;
+  std::array<double, count> in_range_{};
   std::function<double(double)> in_azimuth_;
 };
 
@@ -105,27 +103,27 @@ PointSpectrum spectrum_of_point(const FocusFrame& frame, double range_m, std::sp
   return spectrum;
 }
 
-std::complex<double> sum_at(const std::vector<SpectrumPiece>& pieces, const ImagePlace& place) {
-  std::complex<double> sum;
-  for (const SpectrumPiece& piece : pieces) {
-    const double turns = piece.turns + piece.azimuth_per_m * place.azimuth_m + piece.range_per_m * place.range_m;
-    sum += std::polar(piece.weight, 2.0 * core::pi * (turns - std::round(turns)));
-  }
-  return sum;
+double sum_of_weights(const std::vector<SpectrumPhasor>& pieces) {
+  double weight = 0.0;
+  for (const SpectrumPhasor& piece : pieces) weight += piece.weight;
+  return weight;
 }
 
-// Climbs from the ideal place, in steps that are halved when none of them leads higher.
-ImagePlace peak_of_pieces(const std::vector<SpectrumPiece>& pieces, double azimuth_step_m, double range_step_m) {
+// From the ideal place by the slope, otherwise in steps that are halved when none of them leads higher.
+ImagePlace peak_of_pieces(const std::vector<SpectrumPhasor>& pieces, double azimuth_step_m, double range_step_m) {
+  constexpr double is_sharp = 0.7;  // Below it the nearest peak may be one of several.
+  if (const std::optional<ImagePlace> near = phasor_peak(pieces, {}))
+    if (std::abs(phasor_sum(pieces, *near)) >= is_sharp * sum_of_weights(pieces)) return *near;
   constexpr int halvings = 8;
   ImagePlace peak;
-  double height = std::abs(sum_at(pieces, peak));
+  double height = std::abs(phasor_sum(pieces, peak));
   for (int i = 0; i < halvings; ++i, azimuth_step_m *= 0.5, range_step_m *= 0.5) {
     for (bool higher = true; higher;) {
       higher = false;
       for (const auto& [da, dr] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1),
                                    std::pair(1, 1), std::pair(-1, -1), std::pair(1, -1), std::pair(-1, 1)}) {
         const ImagePlace next{peak.azimuth_m + da * azimuth_step_m, peak.range_m + dr * range_step_m};
-        const double there = std::abs(sum_at(pieces, next));
+        const double there = std::abs(phasor_sum(pieces, next));
         if (!(there > height)) continue;
         height = there;
         peak = next;
@@ -152,14 +150,15 @@ SwathLoss PointLosses::of(double range_m, std::span<const SeenDirection> seen) c
     loss.amplitude = 0.0;
     return loss;
   }
-  if (frame.options.method != FocusMethod::omega_k) {
-    const double cell_m = radar::range_of_cycle(std::abs(frame.waveform.bandwidth_hz), frame.waveform.light_speed_mps);
-    const auto [low, high] = std::ranges::minmax(spectrum.pieces, {}, &SpectrumPiece::azimuth_per_m);
-    const double width_per_m = high.azimuth_per_m - low.azimuth_per_m;
-    loss.shift =
-        peak_of_pieces(spectrum.pieces, 0.25 * (width_per_m > 0.0 ? 1.0 / width_per_m : cell_m), 0.25 * cell_m);
+  if (frame.options.method == FocusMethod::omega_k) {
+    loss.amplitude = sum_of_weights(spectrum.pieces) / spectrum.whole;
+    return loss;
   }
-  const std::complex<double> peak = sum_at(spectrum.pieces, loss.shift);
+  const double cell_m = radar::range_of_cycle(std::abs(frame.waveform.bandwidth_hz), frame.waveform.light_speed_mps);
+  const auto [low, high] = std::ranges::minmax(spectrum.pieces, {}, &SpectrumPhasor::azimuth_per_m);
+  const double width_per_m = high.azimuth_per_m - low.azimuth_per_m;
+  loss.shift = peak_of_pieces(spectrum.pieces, 0.25 * (width_per_m > 0.0 ? 1.0 / width_per_m : cell_m), 0.25 * cell_m);
+  const std::complex<double> peak = phasor_sum(spectrum.pieces, loss.shift);
   const double carried = frame.azimuth.spectrum_centre_per_m * loss.shift.azimuth_m +
                          frame.range.spectrum_centre_per_m * loss.shift.range_m;
   loss.amplitude = std::abs(peak) / spectrum.whole;

@@ -116,17 +116,13 @@ class Hearing {
 
  private:
   void place_platforms() {
-    std::vector<bool> reflects(scene_.platforms.size(), false);
-    for (const std::uint32_t platform : scene_.scatterers.platforms()) reflects[platform] = true;
-    for (const ScattererSheet& sheet : scene_.sheets) reflects[sheet.platform] = true;
     poses_.resize(scene_.platforms.size());
     between_m_.assign(scene_.platforms.size(), 0.0);
     radar::Track::ErrorSteps steps;
     const radar::Track& own = scene_.platforms[radar_.platform].track;
     for (const std::int64_t look : looks_)
       own_m_.push_back(own.travel_at(radar_.repetition.send_time_s(look), look, steps).position_world_m);
-    for (std::size_t p = 0; p < poses_.size(); ++p) {
-      if (!reflects[p]) continue;
+    for (const std::uint32_t p : reflecting_platforms(scene_)) {
       radar::Track::ErrorSteps of_platform;
       for (const std::int64_t look : looks_)
         poses_[p].push_back(scene_.platforms[p].track.at(radar_.repetition.send_time_s(look), look, of_platform));

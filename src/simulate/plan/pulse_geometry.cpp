@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -47,20 +48,16 @@ double two_way_gain(const ResolvedRadar& radar, radar::PatternRule rule, const r
 }  // namespace
 
 PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
-    : scene_(&scene),
-      radar_(&radar),
-      poses_(scene.platforms.size()),
-      used_(scene.platforms.size(), false),
-      reflects_(scene.platforms.size(), false),
-      frames_(scene.platforms.size()),
-      error_steps_(scene.platforms.size()) {
+    : scene_(&scene), radar_(&radar), platforms_(reflecting_platforms(scene)), reflecting_(platforms_.size()) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);
-  for (const std::uint32_t platform : scene.scatterers.platforms()) reflects_[platform] = true;
-  for (const ScattererSheet& sheet : scene.sheets) reflects_[sheet.platform] = true;
-  used_ = reflects_;
-  used_[radar.platform] = true;
-  for (std::size_t i = 0; i < poses_.size(); ++i) poses_[i] = scene.platforms[i].track.at(0.0, 0);
+  if (!std::ranges::binary_search(platforms_, radar.platform)) platforms_.push_back(radar.platform);
+  slot_of_.assign(scene.platforms.size(), std::numeric_limits<std::uint32_t>::max());
+  for (std::size_t slot = 0; slot < platforms_.size(); ++slot)
+    slot_of_[platforms_[slot]] = static_cast<std::uint32_t>(slot);
+  for (const std::uint32_t platform : platforms_) poses_.push_back(scene.platforms[platform].track.at(0.0, 0));
+  frames_.resize(platforms_.size());
+  error_steps_.resize(platforms_.size());
   spreading_ = !(radar.stc != scene::Radar::Stc::none && scene.conventions.stc == Conventions::Stc::no_spreading);
   set_pulse(0);
 }
@@ -69,19 +66,19 @@ void PulseGeometry::set_pulse(std::int64_t pulse) {
   pulse_ = pulse;
   time_s_ = radar_->repetition.send_time_s(pulse);
   carrier_hz_ = radar_->carrier.carrier_hz(pulse);
-  for (std::size_t i = 0; i < poses_.size(); ++i)
-    if (used_[i] && !scene_->platforms[i].track.fixed())
-      poses_[i] = scene_->platforms[i].track.at(time_s_, pulse, error_steps_[i]);
+  for (std::size_t slot = 0; slot < platforms_.size(); ++slot)
+    if (const radar::Track& track = scene_->platforms[platforms_[slot]].track; !track.fixed())
+      poses_[slot] = track.at(time_s_, pulse, error_steps_[slot]);
   bends_ = false;
-  for (std::size_t i = 0; i < poses_.size(); ++i)
-    if (reflects_[i]) set_frame(i);
+  for (std::size_t slot = 0; slot < reflecting_; ++slot) set_frame(slot);
   const double wavelength_m = radar::wavelength_of(carrier_hz_, scene_->conventions.light_speed_mps);
   amplitude_scale_ = std::sqrt(radar_->radiated_w) * wavelength_m / std::pow(4.0 * core::pi, 1.5);
 }
 
-void PulseGeometry::set_frame(std::size_t platform) {
-  radar::SightFrame& frame = frames_[platform];
-  const radar::Pose& pose = poses_[platform];
+void PulseGeometry::set_frame(std::size_t slot) {
+  radar::SightFrame& frame = frames_[slot];
+  const radar::Pose& pose = poses_[slot];
+  const std::size_t platform = platforms_[slot];
   frame = {};
   frame.light_time = scene_->conventions.light_time;
   frame.light_speed_mps = scene_->conventions.light_speed_mps;
@@ -107,7 +104,7 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) {
   const bool turns = scene_->turns();  // The Earth carries what rests on it.
   frame.moves = !carrier.track.fixed() || turns;
   if (frame.moves) {
-    radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_, error_steps_[platform]);
+    radar::Pose met = carrier.track.at(time_s_ + out_s, pulse_, error_steps_[slot_of_[platform]]);
     if (turns) met = at_rest(met, out_s);
     frame.world_from_platform = met.world_from_platform;
     frame.world_from_platform_rate = met.world_from_platform_rate;
@@ -117,7 +114,7 @@ void PulseGeometry::set_flight(std::size_t platform, radar::SightFrame& frame) {
   }
   frame.back_s = 2.0 * out_s;
   if (own.track.fixed() && !turns) return;
-  radar::Travel back = own.track.travel_at(time_s_ + frame.back_s, pulse_, error_steps_[radar_->platform]);
+  radar::Travel back = own.track.travel_at(time_s_ + frame.back_s, pulse_, error_steps_[slot_of_[radar_->platform]]);
   core::Vec3 sent_mps = radar_pose().velocity_world_mps;
   if (turns) {
     sent_mps = radar::RestingAxes(scene_->turning, 0.0).velocity_mps(radar_pose().position_world_m, sent_mps);
@@ -141,7 +138,7 @@ radar::Pose PulseGeometry::at_rest(const radar::Pose& pose, double elapsed_s) co
 }
 
 // Accelerations are computed where their bounds say that they may count.
-void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) const {
+void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) {
   const ResolvedPlatform& carrier = scene_->platforms[platform];
   const ResolvedPlatform& own = scene_->platforms[radar_->platform];
   const double reach_m = core::norm(carrier.middle_m) + carrier.radius_m;
@@ -155,7 +152,9 @@ void PulseGeometry::set_bend(std::size_t platform, radar::SightFrame& frame) con
     frame.world_from_platform_acceleration = of_carrier.world_from_platform_acceleration;
   }
   if (!own.track.fixed())
-    frame.radar_mps2 = own.track.acceleration_at(time_s_, pulse_, radar_pose()).acceleration_world_mps2;
+    frame.radar_mps2 =
+        own.track.acceleration_at(time_s_, pulse_, radar_pose(), error_steps_[slot_of_[radar_->platform]])
+            .acceleration_world_mps2;
   if (scene_->turns()) set_bend_at_rest(platform, frame);
   frame.bends =
       bend_counts(platform, frame,
@@ -204,12 +203,12 @@ radar::Pointing PulseGeometry::pointing() const {
 
 PulseGeometry::Sight PulseGeometry::sight_of(std::size_t platform, const core::Vec3& point_m,
                                              const core::Vec3& undisturbed_m) const {
-  const radar::SightFrame& frame = frames_[platform];
+  const radar::SightFrame& frame = this->frame(platform);
   const core::Vec3 look_m = frame.origin_m + frame.world_from_platform * point_m;
   // Jitter moves positions, never speeds (decision 4): the velocity is that of the undisturbed point.
   const auto velocity_mps = [&] { return frame.velocity_mps + frame.world_from_platform_rate * undisturbed_m; };
   const auto distance_m = [&] {
-    return core::norm(radar::world_position_m(poses_[platform], point_m) - radar_pose().position_world_m);
+    return core::norm(radar::world_position_m(pose(platform), point_m) - radar_pose().position_world_m);
   };
   Sight sight;
   if (frame.light_time == radar::LightTime::thesis) {
@@ -277,7 +276,7 @@ ScattererView PulseGeometry::view(std::size_t index) const { return view(index, 
 
 ScattererView PulseGeometry::view(std::size_t index, const radar::Pointing& pointing) const {
   const Scatterer& s = scene_->scatterers[index];
-  const radar::SightFrame& frame = frames_[s.platform];
+  const radar::SightFrame& frame = this->frame(s.platform);
   core::Vec3 point_m = s.position_m;
   double rcs_m2 = s.rcs_m2;
   double azimuth = s.azimuth_rad;
@@ -341,7 +340,7 @@ std::optional<ScattererView> PulseGeometry::point_view(const ScattererSheet& she
                                                        const radar::Pointing& pointing) const {
   static const core::Interpolator none;
   const Sight sight = sight_of(sheet.platform, point_m, point_m);
-  const core::Vec3 normal_world = normal_at(frames_[sheet.platform], sheet.normal_platform, sight);
+  const core::Vec3 normal_world = normal_at(frame(sheet.platform), sheet.normal_platform, sight);
   const double law = radar::reflectivity(radar::ReflectivityLaw::cosine, none,
                                          radar::incidence_rad(normal_world, sight.flight.look_m));
   if (law <= 0.0) return std::nullopt;

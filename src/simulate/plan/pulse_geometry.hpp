@@ -42,11 +42,11 @@ class PulseGeometry {
   [[nodiscard]] const AirPaths* air() const { return radar_->air.get(); }
   /// Whether the phase of any echo may be ahead of its delay, as an ionosphere makes it.
   [[nodiscard]] bool advances() const { return radar_->air != nullptr && radar_->air->advances(); }
-  [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[radar_->platform]; }
-  /// Where a platform stands as the pulse leaves.
-  [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[platform]; }
+  [[nodiscard]] const radar::Pose& radar_pose() const { return poses_[slot_of_[radar_->platform]]; }
+  /// Where a platform with targets or surfaces stands as the pulse leaves.
+  [[nodiscard]] const radar::Pose& pose(std::size_t platform) const { return poses_[slot_of_[platform]]; }
   /// How a platform with targets or surfaces moves while the current pulse is under way; without antenna.
-  [[nodiscard]] const radar::SightFrame& frame(std::size_t platform) const { return frames_[platform]; }
+  [[nodiscard]] const radar::SightFrame& frame(std::size_t platform) const { return frames_[slot_of_[platform]]; }
   /// Whether the bend of any echo of the current pulse counts, against the scene's tolerance.
   [[nodiscard]] bool bends() const { return bends_; }
   /// Where the beam points at the current pulse.
@@ -75,9 +75,9 @@ class PulseGeometry {
 
  private:
   struct Sight;  // the way to a point and home
-  void set_frame(std::size_t platform);
+  void set_frame(std::size_t slot);
   void set_flight(std::size_t platform, radar::SightFrame& frame);
-  void set_bend(std::size_t platform, radar::SightFrame& frame) const;
+  void set_bend(std::size_t platform, radar::SightFrame& frame);
   void set_bend_at_rest(std::size_t platform, radar::SightFrame& frame) const;
   [[nodiscard]] radar::Pose at_rest(const radar::Pose& pose, double elapsed_s) const;
   [[nodiscard]] bool bend_counts(std::size_t platform, const radar::SightFrame& frame, double platform_mps2,
@@ -93,9 +93,11 @@ class PulseGeometry {
 
   const ResolvedScene* scene_;
   const ResolvedRadar* radar_;
-  std::vector<radar::Pose> poses_;
-  std::vector<bool> used_;      // platforms of scatterers and the radar's
-  std::vector<bool> reflects_;  // platforms of scatterers
+  // Only platforms that are seen have a slot: a scene of many radars makes as many of these.
+  std::vector<std::uint32_t> slot_of_;    // of each platform of the scene
+  std::vector<std::uint32_t> platforms_;  // of each slot: those that reflect, then the radar's if it is none of them
+  std::size_t reflecting_ = 0;            // slots of platforms that reflect
+  std::vector<radar::Pose> poses_;        // by slot, as the two below
   std::vector<radar::SightFrame> frames_;
   std::vector<radar::Track::ErrorSteps> error_steps_;
   bool bends_ = false;

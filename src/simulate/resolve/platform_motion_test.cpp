@@ -51,7 +51,8 @@ TEST(PlatformMotion, CarriesTheLongestChainThatMoves) {
   const radar::Pose pose = tracks.back().at(time_s, 0);
   EXPECT_LT(core::norm(pose.position_world_m - place), 1e-12);
   EXPECT_LT(core::norm(pose.velocity_world_mps - rate * Vec3{arm.y, -arm.x, 0.0}), 1e-12);
-  const radar::PoseAcceleration acceleration = tracks.back().acceleration_at(time_s, 0, pose);
+  radar::Track::ErrorSteps steps;
+  const radar::PoseAcceleration acceleration = tracks.back().acceleration_at(time_s, 0, pose, steps);
   EXPECT_LT(core::norm(acceleration.acceleration_world_mps2 + rate * rate * arm), 1e-11);
 }
 

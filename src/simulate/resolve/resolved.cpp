@@ -284,6 +284,14 @@ ResolvedScene resolve(const scene::Scene& scene, const core::WorkControl& contro
   return resolved;
 }
 
+std::vector<std::uint32_t> reflecting_platforms(const ResolvedScene& scene) {
+  std::vector<std::uint32_t> platforms = scene.scatterers.platforms();
+  for (const ScattererSheet& sheet : scene.sheets) platforms.push_back(sheet.platform);
+  std::ranges::sort(platforms);
+  platforms.erase(std::ranges::unique(platforms).begin(), platforms.end());
+  return platforms;
+}
+
 std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene> scene, std::size_t most_points) {
   CORE_EXPECT(scene != nullptr);
   if (std::ranges::none_of(scene->scatterers.clouds(),

@@ -70,6 +70,9 @@ struct ResolvedScene {
   std::vector<core::Interpolator> gain_curves;
 };
 
+/// Platforms that carry targets, points of clouds or surfaces, ascending.
+[[nodiscard]] std::vector<std::uint32_t> reflecting_platforms(const ResolvedScene& scene);
+
 /// Points per square metre that a `$SURFACE` is filled with (docs/theory/echo-model.md).
 inline constexpr double surface_points_per_m2 = 1.0;
 

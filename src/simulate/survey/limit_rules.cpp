@@ -1,9 +1,10 @@
 #include "simulate/survey/limit_rules.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -26,10 +27,10 @@ constexpr double max_below_ground_m = 1.0;       // of a flat world
 constexpr double max_below_ellipsoid_m = 120.0;  // the deepest geoid is 107 m below it
 constexpr double max_dispersion_cells = 0.5;     // a quadratic phase of 0.4 rad at the ends of the band
 constexpr double max_bending_wavelengths = 1.0 / 16.0;
-constexpr double max_blind_share = 0.02;     // of the PRF, beside a multiple of it
-constexpr double min_ambiguous_ratio = 0.1;  // amplitude, of the strongest target
-constexpr std::size_t max_compared = 64;     // targets, each with each other
-constexpr std::size_t max_sorted = 100'000;  // targets whose positions are compared
+constexpr double max_blind_share = 0.02;              // of the PRF, beside a multiple of it
+constexpr double min_ambiguous_ratio = 0.1;           // amplitude, of the strongest target
+constexpr std::size_t max_compared = 64;              // targets, each with each other
+constexpr std::size_t max_compared_places = 100'000;  // targets whose positions are compared
 constexpr std::int64_t min_aperture_pulses = 16;
 
 // One target at the middle pulse.
@@ -117,19 +118,48 @@ class LimitRules {
     geometry.set_pulse(pulse);
     const ScattererList& all = plan_.scene->scatterers;
     std::vector<core::Vec3> places_m;
+    places_m.reserve(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
       places_m.push_back(radar::world_position_m(geometry.pose(all[i].platform), all[i].position_m));
     return places_m;
   }
 
+  // Numbers of the places that are there more than once, ascending; a table of hashes, since most scenes have none.
+  [[nodiscard]] static std::vector<std::size_t> not_alone(const std::vector<core::Vec3>& places_m) {
+    std::vector<std::size_t> found;
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * places_m.size()), 0);  // Numbers from 1; 0: free.
+    const std::size_t mask = table.size() - 1;
+    for (std::size_t i = 0; i < places_m.size(); ++i) {
+      std::size_t slot = hash_of(places_m[i]) & mask;
+      while (table[slot] != 0 && !(places_m[table[slot] - 1] == places_m[i])) slot = (slot + 1) & mask;
+      if (table[slot] == 0) {
+        table[slot] = static_cast<std::uint32_t>(i + 1);
+        continue;
+      }
+      found.push_back(table[slot] - 1);
+      found.push_back(i);
+    }
+    std::ranges::sort(found);
+    found.erase(std::ranges::unique(found).begin(), found.end());
+    return found;
+  }
+  static std::size_t hash_of(const core::Vec3& place_m) {
+    std::uint64_t hash = 0;
+    for (const double part : {place_m.x, place_m.y, place_m.z}) {
+      hash = (hash ^ std::bit_cast<std::uint64_t>(part + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 is 0.
+      hash ^= hash >> 32U;
+    }
+    return hash;
+  }
+
   // In the world, at two pulses: whatever platforms they are on.
   void check_same_positions() {
     const std::size_t targets = plan_.scene->scatterers.size();
-    if (targets < 2 || targets > max_sorted) return;
+    if (targets < 2 || targets > max_compared_places) return;
     const std::vector<core::Vec3> first_m = places(plan_.pulses.first);
+    std::vector<std::size_t> order = not_alone(first_m);
+    if (order.empty()) return;
     const std::vector<core::Vec3> middle_m = places(plan_.pulses.first + plan_.pulses.count() / 2);
-    std::vector<std::size_t> order(targets);
-    std::iota(order.begin(), order.end(), std::size_t{0});
     const auto key = [&](std::size_t i) {
       return std::tuple(first_m[i].x, first_m[i].y, first_m[i].z, middle_m[i].x, middle_m[i].y, middle_m[i].z);
     };

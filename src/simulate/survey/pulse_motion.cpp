@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -69,10 +70,10 @@ double most_jerk_mps2(const Moved& before, const Moved& after, double reach_m) {
 class MotionLook {
  public:
   MotionLook(const Plan& plan, std::span<const std::size_t> targets, const core::WorkControl& control)
-      : plan_(plan), targets_(targets), control_(control), reflects_(plan.scene->platforms.size(), false) {
-    for (const std::size_t t : targets) reflects_[plan.scene->scatterers[t].platform] = true;
-    used_ = reflects_;
-    used_[plan.radar.platform] = true;
+      : plan_(plan), targets_(targets), control_(control), slot_of_(plan.scene->platforms.size(), none) {
+    for (const std::size_t t : targets) add_slot(plan.scene->scatterers[t].platform);
+    reflecting_ = platforms_.size();
+    add_slot(plan.radar.platform);
   }
 
   PulseMotion worst() {
@@ -132,13 +133,13 @@ class MotionLook {
   [[nodiscard]] double most_at(std::int64_t pulse) const {
     const double width_s = plan_.radar.pulse.width_s;
     const double time_s = plan_.radar.repetition.send_time_s(pulse);
-    const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse);
-    const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse);
-    const std::size_t own = plan_.radar.platform;
+    std::vector<radar::Track::ErrorSteps> steps(platforms_.size());
+    const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse, steps);
+    const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse, steps);
+    const std::size_t own = slot_of_[plan_.radar.platform];
     double most_mps2 = 0.0;
-    for (std::size_t p = 0; p < used_.size(); ++p) {
-      if (!reflects_[p]) continue;
-      const ResolvedPlatform& platform = plan_.scene->platforms[p];
+    for (std::size_t p = 0; p < reflecting_; ++p) {
+      const ResolvedPlatform& platform = plan_.scene->platforms[platforms_[p]];
       const double reach_m = core::norm(platform.middle_m) + platform.radius_m;
       double change_mps2 = 0.0;
       for (const std::vector<Moved>* at : {&before, &after}) {
@@ -159,13 +160,20 @@ class MotionLook {
            radar::delay_of(std::abs(change_mps2), plan_.scene->conventions.light_speed_mps);
   }
 
-  [[nodiscard]] std::vector<Moved> platforms_at(double time_s, std::int64_t pulse) const {
-    std::vector<Moved> moved(used_.size());
-    for (std::size_t p = 0; p < used_.size(); ++p) {
-      if (!used_[p]) continue;
-      const radar::Track& track = plan_.scene->platforms[p].track;
-      moved[p].pose = track.at(time_s, pulse);
-      moved[p].acceleration = track.acceleration_at(time_s, pulse, moved[p].pose);
+  void add_slot(std::uint32_t platform) {
+    if (slot_of_[platform] != none) return;
+    slot_of_[platform] = static_cast<std::uint32_t>(platforms_.size());
+    platforms_.push_back(platform);
+  }
+
+  // By slot.
+  [[nodiscard]] std::vector<Moved> platforms_at(double time_s, std::int64_t pulse,
+                                                std::vector<radar::Track::ErrorSteps>& steps) const {
+    std::vector<Moved> moved(platforms_.size());
+    for (std::size_t p = 0; p < platforms_.size(); ++p) {
+      const radar::Track& track = plan_.scene->platforms[platforms_[p]].track;
+      moved[p].pose = track.at(time_s, pulse, steps[p]);
+      moved[p].acceleration = track.acceleration_at(time_s, pulse, moved[p].pose, steps[p]);
     }
     return moved;
   }
@@ -173,14 +181,16 @@ class MotionLook {
   [[nodiscard]] PulseMotion worst_at(std::int64_t pulse) const {
     const double width_s = plan_.radar.pulse.width_s;
     const double time_s = plan_.radar.repetition.send_time_s(pulse);
-    const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse);
-    const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse);
-    const std::size_t own = plan_.radar.platform;
+    std::vector<radar::Track::ErrorSteps> steps(platforms_.size());
+    const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse, steps);
+    const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse, steps);
+    const std::size_t own = slot_of_[plan_.radar.platform];
     PulseMotion worst{0.0, 0, pulse};
     for (const std::size_t t : targets_) {
       const Scatterer& s = plan_.scene->scatterers[t];
-      const double change_mps2 = bend_mps2(after[own], after[s.platform], s.position_m) -
-                                 bend_mps2(before[own], before[s.platform], s.position_m);
+      const std::size_t p = slot_of_[s.platform];
+      const double change_mps2 =
+          bend_mps2(after[own], after[p], s.position_m) - bend_mps2(before[own], before[p], s.position_m);
       const double phase_rad = phase_of(change_mps2, pulse);
       if (phase_rad > worst.phase_rad) worst = {phase_rad, t, pulse};
     }
@@ -190,8 +200,10 @@ class MotionLook {
   const Plan& plan_;
   std::span<const std::size_t> targets_;
   const core::WorkControl& control_;
-  std::vector<bool> reflects_;  // platforms of the targets
-  std::vector<bool> used_;      // and that of the radar
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> platforms_;  // of the targets, then that of the radar
+  std::vector<std::uint32_t> slot_of_;    // place in that list of each platform of the scene
+  std::size_t reflecting_ = 0;            // how many are of targets
   PulseMotion worst_;
 };
 

@@ -237,16 +237,19 @@ signal::FocusedRows focused_rows(const FocusWork& work, const FocusRequest& requ
 }
 
 ImageOrigin origin_of(const FocusWork& work, const FocusRequest& request) {
-  return {request.input.path,
-          request.input.script,
-          words_of_overrides(request.input.overrides),
-          work.input.simulation,
-          word_of(request.algorithm),
-          work.options,
-          to_string(work.motion),
-          work.input.plan->radar.name,
-          work.input.plan->scene->options,
-          scene::earth_of(work.input.world)};
+  ImageOrigin origin{request.input.path,
+                     request.input.script,
+                     words_of_overrides(request.input.overrides),
+                     work.input.simulation,
+                     word_of(request.algorithm),
+                     work.options,
+                     to_string(work.motion),
+                     work.input.plan->radar.name,
+                     work.input.plan->scene->options,
+                     scene::earth_of(work.input.world)};
+  // An image does not name a dataset beside the usual one.
+  if (request.input.dataset.empty()) origin.recording = work.input.recording;
+  return origin;
 }
 
 void write_outputs(const FocusReport& report, const FocusRequest& request, const core::StopFlag* stop) {

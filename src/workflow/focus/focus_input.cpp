@@ -74,6 +74,7 @@ FocusInput of_file(const RecordingArguments& arguments, const core::WorkControl&
   believe(navigation, stored.scene, focus);
   focus.of_files = std::move(stored.of_files);
   focus.sources = std::move(stored.sources);
+  focus.recording = std::move(stored.file);
   return focus;
 }
 

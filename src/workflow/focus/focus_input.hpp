@@ -14,11 +14,12 @@ namespace sarsim::workflow {
 struct FocusInput {
   std::shared_ptr<const simulate::Plan> plan;
   signal::EchoRows echoes;
-  std::size_t simulation = 0;                    ///< Position in the script's list.
-  core::Problems problems;                       ///< Warnings about script and file.
-  scene::World world;                            ///< Where and when the scene is.
-  std::vector<std::filesystem::path> sources{};  ///< Files that the echoes are made from.
-  core::Problems of_files{};                     ///< Of the problems those about the files that the script names.
+  std::size_t simulation = 0;                         ///< Position in the script's list.
+  core::Problems problems;                            ///< Warnings about script and file.
+  scene::World world;                                 ///< Where and when the scene is.
+  std::vector<std::filesystem::path> sources{};       ///< Files that the echoes are made from.
+  core::Problems of_files{};                          ///< Of the problems those about the files that the script names.
+  std::shared_ptr<const raster::Raster> recording{};  ///< That the echoes are read from; null: they are computed.
 };
 
 /// Simulation number `simulation` of a sound scene, which becomes what focusing wants recorded (`recorded_for_sar`).

@@ -13,6 +13,7 @@
 #include "core/maths/sinc.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/ground_sight.hpp"
+#include "signal/sar/phasor_sum.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/target_sights.hpp"
 
@@ -138,45 +139,39 @@ void weigh_by_lag(std::vector<ResidualEcho>& echoes, const signal::SarWaveform& 
   }
 }
 
-// Sums of the echoes with the phases that are left.
-class ResidualPeak {
- public:
-  ResidualPeak(std::span<const ResidualEcho> echoes, double turns_per_m) : echoes_(echoes), per_m_(turns_per_m) {}
+std::vector<signal::SpectrumPhasor> phasors_of(std::span<const ResidualEcho> echoes, double turns_per_m) {
+  std::vector<signal::SpectrumPhasor> phasors;
+  phasors.reserve(echoes.size());
+  for (const ResidualEcho& echo : echoes)
+    phasors.push_back({.azimuth_per_m = echo.cycles_per_m, .weight = echo.weight, .turns = -turns_per_m * echo.left_m});
+  return phasors;
+}
 
-  [[nodiscard]] std::complex<double> at(double azimuth_m) const {
-    std::complex<double> sum;
-    for (const ResidualEcho& echo : echoes_)
-      sum += std::polar(echo.weight, 2.0 * core::pi * (azimuth_m * echo.cycles_per_m - per_m_ * echo.left_m));
-    return sum;
-  }
-  /// The largest near a place: on a grid of eighths of a cell, then by thirds of what is left.
-  [[nodiscard]] double largest_near(double azimuth_m, double cell_m) const {
-    constexpr int steps = 24;
-    double best_m = azimuth_m;
-    double best = std::norm(at(azimuth_m));
-    for (int i = -steps; i <= steps; ++i) {
-      const double place_m = azimuth_m + 0.125 * cell_m * i;
-      if (const double power = std::norm(at(place_m)); power > best) {
-        best = power;
-        best_m = place_m;
-      }
+// The largest sum near a place: on a grid of eighths of a cell, then by thirds of what is left.
+double largest_near(std::span<const signal::SpectrumPhasor> phasors, double azimuth_m, double cell_m) {
+  constexpr int steps = 24;
+  const auto power_at = [&](double place_m) { return std::norm(signal::phasor_sum(phasors, {place_m, 0.0})); };
+  double best_m = azimuth_m;
+  double best = power_at(azimuth_m);
+  for (int i = -steps; i <= steps; ++i) {
+    const double place_m = azimuth_m + 0.125 * cell_m * i;
+    if (const double power = power_at(place_m); power > best) {
+      best = power;
+      best_m = place_m;
     }
-    for (double half_m = 0.125 * cell_m; half_m > 1e-5 * cell_m; half_m *= 2.0 / 3.0) {
-      const double third_m = half_m / 3.0;
-      best_m += std::norm(at(best_m - third_m)) < std::norm(at(best_m + third_m)) ? third_m : -third_m;
-    }
-    return best_m;
   }
-
- private:
-  std::span<const ResidualEcho> echoes_;
-  double per_m_;
-};
+  for (double half_m = 0.125 * cell_m; half_m > 1e-5 * cell_m; half_m *= 2.0 / 3.0) {
+    const double third_m = half_m / 3.0;
+    best_m += power_at(best_m - third_m) < power_at(best_m + third_m) ? third_m : -third_m;
+  }
+  return best_m;
+}
 
 // Moments of the phase over the spectrum: its straight line moves the peak.
 struct ResidualLine {
   double rms_rad = 0.0;
-  double slope_m = 0.0;  // turns for each cycle per metre
+  double bent_rad = 0.0;  // rms of what the line leaves
+  double slope_m = 0.0;   // turns for each cycle per metre
   double cell_m = 0.0;
 };
 
@@ -199,8 +194,19 @@ ResidualLine line_of(std::span<const ResidualEcho> echoes, double turns_per_m) {
   const double spread = place_square - place * place / sum;
   line.rms_rad = 2.0 * core::pi * std::sqrt(square / sum);
   line.slope_m = spread > 0.0 ? (product - turns * place / sum) / spread : 0.0;
+  const double about_middle = square / sum - (turns / sum) * (turns / sum);
+  line.bent_rad = 2.0 * core::pi * std::sqrt(std::max(0.0, about_middle - line.slope_m * line.slope_m * spread / sum));
   line.cell_m = most > least ? 1.0 / (most - least) : 0.0;
   return line;
+}
+
+double place_of_peak(std::span<const signal::SpectrumPhasor> phasors, const ResidualLine& line) {
+  constexpr double nothing_rad = 1e-4;
+  constexpr double max_bent_rad = 0.5;  // Below it the peak at the line's place is the largest.
+  if (line.rms_rad < nothing_rad) return 0.0;
+  if (line.bent_rad < max_bent_rad)
+    if (const auto peak = signal::phasor_peak(phasors, {-line.slope_m, 0.0})) return peak->azimuth_m;
+  return largest_near(phasors, -line.slope_m, line.cell_m);
 }
 
 std::optional<MotionResidual> residual_of(std::size_t target, KeptEchoes kept, const signal::SarWaveform& wave,
@@ -209,14 +215,10 @@ std::optional<MotionResidual> residual_of(std::size_t target, KeptEchoes kept, c
   if (echoes.empty()) return std::nullopt;
   weigh_by_lag(echoes, wave);
   const ResidualLine line = line_of(echoes, turns_per_m);
-  const ResidualPeak sums(echoes, turns_per_m);
-  MotionResidual residual{.target = target, .rms_rad = line.rms_rad, .azimuth_m = -line.slope_m, .cell_m = line.cell_m};
-  constexpr double nothing_rad = 1e-4;
-  if (line.rms_rad < nothing_rad)
-    residual.azimuth_m = 0.0;
-  else
-    residual.azimuth_m = sums.largest_near(-line.slope_m, line.cell_m);
-  const std::complex<double> peak = sums.at(residual.azimuth_m);
+  const std::vector<signal::SpectrumPhasor> phasors = phasors_of(echoes, turns_per_m);
+  MotionResidual residual{.target = target, .rms_rad = line.rms_rad, .azimuth_m = place_of_peak(phasors, line)};
+  residual.cell_m = line.cell_m;
+  const std::complex<double> peak = signal::phasor_sum(phasors, {residual.azimuth_m, 0.0});
   residual.amplitude = std::abs(peak) / kept.ideal;
   residual.phase_rad =
       std::remainder(std::arg(peak) - 2.0 * core::pi * flight.carrier_per_m * residual.azimuth_m, 2.0 * core::pi);

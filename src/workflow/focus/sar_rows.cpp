@@ -44,6 +44,19 @@ std::shared_ptr<const signal::FloatCompressor> plain_compressor(const simulate::
   return std::make_shared<const signal::FloatCompressor>(filter, plan.columns, samples);
 }
 
+// Made with the first row: what only looks at the geometry of a scene has no need of it.
+class CompressorAtNeed {
+ public:
+  const signal::FloatCompressor& of(const simulate::Plan& plan, std::size_t samples) {
+    std::call_once(once_, [&] { compressor_ = plain_compressor(plan, samples); });
+    return *compressor_;
+  }
+
+ private:
+  std::once_flag once_;
+  std::shared_ptr<const signal::FloatCompressor> compressor_;
+};
+
 // All but `read`. The echoes of a target at the delay t begin, and so are compressed to a peak, `lead` before t.
 signal::EchoRows rows_without_reader(const simulate::Plan& plan, std::size_t samples) {
   signal::EchoRows rows;
@@ -167,14 +180,14 @@ scene::Simulation recorded_for_sar(const scene::Simulation& simulation, const si
 
 signal::EchoRows sar_rows_of_scene(std::shared_ptr<const simulate::Plan> plan, std::size_t samples) {
   signal::EchoRows rows = rows_without_reader(*plan, samples);
-  const auto compressor = plain_compressor(*plan, samples);
+  const auto compressor = std::make_shared<CompressorAtNeed>();
   const auto pool =
       std::make_shared<core::WorkerPool<SceneWorker>>([plan] { return std::make_unique<SceneWorker>(*plan); });
-  rows.copy = [plan, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
+  rows.copy = [plan, samples, compressor, pool](std::size_t pulse, std::span<std::complex<float>> out) {
     pool->lend([&](SceneWorker& worker) {
       worker.space.raw.resize(plan->columns);
       worker.maker.make_row(pulse, worker.space.raw);
-      worker.space.compress(*compressor, out);
+      worker.space.compress(compressor->of(*plan, samples), out);
     });
   };
   return rows;

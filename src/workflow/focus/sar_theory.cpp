@@ -1,6 +1,7 @@
 #include "workflow/focus/sar_theory.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -81,6 +82,38 @@ struct Tone {
   double amplitude = 0.0;
 };
 
+// The sum of tones at the places -half to half, a step apart. Each tone turns by as much from place to place; several
+// neighbouring places are made at once, since one needs the one before.
+std::vector<std::complex<double>> sum_of_tones(const std::vector<Tone>& tones, double zero_per_m, double step_m,
+                                               std::ptrdiff_t half) {
+  constexpr std::size_t lanes = 8;
+  const auto count = static_cast<std::size_t>(2 * half + 1);
+  const std::size_t blocks = (count + lanes - 1) / lanes;
+  std::vector<std::array<double, lanes>> real(blocks), imag(blocks);
+  for (const Tone& tone : tones) {
+    const double turn_rad = 2.0 * core::pi * (tone.per_m - zero_per_m) * step_m;
+    std::array<double, lanes> re, im;
+    for (std::size_t i = 0; i < lanes; ++i) {
+      const double phase_rad = turn_rad * (static_cast<double>(i) - static_cast<double>(half));
+      re[i] = tone.amplitude * std::cos(phase_rad);
+      im[i] = tone.amplitude * std::sin(phase_rad);
+    }
+    const double c = std::cos(turn_rad * lanes);
+    const double s = std::sin(turn_rad * lanes);
+    for (std::size_t b = 0; b < blocks; ++b)
+      for (std::size_t i = 0; i < lanes; ++i) {
+        real[b][i] += re[i];
+        imag[b][i] += im[i];
+        const double next = re[i] * c - im[i] * s;
+        im[i] = re[i] * s + im[i] * c;
+        re[i] = next;
+      }
+  }
+  std::vector<std::complex<double>> sum(count);
+  for (std::size_t n = 0; n < count; ++n) sum[n] = {real[n / lanes][n % lanes], imag[n / lanes][n % lanes]};
+  return sum;
+}
+
 std::optional<signal::ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) {
   constexpr double steps_per_cell = 48.0;
   constexpr std::ptrdiff_t half = 1200;  // 25 cells
@@ -88,16 +121,7 @@ std::optional<signal::ResponseFigures> figures_of_tones(const std::vector<Tone>&
   const auto [low, high] = std::ranges::minmax(tones, {}, &Tone::per_m);
   if (!(high.per_m > low.per_m)) return std::nullopt;
   const double step_m = 1.0 / ((high.per_m - low.per_m) * steps_per_cell);
-  std::vector<std::complex<double>> response(2 * half + 1);
-  for (const Tone& tone : tones) {
-    const double cycles = (tone.per_m - low.per_m) * step_m;
-    std::complex<double> term = std::polar(tone.amplitude, -2.0 * core::pi * cycles * static_cast<double>(half));
-    const std::complex<double> turn = std::polar(1.0, 2.0 * core::pi * cycles);
-    for (std::complex<double>& value : response) {
-      value += term;
-      term *= turn;
-    }
-  }
+  const std::vector<std::complex<double>> response = sum_of_tones(tones, low.per_m, step_m, half);
   auto figures = signal::figures_of(response, half);
   if (!figures) return std::nullopt;
   figures->width *= step_m;

@@ -12,6 +12,10 @@
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_image.hpp"
 
+namespace sarsim::raster {
+class Raster;
+}
+
 namespace sarsim::workflow {
 
 struct ImageCollection;
@@ -32,6 +36,7 @@ struct ImageOrigin {
   /// Origin on the Earth of the frame's world, for images whose source has no scene: for CPHD files that of the scene
   /// that they were made from, or their reference point. Nothing: the world is that of the scene.
   std::optional<radar::Anchor> anchor = std::nullopt;
+  std::shared_ptr<const raster::Raster> recording = nullptr;  ///< The source as it was opened, where it has samples.
 };
 
 /// Whether an image is one of a target that turns (sarsim isar): from line to line cross-range, not azimuth.

@@ -35,24 +35,30 @@ std::string seen_from(const fs::path& image, const std::string& path) {
   return failure ? std::string() : seen.string();
 }
 
-// Of the scene that the source describes or carries; nothing where that cannot be read.
-std::optional<std::string> checksum_of(const std::string& source, const std::string& script) {
-  const std::string& file = script.empty() ? source : script;
-  scene::ScriptReading reading;
-  if (holds_script(file) || !script.empty()) {
-    reading = scene::read_scene_file(file);
-  } else {
-    const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, file, {});
-    if (!opened.raster) return std::nullopt;
-    const std::string text = raster::attribute_of(opened.raster->info().attributes, "script");
-    if (text.empty()) return std::nullopt;
-    if (scene::language::includes_files(text)) return std::nullopt;
-    reading = scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path()));
-  }
+// @param file  that the scene was read from
+std::optional<std::string> sum_of_scene(scene::ScriptReading reading, const std::string& file) {
   if (core::has_errors(reading.problems)) return std::nullopt;
   if (core::has_errors(read_files_of(reading.scene, fs::path(file).parent_path(), {core::thread_count(0)})))
     return std::nullopt;
   return workflow::script_sum(reading.scene);
+}
+
+// Of the scene inside a recording.
+std::optional<std::string> scene_sum_in(const raster::Raster& recording, const std::string& file) {
+  const std::string text = raster::attribute_of(recording.info().attributes, "script");
+  if (text.empty() || scene::language::includes_files(text)) return std::nullopt;
+  return sum_of_scene(scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path())), file);
+}
+
+// Of the scene that the source describes or carries; nothing where that cannot be read.
+// @param recording  the source, where it is open already
+std::optional<std::string> checksum_of(const std::string& source, const std::string& script,
+                                       const raster::Raster* recording = nullptr) {
+  const std::string& file = script.empty() ? source : script;
+  if (!script.empty() || holds_script(file)) return sum_of_scene(scene::read_scene_file(file), file);
+  if (recording != nullptr) return scene_sum_in(*recording, file);
+  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, file, {});
+  return opened.raster ? scene_sum_in(*opened.raster, file) : std::nullopt;
 }
 
 // Of the samples of a recording; nothing of a script.
@@ -183,9 +189,12 @@ void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const f
                   const core::StopFlag* stop) {
   header.fields.emplace_back("source from image", seen_from(image, origin.source));
   header.fields.emplace_back("script from image", seen_from(image, origin.script));
-  header.fields.emplace_back("script checksum", checksum_of(origin.source, origin.script).value_or(""));
+  header.fields.emplace_back("script checksum",
+                             checksum_of(origin.source, origin.script, origin.recording.get()).value_or(""));
   // Of a scene that is the source itself there are no samples.
-  if (auto sum = samples_checksum_of(origin.source, origin.script, origin.simulation, stop))
+  if (origin.recording != nullptr)
+    header.fields.emplace_back("source checksum", samples_sum(*origin.recording, stop));
+  else if (auto sum = samples_checksum_of(origin.source, origin.script, origin.simulation, stop))
     header.fields.emplace_back("source checksum", std::move(*sum));
 }
 

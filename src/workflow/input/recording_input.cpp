@@ -115,12 +115,16 @@ void expect_no_overrides(const RecordingArguments& arguments) {
                           "leave it out, or give the script that it applies to with --script");
 }
 
-std::shared_ptr<const raster::Raster> opened(const std::string& path, const raster::RasterHints& hints,
-                                             core::Problems& problems) {
+struct OpenedFile {
+  std::shared_ptr<const raster::Raster> raster;
+  std::optional<raster::RasterAxes> axes;
+};
+
+OpenedFile opened(const std::string& path, const raster::RasterHints& hints, core::Problems& problems) {
   raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints);
   if (!result.raster) throw core::Refused(core::ranked(std::move(result.problems)));
   take(problems, std::move(result.problems));
-  return std::move(result.raster);
+  return {result.raster, result.axes ? std::move(result.axes) : result.raster->axes()};
 }
 
 // What was made from a recording may have its name and its shape.
@@ -151,18 +155,21 @@ void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const 
 // changed, or is not of this scene. One rule for all of it: a warning that names it, once each.
 class Comparison {
  public:
-  Comparison(const raster::Raster& file, const simulate::Plan& plan, core::Problems& problems)
-      : file_(file), plan_(plan), product_(simulate::product_of(plan, {})), problems_(problems) {}
+  Comparison(const OpenedFile& file, const simulate::Plan& plan, core::Problems& problems)
+      : file_(*file.raster),
+        axes_(file.axes),
+        plan_(plan),
+        product_(simulate::product_of(plan, {})),
+        problems_(problems) {}
 
   void run() {
     compare_facts();
-    const std::optional<raster::RasterAxes> axes = file_.axes();
-    if (!axes) return;
-    compare("pulse_time_s", axes->row_time_s, product_.row_time_s, plan_.radar.repetition.mean_interval_s());
-    compare("carrier_hz", axes->row_carrier_hz, product_.row_carrier_hz, 0.0);
+    if (!axes_) return;
+    compare("pulse_time_s", axes_->row_time_s, product_.row_time_s, plan_.radar.repetition.mean_interval_s());
+    compare("carrier_hz", axes_->row_carrier_hz, product_.row_carrier_hz, 0.0);
     const double spacing_m = plan_.columns > 1 ? product_.column_range_m(1) - product_.column_range_m(0) : 1.0;
-    compare("slant_range_m", axes->column_range_m, product_.column_range_m, spacing_m);
-    compare_poses(axes->row_pose);
+    compare("slant_range_m", axes_->column_range_m, product_.column_range_m, spacing_m);
+    compare_poses(axes_->row_pose);
   }
 
  private:
@@ -206,25 +213,32 @@ class Comparison {
   void compare_poses(const std::vector<simulate::RowPose>& found) {
     if (!product_.row_pose || found.size() != plan_.rows) return;
     const double place_m = core::exact_light_speed_mps / plan_.radar.carrier.highest_hz();
-    for (const raster::PoseAxis& axis : raster::pose_axes) {
-      const bool is_place = axis.part == &simulate::RowPose::position_m;
-      compare_part(axis, found, is_place ? place_m : 1.0);
+    std::vector<const raster::PoseAxis*> alike;
+    for (const raster::PoseAxis& axis : raster::pose_axes) alike.push_back(&axis);
+    for (std::size_t row = 0; row < found.size() && !alike.empty(); ++row) {
+      const simulate::RowPose expected = product_.row_pose(row);
+      std::erase_if(alike, [&](const raster::PoseAxis* axis) {
+        const bool is_place = axis->part == &simulate::RowPose::position_m;
+        return is_another(*axis, found[row], expected, is_place ? place_m : 1.0, row);
+      });
     }
   }
-  void compare_part(const raster::PoseAxis& axis, const std::vector<simulate::RowPose>& found, double step) {
-    for (std::size_t row = 0; row < found.size(); ++row) {
-      const std::array<double, 3> expected = product_.row_pose(row).*axis.part;
-      for (std::size_t k = 0; k < expected.size(); ++k) {
-        const double value = (found[row].*axis.part)[k];
-        if (!differ(value, expected[k], step)) continue;
-        return remark(fmt::format("the axis {}", axis.name),
-                      fmt::format("{} for {} at position {}", core::format_number(value), "xyz"[k], row),
-                      core::format_number(expected[k]));
-      }
+  bool is_another(const raster::PoseAxis& axis, const simulate::RowPose& found, const simulate::RowPose& expected,
+                  double step, std::size_t row) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double value = (found.*axis.part)[k];
+      const double own = (expected.*axis.part)[k];
+      if (!differ(value, own, step)) continue;
+      remark(fmt::format("the axis {}", axis.name),
+             fmt::format("{} for {} at position {}", core::format_number(value), "xyz"[k], row),
+             core::format_number(own));
+      return true;
     }
+    return false;
   }
 
   const raster::Raster& file_;
+  const std::optional<raster::RasterAxes>& axes_;
   const simulate::Plan& plan_;
   simulate::Product product_;
   core::Problems& problems_;
@@ -392,28 +406,29 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   StoredRecording recording;
   recording.sources = {arguments.path};
   expect_no_image(arguments.path);
-  std::shared_ptr<const raster::Raster> file;
+  OpenedFile file;
   if (arguments.script.empty()) {
     expect_no_overrides(arguments);
     raster::RasterHints hints;
     hints.dataset = arguments.dataset;
     file = opened(arguments.path, hints, recording.problems);
   }
-  recording.scene =
-      file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording, control);
+  recording.scene = file.raster ? scene_in_file(arguments.path, file.raster->info(), recording)
+                                : scene_of_script(arguments, recording, control);
   recording.simulation = simulation_of_file(recording.scene, arguments, suits);
   recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
-  if (!file) {
+  if (!file.raster) {
     raster::RasterHints hints = hints_of(*recording.plan);
     hints.dataset = arguments.dataset;
     file = opened(arguments.path, hints, recording.problems);
   }
-  expect_shape(*file, *recording.plan, arguments.path);
-  Comparison(*file, *recording.plan, recording.problems).run();
-  const double scale = scale_of(file->info(), *recording.plan, recording.problems);
-  recording.rows = rows_of(std::move(file), scale);
+  expect_shape(*file.raster, *recording.plan, arguments.path);
+  Comparison(file, *recording.plan, recording.problems).run();
+  const double scale = scale_of(file.raster->info(), *recording.plan, recording.problems);
+  recording.file = file.raster;
+  recording.rows = rows_of(std::move(file.raster), scale);
   return recording;
 }
 

@@ -11,6 +11,10 @@
 #include "simulate/plan/plan.hpp"
 #include "workflow/input/scene_input.hpp"
 
+namespace sarsim::raster {
+class Raster;
+}
+
 namespace sarsim::workflow {
 
 /// A scene in memory, and perhaps a recording of it.
@@ -67,6 +71,7 @@ struct StoredRecording {
   std::shared_ptr<const simulate::Plan> plan;
   std::size_t simulation = 0;                  ///< Position in the script's list.
   scene::Scene scene;                          ///< Of the script.
+  std::shared_ptr<const raster::Raster> file;  ///< As it was opened.
   core::SampleRows<double> rows;               ///< Like those of the plan, in V, or in counts where no LSB is known.
   core::Problems problems;                     ///< Warnings about script and file.
   core::Problems of_files;                     ///< Of these the ones about the files that the script names.

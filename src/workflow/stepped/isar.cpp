@@ -165,16 +165,18 @@ class IsarRun {
     focus.range_window = options_.range_window;
     focus.azimuth_window = options_.azimuth_window;
     const simulate::Plan& plan = *input_.rows.plan;
-    return {request_.input.path,
-            request_.input.script,
-            words_of_overrides(request_.input.overrides),
-            input_.simulation,
-            algorithm(),
-            focus,
-            "none",
-            plan.radar.name,
-            plan.scene->options,
-            std::nullopt};
+    ImageOrigin origin{request_.input.path,
+                       request_.input.script,
+                       words_of_overrides(request_.input.overrides),
+                       input_.simulation,
+                       algorithm(),
+                       focus,
+                       "none",
+                       plan.radar.name,
+                       plan.scene->options,
+                       std::nullopt};
+    if (request_.input.dataset.empty()) origin.recording = input_.recording;
+    return origin;
   }
 
   void write(const signal::FocusedRows& rows, const fs::path& path) const {

@@ -25,7 +25,7 @@ SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use, const 
       arguments, suits_use(use), [use](const simulate::Plan& plan) { return problems_of_stepped(plan, use, true); },
       control);
   return {stepped_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
-          std::move(stored.sources)};
+          std::move(stored.sources), std::move(stored.file)};
 }
 
 // @param window  the plan of the simulation, raw

@@ -8,9 +8,10 @@ namespace sarsim::workflow {
 /// Bursts, read or computed when they are asked for.
 struct SteppedInput {
   SteppedRows rows;
-  std::size_t simulation = 0;                  ///< Position in the script's list.
-  core::Problems problems;                     ///< Warnings about script and file.
-  std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
+  std::size_t simulation = 0;                         ///< Position in the script's list.
+  core::Problems problems;                            ///< Warnings about script and file.
+  std::vector<std::filesystem::path> sources;         ///< Files that they are made from.
+  std::shared_ptr<const raster::Raster> recording{};  ///< That they are read from; null: they are computed.
 };
 
 /// Whether the radar of a simulation steps its carrier, or, for images, at least modulates its pulse.
