@@ -53,7 +53,7 @@ void expect_no_pipe(const std::string& file) {
 template <class Read>
 std::unique_ptr<sarsim_scene> sound_scene(const Read& read, core::Problems& found) {
   auto scene = std::make_unique<sarsim_scene>();
-  scene->input = read(workflow::Scrutiny::reading);
+  scene->input = read(workflow::Scrutiny::files);
   if (core::has_errors(scene->input.problems)) throw core::Refused(read(workflow::Scrutiny::values).problems);
   found = scene->input.problems;
   return scene;

@@ -206,7 +206,6 @@ void StateCollector::examine(std::size_t segment) {
   }
   if (velocity_mps.size() != position_m.size()) velocity_mps.clear();
   const StateFindings findings = examine_states({time_s, position_m, velocity_mps});
-  file_.contradicts = file_.contradicts || findings.velocities || !findings.odd.empty();
   if (usual_step_s_ == 0.0) usual_step_s_ = findings.steps.usual_s;
   if (findings.velocities && wrong_speed_ == 0) report_velocities(*findings.velocities, at[findings.velocities->worst]);
   report_odd(findings.odd, one, at);
