@@ -14,7 +14,6 @@
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
-#include "raster/format/envi.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/air_remarks.hpp"
@@ -267,17 +266,6 @@ std::optional<EarthPlace> wanted_place(const FocusRequest& request, FocusInput& 
   EarthPlace place = earth_place(input.world, request.anchor, "SICD");
   if (!kept) std::ranges::copy(place.remarks, std::back_inserter(input.problems));
   return place;
-}
-
-// An image beside its header, or that header.
-void expect_no_image(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  const bool is_header = core::equal_ignoring_case(extension, ".hdr");
-  const fs::path image = is_header ? fs::path(path).replace_extension(".img") : path;
-  if (!core::equal_ignoring_case(image.extension().string(), ".img") || !raster::has_envi_header(image)) return;
-  throw core::Refused(
-      fmt::format("'{}' is a focused image already, and no recording", path.string()),
-      fmt::format("sarsim measure {0} measures it, sarsim plot {0} -o FILE.png draws it", image.string()));
 }
 
 }  // namespace
