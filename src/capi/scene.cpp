@@ -25,7 +25,7 @@ namespace {
 workflow::SceneOverrides overrides_of(const sarsim_scene_options* given) {
   const auto options = capi::taken(given, "options");
   workflow::SceneOverrides overrides;
-  for (std::size_t i = 0; i < capi::told_count(options.let_count, capi::most_words, "options->let_count"); ++i)
+  for (std::size_t i = 0; i < capi::told_count(options.let_count, capi::max_words, "options->let_count"); ++i)
     overrides.let.emplace_back(&capi::given((&capi::given(options.let, "options->let"))[i], "options->let"));
   return overrides;
 }

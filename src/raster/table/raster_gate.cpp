@@ -31,7 +31,7 @@ constexpr double largest_rate_hz = 1e18;
 constexpr double largest_place = 1e15;
 
 // Opening a file takes neither memory nor time that grows with it; longer axes are judged where they are used.
-constexpr std::size_t most_looked_at = std::size_t{1} << 20U;
+constexpr std::size_t max_looked_at = std::size_t{1} << 20U;
 
 // The attributes that all of our layouts have, and what they may be. 0 says that it is not known.
 struct FactBounds {
@@ -53,7 +53,7 @@ class FactCheck {
   core::Problems run() {
     for (const FactBounds& bounds : fact_bounds) check_fact(bounds);
     check_known();
-    const bool looked_at = raster_.rows() <= most_looked_at && raster_.columns() <= most_looked_at;
+    const bool looked_at = raster_.rows() <= max_looked_at && raster_.columns() <= max_looked_at;
     const auto axes = looked_at ? raster_.axes() : std::nullopt;
     if (axes) {
       check_axis("pulse_time_s", axes->row_time_s);

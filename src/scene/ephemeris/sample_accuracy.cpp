@@ -20,7 +20,7 @@ namespace {
 using core::Vec3;
 using radar::TimeSpan;
 
-constexpr std::size_t most_intervals = 2000;
+constexpr std::size_t max_intervals = 2000;
 constexpr std::array<double, 3> shares{0.3, 0.5, 0.7};
 
 // Intervals of samples that have a part of a time: those that begin at [first, last).
@@ -44,7 +44,7 @@ Intervals intervals_within(const std::vector<double>& time_s, const TimeSpan& wi
 template <class Look>
 void for_some(const Intervals& intervals, const Look& look) {
   if (intervals.first >= intervals.last) return;
-  const std::size_t step = 1 + (intervals.last - intervals.first - 1) / most_intervals;
+  const std::size_t step = 1 + (intervals.last - intervals.first - 1) / max_intervals;
   for (std::size_t i = intervals.first; i < intervals.last; i += step) look(i);
   if (step > 1) look(intervals.last - 1);
 }
@@ -112,8 +112,8 @@ class PolynomialsAt {
 
   std::size_t count_;
   const PolynomialWeights& weights_;
-  std::array<radar::OrbitState, radar::most_polynomial_states> sums_;
-  std::array<double, radar::most_polynomial_states> offset_s_{};  // of the states from the time
+  std::array<radar::OrbitState, radar::max_polynomial_states> sums_;
+  std::array<double, radar::max_polynomial_states> offset_s_{};  // of the states from the time
 };
 
 // What the polynomial through the first `used` states loses of a smooth motion. Differences that noise explains say
@@ -267,7 +267,7 @@ class AttitudePolynomial {
 
  private:
   [[nodiscard]] Vec3 value(const std::vector<Vec3>& of, const std::vector<std::size_t>& order, double time_s) const {
-    std::array<radar::OrbitState, radar::most_polynomial_states> sums;
+    std::array<radar::OrbitState, radar::max_polynomial_states> sums;
     radar::polynomial_sums({time_s_, of, {}}, order, time_s, std::span(sums).first(order.size()));
     return sums[order.size() - 1].position_m;
   }

@@ -16,7 +16,7 @@ using core::Vec3;
 
 constexpr std::size_t highest_order = 16;
 constexpr std::size_t reach = 8;  // differences on either side that are compared
-constexpr std::size_t most_examined = 20'000;
+constexpr std::size_t max_examined = 20'000;
 
 }  // namespace
 
@@ -43,11 +43,11 @@ double SampleNoise::size(std::size_t sample, std::size_t order) const {
 
 // As many neighbouring differences as are compared, and are there: the first and the last of them.
 std::pair<std::size_t, std::size_t> SampleNoise::neighbours(std::size_t sample, std::size_t order) const {
-  const std::size_t most_first = time_s_.size() - order - 1;
+  const std::size_t max_first = time_s_.size() - order - 1;
   const std::size_t before = reach + order / 2;
   const std::size_t first =
-      std::min(sample > before ? sample - before : 0, most_first > 2 * reach ? most_first - 2 * reach : 0);
-  return {first, std::min(first + 2 * reach, most_first)};
+      std::min(sample > before ? sample - before : 0, max_first > 2 * reach ? max_first - 2 * reach : 0);
+  return {first, std::min(first + 2 * reach, max_first)};
 }
 
 bool SampleNoise::is_by_turns(std::size_t sample) const {
@@ -91,7 +91,7 @@ StateNoises::StateNoises(const radar::StateView& states) : states_(states) {
   const std::size_t count = states.time_s.size();
   is_odd_.assign(count, 0);
   odd_.resize(count);
-  if (count <= most_examined)
+  if (count <= max_examined)
     for (const ephemeris::OddState& odd : ephemeris::examine_states(states).odd) {
       is_odd_[odd.index] = 1;
       odd_[odd.index] = {odd.position_off_m, odd.velocity_off_mps};

@@ -287,17 +287,17 @@ class SceneReader {
                            "[[x, y, z], [x, y, z], ...] or { file = \"FILE\" }"});
     toml::Elements rows(source.text, positions.value);
     const std::size_t before = scene_.targets.size();
-    constexpr std::size_t most_points = 10'000'000;
+    constexpr std::size_t max_points = 10'000'000;
     const std::size_t points_each = alike.traits->gain_db.part[0].knots.size();
     while (const auto row = rows.next()) {
       if (reading_.log.full()) return;
       if (scene_.targets.size() == scene_.targets.capacity())
         make_room(row->value.span.begin, positions.value.span, scene_.targets.size() - before);
-      if ((scene_.targets.size() - before) * points_each > most_points)
-        return reader.error(positions.key, spec.id,
-                            {"these targets are too many for a reflectivity of so many points", "",
-                             fmt::format("up to {} points in all", most_points),
-                             "put the positions into a file, or give fewer points"});
+      if ((scene_.targets.size() - before) * points_each > max_points)
+        return reader.error(
+            positions.key, spec.id,
+            {"these targets are too many for a reflectivity of so many points", "",
+             fmt::format("up to {} points in all", max_points), "put the positions into a file, or give fewer points"});
       ObjectReader one(reading_, source, lines, text, "target", scene_.targets.size());
       one.note_place("", row->value.span);
       scene_.targets.push_back(alike);

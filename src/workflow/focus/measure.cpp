@@ -150,7 +150,7 @@ std::optional<radar::EarthFrame> earth_under(const scene::World& world, const Im
 // What the header repeats of the recording: phases, places and theory follow the one or the other.
 core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& input, const fs::path& file) {
   constexpr double share = 1e-6;
-  constexpr double least_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
+  constexpr double min_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
   core::Problems remarks;
   const auto remark = [&](const char* field, std::string found, std::string expected) {
     remarks.push_back(core::problem_of(
@@ -171,7 +171,7 @@ core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& 
   if (opened.image.frame.plane != signal::ImagePlane::slant_range || input.echoes.track.size() < 2) return remarks;
   const core::Vec3 flown = signal::fit_straight(input.echoes.track).along;
   const core::Vec3& along = opened.image.frame.along;
-  if (!(core::dot(flown, along) >= least_cosine))
+  if (!(core::dot(flown, along) >= min_cosine))
     remark("along", fmt::format("({:.4g}, {:.4g}, {:.4g})", along.x, along.y, along.z),
            fmt::format("({:.4g}, {:.4g}, {:.4g}), as was flown", flown.x, flown.y, flown.z));
   return remarks;
@@ -192,10 +192,10 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
   if (listed == 0)
     throw core::Refused(fmt::format("the {} points of the clouds are too many to be measured one by one", points),
                         fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
-                                    most_examined_targets));
+                                    max_examined_targets));
   return core::problem_of(core::Severity::note,
                           fmt::format("the {} points of the clouds are not measured one by one", points), {},
-                          fmt::format("at most {} of them", most_examined_targets), {});
+                          fmt::format("at most {} of them", max_examined_targets), {});
 }
 
 bool is_asked_for(const MeasureRequest& request, const TargetTheory& theory) {
@@ -294,7 +294,7 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
 
 TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
                      const signal::ResponseAxes& axes) {
-  constexpr double most_db = 3.0;
+  constexpr double max_db = 3.0;
   constexpr double hopeless_db = -20.0;
   constexpr double deviations = 3.0;
   const TargetTheory& theory = target.theory;
@@ -315,8 +315,8 @@ TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& 
   const double part = peak.amplitude / theory.amplitude;
   if (!is_at(axes.azimuth, theory.azimuth, peak.azimuth) || !is_at(axes.range, theory.range, peak.range))
     return core::amplitude_db(part) > hopeless_db ? TargetState::displaced : TargetState::not_found;
-  if (core::amplitude_db(part) < -most_db && part < 1.0 - deviations * of_theory) return TargetState::weak;
-  if (core::amplitude_db(part) > most_db && part > 1.0 + deviations * of_theory) return TargetState::strong;
+  if (core::amplitude_db(part) < -max_db && part < 1.0 - deviations * of_theory) return TargetState::weak;
+  if (core::amplitude_db(part) > max_db && part > 1.0 + deviations * of_theory) return TargetState::strong;
   return TargetState::found;
 }
 

@@ -63,7 +63,7 @@ SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const S
   target.lowest_doppler_hz = INFINITY;
   target.highest_doppler_hz = -INFINITY;
   constexpr double unseen = 0.0005;
-  std::tie(target.least_doppler_hz, target.most_doppler_hz) = extent_of(seen, unseen);
+  std::tie(target.min_doppler_hz, target.max_doppler_hz) = extent_of(seen, unseen);
   constexpr double rounding = 1e-6;
   for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;
@@ -128,19 +128,19 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
   double farthest_m = -INFINITY;
   double largest = 0.0;
   double missing = 0.0;  // From the peak of a target: all of its ghosts.
-  double most_missing = 0.0;
+  double max_missing = 0.0;
   for (const SarGhost& ghost : ghosts) {
     if (wrapped.empty() || wrapped.back() != ghost.target) {
       wrapped.push_back(ghost.target);
       missing = 0.0;
     }
     missing += ghost.share;
-    most_missing = std::max(most_missing, missing);
+    max_missing = std::max(max_missing, missing);
     nearest_m = std::min(nearest_m, ghost.place.azimuth_m);
     farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
     largest = std::max(largest, ghost.share);
   }
-  const double lost_db = -core::amplitude_db(std::max(1.0 - most_missing, 1e-6));
+  const double lost_db = -core::amplitude_db(std::max(1.0 - max_missing, 1e-6));
   constexpr double little = 0.1;
   problems.push_back(core::problem_of(
       in_time && largest < little ? core::Severity::note : core::Severity::warning,
@@ -256,7 +256,7 @@ core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows
                               GhostsIn image, const core::WorkControl& control) {
   core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
-  if (plan.scene->scatterers.size() > most_examined_targets) return problems;
+  if (plan.scene->scatterers.size() > max_examined_targets) return problems;
   const SarLooks looks(plan, echoes);
   std::vector<SarTarget> targets(looks.targets());
   std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());

@@ -156,8 +156,8 @@ std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, 
   // A pulse of less than a cycle of its sweep is no chirp: its length gives the resolution.
   if (!is_plain_chirp(plan.radar.pulse) || !(band_hz * waveform.pulse_width_s >= 1.0)) return std::nullopt;
   // Sampled so coarsely, it is nothing but ghosts of itself.
-  constexpr double least_sampling = 1.0 / 16.0;
-  if (!(waveform.sample_rate_hz >= least_sampling * band_hz)) return std::nullopt;
+  constexpr double min_sampling = 1.0 / 16.0;
+  if (!(waveform.sample_rate_hz >= min_sampling * band_hz)) return std::nullopt;
   signal::ResponseFigures figures = signal::theoretical_figures(
       window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
   const double cell_m = radar::range_of_cycle(band_hz, waveform.light_speed_mps);
@@ -206,9 +206,9 @@ class RangePulse {
     return lost ? lost_ : folded_;
   }
   [[nodiscard]] signal::SampledResponse made(signal::BeyondSampling beyond) const {
-    constexpr double most_time_bandwidth = 2048.0;  // Sidelobes within 60 cells change by less than 1e-3 beyond it.
+    constexpr double max_time_bandwidth = 2048.0;  // Sidelobes within 60 cells change by less than 1e-3 beyond it.
     const double band_hz = std::abs(waveform_.bandwidth_hz);
-    return signal::theoretical_response(window_, std::min(band_hz * waveform_.pulse_width_s, most_time_bandwidth),
+    return signal::theoretical_response(window_, std::min(band_hz * waveform_.pulse_width_s, max_time_bandwidth),
                                         waveform_.sample_rate_hz / band_hz, recorded_window(plan_), beyond);
   }
 
@@ -474,7 +474,7 @@ signal::ResponseAxes axes_about_centroid(const signal::EchoRows& echoes, const s
 std::size_t listed_targets(const simulate::ResolvedScene& scene) {
   const std::size_t all = scene.scatterers.size();
   const std::size_t targets = scene.scatterers.targets();
-  return all - targets > most_examined_targets ? targets : all;
+  return all - targets > max_examined_targets ? targets : all;
 }
 
 std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,

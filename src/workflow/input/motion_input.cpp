@@ -38,12 +38,12 @@ using scene::Platform;
 // States that are computed are this far apart, and go on so long before and behind the recordings.
 constexpr double state_spacing_s = 10.0;
 constexpr double state_margin_s = 60.0;
-constexpr std::size_t most_states = 2'000'000;
+constexpr std::size_t max_states = 2'000'000;
 constexpr double farthest_from_state_s = 864e3;
 // A path that is less sure than this is none.
-constexpr double most_error_m = 2e3;
+constexpr double max_error_m = 2e3;
 // From one attitude to the next; a third of a turn. Which way around a larger turn goes is a guess.
-constexpr double most_turn_rad = 2.0 * core::pi / 3.0;
+constexpr double max_turn_rad = 2.0 * core::pi / 3.0;
 
 core::Problem path_problem(std::string message, std::string found = {}, std::string expected = {},
                            std::string hint = {}) {
@@ -228,7 +228,7 @@ class PathMaker {
   [[nodiscard]] std::vector<double> computed_times() const {
     const radar::TimeSpan span = needed_with_margin();
     const double spacing_s =
-        std::max(state_spacing_s, (span.last_s - span.first_s) / static_cast<double>(most_states / 2));
+        std::max(state_spacing_s, (span.last_s - span.first_s) / static_cast<double>(max_states / 2));
     const auto steps = static_cast<std::size_t>(std::ceil((span.last_s - span.first_s) / spacing_s)) + 8;
     std::vector<double> times;
     for (std::size_t i = 0; i < steps; ++i) times.push_back(span.first_s + (static_cast<double>(i) - 4.0) * spacing_s);
@@ -371,12 +371,11 @@ class PathMaker {
                                  axes_.earth() ? std::string(scene::name_of(file.frame)) : std::string("world axes")));
     const auto accuracy = path ? scene::accuracy_between(samples, interpolation, needed_) : std::nullopt;
     if (!accuracy) return path;
-    if (accuracy->error > most_error_m)
+    if (accuracy->error > max_error_m)
       return refuse(path_problem(fmt::format("{}: between its states the path is not known", platform_.ephemeris_file),
                                  fmt::format("about {:.3g} km off near {:.6g} s, with a state every {:.6g} s",
                                              1e-3 * accuracy->error, accuracy->at_s, accuracy->spacing_s),
-                                 fmt::format("at most {:g} km", 1e-3 * most_error_m),
-                                 "take a file with closer states"));
+                                 fmt::format("at most {:g} km", 1e-3 * max_error_m), "take a file with closer states"));
     auto known = std::make_shared<scene::ReadPath>(*path);
     known->accuracy = {accuracy->error, accuracy->at_s, accuracy->spacing_s};
     return known;
@@ -385,12 +384,12 @@ class PathMaker {
   // Positions that are taken once in a while of an orbit are those of many orbits.
   [[nodiscard]] std::optional<core::Problem> fault_of_step(const radar::StateSamples& samples) const {
     constexpr double states_per_turn = 3.0;
-    constexpr double least_height_m = 80e3;
+    constexpr double min_height_m = 80e3;
     if (!axes_.earth()) return std::nullopt;
     for (std::size_t i = 1; i < samples.time_s.size(); ++i) {
       if (samples.time_s[i] < needed_.first_s || samples.time_s[i - 1] > needed_.last_s) continue;
       const core::Vec3 ecef_m = axes_.earth()->ecef_from_world(samples.position_m[i - 1]);
-      if (height_of(ecef_m) < least_height_m) continue;
+      if (height_of(ecef_m) < min_height_m) continue;
       const double radius_m = core::norm(ecef_m);
       const double turn_s =
           2.0 * core::pi * std::sqrt(radius_m * radius_m * radius_m / radar::EarthGravity{}.mu_m3_per_s2);
@@ -498,23 +497,23 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
     auto read = std::make_shared<scene::ReadAttitude>();
     read->usable = usable;
     const auto turn = scene::largest_turn(samples, needed);
-    if (turn && turn->step > most_turn_rad)
+    if (turn && turn->step > max_turn_rad)
       return refuse(path_problem(
           fmt::format("{}: an attitude is turned too far from the one before it", platform.attitude_file),
           fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", turn->step * core::deg_per_rad, turn->spacing_s,
                       turn->at_s),
-          fmt::format("at most {:g} deg", most_turn_rad * core::deg_per_rad),
+          fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad),
           "which way it turns is not known: take a file with closer attitudes, and look at the order of its numbers"));
     // Elsewhere it says that something is wrong with the file.
     const auto elsewhere = scene::largest_turn(samples, {times_s.front(), times_s.back()});
-    if (elsewhere && elsewhere->step > most_turn_rad) {
+    if (elsewhere && elsewhere->step > max_turn_rad) {
       core::Problem jump = core::problem_of(
           core::Severity::warning,
           fmt::format("{}: an attitude beside the recordings is turned far from the one before it",
                       platform.attitude_file),
           fmt::format("{:.4g} deg within {:.6g} s from {:.6g} s on", elsewhere->step * core::deg_per_rad,
                       elsewhere->spacing_s, elsewhere->at_s),
-          fmt::format("at most {:g} deg", most_turn_rad * core::deg_per_rad), "look at the order of its numbers");
+          fmt::format("at most {:g} deg", max_turn_rad * core::deg_per_rad), "look at the order of its numbers");
       problems.push_back(std::move(jump));
     }
     if (const auto accuracy = scene::accuracy_between(samples, needed))

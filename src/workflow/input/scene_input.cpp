@@ -164,11 +164,11 @@ void name_clouds(core::Problems& problems, const scene::Scene& scene, const simu
 void note_thinning(core::Problems& problems, const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const std::size_t points = scene::point_count(scene.clouds[i]);
-    if (points <= most_cloud_looks) continue;
+    if (points <= max_cloud_looks) continue;
     core::Problem note = core::problem_of(
         core::Severity::note,
         fmt::format("echo figures are based on {} of the {} points of the cloud; target counts include only those",
-                    most_cloud_looks, points),
+                    max_cloud_looks, points),
         {}, {}, {});
     note.subject = {"cloud", i, "file"};
     problems.push_back(std::move(note));
@@ -190,7 +190,7 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
     input.scene.simulations.clear();
     for (const std::size_t index : wanted->simulations) input.scene.simulations.push_back(all.at(index));
   }
-  const auto surveyed = simulate::thinned(input.resolved, most_cloud_looks);
+  const auto surveyed = simulate::thinned(input.resolved, max_cloud_looks);
   simulate::SurveyReport report = simulate::survey_report(input.scene, surveyed, control);
   if (is_script(input) || input.scene.options.profile == scene::Profile::classic)
     append(report.problems, simulate::differences_of_profiles(input.scene, report.summaries));

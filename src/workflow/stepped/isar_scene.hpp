@@ -54,7 +54,7 @@ struct IsarImage {
   double range_resolution_m = 0.0;         ///< c/(2 B)
   double cross_range_resolution_m = 0.0;   ///< wavelength/(2 turn)
   double unambiguous_cross_range_m = 0.0;  ///< wavelength/2 over the turn from burst to burst.
-  std::vector<HeldPoint> points;           ///< Of many targets in an image that was made the first `most_held_targets`.
+  std::vector<HeldPoint> points;           ///< Of many targets in an image that was made the first `max_held_targets`.
   core::Problems problems;                 ///< What limits this image.
 };
 

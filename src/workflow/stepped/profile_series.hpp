@@ -100,7 +100,7 @@ struct HeldTarget {
 };
 
 /// The targets of the scene, as the profile of one burst shows them; those without echoes left out. Of many the first
-/// `most_held_targets` are looked at.
+/// `max_held_targets` are looked at.
 /// @param row  of a series that `make_profiles` made
 [[nodiscard]] std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const ProfileSeries& series,
                                                          const SeriesOptions& options, std::size_t row);

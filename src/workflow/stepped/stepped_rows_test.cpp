@@ -130,8 +130,8 @@ TEST(ProfileSeries, IsHeldAgainstTheFirstThousandTargets) {
   const SteppedRows rows = rows_of(scene);
   const ProfileSeries series = make_profiles(rows, {}, one);
   const std::vector<HeldTarget> held = hold_against_scene(rows, series, {}, 0);
-  ASSERT_EQ(held.size(), most_held_targets);
-  EXPECT_EQ(held.back().truth.target, most_held_targets - 1);
+  ASSERT_EQ(held.size(), max_held_targets);
+  EXPECT_EQ(held.back().truth.target, max_held_targets - 1);
 }
 
 TEST(FastestSearchedSpeed, IsTenThousandStepsOfAQuarterOfACellInABurst) {
