@@ -72,6 +72,26 @@ TEST_F(Measure, LooksForNoTargetBesideTheImage) {
   EXPECT_THAT(none.out, HasSubstr("0 of 0 targets found (24 outside the image)"));
 }
 
+// Before and behind the window: there is nothing to be found, and nothing is missing.
+TEST_F(Measure, SaysWhichTargetsTheRecordingNeverHolds) {
+  std::string scene = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.toml");
+  scene += "\n[[target]]\nposition = [0, -1500, 0]\n[[target]]\nposition = [0, 1500, 0]\n";
+  write_text(folder_ / "wide.toml", scene);
+  const Finished focus = sarsim({"focus", "wide.toml", "--out", "wide.img"});
+  ASSERT_EQ(focus.status, 0) << focus.err;
+  EXPECT_THAT(focus.err, HasSubstr("2 of 26 targets (25, 26) are never within the recorded ranges"));
+  const Finished measure = sarsim({"measure", "wide.img"});
+  EXPECT_EQ(measure.status, 0);
+  for (const char* const target : {"\ntarget 25 ", "\ntarget 26 "}) {
+    const std::size_t line = measure.out.find(target);
+    ASSERT_NE(line, std::string::npos) << measure.out;
+    const std::string said = measure.out.substr(line + 1, measure.out.find('\n', line + 1) - line - 1);
+    EXPECT_THAT(said, testing::EndsWith(" m: outside the recorded ranges"));
+    EXPECT_THAT(said, Not(HasSubstr("range 0.000 m")));
+  }
+  EXPECT_THAT(measure.out, HasSubstr("24 of 24 targets found (2 outside the image)"));
+}
+
 TEST_F(Measure, WritesATableAndFieldsForPrograms) {
   const Finished table = sarsim({"measure", "sar_r.img", "--csv"});
   EXPECT_EQ(table.status, 0) << table.err;

@@ -274,10 +274,13 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
     for (std::size_t t = begin; t < end; ++t) {
       targets[t].theory = theories[t];
       targets[t].picture = picture_of(request, theories[t]);
-      if (!(theories[t].amplitude > 0.0)) targets[t].state = TargetState::no_echoes;
+      targets[t].outside =
+          theories[t].unrecorded || (theories[t].amplitude > 0.0 && !is_within(opened.image, theories[t].place));
+      if (targets[t].outside)
+        targets[t].state = TargetState::outside;
+      else if (!(theories[t].amplitude > 0.0))
+        targets[t].state = TargetState::no_echoes;
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
-      targets[t].outside = !is_within(opened.image, theories[t].place);
-      if (targets[t].outside) targets[t].state = TargetState::outside;
       if (targets[t].outside) continue;
       targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
       measure_target(opened, opened.reader, request, cuts, targets[t]);

@@ -65,6 +65,7 @@ SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const S
   constexpr double unseen = 0.0005;
   std::tie(target.min_doppler_hz, target.max_doppler_hz) = extent_of(seen, unseen);
   constexpr double rounding = 1e-6;
+  target.recorded = std::ranges::any_of(seen, [](const SarLook& look) { return look.amplitude * look.share > 0.0; });
   for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;
     target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, look.doppler_hz);
@@ -155,16 +156,18 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
 }
 
 void remark_on_swath(const std::vector<SarTarget>& targets, core::Problems& problems) {
-  std::vector<std::size_t> outside;
+  std::vector<std::size_t> outside, leaving;
   for (const SarTarget& target : targets)
-    if (target.amplitude > 0.0 && !target.in_swath) outside.push_back(target.target);
-  if (outside.empty()) return;
-  problems.push_back(
-      core::problem_of(core::Severity::warning,
-                       fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
-                                   "are weaker and wider, or missing",
-                                   outside.size(), targets.size(), target_list(outside)),
-                       {}, {}, "record a wider window of ranges"));
+    if (target.amplitude > 0.0 && !target.in_swath) (target.recorded ? leaving : outside).push_back(target.target);
+  const auto remark = [&](const std::vector<std::size_t>& some, const char* what) {
+    if (some.empty()) return;
+    problems.push_back(
+        core::problem_of(core::Severity::warning,
+                         fmt::format("{} of {} targets ({}) {}", some.size(), targets.size(), target_list(some), what),
+                         {}, {}, "record a wider window of ranges"));
+  };
+  remark(outside, "are never within the recorded ranges: the image does not show them");
+  remark(leaving, "leave the recorded ranges for some pulses: their images are weaker and wider, or missing");
 }
 
 void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems& problems) {

@@ -40,8 +40,9 @@ struct SarTarget {
   double min_doppler_hz = 0.0;  ///< Among all pulses but those at either end that together hold a two-thousandth of
                                 ///< the amplitude: sidelobes of the antenna count.
   double max_doppler_hz = 0.0;
-  bool in_swath = true;  ///< Inside the recorded ranges at every such pulse.
-  bool whole = true;     ///< And not so near to the end of a raw recording that the rest of its echo is missing.
+  bool in_swath = true;   ///< Inside the recorded ranges at every such pulse.
+  bool recorded = false;  ///< Inside of them at one pulse at least.
+  bool whole = true;      ///< And not so near to the end of a raw recording that the rest of its echo is missing.
 };
 
 /// All targets, as the geometry has them.

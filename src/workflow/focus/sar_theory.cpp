@@ -242,12 +242,13 @@ struct UsedLooks {
 
 UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, double sample_rate_hz) {
   UsedLooks used;
-  double moment = 0.0;
+  double moment = 0.0, whole_moment = 0.0;
   std::complex<double> folded;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const double part = weights.of(i, seen) * seen[i].amplitude;
     if (!(part > 0.0) || !weights.sampled(seen[i])) continue;
     used.whole += part;
+    whole_moment += part * static_cast<double>(i);
     if (!(seen[i].share > 0.0)) continue;
     used.numbers.push_back(i);
     used.parts.push_back(part * seen[i].share);
@@ -257,7 +258,9 @@ UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, 
     folded += std::polar(used.parts.back(), 2.0 * core::pi * (samples - std::round(samples)));
   }
   if (used.sum > 0.0) used.coherence = std::abs(folded) / used.sum;
-  if (used.sum > 0.0) used.middle = static_cast<std::size_t>(std::llround(moment / used.sum));
+  if (used.whole > 0.0)
+    used.middle =
+        static_cast<std::size_t>(std::llround(used.sum > 0.0 ? moment / used.sum : whole_moment / used.whole));
   return used;
 }
 
@@ -362,9 +365,14 @@ class Theories {
     TargetTheory theory;
     theory.target = number;
     const UsedLooks used = used_looks(weights_, seen, echoes_.waveform.sample_rate_hz);
-    if (!(used.sum > 0.0)) return theory;
+    if (!(used.whole > 0.0)) return theory;
     const SarLook& middle = seen[used.middle];
     theory.place = looks_.place(middle, middle.doppler_hz);
+    if (!(used.sum > 0.0)) {
+      theory.unrecorded = true;
+      if (image_.ground) theory.place = lay_on_ground(number, shift_by_air(middle), theory.place);
+      return theory;
+    }
     theory.amplitude = pulse_.kept(used.coherence) * used.sum /
                        sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
     signal::ImagePlace on_image = theory.place;

@@ -169,10 +169,18 @@ void lay_upon_image(IsarImage& made) {
   }
 }
 
+bool is_within(const signal::ImageAxis& axis, double place_m) {
+  const double at = axis.index_of(place_m);
+  return at >= -0.5 && at < static_cast<double>(axis.count) - 0.5;
+}
+
 void find_points(IsarImage& made) {
   made.points.resize(std::min(made.points.size(), max_held_targets));
   const signal::ImageReader reader = signal::reader_of(made.image);
   for (HeldPoint& point : made.points) {
+    point.outside = !is_within(made.image.azimuth, point.expected.azimuth_m) ||
+                    !is_within(made.image.range, point.expected.range_m);
+    if (point.outside) continue;
     double search_m = 3.0 * std::min(made.cross_range_resolution_m, made.range_resolution_m);
     for (const HeldPoint& other : made.points)
       if (other.target != point.target)

@@ -40,7 +40,8 @@ struct HeldPoint {
   std::size_t target = 0;       ///< Position in the scene's list, from 0.
   signal::ImagePlace expected;  ///< Cross-range and range from the target's centre.
   double amplitude = 0.0;       ///< Mean of its echoes, volts.
-  std::optional<signal::PointResponse> found;
+  bool outside = false;         ///< Its place is not in the image: it is not looked for.
+  std::optional<signal::PointResponse> found{};
 };
 
 /// An image of a turning target and what it is of.

@@ -193,11 +193,15 @@ std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const Profil
     const double left_mps = truth.speed_mps - scan.speed_mps;
     target.expected_m = truth.range_m + moved_m + series.limits.shift_m(left_mps);
     target.expected_bin = series.axis.index_of(target.expected_m);
+    target.outside =
+        !(target.expected_bin >= -0.5 && target.expected_bin < static_cast<double>(series.axis.count) - 0.5);
     target.smear_cells = series.limits.smear_cells(left_mps);
     targets.push_back(target);
   }
   for (std::size_t i = 0; i < targets.size(); ++i) {
     targets[i].nearest_m = distance_to_next(targets, i);
+    // Beside the profile there are only the sidelobes of others.
+    if (targets[i].outside) continue;
     targets[i].found = signal::peak_near(series.row(row), series.axis, targets[i].expected_m,
                                          search_around(targets[i], series.limits.resolution_m));
   }

@@ -94,6 +94,7 @@ struct HeldTarget {
   BurstTruth truth;
   double expected_m = 0.0;  ///< Its range, where its profile shows it, and what speed that is left shifts it by.
   double expected_bin = 0.0;
+  bool outside = false;                      ///< That bin is not in the profile: it is not looked for.
   double smear_cells = 0.0;                  ///< By the speed that is left.
   double nearest_m = 0.0;                    ///< Distance of `expected_m` to that of the next target; infinite alone.
   std::optional<signal::ProfilePeak> found;  ///< The largest peak within half the distance to the next target.
