@@ -92,6 +92,23 @@ TEST_F(Measure, SaysWhichTargetsTheRecordingNeverHolds) {
   EXPECT_THAT(measure.out, HasSubstr("24 of 24 targets found (2 outside the image)"));
 }
 
+// Samples near the edge are right; between them only one side of a peak is known.
+TEST_F(Measure, WarnsOfTargetsAtTheEdgeOfTheImage) {
+  const std::string scene = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.toml");
+  const auto measured = [&](const std::string& nearest) {
+    std::string text = scene;
+    const std::size_t at = text.find("10010 m");
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, 7, nearest);
+    write_text(folder_ / "edge.toml", text);
+    EXPECT_EQ(sarsim({"focus", "edge.toml", "--out", "edge.img", "--force", "--quiet"}).status, 0);
+    return sarsim({"measure", "edge.img"}).err;
+  };
+  // The nearest targets are at 10 km - 100 m over the ground: 10100 m.
+  EXPECT_THAT(measured("10098.5 m"), HasSubstr("lie within 1.5 widths of the edge of the image"));
+  EXPECT_THAT(measured("10080 m"), Not(HasSubstr("of the edge of the image")));
+}
+
 TEST_F(Measure, WritesATableAndFieldsForPrograms) {
   const Finished table = sarsim({"measure", "sar_r.img", "--csv"});
   EXPECT_EQ(table.status, 0) << table.err;

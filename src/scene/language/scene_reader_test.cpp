@@ -253,7 +253,7 @@ TEST(Format2, UnlikelyNumbersAreRemarkedOn) {
 // Where there is one, it may be anywhere: in the Gulf of Guinea, too.
 TEST(Format2, AWorldWithoutAnAnchorIsWarnedOf) {
   const std::string earth = "[world]\nframe = \"earth\"\n";
-  EXPECT_THAT(complaints(earth), testing::StartsWith("scene.toml:3:1: warning: the world has no anchor: it lies at "
+  EXPECT_THAT(complaints(earth), testing::StartsWith("scene.toml:3:9: warning: the world has no anchor: it lies at "
                                                      "latitude 0 and longitude 0; expected anchor = { latitude"));
   EXPECT_THAT(complaints(earth + "anchor = { height = \"10 m\" }\n"), HasSubstr("the world has no anchor"));
   EXPECT_THAT(complaints(earth + "anchor = { latitude = 0 }\n"),

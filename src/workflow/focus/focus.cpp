@@ -385,7 +385,7 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
 
 FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
   const double begin_s = core::now_s();
-  expect_no_image(request.input.path);
+  if (!request.input.held) expect_no_image(request.input.path);
   if (is_phase_history(request.input.path)) return focus_phase_history(request, observer);
   if (!request.channel.empty() || request.sign)
     throw core::Refused("--channel and --sign are for phase histories (CPHD)", "leave them out");

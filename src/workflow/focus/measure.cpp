@@ -293,6 +293,30 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
   return targets;
 }
 
+// Between the samples of an image its values follow from those around, which at an edge are known on one side alone.
+std::optional<core::Problem> remark_on_edges(const signal::FocusedImage& image,
+                                             const std::vector<MeasuredTarget>& targets) {
+  constexpr double reach = 1.5;  // -3 dB widths; farther away a peak is right within 0.1 dB
+  const auto is_near = [](const signal::ImageAxis& axis, double place, double width) {
+    const auto [low, high] = std::minmax({axis.at(0.0), axis.at(static_cast<double>(axis.count) - 1.0)});
+    return place - low < reach * width || high - place < reach * width;
+  };
+  std::vector<std::size_t> near;
+  for (const MeasuredTarget& target : targets) {
+    const signal::PointResponse* const peak = target.response();
+    if (peak != nullptr && (is_near(image.azimuth, peak->place.azimuth_m, peak->azimuth.width) ||
+                            is_near(image.range, peak->place.range_m, peak->range.width)))
+      near.push_back(target.theory.target);
+  }
+  if (near.empty()) return std::nullopt;
+  return core::problem_of(
+      core::Severity::warning,
+      fmt::format("{} of {} targets ({}) lie within {:g} widths of the edge of the image, beyond which their responses "
+                  "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
+                  near.size(), targets.size(), target_list(near), reach),
+      {}, {}, "record or focus a wider part");
+}
+
 }  // namespace
 
 TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
@@ -350,12 +374,14 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
   observer.remarks(movers);
   std::ranges::move(movers, std::back_inserter(way.problems));
-  return {opened.origin,
-          way.script.empty() ? way.source : way.script,
-          measured_targets(opened, theories, request, control),
-          request.false_alarm,
-          std::move(way.problems),
-          opened.image.frame};
+  std::vector<MeasuredTarget> targets = measured_targets(opened, theories, request, control);
+  if (auto edges = remark_on_edges(opened.image, targets)) {
+    observer.remarks({*edges});
+    way.problems.push_back(*std::move(edges));
+  }
+  return {opened.origin,           way.script.empty() ? way.source : way.script,
+          std::move(targets),      request.false_alarm,
+          std::move(way.problems), opened.image.frame};
 }
 
 }  // namespace sarsim::workflow

@@ -344,8 +344,10 @@ void expect_no_image(const std::string& path) {
     for (const char* const ending : {".npy", ".img"})
       if (const fs::path beside = fs::path(path).replace_extension(ending); fs::exists(beside, ignored))
         image = beside.string();
-  const auto format = raster::format_from_path(image);
-  if ((format && !raster::format_of(*format).envi_header) || !raster::has_envi_header(image)) return;
+  // The image of a scene or phase history has its name, and a header beside both.
+  const raster::Format* const format = raster::row_from_path(image);
+  const bool has_own = format == nullptr || format->envi_header || format == &raster::envi_format();
+  if (language_of_name(image) || !has_own || !raster::has_envi_header(image)) return;
   refuse_image(image, fmt::format("header '{}'", raster::envi_header_of(image).filename().string()));
 }
 
