@@ -59,7 +59,7 @@ int main(int count, char** words) {
   Values rows(azimuth * range), turned(azimuth * range);
   const Transform along_range(range, rows);
   const Transform along_azimuth(azimuth, rows);
-  double least_s = 1e9;
+  double min_s = 1e9;
   for (std::size_t t = 0; t < tries; ++t) {
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = {static_cast<float>(i % 7), 1.0F};
     const double begin_s = processor_s();
@@ -69,8 +69,8 @@ int main(int count, char** words) {
     transpose(turned, range, azimuth, rows);
     for (std::size_t pass = 0; pass < passes; ++pass) along_range.rows(rows.data(), azimuth, range);
     along_azimuth.rows(rows.data(), std::min(columns, range), azimuth);
-    least_s = std::min(least_s, processor_s() - begin_s);
+    min_s = std::min(min_s, processor_s() - begin_s);
   }
-  std::printf("%.4f\n", least_s);
+  std::printf("%.4f\n", min_s);
   return 0;
 }

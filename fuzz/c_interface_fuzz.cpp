@@ -210,7 +210,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   sarsim_scene* made = nullptr;
   expect(sarsim_scene_new("/nowhere/fuzz.toml", &made, nullptr) == SARSIM_OK);
   ScenePointer scene(made);
-  constexpr int most_calls = 64;
-  for (int call = 0; call < most_calls && !words.empty(); ++call) call_one(scene, words);
+  constexpr int max_calls = 64;
+  for (int call = 0; call < max_calls && !words.empty(); ++call) call_one(scene, words);
   return 0;
 }

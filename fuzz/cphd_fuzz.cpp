@@ -14,10 +14,10 @@ using sarsim::raster::CphdFile;
 
 // Everything that a reader would ask for: first and last vector of every channel.
 void read_channels(const CphdFile& file) {
-  constexpr std::size_t most_samples = std::size_t{1} << 16U;
+  constexpr std::size_t max_samples = std::size_t{1} << 16U;
   for (std::size_t c = 0; c < file.description().channels.size(); ++c) {
     const sarsim::raster::PhaseChannel& channel = file.description().channels[c];
-    std::vector<std::complex<float>> samples(std::min(channel.samples, most_samples));
+    std::vector<std::complex<float>> samples(std::min(channel.samples, max_samples));
     for (const std::size_t vector : {std::size_t{0}, channel.vectors - 1}) {
       sarsim::raster::PhaseVector read;
       file.read_vectors(c, vector, std::span(&read, 1));

@@ -9,11 +9,11 @@
 
 namespace {
 
-constexpr std::size_t most_pixels = std::size_t{1} << 20;
+constexpr std::size_t max_pixels = std::size_t{1} << 20;
 
 void read_through(const sarsim::raster::Raster& source) {
-  const std::size_t columns = std::min(source.columns(), most_pixels);
-  const std::size_t rows = std::min(source.rows(), most_pixels / columns);
+  const std::size_t columns = std::min(source.columns(), max_pixels);
+  const std::size_t rows = std::min(source.rows(), max_pixels / columns);
   std::vector<std::complex<float>> samples(rows * columns);
   source.read_window({0, rows, 0, columns}, samples);
   if (source.rows() == 0) return;

@@ -244,7 +244,7 @@ class Scene:
         self._points: "Dict[str, np.ndarray]" = {}
         self._handle = Handle(lib.sarsim_scene_free)
         self.remarks = Problems()
-        """Warnings and notes of its text."""
+        """Warnings and notes about its text and the files that it names."""
         if text is None:
             self.remarks = call(lib.sarsim_scene_new, given_name, self._handle.out)
         else:

@@ -94,9 +94,9 @@ void hand_over(core::Problems found, sarsim_problems** problems) noexcept {
 }
 
 sarsim_work work_of(const sarsim_work* work) {
-  constexpr unsigned most_threads = 65535;
+  constexpr unsigned max_threads = 65535;
   const sarsim_work how = taken(work, "work");
-  static_cast<void>(told_count(how.threads, most_threads, "work->threads"));
+  static_cast<void>(told_count(how.threads, max_threads, "work->threads"));
   return how;
 }
 

@@ -94,7 +94,7 @@ Options taken(const Options* from, const char* name) {
 std::size_t told_count(std::size_t count, std::size_t most, const char* name);
 
 /// Largest number of options, and of values of [let], that is accepted.
-inline constexpr std::size_t most_words = 1'000'000;
+inline constexpr std::size_t max_words = 1'000'000;
 
 /// Fills in a structure of results, of which the caller may know less, or more, which is then zero.
 template <class Results>

@@ -165,7 +165,7 @@ typedef struct sarsim_scene_options {
 } sarsim_scene_options;
 
 /* Reads a scene, in either language, with the files that it includes and names. SARSIM_BAD_INPUT with all mistakes of the
- * text; remarks where it can be used. Whether it can be simulated, sarsim_scene_check says. */
+ * text; otherwise remarks, with the warnings about these files. Whether it can be simulated, sarsim_scene_check says. */
 SARSIM_API sarsim_status sarsim_scene_read_file(const char* path, const sarsim_scene_options* options,
                                                 sarsim_scene** scene, sarsim_problems** problems);
 /* The same from `length` bytes. `name` is that of a file that need not exist: problems have it as their place, and

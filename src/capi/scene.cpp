@@ -25,7 +25,7 @@ namespace {
 workflow::SceneOverrides overrides_of(const sarsim_scene_options* given) {
   const auto options = capi::taken(given, "options");
   workflow::SceneOverrides overrides;
-  for (std::size_t i = 0; i < capi::told_count(options.let_count, capi::most_words, "options->let_count"); ++i)
+  for (std::size_t i = 0; i < capi::told_count(options.let_count, capi::max_words, "options->let_count"); ++i)
     overrides.let.emplace_back(&capi::given((&capi::given(options.let, "options->let"))[i], "options->let"));
   return overrides;
 }
@@ -53,7 +53,7 @@ void expect_no_pipe(const std::string& file) {
 template <class Read>
 std::unique_ptr<sarsim_scene> sound_scene(const Read& read, core::Problems& found) {
   auto scene = std::make_unique<sarsim_scene>();
-  scene->input = read(workflow::Scrutiny::reading);
+  scene->input = read(workflow::Scrutiny::files);
   if (core::has_errors(scene->input.problems)) throw core::Refused(read(workflow::Scrutiny::values).problems);
   found = scene->input.problems;
   return scene;

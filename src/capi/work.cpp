@@ -41,7 +41,7 @@ namespace sarsim::capi {
 workflow::GivenWords words_of(const std::vector<workflow::Option>& options, const char* const* words,
                               std::size_t count) {
   std::vector<std::string> typed;
-  for (std::size_t i = 0; i < told_count(count, most_words, "option_count"); ++i) {
+  for (std::size_t i = 0; i < told_count(count, max_words, "option_count"); ++i) {
     const std::string word = &given((&given(words, "options"))[i], "options: a word");
     const bool flag = word.find('=') == std::string::npos;
     const std::string name = "--" + word.substr(0, word.find('='));

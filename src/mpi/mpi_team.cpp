@@ -31,7 +31,7 @@ class MpiTeam::Desk {
       : todo_(std::move(todo)), pieces_at_a_time_(4 * static_cast<std::size_t>(processes)) {
     for (const simulate::RowRange& range : todo_) left_ += range.count;
     total_ = left_;
-    least_ = std::max<std::size_t>(total_ / (pieces_at_a_time_ * 64), 1);
+    min_ = std::max<std::size_t>(total_ / (pieces_at_a_time_ * 64), 1);
   }
 
   [[nodiscard]] simulate::RowRange next() {
@@ -39,7 +39,7 @@ class MpiTeam::Desk {
     while (at_ < todo_.size() && todo_[at_].count == 0) ++at_;
     if (at_ == todo_.size()) return {};
     simulate::RowRange& from = todo_[at_];
-    const simulate::RowRange piece{from.first, std::min(std::max(left_ / pieces_at_a_time_, least_), from.count)};
+    const simulate::RowRange piece{from.first, std::min(std::max(left_ / pieces_at_a_time_, min_), from.count)};
     from.first += piece.count;
     from.count -= piece.count;
     left_ -= piece.count;
@@ -57,7 +57,7 @@ class MpiTeam::Desk {
   std::size_t left_ = 0;
   std::size_t total_ = 0;
   std::size_t pieces_at_a_time_;
-  std::size_t least_ = 1;
+  std::size_t min_ = 1;
   std::atomic<std::size_t> done_{0};
 };
 

@@ -162,7 +162,7 @@ TEST(SimulatedPoint, IsSharpenedByAutofocus) {
   const signal::FocusedImage blurred = signal::back_project(wavering, frame, azimuth, range, {}, {2, nullptr});
   // A point alone: nothing else disturbs a wide window.
   signal::AutofocusOptions options;
-  options.least_window = 31;
+  options.min_window = 31;
   const signal::AutofocusResult result = signal::autofocus(blurred, options, {2, nullptr});
   std::printf("entropy %.4f sharp, %.4f blurred, %.4f corrected\n", signal::image_entropy(sharp),
               signal::image_entropy(blurred), signal::image_entropy(result.image));

@@ -376,14 +376,14 @@ def routes():
     corner = [(0, 0), (0, 20), (20, 20)]
     straight = 'start = [0, -8000, 3000]\nspeed = "speed"\n'
     return [
-        legs('{ leg = "straight" }', "How long is it?", "leg 1 lacks a length or a duration"),
+        legs('{ leg = "straight" }', "How long is it?", "leg 1: a length or a duration is missing, or 0"),
         legs('{ leg = "straight", length = "2 km", duration = "3 s" }', "One of the two is enough.", "both duration and length"),
         legs('{ leg = "turn", angle = "90 deg" }', "Neither bank nor radius.", "neither bank nor radius"),
         legs('{ leg = "turn", angle = "90 deg", bank = "0 deg" }', "Without bank there is no turn.", "neither bank nor radius"),
         legs('{ leg = "turn", angle = "90 deg", bank = @"90 deg" }', "The radius would be 0.", "bank of the turn is out of range"),
         legs('{ leg = "turn", angle = "90 deg", bank = "20 deg", radius = "2 km" }', "The speed and one of them give the other.",
              "both bank and radius"),
-        legs('{ leg = "climb-to", height = "4 km" }', "How fast?", "leg 1 lacks a rate"),
+        legs('{ leg = "climb-to", height = "4 km" }', "How fast?", "leg 1: a rate is missing, or 0"),
         legs('@{ leg = "climb-to", rate = "5 m/s" }', "How high?", "leg 1 lacks the height"),
         legs('{ leg = "straight", length = "2 km" }, @{ leg = "turn-to", bank = "20 deg" }', "To which heading?", "leg 2 lacks the heading"),
         legs('{ leg = "straight", length = "2 km", @radius = "3 km" }', "A straight leg has no radius.", "belongs to leg turn, turn-to or circle"),

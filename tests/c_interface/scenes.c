@@ -164,6 +164,51 @@ static void files_are_read(const char* examples) {
   }
 }
 
+static size_t times_said(const sarsim_problems* problems, const char* words) {
+  sarsim_problem problem = SARSIM_INIT(sarsim_problem);
+  size_t times = 0;
+  size_t i;
+  for (i = 0; i < sarsim_problems_count(problems); ++i) {
+    EXPECT(sarsim_problems_get(problems, i, &problem) == SARSIM_OK);
+    if (strstr(problem.message, words) != NULL) times += problem.count;
+  }
+  return times;
+}
+
+/* By reading, by a check, once each; and no longer where the file is not named any more. */
+static void files_are_warned_of(void) {
+  static const char points[] = "[[target]]\npositions = { file = \"scenes_points.csv\" }\n";
+  static const char warning[] = "cross-sections are negative";
+  char text[2048];
+  sarsim_scene* scene = NULL;
+  sarsim_problems* problems = NULL;
+  FILE* file = fopen("scenes_points.csv", "w");
+  EXPECT(file != NULL);
+  fputs("x,y,z,rcs\n0,1000,0,1\n5,1000,0,-1\n", file);
+  EXPECT(fclose(file) == 0);
+  snprintf(text, sizeof text, "%s%s", small_scene, points);
+  EXPECT(sarsim_scene_read_text(text, strlen(text), "small.toml", NULL, &scene, &problems) == SARSIM_OK);
+  EXPECT(times_said(problems, warning) == 1);
+  sarsim_problems_free(problems);
+  problems = NULL;
+  EXPECT(sarsim_scene_check(scene, NULL, &problems) == SARSIM_OK);
+  EXPECT(times_said(problems, warning) == 1);
+  sarsim_problems_free(problems);
+  file = fopen("scenes_points.csv", "w");
+  EXPECT(file != NULL);
+  fputs("x,y,z,rcs\n0,1000,0,1\n5,1000,0,1\n", file);
+  EXPECT(fclose(file) == 0);
+  problems = NULL;
+  EXPECT(sarsim_scene_check(scene, NULL, &problems) == SARSIM_OK);
+  EXPECT(times_said(problems, warning) == 0);
+  sarsim_problems_free(problems);
+  remove("scenes_points.csv");
+  sarsim_scene_free(scene);
+  /* The file need not be there to be named. */
+  EXPECT_STATUS(sarsim_scene_read_text(text, strlen(text), "small.toml", NULL, &scene, &problems), SARSIM_OK, problems);
+  sarsim_scene_free(scene);
+}
+
 int main(int argc, char** argv) {
   EXPECT(argc == 2);
   fields_have_the_names_of_set();
@@ -172,6 +217,7 @@ int main(int argc, char** argv) {
   mistakes_have_places();
   a_check_says_what_a_run_would();
   words_are_explained();
+  files_are_warned_of();
   files_are_read(argv[1]);
   return 0;
 }

@@ -292,9 +292,15 @@ TEST_F(Inputs, ImagesAreNotFocusedAgain) {
     expect_done({"focus", script, "--out", image, "--force", "--quiet"});
     for (const char* command : {"focus", "doppler", "search"})
       expect_refusal({command, image, "--script", script, "--out", "other.img"},
-                     std::string(command) + image == "focussar_r.img" ? "is a focused image already"
-                                                                      : "is an image, as its header 'sar_r.hdr' says");
+                     "is a focused image, as its header 'sar_r.hdr' says, not a recording");
+    expect_refusal({"focus", "sar_r.hdr"}, "is a focused image, as its header 'sar_r.hdr' says, not a recording");
     fs::remove(folder_ / image);  // The header can be that of one image only.
+  }
+  for (const char* image : {"sar_r.h5", "sar_r.zarr"}) {
+    expect_done({"focus", script, "--out", image, "--force", "--quiet"});
+    for (const char* command : {"focus", "doppler", "search"})
+      expect_refusal({command, image, "--out", "other.img"},
+                     "is a focused image, as its field image_plane says, not a recording");
   }
 }
 

@@ -119,6 +119,30 @@ TEST_F(MeasureSource, AnotherRecordingOfTheSameNameIsNotTakenForTheTruth) {
   EXPECT_EQ(sarsim({"measure", "x.img", "--target", "1"}).status, 2);
 }
 
+// Where nothing was compared, nobody speaks of other samples.
+TEST_F(MeasureSource, WhatCannotBeComparedIsNotCalledAnother) {
+  ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "hdf5", "--quiet"}).status, 0);
+  std::string recording;
+  for (const std::string& name : entries("."))
+    if (name.ends_with(".h5")) recording = name;
+  ASSERT_EQ(sarsim({"focus", recording, "--out", "x.img", "--quiet"}).status, 0);
+  const std::string header = text_of(folder_ / "x.hdr");
+  const std::size_t at = header.find("source checksum = {");
+  ASSERT_NE(at, std::string::npos);
+  std::string blank = header;
+  blank.replace(at, header.find('}', at) - at, "source checksum = {");
+  write_text(folder_ / "x.hdr", blank);
+  const Finished nameless = sarsim({"measure", "x.img", "--target", "1"});
+  EXPECT_EQ(nameless.status, 0) << nameless.err;
+  EXPECT_THAT(nameless.err, HasSubstr("does not say which samples it was made from"));
+  write_text(folder_ / "x.hdr", header);
+  const std::string bytes = text_of(folder_ / recording);
+  write_text(folder_ / recording, bytes.substr(0, bytes.size() / 2));
+  const Finished damaged = sarsim({"measure", "x.img", "--target", "1"});
+  EXPECT_NE(damaged.status, 0);
+  EXPECT_THAT(damaged.err, AllOf(HasSubstr(recording), Not(HasSubstr("other samples"))));
+}
+
 // The samples are those of the image, the scene beside them is not: it is told of, as one in a file of its own is.
 TEST_F(MeasureSource, ASceneInsideTheRecordingThatChangedIsToldOf) {
   ASSERT_EQ(sarsim({"run", "scene.scr", "--format", "sigmf", "--quiet"}).status, 0);

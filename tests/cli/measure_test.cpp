@@ -72,6 +72,43 @@ TEST_F(Measure, LooksForNoTargetBesideTheImage) {
   EXPECT_THAT(none.out, HasSubstr("0 of 0 targets found (24 outside the image)"));
 }
 
+// Before and behind the window: there is nothing to be found, and nothing is missing.
+TEST_F(Measure, SaysWhichTargetsTheRecordingNeverHolds) {
+  std::string scene = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.toml");
+  scene += "\n[[target]]\nposition = [0, -1500, 0]\n[[target]]\nposition = [0, 1500, 0]\n";
+  write_text(folder_ / "wide.toml", scene);
+  const Finished focus = sarsim({"focus", "wide.toml", "--out", "wide.img"});
+  ASSERT_EQ(focus.status, 0) << focus.err;
+  EXPECT_THAT(focus.err, HasSubstr("2 of 26 targets (25, 26) are never within the recorded ranges"));
+  const Finished measure = sarsim({"measure", "wide.img"});
+  EXPECT_EQ(measure.status, 0);
+  for (const char* const target : {"\ntarget 25 ", "\ntarget 26 "}) {
+    const std::size_t line = measure.out.find(target);
+    ASSERT_NE(line, std::string::npos) << measure.out;
+    const std::string said = measure.out.substr(line + 1, measure.out.find('\n', line + 1) - line - 1);
+    EXPECT_THAT(said, testing::EndsWith(" m: outside the recorded ranges"));
+    EXPECT_THAT(said, Not(HasSubstr("range 0.000 m")));
+  }
+  EXPECT_THAT(measure.out, HasSubstr("24 of 24 targets found (2 outside the image)"));
+}
+
+// Samples near the edge are right; between them only one side of a peak is known.
+TEST_F(Measure, WarnsOfTargetsAtTheEdgeOfTheImage) {
+  const std::string scene = text_of(SARSIM_SOURCE_DIR "/examples/sar_r.toml");
+  const auto measured = [&](const std::string& nearest) {
+    std::string text = scene;
+    const std::size_t at = text.find("10010 m");
+    EXPECT_NE(at, std::string::npos);
+    text.replace(at, 7, nearest);
+    write_text(folder_ / "edge.toml", text);
+    EXPECT_EQ(sarsim({"focus", "edge.toml", "--out", "edge.img", "--force", "--quiet"}).status, 0);
+    return sarsim({"measure", "edge.img"}).err;
+  };
+  // The nearest targets are at 10 km - 100 m over the ground: 10100 m.
+  EXPECT_THAT(measured("10098.5 m"), HasSubstr("lie within 1.5 widths of the edge of the image"));
+  EXPECT_THAT(measured("10080 m"), Not(HasSubstr("of the edge of the image")));
+}
+
 TEST_F(Measure, WritesATableAndFieldsForPrograms) {
   const Finished table = sarsim({"measure", "sar_r.img", "--csv"});
   EXPECT_EQ(table.status, 0) << table.err;

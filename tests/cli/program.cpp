@@ -36,8 +36,8 @@ void redirect(int descriptor, const std::string& path) {
     const rlimit limit{bytes, bytes};
     setrlimit(RLIMIT_FSIZE, &limit);
   }
-  if (start.most_open_files > 0) {
-    const auto files = static_cast<rlim_t>(start.most_open_files);
+  if (start.max_open_files > 0) {
+    const auto files = static_cast<rlim_t>(start.max_open_files);
     const rlimit limit{files, files};
     setrlimit(RLIMIT_NOFILE, &limit);
   }

@@ -22,7 +22,7 @@ struct Start {
   std::filesystem::path folder;  ///< Its current folder.
   std::string standard_output;   ///< A file instead of what is captured, such as /dev/full.
   long largest_file_bytes = 0;   ///< Limit of the system for a file; 0: none.
-  long most_open_files = 0;      ///< Limit of the system for the process; 0: none.
+  long max_open_files = 0;       ///< Limit of the system for the process; 0: none.
   bool ignores_hangup = false;   ///< As nohup has it.
   std::filesystem::path program = SARSIM_PROGRAM;
 };

@@ -5,8 +5,7 @@
 
 A scene has a file of each kind with something to warn of: states too far apart, numbers behind the last function of a
 data file, negative cross-sections of a table of points. Each command must say what check says of them, with the same
-words. Recordings hold the points of functions themselves; convert and format copy names without opening tracks and
-tables of points. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment.
+words. Recordings hold the points of functions themselves. The program is SARSIM_PROGRAM or SARSIM_BUILT_PROGRAM of the environment.
 """
 
 import math
@@ -55,8 +54,8 @@ CARRIED = [TRACK, POINTS]  # The points of functions are in the recording.
 CASES = [
     (ALL, "run s.toml -o out --force"),
     (ALL, "info s.toml"),
-    ([CUT], "convert s.toml out/c.toml --force"),
-    ([CUT], "format s.toml"),
+    (ALL, "convert s.toml out/c.toml --force"),
+    (ALL, "format s.toml"),
     (ALL, "plot s.toml -o out/p.png --force"),
     (ALL, "plot s.toml --kind track -o out/p.png --force"),
     (ALL, "plot s.toml --kind range -o out/p.png --force"),

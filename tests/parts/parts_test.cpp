@@ -117,7 +117,7 @@ TEST_F(PartsOfScenes, MayBeMoreThanAProcessMayHaveFiles) {
     ASSERT_EQ(run({"--out", "o", "--part", std::to_string(part) + "/40", "--part-file"}).status, 0);
   Start start;
   start.folder = folder_;
-  start.most_open_files = 24;
+  start.max_open_files = 24;
   const Finished merged = Program({"merge", "o/sim.bin.parts", "--threads", "4"}, start).finish();
   ASSERT_EQ(merged.status, 0) << merged.err;
   expect_same_bytes("whole/sim.bin", "o/sim.bin");

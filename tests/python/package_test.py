@@ -69,6 +69,14 @@ class Scenes(Folder):
         self.assertLess(np.abs(scene.record()).max(), 0.99 * dry)
         self.assertIn("rain", " ".join(scene.atmosphere.fields()))
 
+    def test_reading_says_what_is_odd_with_the_files_of_a_scene(self):
+        (self.folder / "points.csv").write_text("x,y,z,rcs\n0,0,0,1\n5,0,0,-1\n", encoding="ascii")
+        text = (EXAMPLES / "sar_r.toml").read_text(encoding="utf-8") + '\n[[target]]\npositions = { file = "points.csv" }\n'
+        (self.folder / "s.toml").write_text(text, encoding="utf-8")
+        for scene in (sarsim.read(self.folder / "s.toml"), sarsim.Scene(text, name=str(self.folder / "s.toml"))):
+            self.assertEqual(str(scene.remarks).count("cross-sections are negative"), 1)
+            self.assertEqual(str(scene.check()).count("cross-sections are negative"), 1)
+
     def test_a_problem_of_an_added_object_says_which(self):
         scene = sar_r()
         scene.targets.add_many([[0, 0, 0], [float("nan"), 0, 0]])

@@ -46,9 +46,9 @@ bool fails_alike(const scene::Scene& scene, const std::string& check) {
 
 // The first few failures of each kind in full, all of them in a line.
 void tell(std::uint64_t seed, const scene::Scene& scene, const Finding& finding, Count& count) {
-  constexpr std::uint64_t most_in_full = 3;
+  constexpr std::uint64_t max_in_full = 3;
   fmt::print("seed {}: {}: {}\n", seed, finding.check, finding.text);
-  if (++count.failures[finding.check] > most_in_full) return;
+  if (++count.failures[finding.check] > max_in_full) return;
   const scene::Scene plain = shrunk(scene, [&](const scene::Scene& s) { return fails_alike(s, finding.check); });
   for (const Finding& left : examine(plain).findings) fmt::print("  plainest: {}: {}\n", left.check, left.text);
   fmt::print("{}\n", scene::write_script(plain));

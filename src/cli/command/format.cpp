@@ -33,7 +33,7 @@ void write_file(const std::string& path, bool replace, const std::string& text) 
 
 ExitStatus format_scene(const FormatArguments& arguments, Streams& streams) {
   const workflow::SceneInput input = workflow::read_scene(
-      arguments.scene, arguments.overrides, workflow::Scrutiny::reading, {core::thread_count(0), streams.stop});
+      arguments.scene, arguments.overrides, workflow::Scrutiny::files, {core::thread_count(0), streams.stop});
   workflow::expect_usable(input);
   if (arguments.in_place && input.json)
     throw core::Refused("--in-place: '" + arguments.scene + "' is JSON, which Sarsim reads but does not write",

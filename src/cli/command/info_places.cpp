@@ -17,7 +17,7 @@ namespace sarsim::cli {
 
 namespace {
 
-constexpr std::size_t most_listed = 20;
+constexpr std::size_t max_listed = 20;
 
 // Moments of a scene as dates.
 std::optional<std::string> utc_text(const scene::World& world, double time_s) {
@@ -48,7 +48,7 @@ class WorldInfo {
   WorldInfo(const scene::Scene& scene, const simulate::ResolvedScene& resolved, bool all, core::JsonWriter& json)
       : scene_(scene),
         resolved_(resolved),
-        most_(all ? std::numeric_limits<std::size_t>::max() : most_listed),
+        max_(all ? std::numeric_limits<std::size_t>::max() : max_listed),
         earth_(scene::earth_of(scene.world)),
         time_s_(scene::needed_times(scene).first_s),
         json_(json) {}
@@ -104,13 +104,13 @@ class WorldInfo {
     add_line("places at", time_text(scene_.world, time_s_));
     json_.member("time_s", time_s_);
     const std::size_t platforms = scene_.platforms.size();
-    const auto platforms_m = simulate::platform_places_m(resolved_, time_s_, std::min(most_, platforms));
+    const auto platforms_m = simulate::platform_places_m(resolved_, time_s_, std::min(max_, platforms));
     json_.key("platforms").begin_array();
     for (std::size_t i = 0; i < platforms_m.size(); ++i)
       add_place(fmt::format("  platform {}", resolved_.platforms[i].name), resolved_.platforms[i].name, platforms_m[i]);
     json_.end_array();
     add_rest(platforms, platforms_m.size());
-    const auto targets_m = simulate::target_places_m(resolved_, time_s_, most_);
+    const auto targets_m = simulate::target_places_m(resolved_, time_s_, max_);
     json_.key("targets").begin_array();
     for (std::size_t i = 0; i < targets_m.size(); ++i)
       add_place(fmt::format("  target {}", i + 1), std::to_string(i + 1), targets_m[i]);
@@ -132,7 +132,7 @@ class WorldInfo {
 
   const scene::Scene& scene_;
   const simulate::ResolvedScene& resolved_;
-  std::size_t most_;
+  std::size_t max_;
   std::optional<radar::EarthFrame> earth_;
   double time_s_;
   core::JsonWriter& json_;

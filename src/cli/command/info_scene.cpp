@@ -26,8 +26,8 @@ namespace sarsim::cli {
 
 namespace {
 
-constexpr std::size_t most_names_listed = 20;
-constexpr std::size_t most_looked_at = 1000;  // targets whose passage through the beam is looked at
+constexpr std::size_t max_names_listed = 20;
+constexpr std::size_t max_looked_at = 1000;  // targets whose passage through the beam is looked at
 
 std::string between(double low, double high, std::string_view unit) {
   // Adding 0 turns -0 into 0.
@@ -207,8 +207,8 @@ class SceneInfo {
     json_.key(kind).begin_array();
     for (std::size_t i = 0; i < names.size(); ++i) {
       json_.value(names[i]);
-      if (i < most_names_listed || arguments_.all) list += (i == 0 ? "" : ", ") + names[i];
-      if (i == most_names_listed && !arguments_.all) list += ", ...";
+      if (i < max_names_listed || arguments_.all) list += (i == 0 ? "" : ", ") + names[i];
+      if (i == max_names_listed && !arguments_.all) list += ", ...";
     }
     json_.end_array();
     if (!names.empty()) text_ += fmt::format("  {:<24} {} ({})\n", kind, names.size(), list);
@@ -216,7 +216,7 @@ class SceneInfo {
 
   void add_simulation(std::size_t index, const simulate::Plan& plan) {
     simulate::Plan looked_at = plan;
-    looked_at.scene = simulate::thinned(plan.scene, workflow::most_cloud_looks);
+    looked_at.scene = simulate::thinned(plan.scene, workflow::max_cloud_looks);
     const simulate::EchoSurvey survey = simulate::survey_echoes(looked_at, control_);
     const auto figures = figures_of(plan, simulate::simulation_figures(plan, survey), survey, false);
     const scene::Simulation& simulation = plan.simulation;
@@ -269,12 +269,12 @@ class SceneInfo {
     // Of large clouds only some points were looked at, and nobody could tell which.
     const bool whole = survey.targets.size() == plan.scene->scatterers.size();
     const std::size_t listed = whole ? survey.targets.size() : plan.scene->scatterers.targets();
-    const std::size_t count = arguments_.all ? listed : std::min(listed, most_names_listed);
+    const std::size_t count = arguments_.all ? listed : std::min(listed, max_names_listed);
     if (count > 0)
       text_ += survey.all_pulses ? "  targets\n"
                                  : fmt::format("  targets (estimated from {} of {} pulses)\n", survey.pulses_sampled,
                                                plan.pulses.count());
-    std::vector<std::size_t> looked_at(std::min(count, most_looked_at));
+    std::vector<std::size_t> looked_at(std::min(count, max_looked_at));
     std::iota(looked_at.begin(), looked_at.end(), std::size_t{0});
     const std::vector<simulate::TargetSight> sights = simulate::SightSurvey(plan, looked_at).look(control_);
     json_.key("targets").begin_array();

@@ -45,7 +45,7 @@ std::string points_text(const workflow::IsarImage& made) {
                           point.found->place.range_m - point.expected.range_m, point.found->azimuth.width,
                           point.found->range.width, core::amplitude_db(point.found->amplitude / point.amplitude));
     else
-      text += "  no peak\n";
+      text += point.outside ? "  outside the image\n" : "  no peak\n";
   }
   if (made.points.size() > most)
     text += fmt::format("and {}; --json lists them\n", counted(made.points.size() - most, "more target"));

@@ -68,10 +68,11 @@ std::string earth_text(const radar::Geodetic& place) {
 // Theory in parentheses.
 std::string text_of(const workflow::MeasuredTarget& target, const workflow::MeasureReport& report) {
   const workflow::TargetTheory& theory = target.theory;
+  if (target.state == workflow::TargetState::no_echoes)
+    return fmt::format("target {:<4} no echoes\n", theory.target + 1);
   std::string text = fmt::format("target {:<4} azimuth {:.3f} m, range {:.3f} m", theory.target + 1,
                                  theory.place.azimuth_m, theory.place.range_m);
-  if (target.state == workflow::TargetState::no_echoes) return text + ": no echoes\n";
-  if (target.outside) return text + ": outside the image\n";
+  if (target.outside) return text + (theory.unrecorded ? ": outside the recorded ranges\n" : ": outside the image\n");
   if (target.response() == nullptr) return text + missing_text(target);
   const signal::PointResponse& found = *target.response();
   text += fmt::format(

@@ -77,15 +77,15 @@ void expect_names(const PlotArguments& a) {
 
 // The drawing library draws no larger pictures.
 void expect_size(const PlotArguments& a) {
-  constexpr double most_dots_a_side = 32767.0;
-  constexpr double most_dots = 0x1p29;
+  constexpr double max_dots_a_side = 32767.0;
+  constexpr double max_dots = 0x1p29;
   const double scale = a.scale.value_or(1.0);
   const double width = std::round(static_cast<double>(a.size[0]) * scale);
   const double height = std::round(static_cast<double>(a.size[1]) * scale);
-  if (std::max(width, height) <= most_dots_a_side && width * height <= most_dots) return;
+  if (std::max(width, height) <= max_dots_a_side && width * height <= max_dots) return;
   throw core::Refused(
       fmt::format("--size and --scale: a picture of {} x {} dots is too large", width, height),
-      fmt::format("at most {} dots to a side and {} million in all", most_dots_a_side, std::floor(most_dots * 1e-6)));
+      fmt::format("at most {} dots to a side and {} million in all", max_dots_a_side, std::floor(max_dots * 1e-6)));
 }
 
 void expect_limits(const PlotArguments& a) {

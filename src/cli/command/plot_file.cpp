@@ -92,7 +92,7 @@ picture::ImageSamples chosen_part(const PlotArguments& a, const workflow::Placed
 }
 
 Plotted picture_of(const PlotArguments& a, const workflow::PlacedImage& input, const picture::ImageSamples& part,
-                   const core::StopFlag* stop) {
+                   Streams& streams) {
   if (!a.csv.empty())
     throw core::Refused("the picture of a file has no table", "sarsim convert gives its values as CSV");
   picture::EchoWindow look;
@@ -120,7 +120,10 @@ Plotted picture_of(const PlotArguments& a, const workflow::PlacedImage& input, c
       wanted.column_places = places->range;
     }
   }
-  return {picture::image_figure(*input.source, wanted, plot_pixels(a), {0, stop}), {}};
+  core::Problems remarks;
+  Plotted plotted{picture::image_figure(*input.source, wanted, plot_pixels(a), {0, streams.stop}, &remarks), {}};
+  print_problems(streams, remarks);
+  return plotted;
 }
 
 // Where nobody names the row or column of an image.
@@ -140,7 +143,7 @@ Plotted plot_file(const PlotArguments& arguments, Streams& streams) {
   Watch watch(streams, false);
   const workflow::PlacedImage input = workflow::open_placed_image({a.input, a.samples, a.simulation}, watch.observer());
   picture::ImageSamples part = chosen_part(a, input, streams.stop);
-  if (a.kind == PlotKind::picture) return picture_of(a, input, part, streams.stop);
+  if (a.kind == PlotKind::picture) return picture_of(a, input, part, streams);
   const bool cut = a.kind == PlotKind::pulse || a.kind == PlotKind::range;
   const bool complex = input.source->info().value == raster::ImageValue::complex;
   if (input.focused && !part.samples.row_place.empty()) cut_where_it_is_strongest(a, part.samples);

@@ -21,9 +21,9 @@ struct Layer {
 };
 
 void expect_few(std::size_t layers) {
-  if (layers > picture::most_overlaid_curves)
+  if (layers > picture::max_overlaid_curves)
     throw core::Refused(fmt::format("{} curves in one picture cannot be told apart", layers),
-                        fmt::format("{} are possible: make several pictures", picture::most_overlaid_curves));
+                        fmt::format("{} are possible: make several pictures", picture::max_overlaid_curves));
 }
 
 void add_variations(std::vector<Layer>& layers, const PlotArguments& a) {
@@ -67,7 +67,7 @@ Plotted plot_overlaid(const PlotArguments& a, const std::function<Plotted(const 
     throw core::Refused("these curves do not fit into one pair of axes",
                         fmt::format("their axes must show the same quantities in the same units, and at most {} curves "
                                     "can be told apart",
-                                    picture::most_overlaid_curves));
+                                    picture::max_overlaid_curves));
   Plotted plotted{std::move(*together), {}};
   if (!a.csv.empty()) plotted.table = picture::curves_table(plotted.figure, ',');
   return plotted;

@@ -10,7 +10,7 @@ namespace sarsim::cli {
 
 namespace {
 
-constexpr std::size_t most_samples = std::size_t{1} << 25U;
+constexpr std::size_t max_samples = std::size_t{1} << 25U;
 
 // The place nearest to the wanted one; the middle where none is wanted.
 std::size_t nearest(const std::vector<double>& places, std::optional<double> wanted, const picture::CutPlaces& names) {
@@ -64,7 +64,7 @@ void expect_quantity(const PlotArguments& a) {
 picture::EchoBlock read_block(const picture::SampleSource& samples, simulate::IndexSpan rows,
                               simulate::IndexSpan columns, std::size_t times) {
   const double count = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin);
-  if (count * static_cast<double>(times) > static_cast<double>(most_samples))
+  if (count * static_cast<double>(times) > static_cast<double>(max_samples))
     throw core::Refused(fmt::format("{} pulses of {} samples are too many to look at at once", rows.end - rows.begin,
                                     columns.end - columns.begin),
                         "choose fewer with --pulses, or a narrower --range");
@@ -83,9 +83,9 @@ std::size_t strongest_of(const std::vector<double>& power) {
 
 // Calls `take(row, column, power)` for up to so many of the rows.
 template <class Take>
-void each_power(const picture::SampleSource& samples, simulate::IndexSpan rows, std::size_t most_rows,
+void each_power(const picture::SampleSource& samples, simulate::IndexSpan rows, std::size_t max_rows,
                 const Take& take) {
-  const std::size_t step = (rows.end - rows.begin + most_rows - 1) / most_rows;
+  const std::size_t step = (rows.end - rows.begin + max_rows - 1) / max_rows;
   for (std::size_t row = rows.begin + (step - 1) / 2; row < rows.end; row += step) {
     const picture::EchoBlock block = samples.read({row, row + 1}, {0, samples.column_place.size()});
     for (std::size_t column = 0; column < samples.column_place.size(); ++column)
@@ -119,15 +119,15 @@ picture::Figure radar_view(const PlotArguments& a, const picture::SampleSource& 
 }  // namespace
 
 std::size_t strongest_column(const picture::SampleSource& samples, simulate::IndexSpan rows) {
-  constexpr std::size_t most_rows = 64;
+  constexpr std::size_t max_rows = 64;
   std::vector<double> power(samples.column_place.size(), 0.0);
-  each_power(samples, rows, most_rows, [&](std::size_t, std::size_t column, double p) { power[column] += p; });
+  each_power(samples, rows, max_rows, [&](std::size_t, std::size_t column, double p) { power[column] += p; });
   return strongest_of(power);
 }
 
 std::size_t strongest_row(const picture::SampleSource& samples) {
   const std::size_t rows = samples.row_place.size();
-  if (static_cast<double>(rows) * static_cast<double>(samples.column_place.size()) > static_cast<double>(most_samples))
+  if (static_cast<double>(rows) * static_cast<double>(samples.column_place.size()) > static_cast<double>(max_samples))
     return rows / 2;
   std::vector<double> power(rows, 0.0);
   each_power(samples, {0, rows}, rows,

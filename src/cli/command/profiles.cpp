@@ -74,7 +74,7 @@ std::string targets_text(const workflow::ProfilesReport& report) {
                           target.found->range_m - target.expected_m, target.found->width_m,
                           core::amplitude_db(target.found->amplitude / target.truth.amplitude));
     else
-      text += "  no peak\n";
+      text += target.outside ? "  outside the profile\n" : "  no peak\n";
   }
   if (report.targets.size() > most)
     text += fmt::format("and {}; --json lists them\n", counted(report.targets.size() - most, "more target"));

@@ -18,9 +18,9 @@ std::span<const std::byte> bytes_of(std::string_view text) { return std::as_byte
 
 std::uint64_t size_of_journal(const RawFile& file) {
   const std::uint64_t bytes = file.size();
-  if (bytes <= most_journal_bytes) return bytes;
+  if (bytes <= max_journal_bytes) return bytes;
   Problem problem = problem_of(Severity::error, "the file is too large for a journal", fmt::format("{} bytes", bytes),
-                               fmt::format("at most {}", most_journal_bytes),
+                               fmt::format("at most {}", max_journal_bytes),
                                "delete this journal: what it lists is then computed again");
   problem.place.file = file.path().string();
   throw Refused(Problems{std::move(problem)});

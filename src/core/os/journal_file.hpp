@@ -26,10 +26,10 @@ struct JournalLines {
 [[nodiscard]] JournalLines lines_of_journal(std::string_view text);
 
 /// More than any journal holds: seven million entries of 150 bytes, one a second for eighty days.
-inline constexpr std::uint64_t most_journal_bytes = std::uint64_t{1} << 30U;
+inline constexpr std::uint64_t max_journal_bytes = std::uint64_t{1} << 30U;
 
 /// All of a journal, which another process may be adding to.
-/// @throws std::system_error "cannot read FILE"; Refused where it is no regular file or longer than most_journal_bytes
+/// @throws std::system_error "cannot read FILE"; Refused where it is no regular file or longer than max_journal_bytes
 [[nodiscard]] std::string read_journal_file(const std::filesystem::path& path);
 
 /// A journal to which lines are added. Every failure is a std::system_error that names the action and the file. One

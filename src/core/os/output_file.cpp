@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_links = 40;
+constexpr int max_links = 40;
 constexpr std::size_t longest_name = 255;  // NAME_MAX of every common file system.
 
 [[noreturn]] void throw_error(int error, const std::string& what) {
@@ -53,7 +53,7 @@ int rename_without_replacing(const fs::path& from, const fs::path& to) {
 
 fs::path end_of_links(const fs::path& path) {
   fs::path place = path;
-  for (int i = 0; i < most_links; ++i) {
+  for (int i = 0; i < max_links; ++i) {
     std::error_code error;
     const fs::path next = fs::read_symlink(place, error);
     if (error) return place;
@@ -101,8 +101,8 @@ void OutputFile::open_directly() {
 }
 
 void OutputFile::create_temporary(unsigned mode) {
-  constexpr int most_attempts = 1000;  // A killed process of the same number may have left some names behind.
-  for (int i = 0; i < most_attempts && descriptor_ < 0; ++i) {
+  constexpr int max_attempts = 1000;  // A killed process of the same number may have left some names behind.
+  for (int i = 0; i < max_attempts && descriptor_ < 0; ++i) {
     working_path_ = temporary_name(target_);
     temporary_ = TemporaryName(working_path_);
     descriptor_ = ::open(working_path_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);

@@ -51,9 +51,9 @@ void sync_one(const fs::path& path, int flags) {
 
 // File systems bring to the disk together what is asked for at the same time, which takes as long as one file.
 void sync_together(const std::vector<fs::path>& files) {
-  constexpr std::size_t most_threads = 16;
+  constexpr std::size_t max_threads = 16;
   constexpr std::size_t files_worth_a_thread = 4;
-  const std::size_t count = std::clamp<std::size_t>(files.size() / files_worth_a_thread, 1, most_threads);
+  const std::size_t count = std::clamp<std::size_t>(files.size() / files_worth_a_thread, 1, max_threads);
   std::vector<std::future<void>> workers;
   for (std::size_t worker = 0; worker < count; ++worker)
     workers.push_back(std::async(std::launch::async, [&files, worker, count] {
@@ -67,11 +67,11 @@ void sync_together(const std::vector<fs::path>& files) {
 
 OutputFolder::OutputFolder(fs::path path, bool replace, FolderTest ours)
     : path_(plain_name(path)), replace_(replace), ours_(std::move(ours)) {
-  constexpr int most_attempts = 1000;  // A killed process of the same number may have left some names behind.
+  constexpr int max_attempts = 1000;  // A killed process of the same number may have left some names behind.
   if (path_.empty()) fail_on_folder(ENOENT, "create", path_);
   const fs::path target = end_of_links(path_);
   expect_replaceable(target, path_, replace_, ours_);
-  for (int i = 0; i < most_attempts; ++i) {
+  for (int i = 0; i < max_attempts; ++i) {
     working_path_ = temporary_name(target);
     temporary_ = TemporaryName(working_path_);
     std::error_code failure;

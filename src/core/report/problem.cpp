@@ -23,7 +23,7 @@ const char* name_of(Severity severity) {
 }
 
 // So many errors of one cause, each with its place, are a list to work through; more of them are one mistake.
-constexpr std::size_t most_told_alone = 100;
+constexpr std::size_t max_told_alone = 100;
 
 // Severity, message, kind and field of the object.
 using Cause = std::tuple<Severity, std::string, std::string, std::string>;
@@ -45,7 +45,7 @@ void drop_repeated(const std::map<Cause, Met, std::less<>>& met, Problems& merge
   bool any = false;
   for (std::size_t i = 0; i < merged.size(); ++i) {
     const Met& known = met.find(cause_of(merged[i]))->second;
-    if (!known.alone || known.times <= most_told_alone || known.first == i) continue;
+    if (!known.alone || known.times <= max_told_alone || known.first == i) continue;
     merged[known.first].count += merged[i].count;
     drop[i] = 1;
     any = true;
@@ -142,7 +142,7 @@ Problems ranked(Problems problems) {
     Met& known = met.try_emplace(cause_of(problem), Met{merged.size(), 0, false}).first->second;
     ++known.times;
     known.alone = known.alone || alone;
-    if (known.times > 1 && (!alone || known.times > most_told_alone))
+    if (known.times > 1 && (!alone || known.times > max_told_alone))
       merged[known.first].count += problem.count;
     else
       merged.push_back(std::move(problem));

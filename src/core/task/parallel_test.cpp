@@ -68,7 +68,7 @@ TEST(OrderedParallel, HoldsBackWorkThatNobodyHasConsumed) {
   constexpr unsigned threads = 3;
   std::atomic<std::size_t> begun{0};
   std::size_t consumed = 0;
-  std::size_t most_ahead = 0;
+  std::size_t max_ahead = 0;
   ordered_parallel<int>(
       60, threads,
       [&] {
@@ -79,12 +79,12 @@ TEST(OrderedParallel, HoldsBackWorkThatNobodyHasConsumed) {
         };
       },
       [&](std::size_t, int&&) {
-        most_ahead = std::max(most_ahead, begun.load() - consumed);
+        max_ahead = std::max(max_ahead, begun.load() - consumed);
         ++consumed;
       },
       nullptr);
-  EXPECT_LE(most_ahead, 2 * threads + 1);
-  EXPECT_GE(most_ahead, threads + 1);  // but they did work ahead
+  EXPECT_LE(max_ahead, 2 * threads + 1);
+  EXPECT_GE(max_ahead, threads + 1);  // but they did work ahead
 }
 
 TEST(OrderedParallel, ThrowsWhatAWorkerThrows) {

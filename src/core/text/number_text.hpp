@@ -56,9 +56,9 @@ template <class Candidates>
 template <class Candidates>
 std::string nearest_word(std::string_view word, const Candidates& candidates) {
   constexpr std::size_t longest = 64;
-  constexpr std::size_t most_candidates = 1000;
+  constexpr std::size_t max_candidates = 1000;
   std::string_view best;
-  if (word.size() > longest || std::size(candidates) > most_candidates) return {};
+  if (word.size() > longest || std::size(candidates) > max_candidates) return {};
   std::size_t best_distance = word.size() / 3 + 1;
   for (const std::string_view candidate : candidates) {
     if (candidate.size() > word.size() + best_distance || candidate.size() + best_distance < word.size()) continue;

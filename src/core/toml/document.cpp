@@ -108,7 +108,7 @@ class Parser {
 Document Parser::run() {
   if (text_.starts_with(byte_order_mark)) position_ = byte_order_mark.size();
   document_.tables.push_back({span_of(position_, position_), span_of(position_, position_), false, false, 0, 0});
-  while (!at_end() && document_.mistakes.size() < most_mistakes) line();
+  while (!at_end() && document_.mistakes.size() < max_mistakes) line();
   name_lines();
   std::ranges::stable_sort(document_.mistakes, {}, [](const Mistake& mistake) { return mistake.at.begin; });
   return std::move(document_);
@@ -221,7 +221,7 @@ bool Parser::looks_like_line(std::size_t begin) const {
 
 void Parser::note(const Fault& fault) {
   auto& mistakes = document_.mistakes;
-  if (mistakes.size() >= most_mistakes) return;
+  if (mistakes.size() >= max_mistakes) return;
   const auto& [message, expected, hint] = fault.complaint;
   if (!mistakes.empty() && mistakes.back().at.begin >= line_begin_ && mistakes.back().message == message) return;
   std::string found = quoted_word(piece(text_, fault.at).substr(0, 100));

@@ -78,7 +78,7 @@ struct Document {
 /// Longest text that `parse` takes, in bytes.
 inline constexpr std::size_t longest_text = std::size_t{1} << 30U;
 /// After so many mistakes `parse` stops.
-inline constexpr std::size_t most_mistakes = 1000;
+inline constexpr std::size_t max_mistakes = 1000;
 /// Arrays and inline tables nest at most so deep.
 inline constexpr std::size_t deepest_nesting = 100;
 

@@ -42,8 +42,8 @@ std::string parse_xml(std::string_view text, pugi::xml_document& document) {
            " are read";
   }
   const auto parts = static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return c == '<' || c == '='; }));
-  if (parts > most_xml_parts) {
-    return "the XML has " + std::to_string(parts) + " tags and attributes; at most " + std::to_string(most_xml_parts) +
+  if (parts > max_xml_parts) {
+    return "the XML has " + std::to_string(parts) + " tags and attributes; at most " + std::to_string(max_xml_parts) +
            " are read";
   }
   const pugi::xml_parse_result read =

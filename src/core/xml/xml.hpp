@@ -11,7 +11,7 @@ namespace sarsim::core {
 /// Longest XML text that `parse_xml` takes, in bytes.
 inline constexpr std::size_t longest_xml = std::size_t{64} << 20U;
 /// Most tags and attributes together that `parse_xml` takes: their tree stays below 300 MB.
-inline constexpr std::size_t most_xml_parts = std::size_t{4} << 20U;
+inline constexpr std::size_t max_xml_parts = std::size_t{4} << 20U;
 /// Deepest nesting of elements that `parse_xml` takes, so that whoever walks the tree may do so by recursion.
 inline constexpr std::size_t deepest_xml = 100;
 

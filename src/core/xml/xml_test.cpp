@@ -55,7 +55,7 @@ TEST(Xml, RefusesEntities) {
 TEST(Xml, RefusesWhatIsTooLongManyOrDeep) {
   EXPECT_THAT(fault(std::string(longest_xml + 1, ' ')), HasSubstr("at most 67108864"));
   std::string many = "<a>";
-  for (std::size_t part = 0; part < most_xml_parts; ++part) many += "<b/>";
+  for (std::size_t part = 0; part < max_xml_parts; ++part) many += "<b/>";
   EXPECT_THAT(fault(many + "</a>"), HasSubstr("tags and attributes"));
   std::string deep;
   for (std::size_t depth = 0; depth < deepest_xml; ++depth) deep += "<a>";

@@ -48,7 +48,7 @@ scene::Range range_of_steps(const scene::Field& field) {
 // A step that stays within such values: of "1 m2" down it is one of the next digit, "0.9 m2". Where none does, the text
 // as it was; from outside of them any step is taken.
 QString step_within(const QString& text, int steps, const scene::Field& field) {
-  constexpr int most_digits = 3;
+  constexpr int max_digits = 3;
   const scene::Range range = range_of_steps(field);
   const auto holds = [&](const QString& of) {
     const scene::QuantityReading reading = scene::read_quantity(of.toStdString(), field.quantity);
@@ -58,7 +58,7 @@ QString step_within(const QString& text, int steps, const scene::Field& field) {
   QString stepped = stepped_text(from, steps);
   if (steps > 0 || stepped.isEmpty() || !holds(from)) return stepped;
   const bool finer = range.low_excluded && field.quantity != scene::Quantity::count;
-  for (int i = 0; i < most_digits && finer && !holds(stepped); ++i) {
+  for (int i = 0; i < max_digits && finer && !holds(stepped); ++i) {
     from = finer_text(from);
     stepped = stepped_text(from, steps);
   }

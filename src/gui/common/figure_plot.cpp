@@ -21,7 +21,7 @@ namespace sarsim::gui {
 namespace {
 
 constexpr int bar_width_px = 14;
-constexpr std::size_t most_stops = 256;
+constexpr std::size_t max_stops = 256;
 constexpr double words_turn_at = 0.75;  // share of a panel's width
 
 // Marks at round numbers for whatever length and span the axis has when it is drawn, and the axis title with their
@@ -305,7 +305,7 @@ void FigurePlot::add_colour_bar(int row, QCPAxisRect* rect, const picture::Figur
   QCPColorGradient gradient;
   gradient.clearColorStops();
   gradient.setColorInterpolation(QCPColorGradient::ciRGB);
-  const std::size_t step = (bar.colours.size() + most_stops - 1) / most_stops;
+  const std::size_t step = (bar.colours.size() + max_stops - 1) / max_stops;
   for (std::size_t i = 0; i < bar.colours.size(); i += step) {
     const raster::Rgb& c = bar.colours[i];
     gradient.setColorStopAt(static_cast<double>(i) / static_cast<double>(bar.colours.size() - 1),

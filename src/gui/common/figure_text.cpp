@@ -6,7 +6,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr int most_lines = 3;
+constexpr int max_lines = 3;
 constexpr int flags = Qt::AlignCenter | Qt::TextWordWrap;
 
 }  // namespace
@@ -29,7 +29,7 @@ QString FigureText::fitting(int width_px) const {
   const QFontMetrics metrics(mFont);
   const auto fits = [&](const QString& text) {
     const QRect needed = metrics.boundingRect(QRect(0, 0, width_px, 1 << 20), flags, text);
-    return needed.width() <= width_px && needed.height() < (most_lines + 0.5) * metrics.lineSpacing();
+    return needed.width() <= width_px && needed.height() < (max_lines + 0.5) * metrics.lineSpacing();
   };
   if (fits(mText)) return mText;
   // Lines break between words, which leaves some of each empty; a word that is longer than a line has one alone.

@@ -32,8 +32,8 @@ constexpr std::array views{picture::RadarView::range_profile, picture::RadarView
                            picture::RadarView::doppler_time, picture::RadarView::spectrum,
                            picture::RadarView::phase_history};
 constexpr std::size_t usual_spectra = 16;  // one after another, of Doppler against time
-constexpr int most_pulses = 1'000'000;
-constexpr int most_padding = 16;
+constexpr int max_pulses = 1'000'000;
+constexpr int max_padding = 16;
 constexpr int settling_ms = 60;  // of a drag
 
 QString title_text(picture::RadarView view) {
@@ -88,13 +88,13 @@ void RadarViewWindow::make_controls(QHBoxLayout* row) {
   pulses_label_ = new QLabel(tr("&Pulses"), this);
   pulses_ = named(new QSpinBox(this), "radar_view_pulses", tr("Pulses"),
                   tr("How many about the cursor: the burst, or the coherent interval"));
-  pulses_->setRange(1, most_pulses);
+  pulses_->setRange(1, max_pulses);
   pulses_->setKeyboardTracking(false);
   pulses_label_->setBuddy(pulses_);
   interval_label_ = new QLabel(tr("Puls&es of a spectrum"), this);
   interval_ = named(new QSpinBox(this), "radar_view_interval", tr("Pulses of a spectrum"),
                     tr("More tell frequencies apart, fewer times"));
-  interval_->setRange(2, most_pulses);
+  interval_->setRange(2, max_pulses);
   interval_->setKeyboardTracking(false);
   interval_label_->setBuddy(interval_);
   mean_ = named(new QComboBox(this), "radar_view_mean", tr("Mean"),
@@ -105,7 +105,7 @@ void RadarViewWindow::make_controls(QHBoxLayout* row) {
   padding_label_ = new QLabel(tr("&Bins per pulse"), this);
   padding_ = named(new QSpinBox(this), "radar_view_padding", tr("Bins per pulse"),
                    tr("Above 1, Doppler bins are nearer to each other (zero padding)"));
-  padding_->setRange(1, most_padding);
+  padding_->setRange(1, max_padding);
   padding_->setKeyboardTracking(false);
   padding_label_->setBuddy(padding_);
   decibels_ = named(new QCheckBox(tr("&Decibels"), this), "radar_view_decibels", tr("Decibels"), {});

@@ -17,7 +17,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr int most_recent = 10;
+constexpr int max_recent = 10;
 constexpr int keep_after_ms = 2000;
 constexpr int look_every_ms = 2000;
 
@@ -233,7 +233,7 @@ void DocumentKeeper::note_recent(const QString& path) {
   QStringList paths = QSettings().value("recent").toStringList();
   paths.removeAll(whole);
   paths.prepend(whole);
-  QSettings().setValue("recent", QStringList(paths.mid(0, most_recent)));
+  QSettings().setValue("recent", QStringList(paths.mid(0, max_recent)));
   emit recent_changed();
 }
 

@@ -84,11 +84,11 @@ void DocumentKeeper::make_questions() {
 }
 
 DocumentKeeper::DataAnswer DocumentKeeper::data_question(const std::vector<scene::DataFileWrite>& files) const {
-  constexpr std::size_t most_shown = 8;
+  constexpr std::size_t max_shown = 8;
   QStringList lines;
-  for (std::size_t i = 0; i < files.size() && i < most_shown; ++i)
+  for (std::size_t i = 0; i < files.size() && i < max_shown; ++i)
     lines += (files[i].replaces ? tr("%1 (is replaced)") : tr("%1 (new)")).arg(text_of(files[i].path));
-  if (files.size() > most_shown) lines += tr("and %1 more").arg(files.size() - most_shown);
+  if (files.size() > max_shown) lines += tr("and %1 more").arg(files.size() - max_shown);
   QMessageBox box(QMessageBox::Question, tr("Data files"),
                   tr("Data files of this scene do not hold its current functions. Write these files too?"),
                   QMessageBox::Cancel, window_);

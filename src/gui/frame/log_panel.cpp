@@ -13,7 +13,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr std::size_t most_at_once = 100;
+constexpr std::size_t max_at_once = 100;
 constexpr QChar error_mark = u'!';
 
 // What makes two problems the same one: neither its line, nor which object of many it is about, nor a figure, all of
@@ -57,9 +57,9 @@ void LogPanel::tell_problems(const core::Problems& problems) {
   for (const core::Problem& problem : problems) {
     const QString cause = cause_of(problem);
     if (const auto before = told.find(cause); ++now[cause] <= (before == told.end() ? 0 : before->second)) continue;
-    if (++added <= most_at_once) add_line(placed_problem_text(problem, session_.document().path()));
+    if (++added <= max_at_once) add_line(placed_problem_text(problem, session_.document().path()));
   }
-  if (added > most_at_once) add_line(tr("and %1 more").arg(added - most_at_once));
+  if (added > max_at_once) add_line(tr("and %1 more").arg(added - max_at_once));
   if (!told.empty() && now.empty()) add_line(tr("Nothing is wrong with the script any more."));
   // Errors hide what else is wrong: it is not new when it is seen again.
   if (core::has_errors(problems))

@@ -38,7 +38,7 @@ namespace {
 
 constexpr int settling_ms = 700;          // work in the background and layouts end within it
 constexpr int longest_image_ms = 10'000;  // the live image, which may take more
-constexpr int most_colours = 256;
+constexpr int max_colours = 256;
 
 const QString menu_prefix = QStringLiteral("menu-");
 
@@ -149,7 +149,7 @@ QImage with_few_colours(const QImage& picture) {
   QList<QRgb> table;
   for (const bool first_of_corner : {true, false})
     for (const auto& [count, colour] : frequent)
-      if (table.size() < most_colours && corners.insert(corner_of(colour)).second == first_of_corner &&
+      if (table.size() < max_colours && corners.insert(corner_of(colour)).second == first_of_corner &&
           !table.contains(colour))
         table.append(colour);
   return picture.convertToFormat(QImage::Format_Indexed8, table, Qt::ThresholdDither | Qt::AvoidDither);

@@ -10,7 +10,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr std::size_t most_in_tip = 5;
+constexpr std::size_t max_in_tip = 5;
 
 }  // namespace
 
@@ -42,9 +42,9 @@ void ProblemBadge::show_problems(const core::Problems& problems) {
   setAccessibleName(tr("Problems of the script: %1").arg(counts));
   setIcon(severity_icon(core::has_errors(problems) ? core::Severity::error : core::Severity::warning, *this));
   QStringList tip;
-  for (std::size_t i = 0; i < std::min(problems.size(), most_in_tip); ++i)
+  for (std::size_t i = 0; i < std::min(problems.size(), max_in_tip); ++i)
     tip += problem_text(problems[i]).toHtmlEscaped();
-  if (problems.size() > most_in_tip) tip += tr("and %1 more").arg(problems.size() - most_in_tip);
+  if (problems.size() > max_in_tip) tip += tr("and %1 more").arg(problems.size() - max_in_tip);
   setToolTip("<p>" + tip.join("</p><p>") + "</p>");
 }
 

@@ -61,9 +61,8 @@ void ProblemWatch::look_at_echoes() {
   found_ = std::make_shared<Found>();
   survey_.run([scene = std::move(scene), found = found_](const core::StopFlag& stop, const BackgroundJob::Report&) {
     const core::WorkControl control{1, &stop};
-    const auto resolved =
-        simulate::thinned(std::make_shared<const simulate::ResolvedScene>(simulate::resolve(*scene, control)),
-                          workflow::most_cloud_looks);
+    const auto resolved = simulate::thinned(
+        std::make_shared<const simulate::ResolvedScene>(simulate::resolve(*scene, control)), workflow::max_cloud_looks);
     simulate::SurveyReport report = simulate::survey_report(*scene, resolved, control);
     found->problems = std::move(report.problems);
     if (!core::has_errors(found->problems))

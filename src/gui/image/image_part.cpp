@@ -8,8 +8,8 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr double least_span = 2.0;
-constexpr double most_span = 4.0;  // times the image
+constexpr double min_span = 2.0;
+constexpr double max_span = 4.0;  // times the image
 constexpr double margin = 0.25;
 
 QRgb pixel(raster::Rgb colour) { return qRgb(colour.red, colour.green, colour.blue); }
@@ -42,8 +42,7 @@ std::pair<double, double> mended_span(double from, double to, std::size_t size) 
   if (!std::isfinite(from) || !std::isfinite(to)) return {-0.5, length - 0.5};
   if (to < from) std::swap(from, to);
   const double middle = std::clamp((from + to) / 2.0, -0.5, length - 0.5);
-  const double half =
-      std::clamp(to - from, std::min(least_span, length), std::max(most_span * length, least_span)) / 2.0;
+  const double half = std::clamp(to - from, std::min(min_span, length), std::max(max_span * length, min_span)) / 2.0;
   return {middle - half, middle + half};
 }
 

@@ -45,7 +45,7 @@ namespace {
 
 constexpr int preview_side = 256;
 constexpr int preview_after_ms = 150;
-constexpr std::size_t most_bits = 64;
+constexpr std::size_t max_bits = 64;
 
 std::size_t whole_number(const QLineEdit* edit) { return edit->text().trimmed().toULongLong(); }
 
@@ -334,7 +334,7 @@ raster::RasterHints OpenImageDialog::hints() const {
   if (kind_->currentIndex() > by_content)
     hints.format = described_.at(static_cast<std::size_t>(kind_->currentIndex()) - 1)->recording;
   hints.columns = whole_number(columns_);
-  hints.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), most_bits));
+  hints.bits = static_cast<int>(std::min<std::size_t>(whole_number(bits_), max_bits));
   return hints;
 }
 
@@ -380,7 +380,7 @@ QStringList OpenImageDialog::objections() const {
   for (const QLineEdit* edit : {columns_, bits_, header_, width_, height_}) {
     bool whole = false;
     const qulonglong number = edit->text().trimmed().toULongLong(&whole);
-    object(edit, whole && (edit != bits_ || number <= most_bits));
+    object(edit, whole && (edit != bits_ || number <= max_bits));
   }
   bool number = false;
   const double offset = offset_->text().trimmed().toDouble(&number);

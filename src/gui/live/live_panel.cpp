@@ -45,8 +45,8 @@ constexpr int busy_after_ms = 150;  // a bar for less would flicker
 constexpr int resized_ms = 80;
 // A hand moves faster than images come: each has so long until its first picture before a newer one takes its place.
 constexpr int first_picture_ms = 400;
-constexpr std::size_t least_px = 64;
-constexpr std::size_t most_px = 1200;
+constexpr std::size_t min_px = 64;
+constexpr std::size_t max_px = 1200;
 
 QComboBox* narrow_list(QWidget* parent, const QString& name, const QString& spoken, const QString& tip) {
   auto* const list = named(new QComboBox(parent), name, spoken, tip);
@@ -73,7 +73,7 @@ ReservedLabel* steady_label(QWidget* parent, const QString& name, int lines) {
 picture::PlotSize pixels_of(const QWidget& plot) {
   const auto pixels = [&](int length) {
     const auto device = static_cast<std::size_t>(std::max(0.0, length * plot.devicePixelRatioF()));
-    return std::clamp(device, least_px, most_px);
+    return std::clamp(device, min_px, max_px);
   };
   return {pixels(plot.width()), pixels(plot.height())};
 }
@@ -152,7 +152,7 @@ void LivePanel::make_options() {
                      tr("Removes phase errors that are left, found in the image itself"));
   targets_ = named(
       new QCheckBox(tr("Rings around targets"), options_), "live_targets", tr("Rings around targets"),
-      tr("Where the targets of the scene should be in the image, of %1 at most").arg(picture::most_ringed_targets));
+      tr("Where the targets of the scene should be in the image, of %1 at most").arg(picture::max_ringed_targets));
   colours_ = narrow_list(options_, "live_colours", tr("Colours"), tr("Colours of the image"));
   for (const picture::ColourMap map : maps) colours_->addItem(text_of(picture::info_of(map).title));
   span_ = named(new QSpinBox(options_), "live_span", tr("Decibels shown"), tr("Shown below the largest magnitude"));

@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr qsizetype most_problems_shown = 5;
+constexpr qsizetype max_problems_shown = 5;
 
 // "Trajectory of Ship": "trajectory_of_ship.dat".
 std::string file_name_for(const std::string& title) {
@@ -235,7 +235,7 @@ void FunctionEditor::show_source() {
 }
 
 void FunctionEditor::say(core::Severity severity, const QStringList& texts) {
-  QStringList shown = texts.mid(0, most_problems_shown);
+  QStringList shown = texts.mid(0, max_problems_shown);
   if (texts.size() > shown.size()) shown += tr("and %1 more").arg(texts.size() - shown.size());
   problems_->show_texts(severity, shown);
 }

@@ -20,7 +20,7 @@ constexpr int smallest_rectangle_px = 4;
 constexpr double zoom_step = 2.0;
 constexpr double wheel_step = 1.25;
 constexpr double margin_share = 0.05;
-constexpr std::size_t most_corners = 20'000;
+constexpr std::size_t max_corners = 20'000;
 
 bool finite(const core::Knot& knot) { return std::isfinite(knot.x) && std::isfinite(knot.y); }
 
@@ -250,7 +250,7 @@ void FunctionPlot::refresh_curves() {
     const auto role = part_ < info_.parts.size() ? info_.parts[part_].role : scene::FunctionRole::list;
     std::vector<core::Knot> points = scene::curve_points(function_, role, method, window_.x[0], window_.x[1], width);
     // Corners stand where the points are, not where the pixels are.
-    if (method != core::Interpolation::low_pass && function_.knots.size() <= most_corners)
+    if (method != core::Interpolation::low_pass && function_.knots.size() <= max_corners)
       for (const core::Knot& knot : function_.knots)
         if (knot.x >= window_.x[0] && knot.x <= window_.x[1]) points.push_back(knot);
     curves_[i]->data()->set(graph_data(points), false);

@@ -18,7 +18,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr int most_samples = 10'000;
+constexpr int max_samples = 10'000;
 
 QString heading(const std::string& name, const AxisUnit& axis) {
   const QString text = QString::fromStdString(name);
@@ -192,7 +192,7 @@ FunctionTable::FunctionTable(QWidget* parent)
   view_->setMinimumHeight(letter * 9);
   count_->setObjectName("function_count");
   count_->setAccessibleName(tr("Number of samples"));
-  count_->setRange(1, most_samples);
+  count_->setRange(1, max_samples);
   count_->setKeyboardTracking(false);
   auto* insert = new QPushButton(tr("&Insert Sample"), this);
   insert->setObjectName("function_insert");
@@ -236,7 +236,7 @@ void FunctionTable::show_function(const scene::FunctionInfo& info, std::size_t p
   model_->show(info, part, function);
   const QSignalBlocker quiet(count_);
   const int count = static_cast<int>(function.knots.size());
-  count_->setMaximum(std::max(most_samples, count));
+  count_->setMaximum(std::max(max_samples, count));
   count_->setValue(count);
   delete_->setEnabled(count > 1);
   if (count > 0 && !view_->currentIndex().isValid()) view_->setCurrentIndex(model_->index(0, 1));

@@ -16,7 +16,7 @@ namespace sarsim::gui {
 namespace {
 
 // Of a list with more entries the table scrolls.
-constexpr int most_rows_shown = 8;
+constexpr int max_rows_shown = 8;
 
 QTableView* make_view(const scene::Field& field, QWidget* parent) {
   auto* view = new QTableView(parent);
@@ -92,7 +92,7 @@ void ListField::arrange() {
   for (int column = 0; column < model_->columnCount(); ++column)
     view_->setColumnHidden(column, !model_->means_something(column));
   view_->resizeColumnsToContents();
-  const int rows = std::clamp(model_->rowCount(), 1, most_rows_shown);
+  const int rows = std::clamp(model_->rowCount(), 1, max_rows_shown);
   const int height = view_->horizontalHeader()->sizeHint().height() +
                      rows * view_->verticalHeader()->defaultSectionSize() +
                      view_->horizontalScrollBar()->sizeHint().height() + 2 * view_->frameWidth();

@@ -234,9 +234,9 @@ void PropertyPanel::reset(FieldEditor* editor) {
 // By the first of many objects, as each key is pressed.
 void PropertyPanel::judge(FieldEditor* editor, const QString& text) {
   if (is_stale()) return;
-  constexpr std::size_t most_judged = 100;
+  constexpr std::size_t max_judged = 100;
   std::vector<scene::ObjectId> first = subject_.ids();
-  if (first.size() > most_judged) first.resize(most_judged);
+  if (first.size() > max_judged) first.resize(max_judged);
   const FieldChange change = PanelSubject(session_.document(), subject_.kind(), first)
                                  .change(session_.document(), editor->field(), text.toStdString());
   if (change.failure.empty())

@@ -62,7 +62,7 @@ PanelSubject::PanelSubject(const scene::Document& document, std::optional<scene:
     typed_ = {document.typed_fields(std::nullopt)};
     return;
   }
-  constexpr std::size_t most_looked_at = 100;
+  constexpr std::size_t max_looked_at = 100;
   const scene::Scene& scene = document.scene();
   std::ranges::copy_if(ids, std::back_inserter(ids_), [&](scene::ObjectId id) { return scene::has_object(scene, id); });
   scene::visit_kind(*kind, [&](const auto& known) {
@@ -70,7 +70,7 @@ PanelSubject::PanelSubject(const scene::Document& document, std::optional<scene:
     objects.reserve(ids_.size());
     for (const scene::ObjectId id : ids_) objects.push_back((scene.*known.list)[id.index]);
   });
-  if (ids_.size() > most_looked_at) return;
+  if (ids_.size() > max_looked_at) return;
   for (const scene::ObjectId id : ids_) typed_.push_back(document.typed_fields(id));
 }
 

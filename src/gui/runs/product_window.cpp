@@ -44,8 +44,8 @@ namespace sarsim::gui {
 namespace {
 
 constexpr int product_bar_steps = 1000;
-constexpr std::size_t most_viewers = 8;  // that are opened for the images of one run
-constexpr qsizetype most_problems = 20;  // that are shown at a time
+constexpr std::size_t max_viewers = 8;  // that are opened for the images of one run
+constexpr qsizetype max_problems = 20;  // that are shown at a time
 
 QString quoted(const QString& word) { return QString::fromStdString(core::shell_word(word.toStdString())); }
 
@@ -291,8 +291,8 @@ QString ProductWindow::within_folder(const QString& words) const {
 QStringList ProductWindow::texts_of(const core::Problems& problems) const {
   QStringList texts;
   for (const core::Problem& problem : problems) {
-    if (texts.size() == most_problems) {
-      texts << tr("and %1 more").arg(static_cast<qsizetype>(problems.size()) - most_problems);
+    if (texts.size() == max_problems) {
+      texts << tr("and %1 more").arg(static_cast<qsizetype>(problems.size()) - max_problems);
       break;
     }
     const QString text = lines_are_known_ ? placed_problem_text(problem, script_.toStdString()) : problem_text(problem);
@@ -323,9 +323,9 @@ void ProductWindow::show_result() {
   if (!result.problems.empty()) remarks_->show_texts(result.problems.front().severity, texts_of(result.problems));
   open_images(result.images);
   const std::size_t count = result.images.size();
-  end_with(count > most_viewers ? tr("Done; the first %1 of %2 images are shown").arg(most_viewers).arg(count)
-           : count == 0         ? tr("Done; no image was wanted")
-                                : tr("Done"),
+  end_with(count > max_viewers ? tr("Done; the first %1 of %2 images are shown").arg(max_viewers).arg(count)
+           : count == 0        ? tr("Done; no image was wanted")
+                               : tr("Done"),
            true);
 }
 
@@ -353,7 +353,7 @@ ImageViewer* ProductWindow::viewer_for(std::size_t number) {
 
 // The files go when the last viewer of them does, or shows others.
 void ProductWindow::open_images(const std::vector<std::filesystem::path>& images) {
-  const std::size_t count = std::min(images.size(), most_viewers);
+  const std::size_t count = std::min(images.size(), max_viewers);
   for (std::size_t i = 0; i < count; ++i) {
     ImageViewer* const viewer = viewer_for(i);
     viewer->set_name(images.size() > 1 ? tr("%1, %2 of %3").arg(title_).arg(i + 1).arg(images.size()) : title_);

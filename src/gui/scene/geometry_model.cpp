@@ -16,8 +16,8 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr std::size_t most_kept_values = 8'000'000;  // 64 MB
-constexpr std::size_t most_waiting_blocks = 16;
+constexpr std::size_t max_kept_values = 8'000'000;  // 64 MB
+constexpr std::size_t max_waiting_blocks = 16;
 
 QString errors_of(const scene::Scene& scene, const scene::GeometryTable& table) {
   QStringList texts;
@@ -54,7 +54,7 @@ class GeometryModel::Worker {
     const std::scoped_lock hold(lock_);
     if (computing_ == block || std::ranges::find(wanted_, block) != wanted_.end()) return;
     wanted_.push_front(block);
-    if (wanted_.size() > most_waiting_blocks) wanted_.pop_back();
+    if (wanted_.size() > max_waiting_blocks) wanted_.pop_back();
     changed_.notify_all();
   }
 
@@ -178,7 +178,7 @@ void GeometryModel::take_failure(int generation, const QString& problems) {
 
 void GeometryModel::take_block(int generation, std::int64_t block, Block values) {
   if (generation != generation_ || kept_.contains(block)) return;
-  const std::size_t room = std::max<std::size_t>(8, most_kept_values / std::max<std::size_t>(values.size(), 1));
+  const std::size_t room = std::max<std::size_t>(8, max_kept_values / std::max<std::size_t>(values.size(), 1));
   while (kept_.size() >= room) {
     kept_.erase(uses_.back());
     uses_.pop_back();

@@ -14,9 +14,9 @@ namespace sarsim::gui {
 namespace {
 
 // Beyond so many lines smooth edges and dots cost more than they show.
-constexpr std::size_t most_fine_lines = 4000;
-constexpr std::size_t most_halos = 200;
-constexpr std::size_t most_kept_rims = 2000;
+constexpr std::size_t max_fine_lines = 4000;
+constexpr std::size_t max_halos = 200;
+constexpr std::size_t max_kept_rims = 2000;
 
 QColor paint_of(picture::Role role, bool dark) {
   const raster::Rgb rgb = picture::colour(role, dark);
@@ -42,7 +42,7 @@ void paint_solids(QPainter& painter, const picture::Rendering& solids) {
 
 // One call of the painter for all lines of a pen; pens in the order of their roles, so that faint lines lie below.
 void paint_lines(QPainter& painter, const std::vector<picture::Drawing::Line>& lines, bool dark) {
-  const bool fine = lines.size() <= most_fine_lines;
+  const bool fine = lines.size() <= max_fine_lines;
   std::map<std::tuple<picture::Role, std::uint8_t, float, bool>, QList<QLineF>> of_pen;
   for (const picture::Drawing::Line& line : lines)
     of_pen[{line.role, line.tone, line.width_px, line.dotted && fine}].append(
@@ -86,7 +86,7 @@ void ScenePainter::paint_texts(QPainter& painter, const std::vector<picture::Dra
   QColor ground = paint_of(picture::Role::background, look.dark);
   ground.setAlphaF(0.85F);
   // All rims first: none covers another word.
-  if (texts.size() <= most_halos)
+  if (texts.size() <= max_halos)
     for (const picture::Drawing::Text& text : texts) {
       const QString words = QString::fromStdString(text.text);
       const QPointF start = start_of(text, words);
@@ -105,7 +105,7 @@ void ScenePainter::paint_texts(QPainter& painter, const std::vector<picture::Dra
 // A rim in the colour of the ground keeps words readable across lines. To find it takes ten times as long as to fill
 // it.
 const QPainterPath& ScenePainter::rim_of(const QString& words, const QFont& font, double width_px) {
-  if (rims_.size() > most_kept_rims) rims_.clear();
+  if (rims_.size() > max_kept_rims) rims_.clear();
   QPainterPath& rim = rims_[{words, font.key(), width_px}];
   if (!rim.isEmpty()) return rim;
   QPainterPath outline;

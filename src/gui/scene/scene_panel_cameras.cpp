@@ -15,7 +15,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr std::size_t most_listed = 20;  // beams or platforms in a menu
+constexpr std::size_t max_listed = 20;  // beams or platforms in a menu
 
 }  // namespace
 
@@ -153,7 +153,7 @@ void ScenePanel::fill_cameras(QMenu& menu) {
     add(text, [this, view = view] { scene_->look(view); });
   const auto each = [&](scene::ObjectKind kind, const QString& words, auto&& work) {
     menu.addSeparator();
-    for (std::size_t i = 0; i < std::min(most_listed, scene::count_of(session_.scene(), kind)); ++i)
+    for (std::size_t i = 0; i < std::min(max_listed, scene::count_of(session_.scene(), kind)); ++i)
       add(words.arg(QString::fromStdString(scene::label_of(session_.scene(), {kind, i}))),
           [work, id = scene::ObjectId{kind, i}] { work(id); });
   };

@@ -66,8 +66,8 @@ std::optional<double> taken_from(QLineEdit& field) {
 
 // The style's own are dark, whatever they stand on.
 QIcon drawn_in(const QColor& colour, const QIcon& icon) {
-  constexpr int most_side = 64;
-  QPixmap picture = icon.pixmap(most_side, most_side);
+  constexpr int max_side = 64;
+  QPixmap picture = icon.pixmap(max_side, max_side);
   QPainter painter(&picture);
   painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
   painter.fillRect(picture.rect(), colour);

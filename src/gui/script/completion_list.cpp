@@ -12,7 +12,7 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr int most_lines = 10;
+constexpr int max_lines = 10;
 constexpr int widest_em = 80;
 constexpr int widest_word_em = 24;
 
@@ -56,8 +56,8 @@ bool CompletionList::move_by(int key) {
   switch (key) {
     case Qt::Key_Down: line = (line + 1) % count; break;
     case Qt::Key_Up: line = (line + count - 1) % count; break;
-    case Qt::Key_PageDown: line = std::min(line + most_lines, count - 1); break;
-    case Qt::Key_PageUp: line = std::max(line - most_lines, 0); break;
+    case Qt::Key_PageDown: line = std::min(line + max_lines, count - 1); break;
+    case Qt::Key_PageUp: line = std::max(line - max_lines, 0); break;
     default: return false;
   }
   setCurrentItem(topLevelItem(line));
@@ -69,8 +69,8 @@ int CompletionList::chosen() const { return indexOfTopLevelItem(currentItem()); 
 // Below what is typed, or above where the screen ends.
 void CompletionList::place(const QRect& beside) {
   const int em = fontMetrics().horizontalAdvance(u'm');
-  const int lines = std::min(topLevelItemCount(), most_lines);
-  const int bar = topLevelItemCount() > most_lines ? verticalScrollBar()->sizeHint().width() : 0;
+  const int lines = std::min(topLevelItemCount(), max_lines);
+  const int bar = topLevelItemCount() > max_lines ? verticalScrollBar()->sizeHint().width() : 0;
   setColumnWidth(0, std::min(sizeHintForColumn(0) + em, widest_word_em * em));
   const int meaning = sizeHintForColumn(1) + em;
   const QSize size(std::min(columnWidth(0) + meaning + bar, widest_em * em) + 2 * frameWidth(),

@@ -13,7 +13,7 @@ using scene::language::AlternativeExplanation;
 using scene::language::Explanation;
 using scene::language::ExplanationLine;
 
-constexpr std::size_t most_explained = 12;
+constexpr std::size_t max_explained = 12;
 
 QString html_of(const std::string& text) {
   return text_of(text).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
@@ -83,7 +83,7 @@ QString paragraph(const QString& html) { return html.isEmpty() ? QString() : "<p
 }  // namespace
 
 QString explanation_tip(const Explanation& explanation) {
-  const bool is_long = explanation.lines.size() > most_explained;
+  const bool is_long = explanation.lines.size() > max_explained;
   QString tip = paragraph("<b>" + html_of(explanation.name) + "</b><br>" + html_of(explanation.meaning));
   tip += table(facts(explanation)) + table(types(explanation));
   tip += is_long ? paragraph(names_alone(explanation)) : table(lines(explanation));

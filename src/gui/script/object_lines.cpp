@@ -8,8 +8,8 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr int most_lines_above = 2000;
-constexpr int most_lines_below = 300;
+constexpr int max_lines_above = 2000;
+constexpr int max_lines_below = 300;
 
 bool begins_object(const QTextBlock& line) {
   const QString text = line.text();
@@ -26,13 +26,13 @@ std::optional<ObjectLines> object_lines(const QTextDocument& document, int posit
   const QTextBlock here = document.findBlock(position);
   QTextBlock first = here;
   for (int above = 0; !begins_object(first) && first.previous().isValid(); first = first.previous())
-    if (++above > most_lines_above) return std::nullopt;
+    if (++above > max_lines_above) return std::nullopt;
   ObjectLines lines;
   lines.begin = first.position();
   QTextBlock line = first;
   for (; line != here; line = line.next()) lines.text += line.text().toStdString() + '\n';
   lines.offset = lines.text.size() + here.text().left(position - here.position()).toStdString().size();
-  for (int below = 0; line.isValid() && below < most_lines_below; line = line.next(), ++below) {
+  for (int below = 0; line.isValid() && below < max_lines_below; line = line.next(), ++below) {
     if (line != here && begins_object(line)) break;
     lines.text += line.text().toStdString() + '\n';
   }

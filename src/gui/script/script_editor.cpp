@@ -27,7 +27,7 @@ namespace {
 constexpr int pause_ms = 300;
 constexpr int run_end_ms = 2000;
 constexpr int problems_ms = 100;
-constexpr std::size_t most_listed = 500;
+constexpr std::size_t max_listed = 500;
 
 // What stands between the common beginning and the common end of two texts.
 DecodedChange difference_of(const QString& from, const QString& to) {
@@ -325,14 +325,14 @@ void ScriptEditor::refresh_problems() {
   for (const core::Problem& problem : found) {
     const bool ours = stands_in(problem.place, script);
     if (ours) here.push_back(problem);
-    if (places_.size() == most_listed) continue;
+    if (places_.size() == max_listed) continue;
     const QString text = placed_problem_text(problem, script);
     auto* item = new QListWidgetItem(severity_icon(problem.severity, *this), text, problems_);
     item->setToolTip("<p>" + text.toHtmlEscaped() + "</p>");
     places_.push_back(ours ? problem.place : core::Place{});
   }
-  if (found.size() > most_listed) {
-    problems_->addItem(tr("and %1 more").arg(found.size() - most_listed));
+  if (found.size() > max_listed) {
+    problems_->addItem(tr("and %1 more").arg(found.size() - max_listed));
     places_.emplace_back();
   }
   problems_->setVisible(!found.empty());

@@ -23,8 +23,8 @@ namespace sarsim::gui {
 
 namespace {
 
-constexpr std::size_t most_marks = 500;
-constexpr qsizetype most_at_once = 60'000;  // characters, which take some milliseconds
+constexpr std::size_t max_marks = 500;
+constexpr qsizetype max_at_once = 60'000;  // characters, which take some milliseconds
 constexpr double smallest_size_pt = 5.0;
 constexpr double largest_size_pt = 60.0;
 
@@ -106,9 +106,9 @@ void ScriptText::set_script(const QString& text) {
 
 void ScriptText::splice(const std::vector<DecodedChange>& changes) {
   for (const DecodedChange& change : changes) {
-    waiting_.push_back({change.at, change.removed, change.put_in.left(most_at_once)});
-    for (qsizetype put = most_at_once; put < change.put_in.size(); put += most_at_once)
-      waiting_.push_back({change.at + static_cast<int>(put), 0, change.put_in.mid(put, most_at_once)});
+    waiting_.push_back({change.at, change.removed, change.put_in.left(max_at_once)});
+    for (qsizetype put = max_at_once; put < change.put_in.size(); put += max_at_once)
+      waiting_.push_back({change.at + static_cast<int>(put), 0, change.put_in.mid(put, max_at_once)});
   }
   put_in_more();
 }
@@ -120,7 +120,7 @@ void ScriptText::put_in_more() {
   QTextCursor edit(document());
   putting_in_ = true;
   edit.beginEditBlock();
-  for (qsizetype put = 0; !waiting_.empty() && put < most_at_once; waiting_.pop_front()) {
+  for (qsizetype put = 0; !waiting_.empty() && put < max_at_once; waiting_.pop_front()) {
     const DecodedChange& change = waiting_.front();
     edit.setPosition(change.at);
     edit.setPosition(change.at + change.removed, QTextCursor::KeepAnchor);
@@ -163,7 +163,7 @@ QTextCursor ScriptText::stretch_of(const core::Place& place, const ScriptCoding&
 void ScriptText::underline(const std::vector<core::Problem>& problems, const ScriptCoding& coding) {
   marks_.clear();
   for (const core::Problem& problem : problems) {
-    if (marks_.size() == most_marks) break;
+    if (marks_.size() == max_marks) break;
     if (problem.place.line == 0) continue;
     Mark mark{stretch_of(problem.place, coding), problem_text(problem), problem.severity};
     if (!mark.where.isNull()) marks_.push_back(std::move(mark));

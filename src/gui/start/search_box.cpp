@@ -20,7 +20,7 @@ namespace sarsim::gui {
 namespace {
 
 constexpr int detail_role = Qt::UserRole + 1;
-constexpr std::size_t most_matches = 200;  // more nobody reads, and a list of them is slow to fill
+constexpr std::size_t max_matches = 200;  // more nobody reads, and a list of them is slow to fill
 
 // Words at the left, the detail at the right; words that do not fit beside it end in an ellipsis.
 class MatchDelegate : public QStyledItemDelegate {
@@ -115,7 +115,7 @@ void SearchBox::search() {
   std::vector<std::size_t> matches = entries_called(entries_, field_->text());
   for (const std::size_t i : core::ranked_matches(field_->text().toStdString(), texts_))
     if (std::ranges::find(matches, i) == matches.end()) matches.push_back(i);
-  matches.resize(std::min(matches.size(), most_matches));
+  matches.resize(std::min(matches.size(), max_matches));
   for (const std::size_t i : matches) {
     const SearchEntry& entry = entries_[i];
     auto* item = new QListWidgetItem(icon_of(icon_name(entry.kind)), entry.words, list_);

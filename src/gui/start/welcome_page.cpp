@@ -25,7 +25,7 @@ namespace sarsim::gui {
 namespace {
 
 constexpr char at_start_key[] = "welcome/at_start";
-constexpr int most_recent = 3;
+constexpr int max_recent = 3;
 
 struct ExampleCard {
   const char* file;
@@ -199,7 +199,7 @@ QWidget* WelcomePage::make_examples() {
 void WelcomePage::set_recent(const QStringList& paths) {
   qDeleteAll(recent_box_->findChildren<QToolButton*>());
   recent_box_->setVisible(!paths.isEmpty());
-  for (const QString& path : paths.first(std::min<qsizetype>(paths.size(), most_recent))) {
+  for (const QString& path : paths.first(std::min<qsizetype>(paths.size(), max_recent))) {
     auto* button = new QToolButton;
     button->setObjectName(QString("welcome_recent_%1").arg(recent_->count()));
     button->setAutoRaise(true);

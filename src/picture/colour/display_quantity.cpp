@@ -56,8 +56,8 @@ double value_of(DisplayQuantity quantity, std::complex<double> sample, double re
 
 SampleStatistics statistics_of(std::span<const std::complex<double>> samples) {
   SampleStatistics s;
-  double least_power = std::numeric_limits<double>::infinity();
-  double most_power = 0.0;
+  double min_power = std::numeric_limits<double>::infinity();
+  double max_power = 0.0;
   for (const std::complex<double>& v : samples) {
     const double power = std::norm(v);
     if (!std::isfinite(power)) continue;
@@ -65,15 +65,15 @@ SampleStatistics statistics_of(std::span<const std::complex<double>> samples) {
       s.lowest_real_v = s.highest_real_v = v.real();
       s.lowest_imaginary_v = s.highest_imaginary_v = v.imag();
     }
-    least_power = std::min(least_power, power);
-    most_power = std::max(most_power, power);
+    min_power = std::min(min_power, power);
+    max_power = std::max(max_power, power);
     s.lowest_real_v = std::min(s.lowest_real_v, v.real());
     s.highest_real_v = std::max(s.highest_real_v, v.real());
     s.lowest_imaginary_v = std::min(s.lowest_imaginary_v, v.imag());
     s.highest_imaginary_v = std::max(s.highest_imaginary_v, v.imag());
   }
-  s.largest_v = s.percentile_v = std::sqrt(most_power);
-  s.smallest_v = s.count > 0 ? std::sqrt(least_power) : 0.0;
+  s.largest_v = s.percentile_v = std::sqrt(max_power);
+  s.smallest_v = s.count > 0 ? std::sqrt(min_power) : 0.0;
   return s;
 }
 

@@ -126,11 +126,11 @@ Words::Words(const Canvas& canvas, const std::string& text, bool bold)
 
 Words::Words(const Canvas& canvas, const std::string& text, double width, bool bold)
     : canvas_(&canvas), layout_(layout_of(canvas, text, bold)) {
-  constexpr int most_lines = 3;
+  constexpr int max_lines = 3;
   pango_layout_set_width(layout_.get(), static_cast<int>(std::lround(width * PANGO_SCALE)));
   pango_layout_set_wrap(layout_.get(), PANGO_WRAP_WORD_CHAR);
   pango_layout_set_alignment(layout_.get(), PANGO_ALIGN_CENTER);
-  pango_layout_set_height(layout_.get(), -most_lines);
+  pango_layout_set_height(layout_.get(), -max_lines);
   pango_layout_set_ellipsize(layout_.get(), PANGO_ELLIPSIZE_END);
   measure();
   width_ = width;

@@ -18,7 +18,7 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr std::size_t most_samples = std::size_t{1} << 25;
+constexpr std::size_t max_samples = std::size_t{1} << 25;
 double in_degrees(double radians) { return radians * core::deg_per_rad; }
 
 FigureAxis range_axis(const EchoBlock& block) {
@@ -49,9 +49,9 @@ struct Cells {
 // Largest levels of as many neighbouring cells as make a picture of a modest width.
 FigureImage map_image(const Cells& map, const std::vector<double>& level_db, const ColourLimits& limits,
                       const std::vector<raster::Rgb>& colours) {
-  constexpr std::size_t most_columns = 1600;
+  constexpr std::size_t max_columns = 1600;
   const std::size_t columns = map.across.size();
-  const std::size_t step = (columns + most_columns - 1) / most_columns;
+  const std::size_t step = (columns + max_columns - 1) / max_columns;
   FigureImage image;
   image.width = (columns + step - 1) / step;
   image.height = map.up.size();
@@ -146,7 +146,7 @@ Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice, c
   const std::size_t padding = choice.view == RadarView::range_doppler ? std::max<std::size_t>(choice.padding, 1) : 1;
   const double samples = static_cast<double>(rows.end - rows.begin) * static_cast<double>(columns.end - columns.begin) *
                          static_cast<double>(padding);
-  if (samples > static_cast<double>(most_samples))
+  if (samples > static_cast<double>(max_samples))
     throw std::runtime_error(
         fmt::format("{} pulses of {} samples are too many to look at at once; choose fewer pulses or a narrower range",
                     rows.end - rows.begin, columns.end - columns.begin));

@@ -142,13 +142,13 @@ RangeDoppler range_doppler(const EchoBlock& block, SpectrumWindow window, std::s
 
 DopplerTime doppler_time(const EchoBlock& block, std::size_t column, SpectrumWindow window, std::size_t interval,
                          std::size_t padding) {
-  constexpr std::size_t most_intervals = 2000;
+  constexpr std::size_t max_intervals = 2000;
   DopplerTime history;
   if (block.rows == 0) return history;
   EchoBlock intervals = block;  // Each is a column of its own.
   intervals.rows = std::clamp<std::size_t>(interval, 1, block.rows);
   const std::size_t beginnings = block.rows - intervals.rows + 1;
-  const std::size_t step = std::max({std::size_t{1}, intervals.rows / 8, (beginnings - 1) / most_intervals + 1});
+  const std::size_t step = std::max({std::size_t{1}, intervals.rows / 8, (beginnings - 1) / max_intervals + 1});
   intervals.columns = (beginnings - 1) / step + 1;
   intervals.samples.resize(intervals.rows * intervals.columns);
   for (std::size_t i = 0; i < intervals.columns; ++i) {

@@ -177,8 +177,8 @@ void cloud_figures(Figures& figures, const scene::Scene& scene, std::size_t inde
   const scene::CloudPoints& points = *cloud.points;
   figures.text("Points", fmt::format("{}", points.arrays.size()),
                points.own_rcs ? "each with its cross-section" : "all with the cross-section of the cloud");
-  const core::Vec3 extent_m = points.most_m - points.least_m;
-  const core::Vec3 middle_m = 0.5 * (points.most_m + points.least_m);
+  const core::Vec3 extent_m = points.max_m - points.min_m;
+  const core::Vec3 middle_m = 0.5 * (points.max_m + points.min_m);
   const auto triple = [](const core::Vec3& at) {
     return fmt::format("{}, {}, {}", rounded_text(at.x, scene::Quantity::length),
                        rounded_text(at.y, scene::Quantity::length), rounded_text(at.z, scene::Quantity::length));

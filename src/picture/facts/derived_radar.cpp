@@ -12,7 +12,7 @@ namespace sarsim::picture::derived {
 
 namespace {
 
-constexpr std::size_t most_radars = 8;  // whose view of a target is told
+constexpr std::size_t max_radars = 8;  // whose view of a target is told
 
 void waveform_figures(Figures& figures, const SoundRadar& sound, const simulate::RadarFigures& f) {
   const bool shaped = sound.radar.pulse == scene::Radar::Pulse::user;
@@ -157,7 +157,7 @@ void radar_figures_of(Figures& figures, const scene::Scene& scene, std::size_t i
 }
 
 void target_figures(Figures& figures, const scene::Scene& scene, std::size_t index, double time_s) {
-  const std::size_t count = std::min(scene.radars.size(), most_radars);
+  const std::size_t count = std::min(scene.radars.size(), max_radars);
   for (std::size_t radar = 0; radar < count; ++radar) {
     auto sighting = sighting_of(scene, scene.targets.at(index), radar);
     const std::string suffix = scene.radars.size() > 1 ? fmt::format(" ({})", scene.radars[radar].name) : "";

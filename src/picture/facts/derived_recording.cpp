@@ -62,7 +62,7 @@ void size_figures(Figures& figures, const scene::Simulation& simulation, const S
       "Size", fmt::format("{} rows of {} samples", core::format_number(shape.rows), core::format_number(shape.columns)),
       "a row for each pulse, or for each burst of a synthetic range profile", {shape.rows, shape.columns});
   const raster::Format& format = raster::format_of(simulation.format);
-  const double bytes = format.most_sample_bytes(std::clamp(simulation.bits, 1, 64));
+  const double bytes = format.max_sample_bytes(std::clamp(simulation.bits, 1, 64));
   figures.text(
       "File",
       fmt::format("{}{}", format.is_text() ? "up to " : "", core::bytes_text(shape.rows * shape.columns * bytes)),

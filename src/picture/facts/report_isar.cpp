@@ -62,7 +62,7 @@ std::vector<std::string> point_row(std::size_t image, const workflow::HeldPoint&
   std::vector<std::string> row{fmt::format("{}", image + 1), fmt::format("{}", point.target + 1),
                                report::fixed(point.expected.azimuth_m, 3), report::fixed(point.expected.range_m, 3)};
   if (!point.found) {
-    row.emplace_back(report::no_peak);
+    row.emplace_back(point.outside ? "outside the image" : report::no_peak);
     return row;
   }
   const signal::PointResponse& found = *point.found;

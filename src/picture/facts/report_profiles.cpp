@@ -91,7 +91,7 @@ ReportTable held_targets_table(const ProfilesReport& made, std::size_t burst) {
                   report::fixed(target.found->width_m, 3),
                   report::fixed(core::amplitude_db(target.found->amplitude / target.truth.amplitude), 2)});
     else
-      row.emplace_back(report::no_peak);
+      row.emplace_back(target.outside ? "outside the profile" : report::no_peak);
     row.resize(table.columns.size());
     table.rows.push_back(std::move(row));
   }

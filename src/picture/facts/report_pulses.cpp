@@ -18,7 +18,7 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr std::size_t most_detections = 10000;  // that are shown
+constexpr std::size_t max_detections = 10000;  // that are shown
 
 std::string ratio_text(double ratio) { return ratio > 0.0 ? report::fixed(core::power_db(ratio), 1) : std::string(); }
 
@@ -130,8 +130,8 @@ std::string shown_cell(const std::string& cell, int decimals) {
 
 // Of the file, which holds them all.
 ReportTable detections_table(const workflow::PulseReport& made) {
-  ReportTable table{made.detections > most_detections ? fmt::format("Detections (first {})", most_detections)
-                                                      : std::string("Detections"),
+  ReportTable table{made.detections > max_detections ? fmt::format("Detections (first {})", max_detections)
+                                                     : std::string("Detections"),
                     {},
                     {}};
   std::ifstream file(made.table);
@@ -143,7 +143,7 @@ ReportTable detections_table(const workflow::PulseReport& made) {
     table.columns.emplace_back(column.title);
     decimals.push_back(column.decimals);
   }
-  while (table.rows.size() < most_detections && std::getline(file, line)) {
+  while (table.rows.size() < max_detections && std::getline(file, line)) {
     std::vector<std::string>& row = table.rows.emplace_back(cells_of_line(line));
     row.resize(table.columns.size());
     for (std::size_t c = 0; c < row.size(); ++c) row[c] = shown_cell(row[c], decimals[c]);

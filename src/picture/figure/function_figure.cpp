@@ -12,7 +12,7 @@ namespace sarsim::picture {
 namespace {
 
 constexpr std::size_t intervals = 1000;
-constexpr std::size_t most_crosses = 200;
+constexpr std::size_t max_crosses = 200;
 
 struct Method {
   core::Interpolation interpolation;
@@ -85,7 +85,7 @@ void add_curves(FigurePanel& panel, const scene::FunctionInfo& info, const Drawn
   }
   for (const core::Knot& knot : part.knots) {
     values.push_back(knot.y);
-    if (part.knots.size() <= most_crosses) panel.marks.push_back({knot.x, knot.y, ""});
+    if (part.knots.size() <= max_crosses) panel.marks.push_back({knot.x, knot.y, ""});
   }
   fit(panel.y, values);
 }

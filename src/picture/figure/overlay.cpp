@@ -9,8 +9,8 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr std::array<Role, most_overlaid_curves> roles{Role::curve, Role::curve_2, Role::curve_3, Role::curve_4,
-                                                       Role::curve_5};
+constexpr std::array<Role, max_overlaid_curves> roles{Role::curve, Role::curve_2, Role::curve_3, Role::curve_4,
+                                                      Role::curve_5};
 
 bool same_quantity(const FigureAxis& a, const FigureAxis& b) { return a.label == b.label && a.unit == b.unit; }
 
@@ -35,7 +35,7 @@ void add_curves(FigurePanel& panel, const std::string& name, const std::vector<F
   }
 }
 
-bool fits(const FigurePanel& panel) { return panel.curves.size() <= most_overlaid_curves; }
+bool fits(const FigurePanel& panel) { return panel.curves.size() <= max_overlaid_curves; }
 
 }  // namespace
 

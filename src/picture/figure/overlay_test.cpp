@@ -60,9 +60,9 @@ TEST(Overlaid, IsNothingWhereFiguresShowDifferentThings) {
     const std::vector<OverlaidFigure> figures{{"a", plain}, {"b", other}};
     EXPECT_FALSE(overlaid(figures));
   }
-  const std::vector<OverlaidFigure> many(most_overlaid_curves + 1, {"a", plain});
+  const std::vector<OverlaidFigure> many(max_overlaid_curves + 1, {"a", plain});
   EXPECT_FALSE(overlaid(many));
-  EXPECT_TRUE(overlaid(std::span(many).first(most_overlaid_curves)));
+  EXPECT_TRUE(overlaid(std::span(many).first(max_overlaid_curves)));
 }
 
 }  // namespace overlay_test

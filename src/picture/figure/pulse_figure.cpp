@@ -15,7 +15,7 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr double most_samples = 0x1p20;
+constexpr double max_samples = 0x1p20;
 constexpr std::size_t fewest_samples = 1024;
 
 struct SentSamples {
@@ -25,7 +25,7 @@ struct SentSamples {
 };
 
 SentSamples samples_of(const radar::Pulse& pulse, double bandwidth) {
-  const double wanted = std::min(16.0 * pulse.width_s * bandwidth, most_samples / 8.0);
+  const double wanted = std::min(16.0 * pulse.width_s * bandwidth, max_samples / 8.0);
   const auto count = std::max(fewest_samples, static_cast<std::size_t>(std::ceil(wanted)));
   SentSamples samples;
   samples.interval_s = pulse.width_s / static_cast<double>(count);

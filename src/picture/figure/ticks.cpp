@@ -12,7 +12,7 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr int most_ticks = 1000;
+constexpr int max_ticks = 1000;
 
 // Units that carry no prefix: "kdB" and "mdeg" help nobody.
 bool takes_prefix(std::string_view unit) {
@@ -60,7 +60,7 @@ std::vector<Tick> ticks_at(const Step& step, double low, double high, double sca
   std::vector<Tick> ticks;
   const double start = std::ceil(low / step.value - 1e-9);
   const double count = std::floor(high / step.value + 1e-9) - start;
-  for (int i = 0; i <= count && i <= most_ticks; ++i) {
+  for (int i = 0; i <= count && i <= max_ticks; ++i) {
     const double shown = (start + i) * step.value;
     ticks.push_back({shown * scale + 0.0, label_of(shown, -step.exponent)});
   }
@@ -70,7 +70,7 @@ std::vector<Tick> ticks_at(const Step& step, double low, double high, double sca
 // Where one mark alone would say nothing of a scale, short labels may stand nearer together.
 struct Narrower {
   double share;  // of the spacing
-  std::size_t most_letters;
+  std::size_t max_letters;
 };
 constexpr std::array<Narrower, 3> spacings{{{1.0, 1000}, {0.6, 6}, {0.4, 4}}};
 
@@ -102,9 +102,9 @@ Ticks axis_ticks(double first, double last, double length_px, double spacing_px,
   const double high = std::max(first, last) / ticks.scale;
   for (const Narrower& one : spacings) {
     const double room =
-        std::clamp(length_px / std::max(one.share * spacing_px, 1.0), 1.0, static_cast<double>(most_ticks));
+        std::clamp(length_px / std::max(one.share * spacing_px, 1.0), 1.0, static_cast<double>(max_ticks));
     std::vector<Tick> marks = ticks_at(step_above(span / room / ticks.scale), low, high, ticks.scale);
-    if (one.share == 1.0 || longest_label(marks) <= one.most_letters) ticks.ticks = std::move(marks);
+    if (one.share == 1.0 || longest_label(marks) <= one.max_letters) ticks.ticks = std::move(marks);
     if (ticks.ticks.size() > 1) break;
   }
   if (first > last) std::ranges::reverse(ticks.ticks);
@@ -114,11 +114,11 @@ Ticks axis_ticks(double first, double last, double length_px, double spacing_px,
 namespace {
 
 // Steps that divide minutes, hours and days.
-double clock_step_s(double least_s) {
+double clock_step_s(double min_s) {
   for (const double step_s : {1.0, 2.0, 5.0, 10.0, 15.0, 30.0, 60.0, 120.0, 300.0, 600.0, 900.0, 1800.0, 3600.0, 7200.0,
                               10800.0, 21600.0, 43200.0, 86400.0})
-    if (step_s >= least_s) return step_s;
-  return 86400.0 * std::ceil(least_s / 86400.0);
+    if (step_s >= min_s) return step_s;
+  return 86400.0 * std::ceil(min_s / 86400.0);
 }
 
 // @param decimals  of the seconds
@@ -140,14 +140,14 @@ Ticks clock_ticks(double first, double last, double length_px, double spacing_px
   Ticks ticks;
   const double span_s = std::abs(last - first);
   if (!(span_s > 1e-9) || !std::isfinite(span_s) || !std::isfinite(clock_s) || !(length_px > 0.0)) return ticks;
-  const double room = std::clamp(length_px / std::max(spacing_px, 1.0), 1.0, static_cast<double>(most_ticks));
-  const double least_s = span_s / room;
-  const Step fine = step_above(least_s);
-  const double step_s = least_s > 0.5 ? clock_step_s(least_s) : fine.value;
+  const double room = std::clamp(length_px / std::max(spacing_px, 1.0), 1.0, static_cast<double>(max_ticks));
+  const double min_s = span_s / room;
+  const Step fine = step_above(min_s);
+  const double step_s = min_s > 0.5 ? clock_step_s(min_s) : fine.value;
   const int decimals = step_s < 1.0 ? -fine.exponent : 0;
   const double start = std::ceil((std::min(first, last) + clock_s) / step_s - 1e-6);  // a double of a day keeps 1e-11 s
   const double end = std::floor((std::max(first, last) + clock_s) / step_s + 1e-6);
-  for (int i = 0; start + i <= end && i <= most_ticks; ++i)
+  for (int i = 0; start + i <= end && i <= max_ticks; ++i)
     ticks.ticks.push_back({(start + i) * step_s - clock_s, clock_label((start + i) * step_s, decimals)});
   if (first > last) std::ranges::reverse(ticks.ticks);
   return ticks;

@@ -67,7 +67,7 @@ double number_of(const std::string& label) {
   return label.starts_with(minus) ? -std::stod(label.substr(minus.size())) : std::stod(label);
 }
 
-std::size_t most_letters(const Ticks& ticks) {
+std::size_t max_letters(const Ticks& ticks) {
   std::size_t most = 0;
   for (const Tick& tick : ticks.ticks) most = std::max(most, tick.label.size() - (tick.label.starts_with("−") ? 2 : 0));
   return most;
@@ -90,9 +90,9 @@ TEST(Ticks, KeepTheirDistanceAndStayInTheSpan) {
       if (k == 0) continue;
       const double gap_px = std::abs(ticks.ticks[k].value - ticks.ticks[k - 1].value) / span * length_px;
       // Short labels stand nearer together where there would be one mark alone.
-      const std::size_t letters = most_letters(ticks);
-      const double least_px = letters <= 4 ? 16.0 : letters <= 6 ? 24.0 : 40.0;
-      EXPECT_GE(gap_px, std::min(least_px, length_px) * (1.0 - 1e-6)) << a << " " << b;
+      const std::size_t letters = max_letters(ticks);
+      const double min_px = letters <= 4 ? 16.0 : letters <= 6 ? 24.0 : 40.0;
+      EXPECT_GE(gap_px, std::min(min_px, length_px) * (1.0 - 1e-6)) << a << " " << b;
       if (gap_px < 40.0 * (1.0 - 1e-6)) {
         EXPECT_LE(ticks.ticks.size(), 6U) << a << " " << b;
       }

@@ -63,16 +63,32 @@ double place_of(const Extent& extent, const Places& places, std::size_t shown) {
   return places.first + places.step * static_cast<double>(extent.first + shown * extent.step);
 }
 
+// Samples that nothing can be drawn of, among those that are looked at.
+struct NotFinite {
+  std::size_t count = 0;
+  std::size_t row = 0;  // of the first of them, in the file
+  std::size_t column = 0;
+
+  void look_at(const std::complex<float>& sample, std::size_t at_row, std::size_t at_column) {
+    if (std::isfinite(sample.real()) && std::isfinite(sample.imag())) return;
+    if (count++ > 0) return;
+    row = at_row;
+    column = at_column;
+  }
+};
+
 Samples read_subset(const raster::Raster& source, const Extent& across, const Extent& up,
-                    const core::WorkControl& control) {
+                    const core::WorkControl& control, NotFinite& not_finite) {
   std::vector<std::complex<float>> read(across.shown * up.shown);
   source.read_window({up.first, up.shown, across.first, across.shown, up.step, across.step}, read, control);
+  for (std::size_t i = 0; i < read.size(); ++i)
+    not_finite.look_at(read[i], up.first + i / across.shown * up.step, across.first + i % across.shown * across.step);
   return {read.begin(), read.end()};
 }
 
 // The largest sample of each cell of up.step rows and across.step columns.
 Samples read_peaks(const raster::Raster& source, const Extent& across, const Extent& up,
-                   const core::WorkControl& control) {
+                   const core::WorkControl& control, NotFinite& not_finite) {
   Samples peaks(across.shown * up.shown);
   std::vector<std::complex<float>> read(across.count * up.step);
   for (std::size_t r = 0; r < up.shown; ++r) {
@@ -80,6 +96,7 @@ Samples read_peaks(const raster::Raster& source, const Extent& across, const Ext
     const auto part = std::span(read).first(rows * across.count);
     source.read_window({up.first + r * up.step, rows, across.first, across.count, 1, 1}, part, control);
     for (std::size_t i = 0; i < part.size(); ++i) {
+      not_finite.look_at(part[i], up.first + r * up.step + i / across.count, across.first + i % across.count);
       std::complex<double>& peak = peaks[r * across.shown + i % across.count / across.step];
       if (const std::complex<double> sample(part[i]); std::norm(sample) > std::norm(peak)) peak = sample;
     }
@@ -184,6 +201,17 @@ void add_curves(FigurePanel& panel, const ShownSamples& seen, const Extent& acro
   }
 }
 
+core::Problem remark_on(const NotFinite& samples, const raster::Raster& source) {
+  core::Problem problem = core::problem_of(
+      core::Severity::warning,
+      fmt::format("{} of the samples that were looked at are not finite; nothing is drawn of them", samples.count),
+      fmt::format("row {}, sample {} (from 0){}", samples.row, samples.column,
+                  samples.count > 1 ? ", the first of them" : ""),
+      "finite numbers", "sarsim info --statistics says how many such samples there are");
+  problem.place.file = source.info().path.string();
+  return problem;
+}
+
 std::size_t curves_in(std::size_t pixels) {
   return std::max<std::size_t>(1, static_cast<std::size_t>(static_cast<double>(pixels) / nearest_curves_px));
 }
@@ -200,7 +228,7 @@ std::function<double(double)> curve_reach(DisplayQuantity quantity, const Colour
 }
 
 Figure image_figure(const raster::Raster& source, const ImageLook& wanted, const PlotSize& size,
-                    const core::WorkControl& control) {
+                    const core::WorkControl& control, core::Problems* remarks) {
   ImageLook look = wanted;
   const std::size_t seen_rows = look.rows > 0 ? look.rows : source.rows();
   if (look.draw_as == DrawAs::automatic)
@@ -212,8 +240,11 @@ Figure image_figure(const raster::Raster& source, const ImageLook& wanted, const
   const Extent up =
       extent_of(look.first_row, look.rows, source.rows(), per_row ? curves_in(size.height_px) : size.height_px, "rows");
   const bool peaks = look.pixel_rule == PixelRule::peak && !per_row && !per_column;
-  const ShownSamples seen = shown(
-      peaks ? read_peaks(source, across, up, control) : read_subset(source, across, up, control), across, up, look);
+  NotFinite not_finite;
+  const ShownSamples seen = shown(peaks ? read_peaks(source, across, up, control, not_finite)
+                                        : read_subset(source, across, up, control, not_finite),
+                                  across, up, look);
+  if (remarks != nullptr && not_finite.count > 0) remarks->push_back(remark_on(not_finite, source));
 
   Figure figure;
   const std::string unit = unit_for(source, look);

@@ -45,9 +45,10 @@ inline constexpr double nearest_curves_px = 20.0;
 /// A picture of a file of any size: where it has more samples than pixels, a subset of them or the largest of each
 /// pixel. Axes are pulses and samples, or, where the file or the look says them, slant range and time; the larger place
 /// is above, also where the step of the rows is negative.
-/// @param size  device pixels at most
+/// @param size     device pixels at most
+/// @param remarks  where warnings go: of samples that are not finite
 /// @throws std::invalid_argument for a part that is not inside the file, and what reading throws
 [[nodiscard]] Figure image_figure(const raster::Raster& source, const ImageLook& look, const PlotSize& size,
-                                  const core::WorkControl& control = {});
+                                  const core::WorkControl& control = {}, core::Problems* remarks = nullptr);
 
 }  // namespace sarsim::picture

@@ -2,7 +2,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include <unistd.h>
 
@@ -46,6 +48,32 @@ class ImageFigure : public testing::Test {
   std::filesystem::path path_;
   std::shared_ptr<raster::Raster> source_;
 };
+
+// By count and place, whatever stands for them in the picture.
+TEST_F(ImageFigure, NamesSamplesThatAreNotFinite) {
+  std::fstream file(path_, std::ios::binary | std::ios::in | std::ios::out);
+  for (const auto& [row, column] : {std::pair<std::size_t, std::size_t>{2, 1}, {4, 0}}) {
+    const float bad[] = {std::numeric_limits<float>::quiet_NaN(), 0.0F};
+    file.seekp(static_cast<std::streamoff>((row * columns + column) * sizeof bad));
+    file.write(reinterpret_cast<const char*>(bad), sizeof bad);
+  }
+  file.close();
+  for (const PixelRule rule : {PixelRule::sample, PixelRule::peak}) {
+    ImageLook look;
+    look.pixel_rule = rule;
+    core::Problems remarks;
+    static_cast<void>(image_figure(*source_, look, {100, 100}, {}, &remarks));
+    ASSERT_EQ(remarks.size(), 1U);
+    const std::string text = core::to_string(remarks[0]);
+    EXPECT_NE(text.find("warning: 2 of the samples that were looked at are not finite"), std::string::npos) << text;
+    EXPECT_NE(text.find("found 'row 2, sample 1 (from 0), the first of them'"), std::string::npos) << text;
+  }
+  ImageLook sound;
+  sound.rows = 2;
+  core::Problems remarks;
+  static_cast<void>(image_figure(*source_, sound, {100, 100}, {}, &remarks));
+  EXPECT_TRUE(remarks.empty());
+}
 
 TEST_F(ImageFigure, HasACellForEverySampleWhereThereIsRoom) {
   const FigurePanel shown = panel({});

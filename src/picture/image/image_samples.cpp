@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "core/maths/constants.hpp"
 #include "core/maths/finer.hpp"
+#include "core/report/refused.hpp"
+#include "raster/table/sample_gate.hpp"
 
 namespace sarsim::picture {
 
@@ -13,6 +16,16 @@ namespace {
 
 std::vector<double> cut_out(const std::vector<double>& list, std::size_t begin, std::size_t end) {
   return {list.begin() + static_cast<std::ptrdiff_t>(begin), list.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+// Curves, means and transforms of a line would all be spoilt by one sample.
+void expect_usable(const raster::Raster& source, std::span<const std::complex<double>> samples,
+                   const raster::ImageWindow& window) {
+  const auto bad = std::ranges::find_if_not(samples, raster::is_usable_sample);
+  if (bad == samples.end()) return;
+  const auto at = static_cast<std::size_t>(bad - samples.begin());
+  throw core::Refused({raster::unusable_sample(source.info().path.string(), window.row(at / window.cols),
+                                               window.column(at % window.cols), *bad)});
 }
 
 // Reads rows and columns of a part; outlives what it is made from.
@@ -35,6 +48,7 @@ std::function<EchoBlock(simulate::IndexSpan, simulate::IndexSpan)> reader_of(con
     const raster::ImageWindow window{first, block.rows, part_columns.begin + columns.begin, block.columns, 1, 1};
     source->read_window(window, read, {core::thread_count(0), stop});
     for (const std::complex<float>& sample : read) block.samples.push_back(scale * std::complex<double>(sample));
+    expect_usable(*source, block.samples, window);
     return block;
   };
 }
@@ -51,11 +65,13 @@ FineLine fine_line(const raster::Raster& source, const raster::FocusedPlaces& fo
   const double centre = along_range ? focused.range_centre_per_m : focused.azimuth_centre_per_m;
   const std::size_t count = along_range ? source.columns() : source.rows();
   std::vector<std::complex<float>> read(count);
-  source.read_window(
-      along_range ? raster::ImageWindow{number, 1, 0, count, 1, 1} : raster::ImageWindow{0, count, number, 1, 1, 1},
-      read, {core::thread_count(0), stop});
+  const raster::ImageWindow window =
+      along_range ? raster::ImageWindow{number, 1, 0, count, 1, 1} : raster::ImageWindow{0, count, number, 1, 1, 1};
+  source.read_window(window, read, {core::thread_count(0), stop});
+  const std::vector<std::complex<double>> samples(read.begin(), read.end());
+  expect_usable(source, samples, window);
   FineLine line;
-  line.value = core::finer(std::vector<std::complex<double>>(read.begin(), read.end()), centre * places.step, finer_by);
+  line.value = core::finer(samples, centre * places.step, finer_by);
   // Behind the last sample the line would lead back to the first.
   line.value.resize((count - 1) * finer_by + 1);
   for (std::size_t i = 0; i < line.value.size(); ++i)

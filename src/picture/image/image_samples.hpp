@@ -48,7 +48,8 @@ struct ImageSamples {
 };
 
 /// Cuts the places of all rows and columns of the file to those of the part and lets its samples be read: in volts,
-/// or in counts where no LSB is known. The samples keep the file open.
+/// or in counts where no LSB is known. The samples keep the file open; reading one that cannot be computed with
+/// (`raster::is_usable_sample`) throws core::Refused.
 /// @param stop  asked while blocks are read
 void begin_reading(ImageSamples& part, const core::StopFlag* stop);
 

@@ -2,9 +2,11 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 #include <gtest/gtest.h>
 
+#include "core/report/refused.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/envi.hpp"
 
@@ -66,6 +68,29 @@ TEST_F(ImageSamplesTest, OfAFinerCutPassThroughThoseOfTheFile) {
     EXPECT_EQ(block.range_m[c * finer_by], 102.0 + 2.0 * static_cast<double>(c));
     EXPECT_LT(std::abs(block.samples[c * finer_by] - std::complex<double>(2.0, static_cast<double>(c) + 1.0)), 1e-5);
   }
+}
+
+// One sample would spoil all that lies between the others.
+TEST_F(ImageSamplesTest, RefusesASampleThatCannotBeComputedWith) {
+  const float bad[] = {std::numeric_limits<float>::infinity(), 0.0F};
+  std::fstream file(file_, std::ios::binary | std::ios::in | std::ios::out);
+  file.seekp(static_cast<std::streamoff>((3 * size + 5) * sizeof bad));
+  file.write(reinterpret_cast<const char*>(bad), sizeof bad);
+  file.close();
+  const auto refusal = [](const auto& read) {
+    try {
+      static_cast<void>(read());
+    } catch (const core::Refused& refused) {
+      return refused.problems.at(0).message;
+    }
+    return std::string();
+  };
+  const std::string expected = "row 3, sample 5 (from 0) is too large to compute with";
+  begin_reading(part_, nullptr);
+  EXPECT_EQ(refusal([&] { return part_.samples.read({0, 4}, {0, 7}); }), expected);
+  EXPECT_EQ(refusal([&] { return part_.samples.read({0, 1}, {0, 7}); }), "");
+  make_finer(part_, false, nullptr);
+  EXPECT_EQ(refusal([&] { return part_.samples.read({0, part_.samples.row_place.size()}, {4, 5}); }), expected);
 }
 
 TEST(SayUnit, ExchangesTheWordsOfVolts) {

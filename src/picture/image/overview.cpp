@@ -25,9 +25,9 @@ OverviewLevel level_of(std::size_t rows, std::size_t columns, unsigned row_log2,
 }
 
 // Cells of at least 2 x 2 samples, the longer side thinned out until there are few enough.
-OverviewLevel base_of(std::size_t rows, std::size_t columns, std::size_t most_cells) {
+OverviewLevel base_of(std::size_t rows, std::size_t columns, std::size_t max_cells) {
   OverviewLevel level = level_of(rows, columns, 1, 1);
-  while (level.rows > 0 && level.rows > std::max<std::size_t>(most_cells, 1) / level.columns)
+  while (level.rows > 0 && level.rows > std::max<std::size_t>(max_cells, 1) / level.columns)
     level = level.rows >= level.columns ? level_of(rows, columns, level.row_log2 + 1, level.col_log2)
                                         : level_of(rows, columns, level.row_log2, level.col_log2 + 1);
   return level;
@@ -130,7 +130,7 @@ Overview::Overview(std::shared_ptr<const raster::Raster> plane, const OverviewOp
     : plane_(std::move(plane)),
       plane_rows_(plane_->rows()),
       options_(options),
-      base_(base_of(plane_rows_, plane_->columns(), options.most_cells)) {
+      base_(base_of(plane_rows_, plane_->columns(), options.max_cells)) {
   levels_.push_back({base_, {}});
   if (plane_rows_ == 0 || plane_->columns() == 0) {
     base_ = levels_.front().shape = {base_.row_log2, base_.col_log2, 0, 0};

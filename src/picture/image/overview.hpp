@@ -26,7 +26,7 @@ enum class OverviewKind { peak, mean };
 /// What an overview holds and where it is kept.
 struct OverviewOptions {
   OverviewKind kind = OverviewKind::peak;
-  std::size_t most_cells = std::size_t{8} << 20;  ///< Of the finest level: 4 bytes each, a third more for the others.
+  std::size_t max_cells = std::size_t{8} << 20;  ///< Of the finest level: 4 bytes each, a third more for the others.
   /// Where it is kept between runs; not where there is none. See overview_cache.hpp.
   std::optional<OverviewCache> cache = std::nullopt;
   /// Whether the plane is what the cache's identity says, asked before anything is kept.
@@ -51,7 +51,7 @@ enum class OverviewState {
 
 /// A pyramid of the peak (or mean) magnitudes of a plane in cells of 2^k samples a side, built on a thread of its own.
 ///
-/// The finest level has at most `most_cells`; the longer side of a plane is thinned out first, so that rows and columns
+/// The finest level has at most `max_cells`; the longer side of a plane is thinned out first, so that rows and columns
 /// have steps of their own. A first pass looks at single rows, far apart at first, so that something of the whole plane
 /// can be shown within moments; a second one looks at everything. Memory: 4 bytes for each cell, and some MB while it
 /// is being built. Functions may be called from any thread.

@@ -55,8 +55,8 @@ std::optional<std::string> file_identity(const fs::path& path) {
                      status.st_mtim.tv_nsec, status.st_ino);
 }
 
-OverviewCache::OverviewCache(fs::path folder, std::string identity, std::uint64_t most_bytes)
-    : folder_(std::move(folder)), identity_(std::move(identity)), most_bytes_(most_bytes) {}
+OverviewCache::OverviewCache(fs::path folder, std::string identity, std::uint64_t max_bytes)
+    : folder_(std::move(folder)), identity_(std::move(identity)), max_bytes_(max_bytes) {}
 
 fs::path OverviewCache::file_of(const std::string& words) const {
   return folder_ / fmt::format("{:016x}{}", core::checksum_of(identity_ + "\n" + words), extension);
@@ -84,7 +84,7 @@ std::optional<std::vector<float>> OverviewCache::load(const std::string& words, 
 }
 
 void OverviewCache::store(const std::string& words, const std::vector<float>& numbers) const try {
-  if (folder_.empty() || numbers.size() * sizeof(float) > most_bytes_) return;
+  if (folder_.empty() || numbers.size() * sizeof(float) > max_bytes_) return;
   std::error_code error;
   fs::create_directories(folder_, error);
   std::string text = head_of(identity_ + "\n" + words, numbers);
@@ -111,7 +111,7 @@ void OverviewCache::remove_oldest() const {
   }
   std::ranges::sort(entries, {}, &Entry::used);
   for (const Entry& entry : entries) {
-    if (all <= most_bytes_) return;
+    if (all <= max_bytes_) return;
     fs::remove(entry.path, error);
     all -= entry.size;
   }

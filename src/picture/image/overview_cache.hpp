@@ -20,9 +20,8 @@ class OverviewCache {
  public:
   /// @param folder      made where it does not exist; only files that end in ".overview" are ever touched
   /// @param identity    of the file, see `file_identity`, and of how it is read
-  /// @param most_bytes  of all files together; the oldest go first
-  OverviewCache(std::filesystem::path folder, std::string identity,
-                std::uint64_t most_bytes = std::uint64_t{512} << 20);
+  /// @param max_bytes  of all files together; the oldest go first
+  OverviewCache(std::filesystem::path folder, std::string identity, std::uint64_t max_bytes = std::uint64_t{512} << 20);
 
   /// The `count` numbers that were stored under the identity and these words; nothing where they were not.
   [[nodiscard]] std::optional<std::vector<float>> load(const std::string& words, std::size_t count) const;
@@ -38,7 +37,7 @@ class OverviewCache {
 
   std::filesystem::path folder_;
   std::string identity_;
-  std::uint64_t most_bytes_;
+  std::uint64_t max_bytes_;
 };
 
 }  // namespace sarsim::picture

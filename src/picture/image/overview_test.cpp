@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, OverviewOfKind, testing::Values(OverviewKind::pe
 
 TEST(Overview, ThinsOutTheLongerSideUntilItsCellsFit) {
   OverviewOptions options;
-  options.most_cells = 10000;
+  options.max_cells = 10000;
   const Overview tall(plane_of(1 << 20, 64, [](std::size_t row, std::size_t) { return row == 777777 ? 5.0F : 1.0F; }),
                       options);
   EXPECT_EQ(tall.base().col_log2, 1U);
@@ -129,7 +129,7 @@ TEST(Overview, ThinsOutTheLongerSideUntilItsCellsFit) {
 
 TEST(Overview, OfAHugePlaneShowsSomethingOfAllOfItBeforeItIsExact) {
   OverviewOptions options;
-  options.most_cells = 1 << 16;
+  options.max_cells = 1 << 16;
   std::atomic<std::uint64_t> samples{0};
   Overview overview(
       plane_of(
@@ -167,7 +167,7 @@ TEST(Overview, ShowsTheNearestRowBeforeThoseThatHaveNotBeenLookedAt) {
   };
   const Plane plane = std::make_shared<raster::ComputedRaster>(1 << 18, 1 << 13, waiting);
   OverviewOptions options;
-  options.most_cells = 1 << 16;
+  options.max_cells = 1 << 16;
   const Overview overview(plane, options);
   while (reads < 3) usleep(100);
   const OverviewLevel base = overview.base();

@@ -259,9 +259,9 @@ std::optional<SamplePlace> largest_around(const raster::Raster& plane, SamplePla
 // The largest sample at the edge of what is searched may stand on the slope of a larger one.
 std::optional<SamplePlace> summit_near(const raster::Raster& plane, SamplePlace at, const PointOptions& options) {
   constexpr std::size_t most = 1024;
-  constexpr int most_steps = 256;
+  constexpr int max_steps = 256;
   auto summit = largest_around(plane, at, std::min(options.search_rows, most), std::min(options.search_columns, most));
-  for (int step = 0; summit && step < most_steps; ++step) {
+  for (int step = 0; summit && step < max_steps; ++step) {
     const auto higher = largest_around(plane, *summit, 1, 1);
     if (higher == summit) break;
     summit = higher;

@@ -79,12 +79,12 @@ class GrowingHistogram {
   }
 
  private:
-  static constexpr int least_exponent = -160;  // Below the smallest float.
+  static constexpr int min_exponent = -160;  // Below the smallest float.
 
   // The power of two above a magnitude.
   static int exponent_for(double magnitude) {
-    if (!(magnitude > 0.0)) return least_exponent;
-    return std::max(std::ilogb(magnitude) + 1, least_exponent);
+    if (!(magnitude > 0.0)) return min_exponent;
+    return std::max(std::ilogb(magnitude) + 1, min_exponent);
   }
   void grow_to(int exponent) {
     for (; exponent_ < exponent; ++exponent_) halve();
@@ -102,7 +102,7 @@ class GrowingHistogram {
 
   bool two_sided_;
   bool any_ = false;
-  int exponent_ = least_exponent;
+  int exponent_ = min_exponent;
   std::vector<std::uint64_t> bins_;
 };
 

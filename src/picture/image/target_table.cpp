@@ -61,7 +61,7 @@ std::string words_of(const Column& column, double value) {
 }
 
 std::string state_of(const workflow::MeasuredTarget& target) {
-  if (target.outside) return "outside the image";
+  if (target.outside) return target.theory.unrecorded ? "outside the recorded ranges" : "outside the image";
   if (!target.expected()) return "no echoes";
   return target.found ? "found" : to_string(target.state);
 }

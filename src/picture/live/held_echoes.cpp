@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t grain = 16;  // rows that a thread takes at once
 // Each rest that is made of the one before adds a rounding; after so many, all echoes are computed again.
-constexpr std::size_t most_rests = 64;
+constexpr std::size_t max_rests = 64;
 // Of more targets, echoes are as soon computed anew.
-constexpr std::size_t most_changed = 256;
+constexpr std::size_t max_changed = 256;
 
 // Random deviations belong to the number of a target in its scene.
 bool is_steady(const scene::Target& target) {
@@ -113,7 +113,7 @@ void HeldEchoes::follow(std::shared_ptr<const scene::Scene> scene, std::size_t s
                         const core::WorkControl& control) {
   if (scene_ == scene && simulation_ == simulation) return;
   if (scene_ && simulation_ == simulation)
-    if (const auto changed = changed_targets(*scene_, *scene, simulation, most_changed)) {
+    if (const auto changed = changed_targets(*scene_, *scene, simulation, max_changed)) {
       if (changed->empty()) {
         scene_ = std::move(scene);
         return;
@@ -125,7 +125,7 @@ void HeldEchoes::follow(std::shared_ptr<const scene::Scene> scene, std::size_t s
 
 bool HeldEchoes::follows_cheaply(const scene::Scene& scene, std::size_t simulation) const {
   return scene_ && simulation_ == simulation && input_.plan->other_pulses.pulses.empty() &&
-         (scene_.get() == &scene || changed_targets(*scene_, scene, simulation, most_changed));
+         (scene_.get() == &scene || changed_targets(*scene_, scene, simulation, max_changed));
 }
 
 void HeldEchoes::take_whole(const std::shared_ptr<const scene::Scene>& scene, std::size_t simulation,
@@ -177,7 +177,7 @@ bool HeldEchoes::take_changed(const std::shared_ptr<const scene::Scene>& scene, 
   if (!input_.plan->other_pulses.pulses.empty()) return false;
   const bool same_hand = rest_ && std::ranges::includes(moving_, changed);
   if (!same_hand) {
-    if (rests_ == most_rests) return false;
+    if (rests_ == max_rests) return false;
     auto rest = std::make_shared<Rows>(*rows_);
     if (!add(*scene_, changed, -1.0F, *rest, control)) return false;
     rest_ = std::move(rest);

@@ -71,10 +71,10 @@ FocusedPixels focused(workflow::FocusWork begun, const Making& making) {
 // Where the targets of the scene should be, or why that is not said.
 void add_targets(FocusedPixels& pixels, const Making& making) {
   const std::size_t count = making.request.scene->targets.size();
-  if (count > most_ringed_targets) {
+  if (count > max_ringed_targets) {
     pixels.image.problems.push_back(core::problem_of(core::Severity::note, "there are too many targets for rings",
                                                      std::to_string(count),
-                                                     fmt::format("at most {}", most_ringed_targets), {}));
+                                                     fmt::format("at most {}", max_ringed_targets), {}));
     return;
   }
   for (const workflow::TargetTheory& target : workflow::targets_on_image(pixels.begun, pixels.axes, making.control))

@@ -174,14 +174,14 @@ std::vector<float> difference_db(const LiveImage& before, const LiveImage& after
 
 Figure difference_figure(const LiveImage& before, const LiveImage& after, const LiveLook& look) {
   const std::vector<float> values = difference_db(before, after, look.span_db);
-  const double most_db = 0.5 * look.span_db;
+  const double max_db = 0.5 * look.span_db;
   Figure figure;
   if (after.rows.count == 1) {
     figure.panels.push_back(curve_of(after, values, look.span_db));
     figure.panels.back().y.label = "Difference";
     figure.panels.back().y.last = look.span_db;
   } else {
-    const ColourLimits limits{-most_db, most_db};
+    const ColourLimits limits{-max_db, max_db};
     const std::vector<raster::Rgb> table = colour_table(ColourMap::balance);
     const auto level = [&](std::size_t i) {
       return colour_index(static_cast<double>(values[i]), limits, table.size());

@@ -39,13 +39,13 @@ struct LiveOptions {
   bool compensation = true;    ///< Motion is compensated where the track needs it; of focused images.
   bool autofocus = false;      ///< Of focused images.
   bool targets = false;        ///< Where the scene has its targets is wanted too; of focused images, and of
-                               ///< `most_ringed_targets` at most.
+                               ///< `max_ringed_targets` at most.
 
   friend bool operator==(const LiveOptions&, const LiveOptions&) = default;
 };
 
 /// More rings around targets would hide the image.
-inline constexpr std::size_t most_ringed_targets = 500;
+inline constexpr std::size_t max_ringed_targets = 500;
 
 /// An image that is wanted.
 struct LiveRequest {

@@ -196,7 +196,7 @@ TEST(LiveEngineTest, TellsWhereTargetsShouldBe) {
     EXPECT_GT(largest_near(projected, place, 2), 0.3F * projected.largest_v) << place.column << " " << place.row;
   options.algorithm = workflow::FocusAlgorithm::automatic;
   scene::Scene many = example("sar_r.toml");
-  many.targets.resize(most_ringed_targets + 1, many.targets.front());
+  many.targets.resize(max_ringed_targets + 1, many.targets.front());
   const LiveImage crowded = made(many, options);
   EXPECT_TRUE(crowded.targets.empty());
   EXPECT_TRUE(std::ranges::any_of(crowded.problems, [](const core::Problem& problem) {

@@ -12,7 +12,7 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr double most_doppler_pulses = 256.0;
+constexpr double max_doppler_pulses = 256.0;
 constexpr const char* scene_name = "the scene";  // in messages
 
 workflow::RecordingArguments held_arguments(scene::Scene scene, std::size_t simulation) {
@@ -73,7 +73,7 @@ workflow::DopplerRequest doppler_request_of(const LiveRequest& request) {
     // Pulses leave at whole intervals.
     const double first = std::ceil(recording.time_start_s * prf_hz - 1e-6);
     const double last = std::floor(recording.time_end_s * prf_hz + 1e-6);
-    const double pulses = std::min(most_doppler_pulses, last - first + 1.0);
+    const double pulses = std::min(max_doppler_pulses, last - first + 1.0);
     if (pulses >= 1.0) {
       const double from = first + std::floor(0.5 * (last - first + 1.0 - pulses));
       recording.time_start_s = (from - 0.25) / prf_hz;

@@ -175,14 +175,14 @@ void fill_many_on_target(const KeyRows& rows, const Corner* corners,
     const Corner* const a = corners + triangles[i][0];
     const Corner* const b = corners + triangles[i][1];
     const Corner* const c = corners + triangles[i][2];
-    const float least_x = std::min(a->x, std::min(b->x, c->x));
-    const float most_x = std::max(a->x, std::max(b->x, c->x));
-    const float least_y = std::min(a->y, std::min(b->y, c->y));
-    const float most_y = std::max(a->y, std::max(b->y, c->y));
+    const float min_x = std::min(a->x, std::min(b->x, c->x));
+    const float max_x = std::max(a->x, std::max(b->x, c->x));
+    const float min_y = std::min(a->y, std::min(b->y, c->y));
+    const float max_y = std::max(a->y, std::max(b->y, c->y));
     const float sum = a->x + b->x + c->x;  // not a number where one of them is not
-    if (!(least_x > -guard_px && most_x < right && least_y > -guard_px && most_y < bottom && sum == sum))
+    if (!(min_x > -guard_px && max_x < right && min_y > -guard_px && max_y < bottom && sum == sum))
       odd.push_back(i);
-    else if (first_pixel(least_x) < first_pixel(most_x))
+    else if (first_pixel(min_x) < first_pixel(max_x))
       fill(rows, a, b, c, first_number + i);
   }
 }

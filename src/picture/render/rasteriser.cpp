@@ -12,16 +12,16 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr double most_pixels_a_side = 32767.0;
+constexpr double max_pixels_a_side = 32767.0;
 constexpr double seen_through_px = 2.0;  // a mark so far behind a surface lies on it
 constexpr std::size_t points_at_once = 1U << 16U;
 constexpr std::size_t chunk_triangles = 16384;
-constexpr std::size_t most_threads = 16;
-constexpr std::size_t most_samples = std::size_t{1} << 24U;  // with more than one for a pixel: 128 MB a thread
-constexpr std::size_t samples_a_thread = 1U << 18U;          // fewer are coloured sooner than a thread starts
-constexpr int band_rows = 32;                                // an even number
+constexpr std::size_t max_threads = 16;
+constexpr std::size_t max_samples = std::size_t{1} << 24U;  // with more than one for a pixel: 128 MB a thread
+constexpr std::size_t samples_a_thread = 1U << 18U;         // fewer are coloured sooner than a thread starts
+constexpr int band_rows = 32;                               // an even number
 
-int whole_pixels(double size_px) { return static_cast<int>(std::clamp(std::round(size_px), 1.0, most_pixels_a_side)); }
+int whole_pixels(double size_px) { return static_cast<int>(std::clamp(std::round(size_px), 1.0, max_pixels_a_side)); }
 
 // How far behind a surface of a nearness something may be and still lie on it: two pixels of depth at its scale.
 float seen_through(const Viewpoint& view, double nearness_px) {
@@ -312,19 +312,19 @@ Viewpoint Rasteriser::prepare(const MeshList& meshes, const Viewpoint& view, uns
 
 void Rasteriser::render(const MeshList& meshes, const Viewpoint& view, const RenderControl& control, Rendering& out) {
   place_meshes(meshes);
-  const auto useful = std::clamp<std::size_t>(corners_.size() / chunk_triangles, 1, most_threads);
+  const auto useful = std::clamp<std::size_t>(corners_.size() / chunk_triangles, 1, max_threads);
   unsigned threads = std::clamp(control.threads, 1U, static_cast<unsigned>(useful));
   int samples = std::clamp(control.samples, 1, 2);
   Viewpoint finer = prepare(meshes, view, threads, samples);
-  if (samples > 1 && place_of(0, part_.height, part_.width) > most_samples)
+  if (samples > 1 && place_of(0, part_.height, part_.width) > max_samples)
     finer = prepare(meshes, view, threads, samples = 1);
   // Each thread has a picture of its own; together they are to have no more than four large ones.
-  const std::size_t pictures = 4 * most_samples / std::max<std::size_t>(1, place_of(0, part_.height, part_.width));
-  threads = std::min(threads, static_cast<unsigned>(std::clamp<std::size_t>(pictures, 1, most_threads)));
+  const std::size_t pictures = 4 * max_samples / std::max<std::size_t>(1, place_of(0, part_.height, part_.width));
+  threads = std::min(threads, static_cast<unsigned>(std::clamp<std::size_t>(pictures, 1, max_threads)));
   make_room(samples, out);
   draw_solids(meshes, finer, threads);
   const std::size_t drawn = place_of(0, part_.height, part_.width);
-  const auto painters = static_cast<unsigned>(std::clamp<std::size_t>(drawn / samples_a_thread, 1, most_threads));
+  const auto painters = static_cast<unsigned>(std::clamp<std::size_t>(drawn / samples_a_thread, 1, max_threads));
   const auto bands = static_cast<std::size_t>((part_.height + band_rows - 1) / band_rows);
   core::parallel_ranges(bands, 1, {std::min(control.threads, painters), nullptr}, [&](std::size_t number, std::size_t) {
     bands_.lend([&](Band& band) {

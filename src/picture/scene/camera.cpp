@@ -175,9 +175,9 @@ Camera fitted(Camera camera, const std::vector<core::Vec3>& points_world_m) {
 }
 
 Camera with_whole_marks(Camera camera, const std::vector<MarkRoom>& marks, double edge_px) {
-  constexpr int most_steps = 40;
+  constexpr int max_steps = 40;
   constexpr double step = 0.93;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const MarkBox box = box_of(marks, camera);
     if (!(box.left <= box.right)) return camera;
     const double dx = way_inside(box.left, box.right, camera.width_px, edge_px);

@@ -10,7 +10,7 @@ namespace {
 constexpr double margin_px = 64.0;            // about the picture, of the screen
 constexpr double nearest_stroke_part = 1e-2;  // of the viewer's distance
 constexpr double piece_px = 4.0;              // of a line, which is seen or hidden
-constexpr int most_pieces = 2000;
+constexpr int max_pieces = 2000;
 
 struct Frame {
   double left, top, right, bottom;
@@ -130,7 +130,7 @@ void Pen::world_line(const core::Vec3& a_world_m, const core::Vec3& b_world_m, R
 void Pen::seen_parts(PicturePoint from, PicturePoint to, Role role, double width_px, bool dotted, std::uint8_t tone) {
   if (!clip_segment(from, to, frame_of(camera_, options_.pixel_scale))) return;
   const double length = std::hypot(to.x - from.x, to.y - from.y);
-  const int pieces = std::clamp(static_cast<int>(length / px(piece_px)), 1, most_pieces);
+  const int pieces = std::clamp(static_cast<int>(length / px(piece_px)), 1, max_pieces);
   const auto at = [&](double t) {
     return PicturePoint{from.x + t * (to.x - from.x), from.y + t * (to.y - from.y),
                         from.depth_m + t * (to.depth_m - from.depth_m)};

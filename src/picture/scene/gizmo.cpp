@@ -18,10 +18,10 @@ constexpr double arrow_head_px = 11.0;
 constexpr double square_from_px = 28.0;
 constexpr double square_to_px = 44.0;
 constexpr double handle_reach_px = 6.0;
-constexpr double least_arrow_px = 16.0;  // A shorter one is seen end on.
-constexpr double least_facing = 0.2;     // Of a square: sine of the angle to its plane.
+constexpr double min_arrow_px = 16.0;  // A shorter one is seen end on.
+constexpr double min_facing = 0.2;     // Of a square: sine of the angle to its plane.
 constexpr int ring_points = 72;
-constexpr double most_behind = 0.05;  // Of a ring's radius: what is farther behind its middle is the far half.
+constexpr double max_behind = 0.05;  // Of a ring's radius: what is farther behind its middle is the far half.
 constexpr std::array<Role, 3> gizmo_roles{Role::x_axis, Role::y_axis, Role::z_axis};
 constexpr std::array<const char*, 3> gizmo_letters{"X", "Y", "Z"};
 
@@ -52,12 +52,12 @@ class HandleLines {
   [[nodiscard]] std::vector<PicturePoint> arrow(std::size_t axis) const {
     const core::Vec3& along = gizmo_.axes_world[axis];
     const core::Vec3 seen = picture_from_world_ * along;
-    if (!gizmo_.moves || (arrow_to_px - arrow_from_px) * std::hypot(seen.x, seen.y) < least_arrow_px) return {};
+    if (!gizmo_.moves || (arrow_to_px - arrow_from_px) * std::hypot(seen.x, seen.y) < min_arrow_px) return {};
     return {at(arrow_from_px * along), at(arrow_to_px * along)};
   }
 
   [[nodiscard]] std::vector<PicturePoint> square(std::size_t axis) const {
-    if (!gizmo_.moves || std::abs(core::dot(gizmo_.axes_world[axis], towards_)) < least_facing) return {};
+    if (!gizmo_.moves || std::abs(core::dot(gizmo_.axes_world[axis], towards_)) < min_facing) return {};
     const core::Vec3& u = gizmo_.axes_world[(axis + 1) % 3];
     const core::Vec3& v = gizmo_.axes_world[(axis + 2) % 3];
     const auto corner = [&](double a, double b) { return at(a * u + b * v); };
@@ -76,7 +76,7 @@ class HandleLines {
       near = core::cross(axis, std::abs(axis.x) < 0.6 ? core::Vec3{1.0, 0.0, 0.0} : core::Vec3{0.0, 1.0, 0.0});
     near = (1.0 / core::norm(near)) * near;
     const core::Vec3 across = core::cross(axis, near);
-    const double half_turn = length < 0.1 ? core::pi : std::acos(std::max(-1.0, -most_behind / length));
+    const double half_turn = length < 0.1 ? core::pi : std::acos(std::max(-1.0, -max_behind / length));
     std::vector<PicturePoint> points;
     for (int i = 0; i <= ring_points; ++i) {
       const double turn = half_turn * (2.0 * i / ring_points - 1.0);

@@ -9,7 +9,7 @@ namespace sarsim::picture {
 
 namespace {
 
-constexpr double least_elevation_rad = 5.0 * core::rad_per_deg;
+constexpr double min_elevation_rad = 5.0 * core::rad_per_deg;
 constexpr double seen_edge_on = 1e-9;  // sine of the angle below which a line runs along a plane
 
 std::optional<core::Vec3> plane_under(const SightLine& line, double z_m) {
@@ -61,7 +61,7 @@ std::optional<core::Vec3> ground_along(const SightLine& line, const std::optiona
 }
 
 std::optional<core::Vec3> level_under(const Camera& camera, double x_px, double y_px, const core::Vec3& world_m) {
-  if (std::abs(camera.elevation_rad) < least_elevation_rad) return std::nullopt;
+  if (std::abs(camera.elevation_rad) < min_elevation_rad) return std::nullopt;
   return plane_under(sight_line(camera, x_px, y_px), world_m.z);
 }
 

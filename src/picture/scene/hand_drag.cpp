@@ -106,7 +106,7 @@ std::optional<double> typed_value(const std::string& typed, scene::Quantity quan
 }
 
 // In (-pi, pi].
-double least_turn(double rad) {
+double min_turn(double rad) {
   const double reduced = std::remainder(rad, 2.0 * core::pi);
   return reduced <= -core::pi ? reduced + 2.0 * core::pi : reduced;
 }
@@ -172,8 +172,8 @@ double hand_turn(const HandDrag& drag, const core::Vec3& axis_world, double from
   if (!drag.typed.empty())
     return typed_value(drag.typed, scene::Quantity::angle, "deg").value_or(0.0) * core::rad_per_deg;
   const double by = pointed_turn(drag, axis_world, x_px, y_px);
-  if (snap) return least_turn(core::rounded_to(from_rad + by, coarse_turn_rad) - from_rad);
-  return least_turn(core::rounded_to(by, fine_turn_rad));
+  if (snap) return min_turn(core::rounded_to(from_rad + by, coarse_turn_rad) - from_rad);
+  return min_turn(core::rounded_to(by, fine_turn_rad));
 }
 
 std::size_t main_axis(const HandDrag& drag, const core::Vec3& delta_world_m) {

@@ -12,8 +12,8 @@ constexpr float name_letter_px = 7.0F;
 constexpr float name_line_px = 13.0F;
 constexpr float above_px = 10.0F;  // of a letter above its base line
 constexpr float below_px = 2.0F;
-constexpr float rim_px = 5.0F;            // that stays free: words that are longer than estimated would be cut there
-constexpr std::size_t most_placed = 500;  // beyond it nobody reads them, and each is compared with all
+constexpr float rim_px = 5.0F;           // that stays free: words that are longer than estimated would be cut there
+constexpr std::size_t max_placed = 500;  // beyond it nobody reads them, and each is compared with all
 constexpr std::array<float, 7> lines{0.0F, 1.0F, -1.0F, 2.0F, -2.0F, 3.0F, -3.0F};
 
 struct LabelBox {
@@ -56,7 +56,7 @@ void move_to_room(Drawing::Text& text, const std::vector<LabelBox>& taken, float
 }  // namespace
 
 void place_labels(std::vector<Drawing::Text>& texts, const Camera& camera, double pixel_scale) {
-  if (texts.size() > most_placed) return;
+  if (texts.size() > max_placed) return;
   const auto scale = static_cast<float>(pixel_scale);
   const float rim = rim_px * scale;
   const LabelBox picture{rim, static_cast<float>(camera.width_px) - rim, 0.0F, static_cast<float>(camera.height_px)};

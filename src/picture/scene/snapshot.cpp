@@ -27,8 +27,8 @@ namespace {
 constexpr int trail_steps = 48;
 constexpr int route_steps = 400;
 constexpr int illuminated_steps = 64;
-constexpr std::size_t most_trail_knots = 256;
-constexpr std::size_t most_drawn_cloud_points = 5000;
+constexpr std::size_t max_trail_knots = 256;
+constexpr std::size_t max_drawn_cloud_points = 5000;
 
 // When the pulses of a radar leave; nothing where its description makes no sense yet.
 std::optional<radar::Repetition> repetition_of(const scene::Radar& radar) {
@@ -162,7 +162,7 @@ std::vector<double> trail_times_of(const Path& path, double time_s, double lengt
   for (int i = 0; i <= trail_steps; ++i) times_s.push_back(start_s + length_s * i / trail_steps);
   const auto first = std::ranges::upper_bound(path.knots_s, start_s);
   const auto last = std::ranges::lower_bound(path.knots_s, end_s);
-  if (first < last && static_cast<std::size_t>(last - first) <= most_trail_knots) {
+  if (first < last && static_cast<std::size_t>(last - first) <= max_trail_knots) {
     times_s.insert(times_s.end(), first, last);
     std::ranges::sort(times_s);
   }
@@ -335,7 +335,7 @@ void SnapshotMaker::Prepared::add_clouds(const scene::Scene& scene, PlatformFind
     const std::size_t all = scene::point_count(scene.clouds[c]);
     if (all == 0) continue;
     const radar::PointArrays& points = scene.clouds[c].points->arrays;
-    const std::size_t shown = std::min(all, most_drawn_cloud_points);
+    const std::size_t shown = std::min(all, max_drawn_cloud_points);
     for (std::size_t n = 0; n < shown; ++n) {
       const std::size_t i = shown > 1 ? n * (all - 1) / (shown - 1) : 0;
       cloud_points.push_back(

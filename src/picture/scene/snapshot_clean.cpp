@@ -8,7 +8,7 @@ namespace sarsim::picture {
 namespace {
 
 constexpr double shortest_envelope_s = 1e-6;  // of an integration envelope; below, steps outnumber integers
-constexpr double most_low_pass_steps = 1e12;  // between 0 and a low-pass function's knots
+constexpr double max_low_pass_steps = 1e12;   // between 0 and a low-pass function's knots
 
 core::Angle angle_or_zero(core::Angle angle) { return std::isfinite(angle.deg()) ? angle : core::Angle{}; }
 
@@ -24,8 +24,7 @@ core::SampledFunction cleaned(const core::SampledFunction& function) {
   const double first = clean.knots.front().x;
   const double last = clean.knots.back().x;
   const double step = (last - first) / static_cast<double>(clean.knots.size() - 1);
-  if (std::max(std::abs(first), std::abs(last)) > most_low_pass_steps * step)
-    clean.method = core::Interpolation::linear;
+  if (std::max(std::abs(first), std::abs(last)) > max_low_pass_steps * step) clean.method = core::Interpolation::linear;
   return clean;
 }
 

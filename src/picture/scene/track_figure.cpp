@@ -23,8 +23,8 @@ namespace {
 constexpr std::size_t path_points = 601;
 constexpr std::size_t outline_points = 181;
 constexpr std::size_t outlines = 9;
-constexpr std::size_t most_targets = 1000;
-constexpr std::size_t most_words = 20;
+constexpr std::size_t max_targets = 1000;
+constexpr std::size_t max_words = 20;
 constexpr double half_height_line = 0.07;  // a line of words as a share of one panel of two
 constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
 
@@ -41,10 +41,10 @@ void add_point(FigureCurve& curve, const std::optional<MapPlace>& place) {
 
 // Numbers where these are few.
 void mark_targets(FigurePanel& panel, const SceneMap& map, const std::vector<core::Vec3>& targets_m) {
-  const std::size_t step = std::max<std::size_t>(1, (targets_m.size() + most_targets - 1) / most_targets);
+  const std::size_t step = std::max<std::size_t>(1, (targets_m.size() + max_targets - 1) / max_targets);
   for (std::size_t i = 0; i < targets_m.size(); i += step) {
     const MapPlace place = map.place_of(targets_m[i]);
-    panel.marks.push_back({place.x, place.y, targets_m.size() <= most_words ? fmt::format("{}", i + 1) : ""});
+    panel.marks.push_back({place.x, place.y, targets_m.size() <= max_words ? fmt::format("{}", i + 1) : ""});
   }
 }
 
@@ -75,9 +75,9 @@ void clear_words(FigurePanel& panel, double readable) {
 
 // More of an axis upwards, so that nothing is behind the legend.
 void make_room(FigurePanel& panel, double share_of_line) {
-  constexpr std::ptrdiff_t most_lines = 5;
+  constexpr std::ptrdiff_t max_lines = 5;
   const auto lines = std::ranges::count_if(panel.curves, [](const FigureCurve& curve) { return !curve.name.empty(); });
-  const double share = 0.05 + share_of_line * static_cast<double>(std::min(lines, most_lines));
+  const double share = 0.05 + share_of_line * static_cast<double>(std::min(lines, max_lines));
   panel.y.last += share * (panel.y.last - panel.y.first);
 }
 

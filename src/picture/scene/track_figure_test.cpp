@@ -31,7 +31,7 @@ scene::Scene flight() {
 }
 
 double largest_of(const std::vector<double>& values) { return *std::ranges::max_element(values); }
-double least_of(const std::vector<double>& values) { return *std::ranges::min_element(values); }
+double min_of(const std::vector<double>& values) { return *std::ranges::min_element(values); }
 
 TEST(TrackFigure, ShowsPathsBeamsAndTargets) {
   const scene::Scene scene = flight();
@@ -90,11 +90,11 @@ TEST(FootprintFigure, IsAsWideAsTheBeamAtHalfItsPower) {
   const auto reach_m = [](double width_deg) {
     return 1000.0 * std::tan(std::asin(1.39155738 * width_deg * core::rad_per_deg / (0.88 * core::pi)));
   };
-  const double across_m = largest_of(curves[0].x) - least_of(curves[0].x);
-  const double up_m = largest_of(curves[0].y) - least_of(curves[0].y);
+  const double across_m = largest_of(curves[0].x) - min_of(curves[0].x);
+  const double up_m = largest_of(curves[0].y) - min_of(curves[0].y);
   EXPECT_NEAR(std::min(across_m, up_m), 2.0 * reach_m(2.0), 3e-3 * reach_m(2.0));
   EXPECT_NEAR(std::max(across_m, up_m), 2.0 * reach_m(8.0), 3e-3 * reach_m(8.0));
-  EXPECT_NEAR(0.5 * (largest_of(curves[8].x) + least_of(curves[8].x)), 1000.0, 0.1);
+  EXPECT_NEAR(0.5 * (largest_of(curves[8].x) + min_of(curves[8].x)), 1000.0, 0.1);
 }
 
 TEST(FootprintFigure, NeedsALobeOnTheGround) {

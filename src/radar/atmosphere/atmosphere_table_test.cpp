@@ -38,7 +38,7 @@ struct Errors {
   int paths = 0;
 };
 
-Errors errors_of(const AtmosphereTable& table, HeightSpan scatterers, HeightSpan radars, double most_m) {
+Errors errors_of(const AtmosphereTable& table, HeightSpan scatterers, HeightSpan radars, double max_m) {
   const core::RandomStream random(7, core::RandomKind::sweep_value, 1);
   Errors worst;
   for (int i = 0; i < 4000; ++i) {
@@ -46,7 +46,7 @@ Errors errors_of(const AtmosphereTable& table, HeightSpan scatterers, HeightSpan
     const auto [e, unused] = random.uniforms(i, 1);
     const double hs = scatterers.low_m + a * (scatterers.high_m - scatterers.low_m);
     const double hr = radars.low_m + b * (radars.high_m - radars.low_m);
-    const double distance_m = std::abs(hs - hr) + std::pow(most_m, e);
+    const double distance_m = std::abs(hs - hr) + std::pow(max_m, e);
     const StraightPath path = table.path(hs, hr, distance_m);
     const Climb climb = climb_of(path);
     if (climb.height_at(climb.turn_m()) < std::min(0.0, scatterers.low_m)) continue;
@@ -60,9 +60,9 @@ Errors errors_of(const AtmosphereTable& table, HeightSpan scatterers, HeightSpan
   return worst;
 }
 
-void expect_small(HeightSpan scatterers, HeightSpan radars, double most_m, double delay_m, double loss_db) {
+void expect_small(HeightSpan scatterers, HeightSpan radars, double max_m, double delay_m, double loss_db) {
   const AtmosphereTable table(everything(), carrier_hz, radius_m, scatterers, radars);
-  const Errors worst = errors_of(table, scatterers, radars, most_m);
+  const Errors worst = errors_of(table, scatterers, radars, max_m);
   EXPECT_GT(worst.paths, 1500);
   EXPECT_LT(worst.delay_m, delay_m);
   EXPECT_LT(worst.phase_m, delay_m);

@@ -60,10 +60,10 @@ AirState reference_air(double height_m, double surface_vapour_kg_per_m3) {
   const double height_km = 1e-3 * height_m;
   const double geopotential = geopotential_km(height_km);
   const State state = geopotential <= last_geopotential_km ? low_state(geopotential) : high_state(height_km);
-  const double least_kg_per_m3 = 2e-6 * state.pressure_hpa * 0.2167 / state.temperature_k;
+  const double min_kg_per_m3 = 2e-6 * state.pressure_hpa * 0.2167 / state.temperature_k;
   AirState air;
   air.temperature_k = state.temperature_k;
-  air.vapour_kg_per_m3 = std::max(surface_vapour_kg_per_m3 * std::exp(-0.5 * height_km), least_kg_per_m3);
+  air.vapour_kg_per_m3 = std::max(surface_vapour_kg_per_m3 * std::exp(-0.5 * height_km), min_kg_per_m3);
   air.dry_pressure_pa = 100.0 * state.pressure_hpa - air.vapour_pressure_pa();
   return air;
 }

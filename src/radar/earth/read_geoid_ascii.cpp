@@ -20,7 +20,7 @@ namespace {
 using geoid::file_problem;
 using geoid::Reading;
 
-constexpr double most_nodes_of_side = 1e6;
+constexpr double max_nodes_of_side = 1e6;
 
 // The entries of the header, in the order of `keys`.
 enum Entry : std::size_t { columns, rows, x_corner, x_centre, y_corner, y_centre, cell, no_value, entries };
@@ -89,11 +89,11 @@ class AsciiGrid {
     for (const Entry side : {columns, rows}) {
       const std::optional<double>& number = entry_[side];
       if (!number) return fault(fmt::format("{} is missing", keys[side]), "", "a line with it before the values");
-      const bool whole = *number >= 1.0 && *number <= most_nodes_of_side &&
+      const bool whole = *number >= 1.0 && *number <= max_nodes_of_side &&
                          *number == static_cast<double>(static_cast<std::int64_t>(*number));
       if (!whole)
         return fault(fmt::format("{} is no number of nodes", keys[side]), fmt::format("{}", *number),
-                     fmt::format("a whole number from 1 to {}", most_nodes_of_side));
+                     fmt::format("a whole number from 1 to {}", max_nodes_of_side));
     }
     if (!entry_[cell]) return fault("cellsize is missing", "", "a line with it before the values, in degrees");
     if (entry_[x_corner].has_value() == entry_[x_centre].has_value() ||

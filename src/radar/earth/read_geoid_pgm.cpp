@@ -16,7 +16,7 @@ namespace {
 
 using geoid::file_problem;
 
-constexpr std::int64_t most_pgm_nodes = 1'000'000;
+constexpr std::int64_t max_pgm_nodes = 1'000'000;
 
 // The header of the picture: words between blanks, and comments from # to the end of their line.
 class PgmHeader {
@@ -30,7 +30,7 @@ class PgmHeader {
       const std::string_view text = word();
       if (problem_) return std::move(problem_);
       const std::optional<std::int64_t> value = core::parse_integer(text);
-      if (!value || *value < 1 || *value > most_pgm_nodes)
+      if (!value || *value < 1 || *value > max_pgm_nodes)
         return fault("the header of the PGM has no such number", clipped_word(),
                      "the width, the height and 65535, each a number above 0");
       *number = *value;

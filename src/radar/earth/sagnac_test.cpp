@@ -111,9 +111,9 @@ TEST(Sagnac, IsThatOfSentinel1) {
   }
 }
 
-std::array<Vec3, 2> random_way(std::mt19937& random, double least_height_m, double most_height_m) {
+std::array<Vec3, 2> random_way(std::mt19937& random, double min_height_m, double max_height_m) {
   std::uniform_real_distribution<double> sine(-1.0, 1.0), turn(-core::pi, core::pi), beside(-0.15, 0.15);
-  std::uniform_real_distribution<double> height(least_height_m, most_height_m);
+  std::uniform_real_distribution<double> height(min_height_m, max_height_m);
   const Geodetic above{std::asin(sine(random)), turn(random), height(random)};
   const Geodetic below{above.latitude_rad + beside(random), above.longitude_rad + beside(random), 200.0};
   return {ecef_of(above), ecef_of(below)};

@@ -112,7 +112,7 @@ MakeRow rows_of(double tolerance) {
   };
 }
 
-void expect_closed_form(const MakeRow& make, int count, Flight flight, double most_error) {
+void expect_closed_form(const MakeRow& make, int count, Flight flight, double max_error) {
   std::mt19937_64 random(7);
   const SampleGrid grid = test_grid(300);
   for (const Kind& kind : kinds())
@@ -123,7 +123,7 @@ void expect_closed_form(const MakeRow& make, int count, Flight flight, double mo
       if (strength == 0.0) continue;
       EXPECT_LT(relative_error(make(kind.pulse, grid, wanted.carrier_hz, batch), closed_form(kind.pulse, grid, wanted),
                                strength),
-                most_error)
+                max_error)
           << kind.name << " " << wanted.carrier_hz;
     }
 }

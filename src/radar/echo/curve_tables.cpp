@@ -18,11 +18,11 @@ namespace sarsim::radar {
 namespace {
 
 constexpr double half_turn_deg = 180.0;
-constexpr std::size_t most_terms = 6;
+constexpr std::size_t max_terms = 6;
 constexpr double rounding = 1e-13;      // of a curve's value, relative to its ordinates
 constexpr double shortest_deg = 1e-10;  // pieces below this are not looked at closely
 constexpr double margin_deg = 2e-13;    // a few roundings of an angle
-constexpr int most_halvings = 10;       // of the distance between two breaks
+constexpr int max_halvings = 10;        // of the distance between two breaks
 
 // What is tabulated over [0, span_deg]: a function of the magnitude of an angle, or one of an angle with its sign,
 // which counts from -180 degrees.
@@ -43,7 +43,7 @@ struct Piece {
   double left = 0.0;
   double right = 0.0;
   std::size_t degree = 0;
-  std::array<double, most_terms> coefficient{};
+  std::array<double, max_terms> coefficient{};
 
   [[nodiscard]] double centre() const { return 0.5 * (left + right); }
   [[nodiscard]] double value(double x) const {
@@ -54,17 +54,17 @@ struct Piece {
 };
 
 // Adds `weight` times the Chebyshev polynomial of order k to the coefficients of powers.
-void add_chebyshev(std::size_t k, double weight, std::array<double, most_terms>& powers) {
-  std::array<double, most_terms> before{}, now{};
+void add_chebyshev(std::size_t k, double weight, std::array<double, max_terms>& powers) {
+  std::array<double, max_terms> before{}, now{};
   before[0] = 1.0;
   now[1] = 1.0;
   if (k == 0) now = before;
   for (std::size_t order = 1; order < k; ++order) {
-    std::array<double, most_terms> next{};
-    for (std::size_t i = 0; i < most_terms; ++i) next[i] = (i > 0 ? 2.0 * now[i - 1] : 0.0) - before[i];
+    std::array<double, max_terms> next{};
+    for (std::size_t i = 0; i < max_terms; ++i) next[i] = (i > 0 ? 2.0 * now[i - 1] : 0.0) - before[i];
     before = std::exchange(now, next);
   }
-  for (std::size_t i = 0; i < most_terms; ++i) powers[i] += weight * now[i];
+  for (std::size_t i = 0; i < max_terms; ++i) powers[i] += weight * now[i];
 }
 
 // The polynomial that meets the curve at the nodes of a Chebyshev polynomial, all inside the interval.
@@ -72,7 +72,7 @@ Piece interpolant(const Source& curve, double left, double right, std::size_t de
   Piece piece{left, right, degree, {}};
   const double half = 0.5 * (right - left);
   const auto nodes = static_cast<double>(degree + 1);
-  std::array<double, most_terms> value{};
+  std::array<double, max_terms> value{};
   const auto angle = [&](std::size_t j) { return core::pi * (static_cast<double>(j) + 0.5) / nodes; };
   for (std::size_t j = 0; j <= degree; ++j) value[j] = curve.value(piece.centre() + half * std::cos(angle(j)));
   for (std::size_t k = 0; k <= degree; ++k) {
@@ -162,7 +162,7 @@ std::vector<double> low_pass_breaks(const Source& curve) {
 
 void add_pieces(const Source& curve, double left, double right, double tolerance_db, int halvings,
                 std::vector<Piece>& pieces) {
-  const Piece piece = interpolant(curve, left, right, most_terms - 1);
+  const Piece piece = interpolant(curve, left, right, max_terms - 1);
   if (halvings == 0 || close_to(curve, piece, tolerance_db)) {
     pieces.push_back(piece);
     return;
@@ -193,7 +193,7 @@ std::vector<Piece> pieces_of(const Source& curve, double tolerance_db) {
   const double error_db = std::max(tolerance_db, rounding * largest);
   const std::vector<double> breaks = low_pass_breaks(curve);
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i)
-    add_pieces(curve, breaks[i], breaks[i + 1], error_db, most_halvings, pieces);
+    add_pieces(curve, breaks[i], breaks[i + 1], error_db, max_halvings, pieces);
   return pieces;
 }
 
@@ -204,7 +204,7 @@ std::vector<Piece> mirrored(const std::vector<Piece>& pieces) {
     Piece left = pieces[i];
     left.left = half_turn_deg - pieces[i].right;
     left.right = half_turn_deg - pieces[i].left;
-    for (std::size_t k = 1; k < most_terms; k += 2) left.coefficient[k] = -left.coefficient[k];
+    for (std::size_t k = 1; k < max_terms; k += 2) left.coefficient[k] = -left.coefficient[k];
     both.push_back(left);
   }
   for (Piece right : pieces) {
@@ -269,8 +269,8 @@ bool aligned(const std::vector<Pieces>& tables, std::size_t cells) {
 std::size_t cell_count(const std::vector<Pieces>& tables) {
   constexpr std::size_t fewest = 16;
   constexpr std::size_t most = 1024;
-  constexpr std::size_t most_in_all = 1U << 18;
-  const std::size_t affordable = std::clamp(most_in_all / tables.size(), fewest, most);
+  constexpr std::size_t max_in_all = 1U << 18;
+  const std::size_t affordable = std::clamp(max_in_all / tables.size(), fewest, most);
   for (std::size_t cells = 1; cells <= affordable; ++cells)
     if (aligned(tables, cells)) return cells;
   std::size_t cells = fewest;
@@ -286,15 +286,15 @@ double narrowest(const std::vector<Pieces>& tables) {
 }
 
 // Coefficients of the same polynomial in powers of (x - centre).
-std::array<double, most_terms> about(const Piece& piece, double centre) {
-  std::array<double, most_terms> c = piece.coefficient;
+std::array<double, max_terms> about(const Piece& piece, double centre) {
+  std::array<double, max_terms> c = piece.coefficient;
   const double shift = centre - piece.centre();
   for (std::size_t k = 0; k < piece.degree; ++k)
     for (std::size_t i = piece.degree; i-- > k;) c[i] += shift * c[i + 1];
   return c;
 }
 
-void add_record(CurveTables& tables, double left, double centre, const std::array<double, most_terms>& coefficients) {
+void add_record(CurveTables& tables, double left, double centre, const std::array<double, max_terms>& coefficients) {
   tables.records.push_back(left);
   tables.records.push_back(centre);
   for (std::size_t k = 0; k <= tables.degree; ++k) tables.records.push_back(coefficients[k]);
@@ -327,7 +327,7 @@ void lay_out(const std::vector<Pieces>& all, CurveTables& tables) {
   tables.cells = cell_count(all);
   const auto straight = [](const Piece& piece) { return piece.degree == 1; };
   const bool lines = std::ranges::all_of(all, [&](const Pieces& p) { return std::ranges::all_of(p, straight); });
-  tables.degree = lines ? 1 : most_terms - 1;
+  tables.degree = lines ? 1 : max_terms - 1;
   const std::size_t most = crowd(all, tables.cells);
   tables.first_stride = most > 0 ? std::bit_floor(most) : 0;
   // Powers about the middle of a cell lose digits where a piece is much narrower than the cell.

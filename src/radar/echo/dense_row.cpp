@@ -15,14 +15,14 @@ namespace {
 
 constexpr std::size_t functions = BinFunctions::count;
 constexpr std::size_t kept_bytes = 16'000'000;   // of factors, per thread
-constexpr std::size_t most_kept = 64;            // motions; those that cannot be made count too, and hold little
+constexpr std::size_t max_kept = 64;             // motions; those that cannot be made count too, and hold little
 constexpr std::size_t pieces_of_degree_2 = 128;  // of polynomials, which stay in the nearest cache
 constexpr std::size_t weights_bytes = pieces_of_degree_2 * 3 * functions * sizeof(float);
-constexpr std::size_t most_points = 32'768;         // of a transform: sums and factors of more would take much memory
-constexpr std::size_t most_points_of_two = 16'384;  // that a transform to another array pays for: both are in the cache
+constexpr std::size_t max_points = 32'768;         // of a transform: sums and factors of more would take much memory
+constexpr std::size_t max_points_of_two = 16'384;  // that a transform to another array pays for: both are in the cache
 constexpr double bend_shares = SpectralSettings::motion_shares;  // of the error, for second derivatives of polynomials
-constexpr double most_angle_rad = 0.25;                          // that a series in SIMD turns strengths by
-constexpr double most_width = 3.0;  // c of the functions: eight of them are enough up to about 2
+constexpr double max_angle_rad = 0.25;                           // that a series in SIMD turns strengths by
+constexpr double max_width = 3.0;  // c of the functions: eight of them are enough up to about 2
 
 double late_rate(double doppler) { return doppler / (1.0 - doppler); }
 
@@ -56,7 +56,7 @@ class DenseRow::Fit {
       : bins_(bins),
         first_(bins.begin + 0.5 + body.from_middle_s(0.0) / interval_s),
         half_(0.5 * static_cast<double>(bins.main_samples())),
-        function_(2.0 * core::pi * bins.most_z * half_) {
+        function_(2.0 * core::pi * bins.max_z * half_) {
     // Fejer's rule: exact for all that sums of the functions are.
     for (std::size_t i = 0; i < nodes; ++i) {
       const double angle = core::pi * (static_cast<double>(i) + 0.5) / nodes;
@@ -76,7 +76,7 @@ class DenseRow::Fit {
     Parts even_and_odd{};
     // Each node and its mirror image, whose weight is the same but for the sign of odd functions.
     for (std::size_t i = 0; i < nodes / 2; ++i) {
-      const double angle = 2.0 * core::pi * s * bins_.most_z * y_[i];
+      const double angle = 2.0 * core::pi * s * bins_.max_z * y_[i];
       const double c = 2.0 * std::cos(angle);
       const double d = 2.0 * std::sin(angle);
       for (std::size_t k = 0; k < functions; k += 2) {
@@ -97,9 +97,9 @@ class DenseRow::Fit {
     return all;
   }
 
-  // What bends the functions: f'' + (2 pi most_z)^2 square f.
+  // What bends the functions: f'' + (2 pi max_z)^2 square f.
   [[nodiscard]] double bend(std::size_t k, double y) const {
-    const double rad = 2.0 * core::pi * bins_.most_z;
+    const double rad = 2.0 * core::pi * bins_.max_z;
     return function_.second_derivative(k, y) + rad * rad * bins_.square * function_.value(k, y);
   }
   // How much function k counts in an echo at most: by itself, or by what the largest change of the sweep makes of it.
@@ -107,13 +107,13 @@ class DenseRow::Fit {
   [[nodiscard]] double most(std::size_t k) const {
     double largest = 0.0;
     for (double y = 0.0; y <= 1.0; y += 0.125) largest = std::max(largest, std::abs(bend(k, y)));
-    return std::max(1.0, bend_of(bins_.most_change) * largest);
+    return std::max(1.0, bend_of(bins_.max_change) * largest);
   }
   [[nodiscard]] double value(std::size_t k, double y) const { return function_.value(k, y); }
   [[nodiscard]] double second_derivative(std::size_t k, double y) const { return function_.second_derivative(k, y); }
   // What a bend of a change of the sweep counts.
   [[nodiscard]] double bend_of(double change) const {
-    return bins_.most_z > 0.0 ? change / (4.0 * core::pi * bins_.most_z * bins_.most_z) : 0.0;
+    return bins_.max_z > 0.0 ? change / (4.0 * core::pi * bins_.max_z * bins_.max_z) : 0.0;
   }
 
   // A sample of an echo that stands at p, by these functions.
@@ -124,7 +124,7 @@ class DenseRow::Fit {
     const double sweep = bins_.sweep + change;
     const double z = sweep * p - bins_.carrier * apart;
     const double turns = (0.5 * sweep * p - bins_.carrier * clock.doppler) * p + 0.5 * change * bins_.square;
-    const double y = bins_.most_z > 0.0 ? z / bins_.most_z : 0.0;
+    const double y = bins_.max_z > 0.0 ? z / bins_.max_z : 0.0;
     std::complex<double> sum;
     for (std::size_t k = 0; k < functions; ++k)
       sum += parts[k] * std::complex<double>(value(k, y), -bend_of(change) * bend(k, y));
@@ -173,7 +173,7 @@ DopplerSpan DenseRow::shared_span(const EchoPulse& pulse, double interval_s, dou
 
 // Echoes that take as long one by one as a point of the transforms, by measurement (docs/developer/performance.md).
 bool DenseRow::is_worth(double echoes, std::size_t transforms, std::size_t points, std::size_t doppler_terms) {
-  if (points > most_points || transforms > functions) return false;
+  if (points > max_points || transforms > functions) return false;
   const double least = doppler_terms > 1 ? 0.0 : 0.8;
   return echoes > least * static_cast<double>(points);
 }
@@ -207,7 +207,7 @@ void DenseRow::limit_kept() {
   std::size_t count = 0;
   for (const Kept& kept : kept_) {
     for (const Spectrum& factor : kept.factor) bytes += factor.size() * sizeof(std::complex<float>);
-    if ((bytes > kept_bytes && count > 0) || count == most_kept) break;
+    if ((bytes > kept_bytes && count > 0) || count == max_kept) break;
     ++count;
   }
   kept_.resize(count);
@@ -247,7 +247,7 @@ void DenseRow::leave(std::span<std::complex<float>> spectrum, std::vector<LoneSa
 }
 
 std::span<const std::complex<float>> DenseRow::transformed(Spectrum& row) {
-  if (row.size() > most_points_of_two) {
+  if (row.size() > max_points_of_two) {
     row_fft_->forward(row);
     return row;
   }
@@ -290,20 +290,20 @@ bool DenseRow::make_bins(Kept& kept) const {
   const double half = 1.01 * span.half;
   const double longer = bins.end_late - bins.begin_late;
   // By how much motion moves one end against the other.
-  const double most_bend = std::abs(kept.motion.bends.middle) + 1.01 * kept.motion.bends.half;
-  bins.apart = longer * half + (bins.begin_bent + bins.end_bent) * most_bend;
+  const double max_bend = std::abs(kept.motion.bends.middle) + 1.01 * kept.motion.bends.half;
+  bins.apart = longer * half + (bins.begin_bent + bins.end_bent) * max_bend;
   // Ends are moved by polynomials of second degree.
   if (bins.apart > 0.25 || std::pow(half, 3) * std::max(std::abs(bins.begin_late), std::abs(bins.end_late)) > 1e-10)
     return false;
   double samples = bins.end_hard - bins.begin_hard + longer * late_rate(span.middle);
   if (std::abs(samples - std::round(samples)) < 1e-9) samples = std::round(samples);
   // The end is reached after ceil(samples - phi) samples, or as many as motion makes of that; at rest phi is below 1.
-  bins.least_samples = std::ceil(samples - 1.0 - bins.apart);
-  if (bins.apart == 0.0 && bins.least_samples == samples - 1.0) bins.least_samples = samples;
-  bins.run_count = static_cast<std::size_t>(std::ceil(samples + bins.apart) - bins.least_samples) + 1;
+  bins.min_samples = std::ceil(samples - 1.0 - bins.apart);
+  if (bins.apart == 0.0 && bins.min_samples == samples - 1.0) bins.min_samples = samples;
+  bins.run_count = static_cast<std::size_t>(std::ceil(samples + bins.apart) - bins.min_samples) + 1;
   double longest = -1.0;
   for (std::size_t r = 0; r < bins.run_count; ++r) {
-    const double most = samples - bins.least_samples - static_cast<double>(r) + 1.0;
+    const double most = samples - bins.min_samples - static_cast<double>(r) + 1.0;
     const double length = std::clamp(most, 0.0, 1.0) - std::clamp(most - 1.0, 0.0, 1.0);
     if (length > longest) bins.main_run = r;
     longest = std::max(longest, length);
@@ -316,7 +316,7 @@ bool DenseRow::make_bins(Kept& kept) const {
   const double rate = 1.0 - span.middle;
   bins.sweep = sweep * (body_->is_stretched() ? rate * rate : rate);
   bins.square = samples * samples / 12.0;
-  const double place = 0.5 + std::abs(bins.begin_late) * half + bins.begin_bent * most_bend + 1e-6;
+  const double place = 0.5 + std::abs(bins.begin_late) * half + bins.begin_bent * max_bend + 1e-6;
   if (bins.moves) {
     bins.carrier = kept.motion.carrier_hz * grid_.interval_s;
     bins.sweep_slope = sweep * (body_->is_stretched() ? -2.0 * rate : -1.0);
@@ -324,17 +324,17 @@ bool DenseRow::make_bins(Kept& kept) const {
     bins.bend_middle = kept.motion.bends.middle;
     bins.bend_slope = -bins.carrier * grid_.interval_s;
     bins.sweep += bins.bend_slope * bins.bend_middle;
-    bins.most_change = half * (std::abs(bins.sweep_slope) + std::abs(bins.sweep_square) * half) +
-                       1.01 * std::abs(bins.bend_slope) * kept.motion.bends.half;
-    if (core::pi * bins.most_change * bins.square < 0.1 * share_) bins.most_change = 0.0;
+    bins.max_change = half * (std::abs(bins.sweep_slope) + std::abs(bins.sweep_square) * half) +
+                      1.01 * std::abs(bins.bend_slope) * kept.motion.bends.half;
+    if (core::pi * bins.max_change * bins.square < 0.1 * share_) bins.max_change = 0.0;
   }
-  bins.most_z = (std::abs(bins.sweep) + bins.most_change) * place + std::abs(bins.carrier) * half;
+  bins.max_z = (std::abs(bins.sweep) + bins.max_change) * place + std::abs(bins.carrier) * half;
   const double angle = 2.0 * core::pi *
-                       ((0.5 * (std::abs(bins.sweep) + bins.most_change) * place +
+                       ((0.5 * (std::abs(bins.sweep) + bins.max_change) * place +
                          std::abs(bins.carrier) * (std::abs(span.middle) + half)) *
                             place +
-                        0.5 * bins.most_change * bins.square);
-  return angle < most_angle_rad && core::pi * bins.most_z * samples < most_width;
+                        0.5 * bins.max_change * bins.square);
+  return angle < max_angle_rad && core::pi * bins.max_z * samples < max_width;
 }
 
 // Whether the functions make samples of echoes, each at another place, speed and bend: some hundreds all over the
@@ -345,9 +345,9 @@ bool DenseRow::is_exact(const Kept& kept, const Fit& fit, std::span<const Parts>
   constexpr std::size_t looks = 400;
   const RangeBins& bins = kept.bins;
   const std::size_t stride = std::max<std::size_t>(1, parts.size() / looks);
-  const double most_error = share_ * share_ * static_cast<double>((parts.size() + stride - 1) / stride);
+  const double max_error = share_ * share_ * static_cast<double>((parts.size() + stride - 1) / stride);
   double error = 0.0;
-  for (std::size_t n = 0; n < parts.size() && error <= most_error; n += stride) {
+  for (std::size_t n = 0; n < parts.size() && error <= max_error; n += stride) {
     const auto look = static_cast<double>(n / stride);
     const auto within = [&](double step, const DopplerSpan& span) {
       return span.middle + span.half * (2.0 * (look * step - std::floor(look * step)) - 1.0);
@@ -357,7 +357,7 @@ bool DenseRow::is_exact(const Kept& kept, const Fit& fit, std::span<const Parts>
     const double at = bins.begin + 0.5 + place + static_cast<double>(n);
     error += std::norm(fit.sample(parts[n], place, clock) - body_->endless_echo(at, clock, kept.motion.carrier_hz));
   }
-  return error <= most_error;
+  return error <= max_error;
 }
 
 // What each function has of the samples goes into its weights, so that all sums count alike.
@@ -395,7 +395,7 @@ double DenseRow::bend_error(const Kept& kept, const Fit& fit) {
       const double exact = kept.size[k] * fit.second_derivative(k, 2.0 * x - 1.0);
       sum += std::pow(0.25 * kept.weights.second_derivative(k, x) - exact, 2);
     }
-  return fit.bend_of(kept.bins.most_change) * std::sqrt(sum / (checks + 1));
+  return fit.bend_of(kept.bins.max_change) * std::sqrt(sum / (checks + 1));
 }
 
 // False where the polynomials leave more than half of a share, or their second derivatives more than three: bins have

@@ -58,7 +58,7 @@ double DopplerCoupling::remainder(std::size_t terms, double half) const {
 std::size_t DopplerCoupling::terms_for(double half, double error) const {
   CORE_EXPECT(error > 0.0);
   std::size_t terms = 1;
-  while (terms <= most_doppler_terms && !(remainder(terms, half) < error)) ++terms;
+  while (terms <= max_doppler_terms && !(remainder(terms, half) < error)) ++terms;
   return terms;
 }
 

@@ -19,7 +19,7 @@ struct DopplerCoupling {
   /// Error of an interpolation between Chebyshev nodes over a half span of D: 2 (half/2)^R/R! times the largest
   /// derivative of order R.
   [[nodiscard]] double remainder(std::size_t terms, double half) const;
-  /// The least number of terms with a remainder below `error`; at most one more than `most_doppler_terms`.
+  /// The least number of terms with a remainder below `error`; at most one more than `max_doppler_terms`.
   [[nodiscard]] std::size_t terms_for(double half, double error) const;
   /// The largest half span of D for which so many terms have a remainder of at most `error`, and whose shift is no more
   /// than a sample; may be infinite.

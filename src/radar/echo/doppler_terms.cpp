@@ -13,7 +13,7 @@ std::size_t terms_for(double z, double error) {
   double bound = 2.0;
   for (std::size_t terms = 1;; ++terms) {
     bound *= 0.5 * z / static_cast<double>(terms);
-    if (bound < error || terms > most_doppler_terms) return terms;
+    if (bound < error || terms > max_doppler_terms) return terms;
   }
 }
 
@@ -35,9 +35,9 @@ std::size_t bend_terms_for(const PulseBody& body, double carrier_hz, double half
 
 double stretch_room(const EchoPulse& pulse, double interval_s) {
   CORE_EXPECT(interval_s > 0.0);
-  constexpr double most_doppler = 1.1e-4;
+  constexpr double max_doppler = 1.1e-4;
   return pulse.doppler_rule == DopplerRule::thesis ? 0.0
-                                                   : most_doppler * (pulse.last_s() - pulse.first_s()) / interval_s;
+                                                   : max_doppler * (pulse.last_s() - pulse.first_s()) / interval_s;
 }
 
 DopplerSpan span_covering(double lowest, double highest) {

@@ -10,7 +10,7 @@
 namespace sarsim::radar {
 
 /// Terms of an interpolation that make exp(-j z x), |x| <= 1, to `error`: the remainder of Chebyshev interpolation is
-/// below 2 (z/2)^R/R! for R nodes. At most one more than `most_doppler_terms`.
+/// below 2 (z/2)^R/R! for R nodes. At most one more than `max_doppler_terms`.
 [[nodiscard]] std::size_t terms_for(double z, double error);
 
 /// Largest phase per unit of D over the pulse, rad.

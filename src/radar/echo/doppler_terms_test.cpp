@@ -13,7 +13,7 @@ TEST(TermsFor, KeepTheRemainderOfChebyshevInterpolation) {
   for (const double z : {1e-6, 0.1, 1.0, 5.0})
     for (const double error : {1e-3, 1e-7}) {
       const std::size_t terms = terms_for(z, error);
-      ASSERT_LE(terms, most_doppler_terms);
+      ASSERT_LE(terms, max_doppler_terms);
       const auto remainder = [z](std::size_t r) {
         return 2.0 * std::pow(0.5 * z, static_cast<double>(r)) / std::tgamma(static_cast<double>(r) + 1.0);
       };
@@ -22,7 +22,7 @@ TEST(TermsFor, KeepTheRemainderOfChebyshevInterpolation) {
         EXPECT_GE(remainder(terms - 1), error);
       }
     }
-  EXPECT_GT(terms_for(1e3, 1e-7), most_doppler_terms);
+  EXPECT_GT(terms_for(1e3, 1e-7), max_doppler_terms);
 }
 
 TEST(SpanCovering, HoldsItsEndsOnFewRungs) {

@@ -14,7 +14,7 @@ constexpr double fit_tolerance = 2e-13;  // of the largest magnitude
 constexpr double in_doubt = 2e-9;        // sampling intervals: twice the tolerance of edges (decision 8)
 constexpr double shortest_piece = 1e-6;  // sampling intervals; a slope over less counts as a jump
 constexpr double smallest_jump = 1e-12;  // of a curve's largest knot
-constexpr int most_piece_halvings = 8;
+constexpr int max_piece_halvings = 8;
 
 void sort_and_unite(std::vector<double>& positions) {
   std::ranges::sort(positions);
@@ -109,7 +109,7 @@ void PulsePieces::fit(double begin, double end, int halvings) {
   bool good = degree + 2 < fit_terms;
   for (const double y : {-1.0 + 1e-9, -0.995, -0.5, 0.1, 0.995, 1.0 - 1e-9})
     good = good && std::abs(polynomial(powers, y) - exact(position_of(y, begin, end) * interval_s_)) <= 4.0 * tolerance;
-  if (good || halvings == most_piece_halvings) {
+  if (good || halvings == max_piece_halvings) {
     border_.push_back(end);
     degree_.push_back(degree);
     powers_.push_back(powers);

@@ -76,7 +76,7 @@ struct Placing {
         runs(static_cast<std::int32_t>(bins.run_count)),
         main_rows(static_cast<std::int32_t>(bins.main_run * bins.samples)) {
     begin.at_middle += 0.5 - hair;
-    length.at_middle -= 0.5 + bins.least_samples;
+    length.at_middle -= 0.5 + bins.min_samples;
     main_middle = length.at_middle - main_run + 0.5;
     main_half = 0.5 - bins.apart - hair;
   }
@@ -105,10 +105,10 @@ struct Turning {
         begin_bent_middle(static_cast<float>(placing.begin.bent * bins.bend_middle)),
         pieces(static_cast<float>(weights.pieces)),
         per_piece(static_cast<float>((weights.degree + 1) * weights.lanes)) {
-    if (!(bins.most_z > 0.0)) return;
-    const double z = bins.most_z / static_cast<double>(weights.pieces);  // half a piece
+    if (!(bins.max_z > 0.0)) return;
+    const double z = bins.max_z / static_cast<double>(weights.pieces);  // half a piece
     per_z = static_cast<float>(0.5 / z);
-    if (!(bins.most_change > 0.0)) return;
+    if (!(bins.max_change > 0.0)) return;
     per_change = static_cast<float>(1.0 / (8.0 * core::pi * z * z));
     per_bend = static_cast<float>(8.0 * core::pi * core::pi * z * z * bins.square);
   }
@@ -489,7 +489,7 @@ void BinTail::set(std::size_t function, std::complex<double> factor) {
 
 void add_to_bins(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
                  BinSums& out) {
-  CORE_EXPECT(bins.run_count >= 1 && bins.run_count <= RangeBins::most_runs);
+  CORE_EXPECT(bins.run_count >= 1 && bins.run_count <= RangeBins::max_runs);
   CORE_EXPECT(bins.samples > 0);
   CORE_EXPECT(out.sums.size() == bins.run_count * bins.samples * 2 * BinSums::functions);
   CORE_EXPECT(weights.lanes == BinSums::functions);

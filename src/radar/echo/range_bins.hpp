@@ -42,12 +42,12 @@ struct RangeBins {
   double bend_middle = 0.0;   ///< Of a: the sweep is that by it, too,
   double bend_slope = 0.0;    ///< and what a unit of a - middle adds to the sweep.
   double square = 0.0;        ///< Mean of s^2.
-  double most_z = 0.0;        ///< Largest |z|; may be 0.
-  double most_change = 0.0;   ///< Largest |dk|; 0: there is none.
+  double max_z = 0.0;         ///< Largest |z|; may be 0.
+  double max_change = 0.0;    ///< Largest |dk|; 0: there is none.
 
   /// Echoes differ in how many samples they have: a run for each number, from the least on.
-  static constexpr std::size_t most_runs = 3;
-  double least_samples = 0.0;  ///< Of the first run; one more in each further one.
+  static constexpr std::size_t max_runs = 3;
+  double min_samples = 0.0;  ///< Of the first run; one more in each further one.
   std::size_t run_count = 1;
   std::size_t main_run = 0;  ///< The one of most echoes.
   double apart = 0.0;  ///< By how much motion moves one end of a pulse against the other from their middles, most.
@@ -56,7 +56,7 @@ struct RangeBins {
   std::size_t samples = 0;    ///< So many n0 there are.
 
   /// Samples of an echo of the main run.
-  [[nodiscard]] std::size_t main_samples() const { return static_cast<std::size_t>(least_samples) + main_run; }
+  [[nodiscard]] std::size_t main_samples() const { return static_cast<std::size_t>(min_samples) + main_run; }
 };
 
 /// Sums of strengths times their weights.
@@ -73,7 +73,7 @@ struct BinSums {
 };
 
 /// Adds echoes to the sums in SIMD. The sum does not depend on the instruction set but for rounding.
-/// @param weights  of echoes by (y + 1)/2, where y = z/most_z is in [-1, 1], a lane for each function; second
+/// @param weights  of echoes by (y + 1)/2, where y = z/max_z is in [-1, 1], a lane for each function; second
 ///                 derivatives are those of these polynomials
 void add_to_bins(const RangeBins& bins, const LanePolynomials<float>& weights, const Strengths<float>& echoes,
                  BinSums& out);

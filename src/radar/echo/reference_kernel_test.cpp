@@ -74,7 +74,7 @@ std::complex<double> formula(const EchoPulse& p, double t_s, double f_hz, double
   return {static_cast<double>(sign * a * std::cos(phase)), static_cast<double>(sign * a * std::sin(phase))};
 }
 
-void expect_documented_sum(DopplerRule rule, double most_bend) {
+void expect_documented_sum(DopplerRule rule, double max_bend) {
   std::mt19937 random(1);
   std::uniform_real_distribution<double> delay(20e-6, 60e-6), speed(-9e3, 9e3), amplitude(-1.0, 1.0);
   constexpr double f_hz = 5.3e9;
@@ -88,7 +88,7 @@ void expect_documented_sum(DopplerRule rule, double most_bend) {
         EchoBatch batch;
         for (int k = 0; k < 20; ++k)
           batch.add(delay(random), amplitude(random),
-                    PulseClock{2.0 * speed(random) / c, most_bend * amplitude(random)});
+                    PulseClock{2.0 * speed(random) / c, max_bend * amplitude(random)});
         batch.doppler[3] = 0.0;
         const Row row = echoes(grid, pulse, f_hz, batch);
         for (std::size_t i = 0; i < grid.count; ++i) {

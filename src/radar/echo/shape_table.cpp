@@ -180,11 +180,11 @@ void ShapeTable::tabulate_band_limited() {
   const double tolerance = largest * (single_precision_ ? 4e-8 : 2e-12);
   const std::size_t wanted_degree = single_precision_ ? 8 : fit_terms - 2;
   // Short pulses may take what long ones have no room for.
-  const std::size_t most_parts = std::clamp<std::size_t>(65536 / cells_, 32, 512);
+  const std::size_t max_parts = std::clamp<std::size_t>(65536 / cells_, 32, 512);
   for (parts_ = 4;; parts_ *= 2) {
     const Fits fits = fit_band_limited(parts_, tolerance);
     degree_ = std::min(*std::ranges::max_element(fits.degree), fit_terms - 1);
-    if (degree_ > wanted_degree && parts_ < most_parts) continue;
+    if (degree_ > wanted_degree && parts_ < max_parts) continue;
     single_precision_ ? store(fits, single_) : store(fits, double_);
     break;
   }

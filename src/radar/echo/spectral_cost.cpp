@@ -31,7 +31,7 @@ SpectralCost SpectralKernel::cost(const EchoPulse& pulse, const SampleGrid& grid
     cost.doppler_terms = best_coupling(coupling_of(pulse, body, grid.interval_s, carrier_hz), body, carrier_hz,
                                        span.half, grid.interval_s, settings.motion_share())
                              .terms_for(span.half, settings.motion_share());
-  if (!body.has_body()) cost.doppler_terms = most_doppler_terms + 1;
+  if (!body.has_body()) cost.doppler_terms = max_doppler_terms + 1;
   if (settings.single_precision && DenseRow::suits(pulse, body)) {
     cost.bin_transforms = DenseRow::transforms_about(pulse, grid.interval_s, carrier_hz, span.half, settings.share);
     cost.bin_points = static_cast<std::size_t>(row);

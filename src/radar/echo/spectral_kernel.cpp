@@ -31,9 +31,9 @@ constexpr std::size_t oversampling = 4;            // of the body, for its spect
 
 // Of a transform of rows: beyond the near cache its length costs more than its factors.
 std::size_t row_size_for(std::size_t minimum) {
-  constexpr std::size_t most_in_cache = 16384;
+  constexpr std::size_t max_in_cache = 16384;
   const std::size_t fast = core::fast_fft_size(minimum);
-  return fast <= most_in_cache ? fast : core::good_fft_size(minimum);
+  return fast <= max_in_cache ? fast : core::good_fft_size(minimum);
 }
 
 }  // namespace
@@ -154,10 +154,10 @@ struct SpectralKernel::Typed : Implementation {
     if (wanted.bends != DopplerSpan{}) gathered.bend_per_s.resize(position.size());
     if (!has_body || is_beyond_room()) return take_plainly(echoes);
     if (take_densely(wanted, echoes.size())) return;
-    if (edges_stray() || wanted.terms * wanted.bend_terms > most_doppler_terms) return take_plainly(echoes);
+    if (edges_stray() || wanted.terms * wanted.bend_terms > max_doppler_terms) return take_plainly(echoes);
     share_span(wanted);
     part_neighbours(gathered);
-    const double allowance = allowance_for(most_doppler() * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
+    const double allowance = allowance_for(max_doppler() * body.largest_frequency_hz(carrier_hz) * grid.interval_s);
     if (!spreading.is_for(allowance, wanted)) {
       leave_grid();
       spreading.band = &band_for(allowance);
@@ -302,7 +302,7 @@ struct SpectralKernel::Typed : Implementation {
   // Whether echoes are stretched, or bent, beyond what there is room for.
   [[nodiscard]] bool is_beyond_room() const {
     if (pulse->doppler_rule == DopplerRule::thesis) return false;
-    return (most_doppler() + 0.5 * most_bend()) * (body.last() - body.first()) > std::max(room, 1e-12);
+    return (max_doppler() + 0.5 * max_bend()) * (body.last() - body.first()) > std::max(room, 1e-12);
   }
 
   // Whether they are beyond what the samples at the edges follow: these keep their shape, and the Doppler of the hard
@@ -311,17 +311,17 @@ struct SpectralKernel::Typed : Implementation {
     if (pulse->doppler_rule == DopplerRule::thesis || !motion->moving()) return false;
     const auto samples = static_cast<double>(settings.edge_samples);
     const double rad =
-        2.0 * core::pi * carrier_hz * grid.interval_s * samples * (most_doppler() * most_doppler() + 0.5 * most_bend());
+        2.0 * core::pi * carrier_hz * grid.interval_s * samples * (max_doppler() * max_doppler() + 0.5 * max_bend());
     const double share_of_edges =
         std::sqrt(static_cast<double>(pieces.size()) * samples / (body.last() - body.first()));
-    return share_of_edges * (rad + samples * (most_doppler() + most_bend()) * steepest) > settings.share;
+    return share_of_edges * (rad + samples * (max_doppler() + max_bend()) * steepest) > settings.share;
   }
 
-  [[nodiscard]] double most_doppler() const {
+  [[nodiscard]] double max_doppler() const {
     return std::max(std::abs(motion->lowest_doppler), std::abs(motion->highest_doppler));
   }
   // What the largest bend changes D by until the ends of the pulse.
-  [[nodiscard]] double most_bend() const {
+  [[nodiscard]] double max_bend() const {
     const double half_s = 0.5 * (body.last() - body.first()) * grid.interval_s;
     return half_s * std::max(std::abs(motion->lowest_bend), std::abs(motion->highest_bend));
   }

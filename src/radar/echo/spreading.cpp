@@ -332,7 +332,7 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
   const hn::Rebind<std::int32_t, decltype(d)> integer;
   const auto cells_per_unit = hn::Set(d, static_cast<double>(grid.cells) / period);
   const auto half_width = hn::Set(d, 0.5 * static_cast<double>(width));
-  const auto most_cells = hn::Set(integer, static_cast<std::int32_t>(grid.cells));
+  const auto max_cells = hn::Set(integer, static_cast<std::int32_t>(grid.cells));
   const auto padding = hn::Set(integer, static_cast<std::int32_t>(SpreadGrid<Real>::padding));
   const bool moves = !motion.doppler.empty();
   HWY_ALIGN double buffer[Block::most];
@@ -353,7 +353,7 @@ HWY_INLINE void spread_on_target(const LanePolynomials<Real>& taps, std::size_t 
       const auto left = hn::MulSub(wrapped, cells_per_unit, half_width);
       const auto cell = hn::Ceil(left);
       // Rounding may leave a position beyond the end of the circle.
-      const auto on_grid = hn::Min(hn::DemoteTo(integer, cell), most_cells);
+      const auto on_grid = hn::Min(hn::DemoteTo(integer, cell), max_cells);
       hn::StoreU(hn::Add(on_grid, padding), integer, places.cell + k);
       store_narrow(d, hn::Sub(cell, left), places.fraction + k);
     }

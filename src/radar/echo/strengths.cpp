@@ -207,9 +207,9 @@ HWY_INLINE void weigh_on_target(std::span<const std::complex<Real>> strength, st
   const hn::ScalableTag<double> dd;
   const std::size_t lanes = hn::Lanes(dd);
   const std::size_t count = strength.size();
-  double matrix[most_doppler_terms * most_doppler_terms];
+  double matrix[max_doppler_terms * max_doppler_terms];
   lagrange_matrix(terms, matrix);
-  HWY_ALIGN double chebyshev[most_doppler_terms * hn::MaxLanes(dd)];
+  HWY_ALIGN double chebyshev[max_doppler_terms * hn::MaxLanes(dd)];
   HWY_ALIGN double buffer[hn::MaxLanes(dd)];
   for (std::size_t k = 0; k < count; k += lanes) {
     const std::size_t here = std::min(lanes, count - k);
@@ -370,7 +370,7 @@ template <>
 void weigh_strengths(std::span<const std::complex<float>> strength, std::span<const double> at, const DopplerSpan& span,
                      std::size_t terms, std::span<std::complex<float>> weighted) {
   CORE_EXPECT(terms > 0);
-  CORE_EXPECT(terms <= most_doppler_terms);
+  CORE_EXPECT(terms <= max_doppler_terms);
   CORE_EXPECT(span.half >= 0.0);
   CORE_EXPECT(at.size() == strength.size());
   CORE_EXPECT(weighted.size() == terms * strength.size());
@@ -380,7 +380,7 @@ template <>
 void weigh_strengths(std::span<const std::complex<double>> strength, std::span<const double> at,
                      const DopplerSpan& span, std::size_t terms, std::span<std::complex<double>> weighted) {
   CORE_EXPECT(terms > 0);
-  CORE_EXPECT(terms <= most_doppler_terms);
+  CORE_EXPECT(terms <= max_doppler_terms);
   CORE_EXPECT(span.half >= 0.0);
   CORE_EXPECT(at.size() == strength.size());
   CORE_EXPECT(weighted.size() == terms * strength.size());

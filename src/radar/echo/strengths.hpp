@@ -82,12 +82,12 @@ struct DopplerSpan {
 /// Strengths of the echoes for each node of an interpolation: times Lagrange's polynomials, in SIMD.
 /// @param strength       of each echo
 /// @param at             where each echo stands in the span: its D, or its a
-/// @param terms          at most `most_doppler_terms`
+/// @param terms          at most `max_doppler_terms`
 /// @param[out] weighted  terms x echoes, term-major
 template <class Real>
 void weigh_strengths(std::span<const std::complex<Real>> strength, std::span<const double> at, const DopplerSpan& span,
                      std::size_t terms, std::span<std::complex<Real>> weighted);
 
-inline constexpr std::size_t most_doppler_terms = 24;
+inline constexpr std::size_t max_doppler_terms = 24;
 
 }  // namespace sarsim::radar

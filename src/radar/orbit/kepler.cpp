@@ -192,11 +192,11 @@ double SecularOrbit::nodal_period_s() const {
 // The velocity of the turning ellipse differs by about 1e-3 from that on one that stands still; each round makes the
 // rest as much smaller.
 std::optional<KeplerElements> secular_elements(const OrbitState& state, const EarthGravity& gravity) {
-  constexpr int most_rounds = 20;
+  constexpr int max_rounds = 20;
   constexpr double settled_mps = 1e-10;
   OrbitState sought = state;
   std::optional<KeplerElements> elements = osculating_elements(sought, gravity);
-  for (int i = 0; elements && i < most_rounds; ++i) {
+  for (int i = 0; elements && i < max_rounds; ++i) {
     const core::Vec3 miss = state.velocity_mps - SecularOrbit(*elements, gravity).at(0.0).velocity_mps;
     if (core::norm(miss) < settled_mps) break;
     sought.velocity_mps = sought.velocity_mps + miss;

@@ -211,8 +211,8 @@ std::variant<Sgp4Elements, const char*> Sgp4::secular_at(double t) const {
   if (!(mean.motion > 0.0)) return "the mean motion is not above 0";
   add_drag(t, mean);
   if (!(mean.eccentricity < 1.0 && mean.eccentricity >= -0.001)) return "the mean eccentricity has left 0 to 1";
-  constexpr double least_eccentricity = 1.0e-6;
-  mean.eccentricity = std::max(mean.eccentricity, least_eccentricity);
+  constexpr double min_eccentricity = 1.0e-6;
+  mean.eccentricity = std::max(mean.eccentricity, min_eccentricity);
   mean.node = sgp4_remainder(mean.node);
   mean.perigee = sgp4_remainder(mean.perigee);
   mean.anomaly = sgp4_remainder(mean.anomaly);

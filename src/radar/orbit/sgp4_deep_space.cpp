@@ -19,11 +19,11 @@ double sidereal_angle_rad(double days_since_1950) {
 
 // Sum of the rates of Sun and Moon as rates of the elements. Within 3 deg of the equator the node is left alone.
 Sgp4Rates third_body_rates(const ThirdBodyEffect& sun, const ThirdBodyEffect& moon, double inclination) {
-  constexpr double least_inclination = 5.2359877e-2;
+  constexpr double min_inclination = 5.2359877e-2;
   Sgp4Rates rates;
   rates.anomaly = sun.longitude + moon.longitude;
   rates.perigee = sun.perigee + moon.perigee;
-  if (inclination < least_inclination || inclination > core::pi - least_inclination) return rates;
+  if (inclination < min_inclination || inclination > core::pi - min_inclination) return rates;
   rates.node = (sun.node + moon.node) / std::sin(inclination);
   rates.perigee -= std::cos(inclination) * rates.node;
   return rates;

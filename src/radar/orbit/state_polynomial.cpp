@@ -12,12 +12,12 @@ namespace {
 
 using core::Vec3;
 
-constexpr std::size_t most_conditions = 2 * most_polynomial_states;
+constexpr std::size_t max_conditions = 2 * max_polynomial_states;
 
 // Conditions of a polynomial in Newton's form: scaled places, and differences that are divided in place.
 struct NewtonForm {
-  std::array<double, most_conditions> places{};
-  std::array<Vec3, most_conditions> c{};
+  std::array<double, max_conditions> places{};
+  std::array<Vec3, max_conditions> c{};
   std::size_t count = 0;
 };
 
@@ -53,7 +53,7 @@ NewtonForm newton_form(const StateView& states, std::span<const std::size_t> thr
 
 void polynomial_sums(const StateView& states, std::span<const std::size_t> through, double time_s,
                      std::span<OrbitState> sums) {
-  CORE_EXPECT(!through.empty() && through.size() <= most_polynomial_states && sums.size() == through.size());
+  CORE_EXPECT(!through.empty() && through.size() <= max_polynomial_states && sums.size() == through.size());
   const double unit_s = time_unit_s(states, through);
   const NewtonForm form = newton_form(states, through, unit_s);
   const std::size_t per_state = states.velocity_mps.empty() ? 1 : 2;

@@ -17,13 +17,13 @@ struct StateView {
 };
 
 /// Most states that a polynomial goes through.
-inline constexpr std::size_t most_polynomial_states = 20;
+inline constexpr std::size_t max_polynomial_states = 20;
 
 /// Values at one time of the polynomials through the first, the first two, ... of some states: Newton's form gives all
 /// of them in one pass. With velocities each polynomial matches positions and velocities of its states (Hermite),
 /// otherwise positions (Lagrange). Positions are taken relative to the first of the states, so that rounding is that of
 /// their differences.
-/// @param through  indices of states, all different, 1 to `most_polynomial_states`, in the order of adding
+/// @param through  indices of states, all different, 1 to `max_polynomial_states`, in the order of adding
 /// @param time_s   in the time of `states`
 /// @param sums     as many as `through`; sums[k] becomes position [m] and velocity [m/s] at `time_s` of the polynomial
 ///                 through the first k + 1

@@ -16,7 +16,7 @@ namespace {
 using core::Problem;
 using core::Vec3;
 
-constexpr std::size_t most_coefficients = 16;
+constexpr std::size_t max_coefficients = 16;
 constexpr std::size_t no_coefficients = static_cast<std::size_t>(-1);
 
 Problem table_problem(std::string message, std::string found, std::string expected) {
@@ -53,8 +53,8 @@ std::optional<Problem> fault_of_states(const StateSamples& samples, bool use_vel
 
 // Divided differences in place, Newton's form. Two neighbours at one place stand for a value and its slope, which
 // `values` holds in the second of the two.
-void divide_differences(const std::array<double, most_coefficients>& places, std::size_t count, bool pairs,
-                        std::array<Vec3, most_coefficients>& values) {
+void divide_differences(const std::array<double, max_coefficients>& places, std::size_t count, bool pairs,
+                        std::array<Vec3, max_coefficients>& values) {
   for (std::size_t level = 1; level < count; ++level)
     for (std::size_t k = count - 1; k >= level; --k) {
       const bool slope = pairs && level == 1 && k % 2 == 1;
@@ -66,15 +66,15 @@ void divide_differences(const std::array<double, most_coefficients>& places, std
 }
 
 // From Newton's form to powers.
-void expand(const std::array<double, most_coefficients>& places, std::size_t count,
-            std::array<Vec3, most_coefficients>& c) {
+void expand(const std::array<double, max_coefficients>& places, std::size_t count,
+            std::array<Vec3, max_coefficients>& c) {
   for (std::size_t k = count - 1; k-- > 0;)
     for (std::size_t i = k; i + 1 < count; ++i) c[i] = c[i] - places[k] * c[i + 1];
 }
 
 // Neighbours of `left` from near to far within [first, first + count): left, left + 1, left - 1, left + 2, ...
-std::array<std::size_t, most_coefficients> from_near_to_far(std::size_t left, std::size_t first, std::size_t count) {
-  std::array<std::size_t, most_coefficients> order{};
+std::array<std::size_t, max_coefficients> from_near_to_far(std::size_t left, std::size_t first, std::size_t count) {
+  std::array<std::size_t, max_coefficients> order{};
   std::size_t below = left;
   std::size_t above = left + 1;
   order[0] = left;
@@ -89,7 +89,7 @@ std::array<std::size_t, most_coefficients> from_near_to_far(std::size_t left, st
 
 std::variant<StateTable, core::Problem> StateTable::from(const StateSamples& samples, StateInterpolation interpolation,
                                                          double largest_gap_s) {
-  CORE_EXPECT(interpolation.states >= 2 && interpolation.coefficients() <= most_coefficients);
+  CORE_EXPECT(interpolation.states >= 2 && interpolation.coefficients() <= max_coefficients);
   CORE_EXPECT(largest_gap_s > 0.0);
   const bool use_velocities = interpolation.use_velocities;
   if (std::optional<Problem> fault = fault_of_lists(samples, use_velocities)) return *std::move(fault);
@@ -130,8 +130,8 @@ void StateTable::add_interval(const StateSamples& samples, std::size_t left, std
   const double length_s = samples.time_s[left + 1] - samples.time_s[left];
   const Vec3 origin = samples.position_m[left];
   const auto order = from_near_to_far(left, first, interpolation_.states);
-  std::array<double, most_coefficients> places{};
-  std::array<Vec3, most_coefficients> c{};
+  std::array<double, max_coefficients> places{};
+  std::array<Vec3, max_coefficients> c{};
   for (std::size_t k = 0; k < count; ++k) {
     const std::size_t state = order[pairs ? k / 2 : k];
     places[k] = (samples.time_s[state] - samples.time_s[left]) / length_s;

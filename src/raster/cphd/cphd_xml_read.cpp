@@ -263,9 +263,9 @@ core::Vec3 unit(const core::Vec3& v) {
 
 // The origin is said twice; texts of latitudes have some digits less.
 void compare_origin(XmlReading& xml, xml_node scene, const core::Vec3& origin_m) {
-  constexpr double most_m = 4e9;
+  constexpr double max_m = 4e9;
   constexpr double apart_m = 100.0;
-  if (!(core::norm(origin_m) <= most_m && core::norm(origin_m) > 0.0))
+  if (!(core::norm(origin_m) <= max_m && core::norm(origin_m) > 0.0))
     return xml.error("IARP/ECF is no place", fmt::format("({:g}, {:g}, {:g})", origin_m.x, origin_m.y, origin_m.z),
                      "Earth-fixed metres, up to 4e9");
   if (const auto depth_m = radar::impossible_depth_m(origin_m))
@@ -334,8 +334,8 @@ void read_data(XmlReading& xml, CphdDescription& d) {
   if (!compressed.empty())
     xml.error("compressed samples are not read", core::quoted_word(compressed), "no SignalCompressionID");
   constexpr std::uint64_t word = 8;
-  constexpr std::uint64_t most_pvp_bytes = 1U << 20U;
-  d.pvp_bytes = static_cast<std::size_t>(xml.count(node, "NumBytesPVP", word, most_pvp_bytes));
+  constexpr std::uint64_t max_pvp_bytes = 1U << 20U;
+  d.pvp_bytes = static_cast<std::size_t>(xml.count(node, "NumBytesPVP", word, max_pvp_bytes));
   std::set<std::string> names;
   for (xml_node child : node.children()) {
     if (local_name(child) != "Channel") continue;

@@ -124,13 +124,13 @@ void put_crsd_global(xml_node root, const CrsdDescription& d) {
   xml_node sent = node.append_child("Transmit");
   append_number(sent, "TxTime1", d.tx_time1_s);
   append_number(sent, "TxTime2", d.tx_time2_s);
-  append_number(sent, "FxMin", d.least_carrier_hz - 0.5 * d.band_hz);
-  append_number(sent, "FxMax", d.most_carrier_hz + 0.5 * d.band_hz);
+  append_number(sent, "FxMin", d.min_carrier_hz - 0.5 * d.band_hz);
+  append_number(sent, "FxMax", d.max_carrier_hz + 0.5 * d.band_hz);
   xml_node received = node.append_child("Receive");
   append_number(received, "RcvStartTime1", d.rcv_start1_s);
   append_number(received, "RcvStartTime2", d.rcv_start2_s);
-  append_number(received, "FrcvMin", d.least_carrier_hz - 0.5 * d.sample_rate_hz);
-  append_number(received, "FrcvMax", d.most_carrier_hz + 0.5 * d.sample_rate_hz);
+  append_number(received, "FrcvMin", d.min_carrier_hz - 0.5 * d.sample_rate_hz);
+  append_number(received, "FrcvMax", d.max_carrier_hz + 0.5 * d.sample_rate_hz);
 }
 
 void put_support_size(xml_node node, const char* id, std::size_t rows, std::size_t columns, std::size_t offset) {
@@ -191,9 +191,9 @@ void put_sequence(xml_node root, const CrsdDescription& d) {
   append_text(p, "Identifier", "Pulses");
   append_count(p, "RefPulseIndex", static_cast<long long>(d.reference));
   append_text(p, "FxResponseId", "Response");
-  put_flag(p, "FxBWFixed", d.least_carrier_hz == d.most_carrier_hz);
-  append_number(p, "FxC", 0.5 * (d.least_carrier_hz + d.most_carrier_hz));
-  append_number(p, "FxBW", d.most_carrier_hz - d.least_carrier_hz + d.band_hz);
+  put_flag(p, "FxBWFixed", d.min_carrier_hz == d.max_carrier_hz);
+  append_number(p, "FxC", 0.5 * (d.min_carrier_hz + d.max_carrier_hz));
+  append_number(p, "FxBW", d.max_carrier_hz - d.min_carrier_hz + d.band_hz);
   append_number(p, "TXmtMin", d.width_s);
   append_number(p, "TXmtMax", d.width_s);
   append_number(p, "TxTime1", d.tx_time1_s);
@@ -208,7 +208,7 @@ void put_sequence(xml_node root, const CrsdDescription& d) {
 }
 
 void put_crsd_channel(xml_node root, const CrsdDescription& d) {
-  const bool fixed = d.least_carrier_hz == d.most_carrier_hz;
+  const bool fixed = d.min_carrier_hz == d.max_carrier_hz;
   xml_node node = root.append_child("Channel");
   append_text(node, "RefChId", "1");
   xml_node p = node.append_child("Parameters");
@@ -222,8 +222,8 @@ void put_crsd_channel(xml_node root, const CrsdDescription& d) {
   append_number(p, "BWInst", d.band_hz);
   append_number(p, "RcvStartTime1", d.rcv_start1_s);
   append_number(p, "RcvStartTime2", d.rcv_start2_s);
-  append_number(p, "FrcvMin", d.least_carrier_hz - 0.5 * d.sample_rate_hz);
-  append_number(p, "FrcvMax", d.most_carrier_hz + 0.5 * d.sample_rate_hz);
+  append_number(p, "FrcvMin", d.min_carrier_hz - 0.5 * d.sample_rate_hz);
+  append_number(p, "FrcvMax", d.max_carrier_hz + 0.5 * d.sample_rate_hz);
   append_text(p, "RcvAPCId", "Antenna");
   append_text(p, "RcvAPATId", "Pattern");
   put_reference_point(p, "RcvRefPoint", d);
@@ -294,9 +294,9 @@ void put_support(xml_node root, const CrsdDescription& d) {
   xml_node response = node.append_child("FxResponseArray");
   append_text(response, "Identifier", "Response");
   append_text(response, "ElementFormat", "Amp=F4;Phase=F4;");
-  const double low_hz = d.least_carrier_hz - 0.5 * d.band_hz;
+  const double low_hz = d.min_carrier_hz - 0.5 * d.band_hz;
   append_number(response, "Fx0FXR", low_hz);
-  append_number(response, "FxSSFXR", 0.5 * (d.most_carrier_hz + 0.5 * d.band_hz - low_hz));
+  append_number(response, "FxSSFXR", 0.5 * (d.max_carrier_hz + 0.5 * d.band_hz - low_hz));
 }
 
 void put_scale(xml_node parent, const char* name) {

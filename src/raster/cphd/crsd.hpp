@@ -52,7 +52,7 @@ struct CrsdDescription {
   std::size_t reference = 0;  ///< Number of the reference pulse and row.
   double tx_time1_s = 0.0, tx_time2_s = 0.0;
   double rcv_start1_s = 0.0, rcv_start2_s = 0.0;
-  double least_carrier_hz = 0.0, most_carrier_hz = 0.0;
+  double min_carrier_hz = 0.0, max_carrier_hz = 0.0;
   double band_hz = 0.0;  ///< Of the pulse.
   double width_s = 0.0;  ///< Of the pulse.
   double sample_rate_hz = 0.0;

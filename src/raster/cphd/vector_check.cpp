@@ -20,11 +20,11 @@ namespace {
 using V = PhaseVector;
 
 // Beyond these there is no radar: a year, the distance of the Moon ten times, the speed of meteors, gamma rays.
-constexpr double most_time_s = 3.2e7;
-constexpr double most_place_m = 4e9;
-constexpr double most_speed_mps = 1e5;
-constexpr double most_frequency_hz = 1e14;
-constexpr double most_delay_s = 100.0;
+constexpr double max_time_s = 3.2e7;
+constexpr double max_place_m = 4e9;
+constexpr double max_speed_mps = 1e5;
+constexpr double max_frequency_hz = 1e14;
+constexpr double max_delay_s = 100.0;
 
 // A number of a vector and between what it has to be.
 struct Bounds {
@@ -36,16 +36,16 @@ struct Bounds {
 };
 
 constexpr Bounds number_bounds[] = {
-    {"TxTime", &V::tx_time_s, -most_time_s, most_time_s, "seconds after the start of the collection"},
-    {"RcvTime", &V::rcv_time_s, -most_time_s, most_time_s, "seconds after the start of the collection"},
-    {"AmpSF", &V::amplitude, std::numeric_limits<double>::min(), most_cphd_sample, "a number above 0, up to 1e28"},
+    {"TxTime", &V::tx_time_s, -max_time_s, max_time_s, "seconds after the start of the collection"},
+    {"RcvTime", &V::rcv_time_s, -max_time_s, max_time_s, "seconds after the start of the collection"},
+    {"AmpSF", &V::amplitude, std::numeric_limits<double>::min(), max_cphd_sample, "a number above 0, up to 1e28"},
     {"aFDOP", &V::doppler, -1e-2, 1e-2, "-0.01 to 0.01: the rate of the path over the speed of light"},
     {"aFRR1", &V::rate1, -1e30, 1e30, "a finite number"},
     {"aFRR2", &V::rate2, -1e30, 1e30, "a finite number"},
-    {"FX1", &V::fx1_hz, 1.0, most_frequency_hz, "a frequency, 1 Hz to 1e14 Hz"},
-    {"FX2", &V::fx2_hz, 1.0, most_frequency_hz, "a frequency, 1 Hz to 1e14 Hz"},
-    {"TOA1", &V::toa1_s, -most_delay_s, most_delay_s, "-100 s to 100 s"},
-    {"TOA2", &V::toa2_s, -most_delay_s, most_delay_s, "-100 s to 100 s"},
+    {"FX1", &V::fx1_hz, 1.0, max_frequency_hz, "a frequency, 1 Hz to 1e14 Hz"},
+    {"FX2", &V::fx2_hz, 1.0, max_frequency_hz, "a frequency, 1 Hz to 1e14 Hz"},
+    {"TOA1", &V::toa1_s, -max_delay_s, max_delay_s, "-100 s to 100 s"},
+    {"TOA2", &V::toa2_s, -max_delay_s, max_delay_s, "-100 s to 100 s"},
     {"TDTropoSRP", &V::tropo_s, -1e-3, 1e-3, "-1 ms to 1 ms"},
 };
 
@@ -57,11 +57,11 @@ struct PlaceBounds {
 };
 
 constexpr PlaceBounds place_bounds[] = {
-    {"TxPos", &V::tx_m, most_place_m, "Earth-fixed metres, up to 4e9"},
-    {"TxVel", &V::tx_mps, most_speed_mps, "up to 1e5 m/s"},
-    {"RcvPos", &V::rcv_m, most_place_m, "Earth-fixed metres, up to 4e9"},
-    {"RcvVel", &V::rcv_mps, most_speed_mps, "up to 1e5 m/s"},
-    {"SRPPos", &V::srp_m, most_place_m, "Earth-fixed metres, up to 4e9"},
+    {"TxPos", &V::tx_m, max_place_m, "Earth-fixed metres, up to 4e9"},
+    {"TxVel", &V::tx_mps, max_speed_mps, "up to 1e5 m/s"},
+    {"RcvPos", &V::rcv_m, max_place_m, "Earth-fixed metres, up to 4e9"},
+    {"RcvVel", &V::rcv_mps, max_speed_mps, "up to 1e5 m/s"},
+    {"SRPPos", &V::srp_m, max_place_m, "Earth-fixed metres, up to 4e9"},
 };
 
 std::string text_of(const core::Vec3& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }
@@ -88,8 +88,8 @@ std::optional<VectorFault> fault_of_numbers(const V& v) {
 // @param samples  of a vector
 std::optional<VectorFault> fault_of_samples(const V& v, PhaseDomain domain, std::size_t samples) {
   const bool fx = domain == PhaseDomain::fx;
-  const double lowest = fx ? 1.0 : -most_delay_s;
-  const double highest = fx ? most_frequency_hz : most_delay_s;
+  const double lowest = fx ? 1.0 : -max_delay_s;
+  const double highest = fx ? max_frequency_hz : max_delay_s;
   const char* const expected = fx ? "a frequency, 1 Hz to 1e14 Hz" : "-100 s to 100 s";
   if (!is_within(v.first, lowest, highest)) return VectorFault{"SC0", fmt::format("{:g}", v.first), expected};
   if (!(v.step > 0.0) || !std::isfinite(1.0 / v.step))
@@ -116,9 +116,9 @@ std::optional<VectorFault> fault_of_order(const V& v) {
   if (!(v.rcv_time_s >= v.tx_time_s))
     return VectorFault{"RcvTime", fmt::format("{:.12g} s", v.rcv_time_s),
                        fmt::format("TxTime, {:.12g} s, or later", v.tx_time_s)};
-  if (!(v.rcv_time_s - v.tx_time_s <= most_delay_s))
+  if (!(v.rcv_time_s - v.tx_time_s <= max_delay_s))
     return VectorFault{"RcvTime", fmt::format("{:.12g} s", v.rcv_time_s),
-                       fmt::format("at most {:g} s after TxTime, {:.12g} s", most_delay_s, v.tx_time_s)};
+                       fmt::format("at most {:g} s after TxTime, {:.12g} s", max_delay_s, v.tx_time_s)};
   return std::nullopt;
 }
 
@@ -131,11 +131,11 @@ std::optional<VectorFault> fault_of_places(const V& v, const core::Vec3& origin_
       return VectorFault{
           name, fmt::format("{:.6g} m below the ellipsoid", *depth_m),
           fmt::format("Earth-fixed places (ECF) in metres, at most {:g} m below it", -radar::deepest_place_m)};
-  constexpr double most_ratio = 3.0;
+  constexpr double max_ratio = 3.0;
   const double way_m = v.reference_way_m();
   const double flown_m = core::exact_light_speed_mps * (v.rcv_time_s - v.tx_time_s);
   // Some files have no time under way.
-  if (flown_m > 0.0 && !(way_m < most_ratio * flown_m && flown_m < most_ratio * way_m))
+  if (flown_m > 0.0 && !(way_m < max_ratio * flown_m && flown_m < max_ratio * way_m))
     return VectorFault{
         "the way from TxPos over SRPPos to RcvPos", fmt::format("{:.6g} m", way_m),
         fmt::format("about {:.6g} m, as RcvTime is {:.6g} s after TxTime", flown_m, v.rcv_time_s - v.tx_time_s)};
@@ -205,8 +205,8 @@ class ChannelCheck {
   }
 
   std::optional<VectorFault> look_at(const V& v, std::size_t i) {
-    constexpr std::int64_t most_signal = 3;
-    if (v.signal < 0 || v.signal > most_signal)
+    constexpr std::int64_t max_signal = 3;
+    if (v.signal < 0 || v.signal > max_signal)
       return VectorFault{"SIGNAL", fmt::format("{}", v.signal), "a whole number: 0 without a signal, 1 with one"};
     if (v.signal == 0) return std::nullopt;  // Its parameters mean nothing.
     if (auto fault = fault_of_numbers(v)) return fault;
@@ -246,8 +246,8 @@ class ChannelCheck {
   }
 
   void compare_bands(const V& v, std::size_t i) {
-    least_hz_ = std::min(least_hz_, v.fx1_hz);
-    most_hz_ = std::max(most_hz_, v.fx2_hz);
+    min_hz_ = std::min(min_hz_, v.fx1_hz);
+    max_hz_ = std::max(max_hz_, v.fx2_hz);
     if (!first_) first_ = v;
     const PhaseChannel& c = channel();
     // The rounding of texts and of sums.
@@ -314,8 +314,8 @@ class ChannelCheck {
                        fmt::format("{:.6g} s", c.toa_s), fmt::format("{:.6g} s, the longest TOA2 - TOA1", longest_s_)),
           core::Severity::warning));
     if (!first_ || !(c.centre_hz > 0.0)) return;
-    const double band_hz = most_hz_ - least_hz_;
-    const double centre_hz = 0.5 * (least_hz_ + most_hz_);
+    const double band_hz = max_hz_ - min_hz_;
+    const double centre_hz = 0.5 * (min_hz_ + max_hz_);
     constexpr double share = 0.01;
     if (std::abs(c.centre_hz - centre_hz) <= share * band_hz && std::abs(c.band_hz - band_hz) <= share * band_hz)
       return;
@@ -331,8 +331,8 @@ class ChannelCheck {
   std::size_t number_;
   std::optional<double> last_time_s_;
   std::optional<V> first_;
-  double least_hz_ = std::numeric_limits<double>::infinity();
-  double most_hz_ = -std::numeric_limits<double>::infinity();
+  double min_hz_ = std::numeric_limits<double>::infinity();
+  double max_hz_ = -std::numeric_limits<double>::infinity();
   double longest_s_ = 0.0;
   Remark descending_, late_, velocity_, flags_, band_, global_band_, arrivals_, swath_;
 };

@@ -6,7 +6,7 @@
 namespace sarsim::raster {
 
 /// No sample is larger, in I or Q, as of recordings: sums over all of them stay within single precision.
-inline constexpr double most_cphd_sample = 1e28;
+inline constexpr double max_cphd_sample = 1e28;
 
 /// Checks the parameters of every vector with a signal in a CPHD file, and compares them with the XML
 /// (docs/formats/cphd.md).

@@ -58,9 +58,16 @@ TEST(CsvHeadings, NamesOfOtherColumnsAreRefused) {
 // Places of an image are said twice.
 TEST(ImageGate, WhatTheFieldsOfAnImageSayIsJudged) {
   RasterInfo info;
-  const FileAttributes sound{{"image_plane", "slant range"}, {"azimuth_first_m", "-1"}, {"azimuth_step_m", "0.5"},
-                             {"range_first_m", "900"},       {"range_step_m", "2"},     {"carrier_hz", "1e9"},
-                             {"light_speed_mps", "3e8"},     {"origin_m", "1, 2, 3"},   {"along", "0, 1, 0"}};
+  const FileAttributes sound{{"image_plane", "slant range"},
+                             {"azimuth_first_m", "-1"},
+                             {"azimuth_step_m", "0.5"},
+                             {"range_first_m", "900"},
+                             {"range_step_m", "2"},
+                             {"carrier_hz", "1e9"},
+                             {"light_speed_mps", "299792458"},
+                             {"speed_mps", "90"},
+                             {"origin_m", "1, 2, 3"},
+                             {"along", "0, 1, 0"}};
   RasterAxes axes;
   axes.row_axis = "azimuth_m";
   axes.row_m = {-1.0, -0.5, 0.0};
@@ -71,8 +78,9 @@ TEST(ImageGate, WhatTheFieldsOfAnImageSayIsJudged) {
   EXPECT_EQ(problems(), "");
   const std::pair<const char*, const char*> others[] = {
       {"image_plane", "moon"}, {"azimuth_step_m", "0"},     {"range_step_m", "nan"},  {"carrier_hz", "-1"},
-      {"origin_m", "1, 2"},    {"origin_m", "nan, nan, 0"}, {"light_speed_mps", "0"}, {"along", "0, 0, 0"},
-      {"along", "0 1 0"},      {"range_first_m", "far"}};
+      {"origin_m", "1, 2"},    {"origin_m", "nan, nan, 0"}, {"light_speed_mps", "0"}, {"light_speed_mps", "3e8"},
+      {"speed_mps", "0"},      {"speed_mps", "-5"},         {"along", "0, 0, 0"},     {"along", "0 1 0"},
+      {"range_first_m", "far"}};
   for (const auto& [name, value] : others) {
     info.attributes = sound;
     std::ranges::find(info.attributes, name, &std::pair<std::string, std::string>::first)->second = value;

@@ -13,18 +13,18 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{4} << 20;
-constexpr std::size_t most_samples = std::size_t{1} << 19;
+constexpr std::size_t max_bytes = std::size_t{4} << 20;
+constexpr std::size_t max_samples = std::size_t{1} << 19;
 constexpr std::size_t statistics_samples = std::size_t{1} << 16;
 constexpr std::size_t narrowest_row = 8;
-constexpr std::size_t most_guesses = 10;
+constexpr std::size_t max_guesses = 10;
 
 // Bytes from the middle of a file or, of a short one, all but its beginning, where a header may be. Data reach to the
 // end of a file more often than they begin at its start, so the part is aligned to the end.
 std::vector<std::byte> middle_of(const core::InputFile& file) {
   constexpr std::uint64_t alignment = 16;  // Of the largest sample.
   const std::uint64_t present = file.size() - file.size() / 4;
-  const std::uint64_t size = std::min<std::uint64_t>(present, most_bytes) / alignment * alignment;
+  const std::uint64_t size = std::min<std::uint64_t>(present, max_bytes) / alignment * alignment;
   std::vector<std::byte> bytes(static_cast<std::size_t>(size));
   if (size == 0) return bytes;
   const std::uint64_t behind = (present - size) / 2 / alignment * alignment;
@@ -307,7 +307,7 @@ void add_widths(std::vector<RawGuess>& guesses, const RawLayout& layout, const T
   const std::size_t sample_bytes = layout.sample_bytes();
   const std::uint64_t samples = whole_samples(file_bytes, sample_bytes);
   std::vector<WidthGuess> widths;
-  const auto part = samples_of(bytes, layout, most_samples);
+  const auto part = samples_of(bytes, layout, max_samples);
   if (auto width = width_by_agreement(agreement(part), part.size())) {
     settle_on_whole_rows(*width, samples);
     widths.push_back(std::move(*width));
@@ -348,7 +348,7 @@ std::variant<std::vector<RawGuess>, core::Problem> guess_raw_layout(const std::f
     add_widths(guesses, layout, type, value.reason, bytes, file.size());
   }
   std::ranges::stable_sort(guesses, std::greater<>(), &RawGuess::likelihood);
-  if (guesses.size() > most_guesses) guesses.resize(most_guesses);
+  if (guesses.size() > max_guesses) guesses.resize(max_guesses);
   return guesses;
 }
 

@@ -36,7 +36,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .script_like = true,
       .needs_bits = false,
       .places = {.saved = 2, .exported = 5, .described = 2, .image = 5},
-      .most_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 2.0); },
+      .max_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 2.0); },
       .open = open_text,
       .writer = &ascii_writer},
      {.recording = scene::FileFormat::binary,
@@ -46,7 +46,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .choice = "Binary",
       .extensions = {".bin"},
       .places = {.saved = 1, .exported = 4, .described = 1, .image = 6},
-      .most_sample_bytes = [](int bits) { return 2.0 * ((bits + 7) / 8); },
+      .max_sample_bytes = [](int bits) { return 2.0 * ((bits + 7) / 8); },
       .open = open_binary,
       .writer = &binary_writer,
       .arrays = arrays_of_binary},
@@ -59,7 +59,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .text = TextStyle::brackets,
       .needs_bits = false,
       .places = {.saved = 4, .exported = 6, .described = 3, .image = 7},
-      .most_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 1.0) + 4.0; },
+      .max_sample_bytes = [](int bits) { return 2.0 * (signed_digits(bits) + 1.0) + 4.0; },
       .open = open_text,
       .writer = &bracket_writer},
      {.recording = scene::FileFormat::hdf5,
@@ -73,7 +73,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .carries_script = true,
       .datasets = true,
       .places = {.saved = 6, .exported = 1, .image = 2},
-      .most_sample_bytes = volts_bytes,
+      .max_sample_bytes = volts_bytes,
       .open = open_hdf5_file,
       .writer = &hdf5_file_writer,
       .arrays = arrays_of_hdf5},
@@ -86,7 +86,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .text = TextStyle::commas,
       .spreadsheet = true,
       .places = {.saved = 3, .exported = 3, .described = 4, .image = 4},
-      .most_sample_bytes = [](int bits) { return 2.0 * (offset_digits(bits) + 1.0); },
+      .max_sample_bytes = [](int bits) { return 2.0 * (offset_digits(bits) + 1.0); },
       .open = open_text,
       .writer = &csv_writer},
      {.recording = scene::FileFormat::npy,
@@ -98,7 +98,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .signature = "\x93NUMPY",
       .envi_header = true,
       .places = {.saved = 5, .exported = 2, .image = 1},
-      .most_sample_bytes = volts_bytes,
+      .max_sample_bytes = volts_bytes,
       .open = open_npy,
       .writer = &npy_writer,
       .arrays = arrays_of_npy},
@@ -112,7 +112,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .carries_script = true,
       .folder = true,
       .places = {.saved = 7, .image = 3},
-      .most_sample_bytes = volts_bytes,
+      .max_sample_bytes = volts_bytes,
       .open = open_zarr_file,
       .open_folder = open_zarr,
       .writer = &zarr_writer},
@@ -126,7 +126,7 @@ constexpr std::array<Format, recording_count + 5> table{
       .carries_script = true,
       .in_files = sigmf_files,
       .places = {.saved = 8},
-      .most_sample_bytes = volts_bytes,
+      .max_sample_bytes = volts_bytes,
       .open = open_sigmf,
       .writer = &sigmf_writer,
       .arrays = arrays_of_sigmf},
@@ -240,9 +240,9 @@ std::optional<scene::FileFormat> format_from_path(const std::filesystem::path& p
   return row == nullptr ? std::nullopt : row->recording;
 }
 
-double least_bytes(scene::FileFormat format, double expected_bytes) {
-  constexpr double least_part_of_text = 0.4;
-  return format_of(format).is_text() ? least_part_of_text * expected_bytes : expected_bytes;
+double min_bytes(scene::FileFormat format, double expected_bytes) {
+  constexpr double min_part_of_text = 0.4;
+  return format_of(format).is_text() ? min_part_of_text * expected_bytes : expected_bytes;
 }
 
 }  // namespace sarsim::raster

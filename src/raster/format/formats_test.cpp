@@ -36,7 +36,7 @@ TEST(Formats, EveryFormatOfRecordingsCanBeReadAndWritten) {
     EXPECT_NE(row.writer->encode, nullptr) << row.word;
     EXPECT_NE(row.writer->expected_bytes, nullptr) << row.word;
     EXPECT_EQ(row.writer->component_bytes == nullptr, row.is_text()) << row.word;
-    EXPECT_NE(row.most_sample_bytes, nullptr) << row.word;
+    EXPECT_NE(row.max_sample_bytes, nullptr) << row.word;
   }
 }
 
@@ -54,9 +54,9 @@ TEST(Formats, ListsForPeopleHoldEachFormatOnce) {
 }
 
 TEST(Formats, OnlyTextIsEstimatedFromAbove) {
-  EXPECT_EQ(least_bytes(scene::FileFormat::csv, 1000.0), 400.0);
-  EXPECT_EQ(least_bytes(scene::FileFormat::binary, 1000.0), 1000.0);
-  EXPECT_EQ(least_bytes(scene::FileFormat::hdf5, 1000.0), 1000.0);
+  EXPECT_EQ(min_bytes(scene::FileFormat::csv, 1000.0), 400.0);
+  EXPECT_EQ(min_bytes(scene::FileFormat::binary, 1000.0), 1000.0);
+  EXPECT_EQ(min_bytes(scene::FileFormat::hdf5, 1000.0), 1000.0);
 }
 
 TEST(Formats, FilesOfOthersHaveRowsToo) {

@@ -13,9 +13,9 @@ namespace {
 // Rows of samples of a fixed size.
 class GridRaster : public Raster {
  public:
-  // most_rows: rows that the file claims; more are never shown.
-  GridRaster(RasterInfo info, core::InputFile file, const StoredGrid& grid, std::uint64_t most_rows)
-      : Raster(std::move(info)), file_(std::move(file)), grid_(grid), most_rows_(most_rows) {
+  // max_rows: rows that the file claims; more are never shown.
+  GridRaster(RasterInfo info, core::InputFile file, const StoredGrid& grid, std::uint64_t max_rows)
+      : Raster(std::move(info)), file_(std::move(file)), grid_(grid), max_rows_(max_rows) {
     rows_ = rows_in(file_.size());
   }
 
@@ -40,12 +40,12 @@ class GridRaster : public Raster {
  private:
   [[nodiscard]] std::size_t rows_in(std::uint64_t bytes) const {
     const std::uint64_t present = bytes - std::min(bytes, grid_.offset);
-    return static_cast<std::size_t>(std::min(most_rows_, present / grid_.row_bytes()));
+    return static_cast<std::size_t>(std::min(max_rows_, present / grid_.row_bytes()));
   }
 
   core::InputFile file_;
   StoredGrid grid_;
-  std::uint64_t most_rows_;
+  std::uint64_t max_rows_;
   std::atomic<std::size_t> rows_{0};
 };
 
@@ -132,10 +132,10 @@ RasterInfo info_of(const core::InputFile& file, std::size_t columns, const Raste
 }
 
 std::shared_ptr<Raster> make_grid_raster(RasterInfo info, core::InputFile file, const StoredGrid& grid,
-                                         std::uint64_t most_rows) {
+                                         std::uint64_t max_rows) {
   if (info.value == ImageValue::rgb)
-    return std::make_shared<ColourGridRaster>(std::move(info), std::move(file), grid, most_rows);
-  return std::make_shared<GridRaster>(std::move(info), std::move(file), grid, most_rows);
+    return std::make_shared<ColourGridRaster>(std::move(info), std::move(file), grid, max_rows);
+  return std::make_shared<GridRaster>(std::move(info), std::move(file), grid, max_rows);
 }
 
 std::shared_ptr<Raster> make_transposed_raster(RasterInfo info, core::InputFile file, const StoredGrid& grid) {

@@ -97,10 +97,10 @@ std::optional<std::size_t> bytes_of_type(std::string_view type) {
 
 // A list of fields behind its bracket: ('x', '<f8') or ('x', '<f8', (3,)). Structures within are not read.
 bool take_fields(LiteralReader& reader, NpyHeader& header) {
-  constexpr std::size_t most_fields = 1000;
-  constexpr std::uint64_t most_count = std::uint64_t{1} << 20U;
+  constexpr std::size_t max_fields = 1000;
+  constexpr std::uint64_t max_count = std::uint64_t{1} << 20U;
   while (!reader.take(']')) {
-    if (header.fields.size() >= most_fields || !reader.take('(')) return false;
+    if (header.fields.size() >= max_fields || !reader.take('(')) return false;
     NpyField field;
     auto name = reader.take_string();
     if (!name && reader.take('(')) {  // With a title: (('title', 'name'), '<f8').
@@ -120,7 +120,7 @@ bool take_fields(LiteralReader& reader, NpyHeader& header) {
       }
       std::uint64_t count = 1;
       for (const std::uint64_t size : *shape)
-        if (size > most_count || (count *= size) > most_count) return false;
+        if (size > max_count || (count *= size) > max_count) return false;
       field.count = static_cast<std::size_t>(count);
     }
     const auto bytes = bytes_of_type(*type);

@@ -37,7 +37,7 @@ class MemoryFile {
 /// its axes. Throws std::logic_error where a promise of Raster is broken; a reading that fails (std::runtime_error) is
 /// an answer like any other.
 inline void probe_raster_at(const std::filesystem::path& path, const RasterHints& hints) {
-  constexpr std::size_t most_samples = std::size_t{1} << 20;  // Enough of a file that claims more, for speed.
+  constexpr std::size_t max_samples = std::size_t{1} << 20;  // Enough of a file that claims more, for speed.
   const auto opened = open_raster(Integrity::whole, path, hints);
   if ((opened.raster != nullptr) == core::has_errors(opened.problems))
     throw std::logic_error("a file without errors or errors without a file are promised");
@@ -45,7 +45,7 @@ inline void probe_raster_at(const std::filesystem::path& path, const RasterHints
   const Raster& raster = *opened.raster;
   if (raster.rows() == 0 || raster.columns() == 0) throw std::logic_error("an empty file was opened");
   try {
-    const std::size_t part = most_samples / raster.columns();
+    const std::size_t part = max_samples / raster.columns();
     if (part == 0) return;
     std::vector<std::complex<double>> samples(std::min(part, raster.rows()) * raster.columns());
     raster.read_rows(0, std::min(part, raster.rows()), samples);

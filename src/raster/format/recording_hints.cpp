@@ -22,7 +22,7 @@ std::string name_in(const std::string& script_path) {
 }
 
 // No file that can be looked at has longer rows.
-constexpr double most_columns = 0x1p31;
+constexpr double max_columns = 0x1p31;
 
 struct Shape {
   std::size_t rows = 0;  // 0: not known
@@ -47,7 +47,7 @@ std::optional<Shape> shape_of(const scene::Scene& scene, const scene::Simulation
   const simulate::ResolvedRadar seen_by = simulate::resolve_radar(alone, resolved, 0);
   const bool profiles = simulation.processing == scene::Processing::srp;
   const double columns = profiles ? count * seen_by.carrier.steps() : count;
-  if (!(columns >= 1.0 && columns <= most_columns)) return std::nullopt;
+  if (!(columns >= 1.0 && columns <= max_columns)) return std::nullopt;
   const auto pulses = seen_by.repetition.pulses_in(simulation.time_start_s, simulation.time_end_s).count();
   return Shape{profiles ? 0 : static_cast<std::size_t>(pulses), static_cast<std::size_t>(columns)};
 }

@@ -25,11 +25,11 @@ namespace fs = std::filesystem;
 namespace {
 
 // SigMF has integers of up to 32 bits; counts reach 2^(bits - 1), one more than such an integer does.
-constexpr int most_short_bits = 15;
-constexpr int most_bits = 31;
+constexpr int max_short_bits = 15;
+constexpr int max_bits = 31;
 
 std::size_t sigmf_component_bytes(const Encoding& encoding) {
-  return encoding.counts && encoding.bits <= most_short_bits ? 2 : array_component_bytes(encoding);
+  return encoding.counts && encoding.bits <= max_short_bits ? 2 : array_component_bytes(encoding);
 }
 
 std::vector<std::byte> encode_sigmf(const Encoding& encoding, const simulate::Block& block) {
@@ -49,9 +49,9 @@ std::string datatype_of(const Encoding& encoding) {
 }
 
 void expect_possible(const fs::path& path, const Encoding& encoding) {
-  if (encoding.counts && encoding.bits > most_bits)
+  if (encoding.counts && encoding.bits > max_bits)
     throw core::Refused({file_problem(path.string(), "SigMF has no integers for counts of so many bits",
-                                      fmt::format("{} bits", encoding.bits), fmt::format("at most {}", most_bits),
+                                      fmt::format("{} bits", encoding.bits), fmt::format("at most {}", max_bits),
                                       "record volts, or choose another format")});
   if (sigmf_files(path).front() == path || sigmf_files(path).back() == path) return;
   throw core::Refused(

@@ -14,8 +14,8 @@ namespace sarsim::raster {
 namespace {
 
 // A run of three bytes stands for up to 256 others, so no compressed file holds more than that.
-constexpr std::uint64_t most_expansion = 256 / 3 + 1;
-constexpr std::uint32_t most_map_bytes = 3U * 256U;
+constexpr std::uint64_t max_expansion = 256 / 3 + 1;
+constexpr std::uint32_t max_map_bytes = 3U * 256U;
 constexpr const char* supported =
     "types 0 (old), 1 (standard), 2 (run-length) and 3 (RGB) with 1, 8, 24 or 32 bits of a pixel";
 
@@ -54,7 +54,7 @@ std::optional<core::Problem> kind_problem(const std::string& name, std::uint32_t
 
 std::optional<core::Problem> map_problem(const std::string& name, const SunRasterHeader& header) {
   if (header.map_type != 1 || header.depth > 8) return std::nullopt;
-  const std::uint32_t most = header.depth == 1 ? 6U : most_map_bytes;
+  const std::uint32_t most = header.depth == 1 ? 6U : max_map_bytes;
   if (header.map_length % 3 == 0 && header.map_length <= most) return std::nullopt;
   return file_problem(name, "the colour map has a wrong length", fmt::format("{} bytes", header.map_length),
                       fmt::format("a multiple of 3 up to {}", most));
@@ -72,7 +72,7 @@ std::optional<core::Problem> size_problem(const std::string& name, const SunRast
   const auto pixels = checked_product(header.row_bytes(), header.height);
   const std::uint64_t present = file_bytes - header.data_offset();
   const bool packed = header.type == SunType::run_length;
-  const std::uint64_t most = packed ? present * most_expansion : present;
+  const std::uint64_t most = packed ? present * max_expansion : present;
   if (pixels && *pixels <= most) return std::nullopt;
   return file_problem(name,
                       packed ? "the file is too short for the size that it claims" : "the file ends within the picture",

@@ -14,7 +14,7 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::size_t most_listed_rows = 10;
+constexpr std::size_t max_listed_rows = 10;
 constexpr double byte_s = 8e-9;  // Of reading numbers, measured.
 
 // Puts the numbers of a row where a window wants them.
@@ -169,7 +169,7 @@ class TextRaster final : public Raster {
   }
 
   void report_uneven(Recorder& recorder, const TextRow& found, std::size_t row) {
-    if (++uneven_rows_ > most_listed_rows) return;
+    if (++uneven_rows_ > max_listed_rows) return;
     core::Problem problem = with_severity(
         file_problem(file_.path().string(), fmt::format("row {} has another length", row + 1),
                      fmt::format("{} numbers", found.values), fmt::format("{}, as in the first row", samples_.values),

@@ -17,9 +17,9 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::size_t most_reported_rows = 10;
+constexpr std::size_t max_reported_rows = 10;
 constexpr std::uint64_t index_spacing = 256;  // Bytes between remembered rows, so that the index stays small.
-constexpr std::size_t most_values_of_first_row = std::size_t{1} << 25;
+constexpr std::size_t max_values_of_first_row = std::size_t{1} << 25;
 
 // What one reading of the whole text tells.
 struct TextSurvey {
@@ -43,7 +43,7 @@ core::Problem uneven_row(const TextRow& row, std::size_t index, std::size_t expe
 }
 
 void list_uneven(TextSurvey& survey, const TextRow& row, bool last) {
-  if (survey.problems.size() < most_reported_rows)
+  if (survey.problems.size() < max_reported_rows)
     survey.problems.push_back(uneven_row(row, survey.rows, survey.values, last));
 }
 
@@ -147,7 +147,7 @@ FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout) {
   first.begin = {scanner.offset(), scanner.line()};
   std::size_t values = 0;
   TextRowParser parser(scanner, layout, [&](const TextNumber& number) {
-    if (++values > most_values_of_first_row) throw TooLong();
+    if (++values > max_values_of_first_row) throw TooLong();
     first.numbers.note(number);
   });
   try {
@@ -180,7 +180,7 @@ std::optional<CountRange> offset_of(const FirstRow& first, const RasterHints& hi
 std::optional<core::Problem> first_row_problem(const std::string& name, const FirstRow& first,
                                                const TextLayout& layout) {
   if (first.too_long)
-    return file_problem(name, "the first row does not end", fmt::format("{} numbers", most_values_of_first_row), {},
+    return file_problem(name, "the first row does not end", fmt::format("{} numbers", max_values_of_first_row), {},
                         "give the samples of a row");
   if (first.row.malformed) {
     core::Problem problem = *first.row.malformed;

@@ -70,7 +70,7 @@ std::string TextScanner::take_token() {
 
 // A whole number of few digits, as nearly all are, that the buffer holds with the end of its token.
 bool TextScanner::take_short_number(TextNumber& number) {
-  constexpr std::ptrdiff_t most_digits = 19;  // Of any that 64 bits hold.
+  constexpr std::ptrdiff_t max_digits = 19;  // Of any that 64 bits hold.
   if (peek() == end) return false;
   const char* at = buffer_.data() + next_;
   const char* const last = buffer_.data() + filled_;
@@ -78,7 +78,7 @@ bool TextScanner::take_short_number(TextNumber& number) {
   if (negative || *at == '+') ++at;
   const char* const digits = at;
   std::uint64_t magnitude = 0;
-  for (; at < last && *at >= '0' && *at <= '9' && at - digits < most_digits; ++at)
+  for (; at < last && *at >= '0' && *at <= '9' && at - digits < max_digits; ++at)
     magnitude = 10 * magnitude + static_cast<std::uint64_t>(*at - '0');
   if (at == digits || at == last || !ends_token(static_cast<unsigned char>(*at))) return false;
   const auto value = static_cast<double>(magnitude);

@@ -24,7 +24,7 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t longest_array_text = std::uint64_t{1} << 20U;
 constexpr std::uint64_t longest_attributes_text = std::uint64_t{1} << 30U;
-constexpr std::size_t most_dimensions = 32;
+constexpr std::size_t max_dimensions = 32;
 
 core::Problem zarr_problem(std::string message, std::string found = {}, std::string expected = {},
                            std::string hint = {}) {
@@ -60,7 +60,7 @@ const Json& member_of(const Json& object, const char* name) {
 
 std::optional<std::vector<std::uint64_t>> sizes_of(const Json& list, std::uint64_t least) {
   constexpr std::uint64_t most = std::uint64_t{1} << 62U;
-  if (!list.is_array() || list.size() > most_dimensions) return std::nullopt;
+  if (!list.is_array() || list.size() > max_dimensions) return std::nullopt;
   std::vector<std::uint64_t> sizes;
   std::uint64_t product = 1;
   for (const Json& size : list) {
@@ -112,8 +112,8 @@ std::optional<core::Problem> storage_problem(const Json& tree) {
 
 // Some numbers, or names of dimensions, separated by commas; nothing for other lists.
 std::optional<std::string> list_text(const Json& list, bool names) {
-  constexpr std::size_t most_listed = 16;
-  if (list.empty() || list.size() > most_listed) return std::nullopt;
+  constexpr std::size_t max_listed = 16;
+  if (list.empty() || list.size() > max_listed) return std::nullopt;
   std::string text;
   for (const Json& value : list) {
     if (!(names ? value.is_string() : value.is_number())) return std::nullopt;

@@ -30,8 +30,8 @@ namespace fs = std::filesystem;
 namespace {
 
 // More files than anybody looks through.
-constexpr std::uint64_t most_chunks = std::uint64_t{1} << 22U;
-constexpr std::size_t most_arrays = 1000;
+constexpr std::uint64_t max_chunks = std::uint64_t{1} << 22U;
+constexpr std::size_t max_arrays = 1000;
 
 std::uint64_t pieces_in(std::uint64_t size, std::uint64_t piece) { return size / piece + (size % piece > 0 ? 1 : 0); }
 
@@ -239,12 +239,12 @@ std::uint64_t entries_in(const fs::path& folder, std::uint64_t most) {
 // Looks at every chunk; a problem where one has not its size.
 std::variant<Presence, core::Problem> look_through(const ChunkTable& table, const std::string& name) {
   const auto chunks = checked_product(table.chunks_down(), table.chunks_across());
-  if (!chunks || *chunks > most_chunks)
-    return file_problem(name, "the array has more chunks than are read", {}, fmt::format("at most {}", most_chunks),
+  if (!chunks || *chunks > max_chunks)
+    return file_problem(name, "the array has more chunks than are read", {}, fmt::format("at most {}", max_chunks),
                         "store it in larger chunks");
   // An array may claim any size where nothing of it is there.
-  constexpr std::uint64_t most_absent = 1032;
-  const std::uint64_t least = *chunks / (most_absent + 1);
+  constexpr std::uint64_t max_absent = 1032;
+  const std::uint64_t least = *chunks / (max_absent + 1);
   if (table.in_one_folder() && entries_in(table.folder(), least) < least)
     return nearly_all_missing(name, *chunks - entries_in(table.folder(), least), *chunks);
   const auto bytes = table.chunk_bytes();
@@ -481,7 +481,7 @@ std::variant<fs::path, core::Problem> samples_in(const fs::path& group) {
   std::vector<fs::path> found;
   std::size_t looked_at = 0;
   for (fs::directory_iterator entry(group, failure), end; !failure && entry != end; entry.increment(failure)) {
-    if (++looked_at > most_arrays) break;
+    if (++looked_at > max_arrays) break;
     if (!fs::exists(entry->path() / ".zarray", failure)) continue;
     const auto array = read_zarr_array(entry->path() / ".zarray");
     const auto* const known = std::get_if<ZarrArray>(&array);

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t most_chunk_bytes = std::uint64_t{8} << 20U;
+constexpr std::uint64_t max_chunk_bytes = std::uint64_t{8} << 20U;
 
 void write_whole(const fs::path& path, std::span<const std::byte> bytes) {
   core::RawFile file(path, core::RawFile::Mode::write);
@@ -191,7 +191,7 @@ void write_zarr_array(core::JsonWriter& json, const std::string& type, std::span
 
 std::size_t zarr_chunk_rows(std::size_t rows, std::uint64_t row_bytes) {
   const std::size_t most =
-      static_cast<std::size_t>(std::max<std::uint64_t>(1, most_chunk_bytes / std::max<std::uint64_t>(1, row_bytes)));
+      static_cast<std::size_t>(std::max<std::uint64_t>(1, max_chunk_bytes / std::max<std::uint64_t>(1, row_bytes)));
   const std::size_t chunks = std::max<std::size_t>(1, (rows + most - 1) / most);
   return std::max<std::size_t>(1, (rows + chunks - 1) / chunks);
 }

@@ -15,9 +15,9 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr hsize_t most_attributes = 1000;
+constexpr hsize_t max_attributes = 1000;
 constexpr std::size_t longest_attribute_name = 1024;
-constexpr hssize_t most_in_a_list = 16;
+constexpr hssize_t max_in_a_list = 16;
 
 std::optional<std::string> read_fixed_string(hid_t attribute, hid_t type, std::uint64_t longest) {
   const std::size_t size = H5Tget_size(type);
@@ -58,7 +58,7 @@ std::optional<std::string> read_float(hid_t attribute) {
 
 // Some numbers, separated by commas.
 std::optional<std::string> read_list(hid_t attribute, hssize_t count) {
-  std::array<double, most_in_a_list> values{};
+  std::array<double, max_in_a_list> values{};
   if (H5Aread(attribute, H5T_NATIVE_DOUBLE, values.data()) < 0) return std::nullopt;
   std::string text;
   for (hssize_t i = 0; i < count; ++i)
@@ -92,7 +92,7 @@ std::string words_for_kind(hid_t type, hssize_t count) {
     case H5T_ENUM: return count == 1 ? "an enumeration" : fmt::format("{} enumerations", count);
     case H5T_INTEGER:
     case H5T_FLOAT:
-      if (count > most_in_a_list) return fmt::format("{} numbers", count);
+      if (count > max_in_a_list) return fmt::format("{} numbers", count);
       return fmt::format("{} number{} of {} bytes", number, many, H5Tget_size(type));
     default: return fmt::format("{} value{} of another kind", number, many);
   }
@@ -104,7 +104,7 @@ std::optional<std::string> read_text(hid_t attribute, hid_t type, hssize_t count
   const bool number = (kind == H5T_INTEGER || kind == H5T_FLOAT) && H5Tget_size(type) <= sizeof(double);
   // So netCDF writes an empty text.
   if (count == 0 && kind == H5T_STRING) return "";
-  if (lists && number && count > 1 && count <= most_in_a_list) return read_list(attribute, count);
+  if (lists && number && count > 1 && count <= max_in_a_list) return read_list(attribute, count);
   if (count != 1) return std::nullopt;
   if (kind == H5T_STRING)
     return H5Tis_variable_str(type) > 0 ? read_variable_string(attribute, type)
@@ -148,7 +148,7 @@ void take_value(hid_t attribute, AttributeWalk& walk) {
 herr_t take_attribute(hid_t object, const char* name, const H5A_info_t* /*info*/, void* state) {
   auto& walk = *static_cast<AttributeWalk*>(state);
   walk.found.complete = false;
-  if (walk.met++ == most_attributes) return 1;
+  if (walk.met++ == max_attributes) return 1;
   try {
     const Hdf5Handle attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
     if (!attribute) return 1;
@@ -171,14 +171,14 @@ ArrayAttributes read_attributes(hid_t object, std::uint64_t longest, bool lists)
 }
 
 std::vector<std::string> dimension_names(hid_t dataset) {
-  constexpr hssize_t most_dimensions = 32;
+  constexpr hssize_t max_dimensions = 32;
   if (H5Aexists(dataset, "DIMENSION_LIST") <= 0) return {};
   const Hdf5Handle attribute(H5Aopen(dataset, "DIMENSION_LIST", H5P_DEFAULT), H5Aclose);
   const Hdf5Handle space(H5Aget_space(attribute.get()), H5Sclose);
   const Hdf5Handle stored(H5Aget_type(attribute.get()), H5Tclose);
   const Hdf5Handle type(H5Tvlen_create(H5T_STD_REF_OBJ), H5Tclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space.get());
-  if (count < 1 || count > most_dimensions || H5Tequal(stored.get(), type.get()) <= 0) return {};
+  if (count < 1 || count > max_dimensions || H5Tequal(stored.get(), type.get()) <= 0) return {};
   std::vector<hvl_t> lists(static_cast<std::size_t>(count));
   if (H5Aread(attribute.get(), type.get(), lists.data()) < 0) return {};
   std::vector<std::string> names(lists.size());

@@ -19,7 +19,7 @@ constexpr std::uint64_t best_compression = 1032;  // No deflate stream grows by 
 constexpr std::uint64_t allowed_chunk_growth = 16;
 constexpr std::uint64_t small_chunk = std::uint64_t{1} << 20;
 constexpr std::size_t largest_element = 1024;
-constexpr int most_filters = 32;
+constexpr int max_filters = 32;
 
 // Those that every build of the library has: of others it would look for a plug-in, which is foreign code.
 constexpr std::array<H5Z_filter_t, 6> built_in_filters{H5Z_FILTER_DEFLATE, H5Z_FILTER_SHUFFLE, H5Z_FILTER_FLETCHER32,
@@ -55,7 +55,7 @@ std::string name_of_filter(H5Z_filter_t filter, std::string_view said) {
 
 std::optional<core::Problem> filter_problem(hid_t properties, const std::string& path) {
   const int filters = H5Pget_nfilters(properties);
-  if (filters < 0 || filters > most_filters) return problem_of(path, "has a damaged list of filters");
+  if (filters < 0 || filters > max_filters) return problem_of(path, "has a damaged list of filters");
   for (int i = 0; i < filters; ++i) {
     unsigned flags = 0;
     unsigned configuration = 0;
@@ -130,11 +130,11 @@ const char* word_of_type(hid_t type) {
 }
 
 herr_t note_dataset(hid_t root, const char* name, const H5O_info_t* info, void* data) {
-  constexpr std::size_t most_listed = 12;
+  constexpr std::size_t max_listed = 12;
   constexpr std::size_t longest_name = 60;
   auto& list = *static_cast<DatasetList*>(data);
   if (info->type != H5O_TYPE_DATASET) return 0;
-  if (list.count++ == most_listed) {
+  if (list.count++ == max_listed) {
     list.text += ", ...";
     return 1;
   }

@@ -20,7 +20,7 @@ constexpr haddr_t last_address = haddr_t{1} << 62;
 constexpr hsize_t structure_block_bytes = 512;  // The library reserves space for its own data in such steps.
 // Where large datasets begin: bytes that stand across the lines of a cache take longer to copy.
 constexpr hsize_t alignment_bytes = 64;
-constexpr hsize_t least_aligned_bytes = 4096;
+constexpr hsize_t min_aligned_bytes = 4096;
 
 // What the library holds of an open file; it asks that its own part comes first.
 struct DriverFile {
@@ -132,7 +132,7 @@ Hdf5Handle Hdf5Output::access_properties() {
   H5Pset_driver(properties.get(), driver_.get(), &info);
   H5Pset_libver_bounds(properties.get(), H5F_LIBVER_V18, H5F_LIBVER_V18);
   H5Pset_fclose_degree(properties.get(), H5F_CLOSE_STRONG);
-  H5Pset_alignment(properties.get(), least_aligned_bytes, alignment_bytes);
+  H5Pset_alignment(properties.get(), min_aligned_bytes, alignment_bytes);
   H5Pset_meta_block_size(properties.get(), structure_block_bytes);
   H5Pset_small_data_block_size(properties.get(), structure_block_bytes);
   return properties;

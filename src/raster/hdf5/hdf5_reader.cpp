@@ -28,8 +28,8 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr hsize_t most_details = 1000;
-constexpr std::size_t most_tried_samples = std::size_t{1} << 20U;  // at either end of a file
+constexpr hsize_t max_details = 1000;
+constexpr std::size_t max_tried_samples = std::size_t{1} << 20U;  // at either end of a file
 constexpr const char* good = "good";  // What a child process says of a file that it could read.
 
 // The library could not get the memory that it wanted.
@@ -100,7 +100,7 @@ class Hdf5Raster final : public Raster {
     const Hdf5Use use;
     const Hdf5Handle properties(H5Dget_create_plist(samples_.id.get()), H5Pclose);
     if (!numbers_.as_stored() || H5Pget_layout(properties.get()) != H5D_CONTIGUOUS) return;
-    if (columns() > most_tried_samples) return;
+    if (columns() > max_tried_samples) return;
     auto opened = core::InputFile::open(info().path);
     if (!std::holds_alternative<core::InputFile>(opened)) return;
     std::vector<std::byte> row(2 * columns() * numbers_.bytes());
@@ -258,7 +258,7 @@ std::optional<core::Problem> problem_of_old_facts(const RasterInfo& info) {
 // Of H5Literate: 0 goes on, 1 ends the walk.
 herr_t take_link_name(hid_t /*group*/, const char* name, const H5L_info_t* /*info*/, void* state) {
   auto& names = *static_cast<std::vector<std::string>*>(state);
-  if (names.size() == most_details) return 1;
+  if (names.size() == max_details) return 1;
   try {
     names.emplace_back(name);
     return 0;
@@ -459,8 +459,8 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
 // Reads what a file claims to hold: all of a small one; of a large one the ends and the axes.
 void read_through(const Hdf5Raster& raster) {
   raster.try_axes();
-  if (raster.columns() > most_tried_samples) return;
-  const std::size_t rows = std::min(raster.rows(), most_tried_samples / raster.columns());
+  if (raster.columns() > max_tried_samples) return;
+  const std::size_t rows = std::min(raster.rows(), max_tried_samples / raster.columns());
   std::vector<std::complex<double>> samples(rows * raster.columns());
   raster.read_rows(0, rows, samples);
   raster.read_rows(raster.rows() - rows, rows, samples);

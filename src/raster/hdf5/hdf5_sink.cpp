@@ -19,7 +19,7 @@ namespace sarsim::raster {
 namespace {
 
 constexpr std::size_t axis_chunk = 8192;  // Rows of an axis that are computed and written at a time.
-constexpr unsigned most_attributes_in_header = 64;
+constexpr unsigned max_attributes_in_header = 64;
 
 // Complex numbers as h5py, MATLAB scripts and others expect them: a compound of r and i.
 Hdf5Handle complex_type(hid_t part) {
@@ -116,7 +116,7 @@ void Hdf5Sink::expect(bool done) const {
 void Hdf5Sink::create_file() {
   const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
   H5Pset_obj_track_times(creation.get(), false);
-  H5Pset_attr_phase_change(creation.get(), most_attributes_in_header, 0);
+  H5Pset_attr_phase_change(creation.get(), max_attributes_in_header, 0);
   const Hdf5Handle access = output_.access_properties();
   hdf5_ = Hdf5Handle(H5Fcreate(file_.working_path().c_str(), H5F_ACC_TRUNC, creation.get(), access.get()), H5Fclose);
   expect(static_cast<bool>(hdf5_));
@@ -164,9 +164,9 @@ void Hdf5Sink::write_columns() {
 }
 
 // In large pieces: a call of the library costs as much as a short row.
-void Hdf5Sink::write_row_axes(std::size_t end, std::size_t least_rows) {
+void Hdf5Sink::write_row_axes(std::size_t end, std::size_t min_rows) {
   const std::size_t first = axes_written_;
-  if (end - first < least_rows) return;
+  if (end - first < min_rows) return;
   for (std::size_t i = 0; i < arrays_.size(); ++i)
     if (described_.arrays[i].along == Along::rows)
       expect(write_values(arrays_[i].get(), described_.arrays[i], first, end - first));

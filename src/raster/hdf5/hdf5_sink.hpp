@@ -43,7 +43,7 @@ class Hdf5Sink final : public simulate::Sink {
   void create_sample_type();
   void create_arrays();
   void write_columns();
-  void write_row_axes(std::size_t end, std::size_t least_rows);
+  void write_row_axes(std::size_t end, std::size_t min_rows);
 
   std::size_t rows_;
   std::size_t columns_;

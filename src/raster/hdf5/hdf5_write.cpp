@@ -4,13 +4,13 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr unsigned most_attributes_in_place = 64;  // More would go into a structure of their own.
+constexpr unsigned max_attributes_in_place = 64;  // More would go into a structure of their own.
 
 Hdf5Handle dataset_of(hid_t file, const char* name, hid_t type, std::span<const hsize_t> sizes, bool with_bytes) {
   const Hdf5Handle space(H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), H5Sclose);
   const Hdf5Handle properties(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   H5Pset_obj_track_times(properties.get(), false);
-  H5Pset_attr_phase_change(properties.get(), most_attributes_in_place, 0);
+  H5Pset_attr_phase_change(properties.get(), max_attributes_in_place, 0);
   H5Pset_layout(properties.get(), H5D_CONTIGUOUS);
   H5Pset_alloc_time(properties.get(), with_bytes ? H5D_ALLOC_TIME_EARLY : H5D_ALLOC_TIME_LATE);
   H5Pset_fill_time(properties.get(), with_bytes ? H5D_FILL_TIME_NEVER : H5D_FILL_TIME_IFSET);

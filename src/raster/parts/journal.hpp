@@ -78,7 +78,7 @@ struct Journal {
                                                                  const std::string& text);
 
 /// Reads a journal; a Problem, too, for what is no regular file or longer than any journal
-/// (`core::most_journal_bytes`). std::system_error where the file cannot be read.
+/// (`core::max_journal_bytes`). std::system_error where the file cannot be read.
 [[nodiscard]] std::variant<Journal, core::Problem> read_journal(const std::filesystem::path& path);
 
 /// Name of the file beside a journal that holds its rows where they are not placed.

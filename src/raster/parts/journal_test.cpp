@@ -104,7 +104,7 @@ TEST(Journal, IsDamagedWhereItsEntriesMeetOrTheBeginIsMissing) {
 TEST(Journal, IsAProblemWhereItsFileCannotHoldOne) {
   const data_test::TestFolder folder;
   data_test::put(folder / "large.journal", text_of(test_head()));
-  std::filesystem::resize_file(folder / "large.journal", core::most_journal_bytes + 1);
+  std::filesystem::resize_file(folder / "large.journal", core::max_journal_bytes + 1);
   ASSERT_EQ(::mkfifo((folder / "pipe.journal").c_str(), 0600), 0);
   try {
     static_cast<void>(read_journals(folder.path()));

@@ -52,7 +52,7 @@ void PartWriter::settle() {
   settled_at_s_ = core::now_s();
   const double cost_s = settled_at_s_ - begin_s;
   settling_s_ += cost_s;
-  const double pause_s = pace_.seconds > 0.0 ? std::max(pace_.seconds, cost_s / pace_.most_share) : 0.0;
+  const double pause_s = pace_.seconds > 0.0 ? std::max(pace_.seconds, cost_s / pace_.max_share) : 0.0;
   next_settling_s_ = settled_at_s_ + pause_s;
 }
 

@@ -14,7 +14,7 @@ namespace sarsim::raster {
 struct JournalPace {
   double seconds = 1.0;  ///< From one entry to the next, at least; 0: every block of rows.
   /// The most that bringing to the disk may cost, as a share of the whole time: where it is slow, entries are rarer.
-  double most_share = 0.003;
+  double max_share = 0.003;
 };
 
 /// Writes the rows that a part makes, and vouches in its journal for those that are safe: an entry is written when the

@@ -24,8 +24,8 @@ namespace {
 
 constexpr std::uint64_t format_mark = 0x31'74'72'61'70'72'73'04U;
 // The mark and the checksum are there; more than 180 million pulses with their times, carriers and poses are not.
-constexpr std::uint64_t least_bytes = 2 * sizeof(std::uint64_t);
-constexpr std::uint64_t most_bytes = std::uint64_t{1} << 34U;
+constexpr std::uint64_t min_bytes = 2 * sizeof(std::uint64_t);
+constexpr std::uint64_t max_bytes = std::uint64_t{1} << 34U;
 
 // A part that enters the folder writes the file where it is missing.
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string message, std::string found,
@@ -79,7 +79,7 @@ class Packer {
 
 class Unpacker {
  public:
-  // At least `least_bytes`.
+  // At least `min_bytes`.
   Unpacker(std::span<const std::byte> bytes, std::filesystem::path path) : rest_(bytes), path_(std::move(path)) {
     core::Checksum sum;
     const std::size_t content = rest_.size() - sizeof(std::uint64_t);
@@ -148,9 +148,9 @@ std::vector<std::byte> bytes_of(const std::filesystem::path& path) {
     refuse(path, "the description of the recording is missing", {}, "the file that each part leaves in the folder");
   const core::RawFile file(path, core::RawFile::Mode::read);
   const std::uint64_t size = file.size();
-  if (size < least_bytes || size > most_bytes)
+  if (size < min_bytes || size > max_bytes)
     refuse(path, "the size is not that of the description of a recording", fmt::format("{} bytes", size),
-           fmt::format("{} to {} bytes", least_bytes, most_bytes));
+           fmt::format("{} to {} bytes", min_bytes, max_bytes));
   std::uint64_t mark = 0;
   if (!file.read_at(0, std::as_writable_bytes(std::span(&mark, 1))) || mark != format_mark)
     refuse(path, "this is not the description of a recording", "another kind of file, or another version of it",

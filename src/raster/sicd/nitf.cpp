@@ -22,9 +22,9 @@ namespace {
 // Widths of what the headers have in common.
 constexpr std::size_t security_bytes = 167;  // FSCLAS to FSCTLN.
 constexpr std::size_t xml_header_bytes = 773;
-constexpr std::uint64_t most_segment_bytes = 9'999'999'998;
-constexpr std::size_t most_rows_of_several = 99'999;
-constexpr std::size_t most_block = 8192;
+constexpr std::uint64_t max_segment_bytes = 9'999'999'998;
+constexpr std::size_t max_rows_of_several = 99'999;
+constexpr std::size_t max_block = 8192;
 constexpr std::size_t pixel_bytes = 8;
 
 // What is wrong with a header, before it is known which file it is of.
@@ -303,8 +303,8 @@ std::string image_header(const NitfContent& content, const NitfRows& rows, std::
   header.text("P", 1);
   header.number(1, 4);
   header.number(1, 4);
-  header.number(content.columns > most_block ? 0 : content.columns, 4);
-  header.number(rows.count > most_block ? 0 : rows.count, 4);
+  header.number(content.columns > max_block ? 0 : content.columns, 4);
+  header.number(rows.count > max_block ? 0 : rows.count, 4);
   header.number(32, 2);          // NBPP
   header.number(number + 1, 3);  // IDLVL
   header.number(number, 3);      // IALVL
@@ -410,20 +410,20 @@ std::variant<NitfFile, core::Problem> read_nitf(const core::InputFile& file) {
 
 std::size_t nitf_rows_of_segment(std::size_t rows, std::size_t columns) {
   const auto bytes = checked_product(rows, columns, pixel_bytes);
-  if (bytes && *bytes <= most_segment_bytes) return rows;
-  const std::uint64_t by_bytes = most_segment_bytes / (std::uint64_t{columns} * pixel_bytes);
-  return static_cast<std::size_t>(std::min<std::uint64_t>(by_bytes, most_rows_of_several));
+  if (bytes && *bytes <= max_segment_bytes) return rows;
+  const std::uint64_t by_bytes = max_segment_bytes / (std::uint64_t{columns} * pixel_bytes);
+  return static_cast<std::size_t>(std::min<std::uint64_t>(by_bytes, max_rows_of_several));
 }
 
 NitfLayout lay_out_nitf(const NitfContent& content) {
-  constexpr std::size_t most_columns = 99'999'999;
-  constexpr std::size_t most_segments = 999;
-  constexpr std::uint64_t most_bytes = 999'999'999'998;
-  if (content.columns > most_columns || content.rows > most_columns)
+  constexpr std::size_t max_columns = 99'999'999;
+  constexpr std::size_t max_segments = 999;
+  constexpr std::uint64_t max_bytes = 999'999'999'998;
+  if (content.columns > max_columns || content.rows > max_columns)
     refuse_size(content, "it has 99 999 999 rows and columns at most");
   const std::size_t at_once = nitf_rows_of_segment(content.rows, content.columns);
   const std::size_t count = (content.rows + at_once - 1) / at_once;
-  if (count > most_segments) refuse_size(content, "it has 999 segments of 10 GB at most");
+  if (count > max_segments) refuse_size(content, "it has 999 segments of 10 GB at most");
   NitfLayout layout;
   std::vector<std::string> headers;
   std::vector<Part> images;
@@ -444,7 +444,7 @@ NitfLayout lay_out_nitf(const NitfContent& content) {
   }
   layout.texts.emplace_back(at, last + content.xml);
   layout.size = at + extension.header + extension.data;
-  if (layout.size > most_bytes) refuse_size(content, "it has 1 TB at most");
+  if (layout.size > max_bytes) refuse_size(content, "it has 1 TB at most");
   layout.texts.emplace(layout.texts.begin(), 0, file_header(content, images, extension, layout.size, length));
   return layout;
 }

@@ -31,8 +31,8 @@ struct SicdDirection {
   double bandwidth_per_m = 0.0;    ///< Of a point's spectrum, cycles per metre.
   double centre_per_m = 0.0;       ///< KCtr: wave number that the image has at its frequency 0.
   Polynomial2 offset_per_m;        ///< DeltaKCOAPoly: middle of a point's spectrum, from KCtr, over the image.
-  double least_per_m = 0.0;        ///< DeltaK1: where the spectra of all points begin, from KCtr.
-  double most_per_m = 0.0;         ///< DeltaK2: where they end.
+  double min_per_m = 0.0;          ///< DeltaK1: where the spectra of all points begin, from KCtr.
+  double max_per_m = 0.0;          ///< DeltaK2: where they end.
   std::string window = "UNIFORM";  ///< WgtType.
   std::vector<std::pair<std::string, std::string>> window_parameters;
   std::vector<double> weights;  ///< The window over the bandwidth; empty: even.

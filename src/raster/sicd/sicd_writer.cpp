@@ -15,7 +15,7 @@ namespace sarsim::raster {
 namespace {
 
 constexpr std::size_t held_bytes = std::size_t{64} << 20U;
-constexpr std::size_t least_held = 64;
+constexpr std::size_t min_held = 64;
 
 float turned_bytes(float value) { return std::bit_cast<float>(__builtin_bswap32(std::bit_cast<std::uint32_t>(value))); }
 
@@ -60,7 +60,7 @@ SicdWriter::SicdWriter(const std::filesystem::path& path, const Sicd& image, boo
     throw core::Refused(
         "'" + path.string() + "' is a pipe, and a SICD file is not written from its beginning to its end",
         "name a file");
-  const std::size_t fitting = std::max(least_held, held_bytes / (rows_ * sizeof(std::complex<float>)));
+  const std::size_t fitting = std::max(min_held, held_bytes / (rows_ * sizeof(std::complex<float>)));
   at_once_ = std::min(fitting, columns_);
   turned_.resize(rows_ * at_once_);
   file_.resize(layout_.size);

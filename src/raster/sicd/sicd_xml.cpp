@@ -109,8 +109,8 @@ void append_direction(pugi::xml_node parent, const char* name, const SicdDirecti
   append_text(node, "Sgn", "-1");
   append_number(node, "ImpRespBW", direction.bandwidth_per_m);
   append_number(node, "KCtr", direction.centre_per_m);
-  append_number(node, "DeltaK1", direction.least_per_m);
-  append_number(node, "DeltaK2", direction.most_per_m);
+  append_number(node, "DeltaK1", direction.min_per_m);
+  append_number(node, "DeltaK2", direction.max_per_m);
   append_polynomial(node, "DeltaKCOAPoly", direction.offset_per_m);
   const pugi::xml_node window = append(node, "WgtType");
   append_text(window, "WindowName", direction.window);

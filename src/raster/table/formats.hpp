@@ -67,7 +67,7 @@ struct Format {
   std::vector<std::filesystem::path> (*in_files)(const std::filesystem::path& path) = nullptr;
   FormatPlaces places = {};
   /// The most bytes of a sample of so many A/D bits, where nothing else is asked for; exact but for text.
-  double (*most_sample_bytes)(int bits) = nullptr;
+  double (*max_sample_bytes)(int bits) = nullptr;
   /// Opens a file of it (raster/format/format_reader.hpp).
   OpenedRaster (*open)(core::InputFile file, const Format& format, const RasterHints& hints,
                        Integrity integrity) = nullptr;
@@ -134,6 +134,6 @@ struct Format {
 }
 
 /// What a file of an expected size needs at least: the size of text is an estimate from above.
-[[nodiscard]] double least_bytes(scene::FileFormat format, double expected_bytes);
+[[nodiscard]] double min_bytes(scene::FileFormat format, double expected_bytes);
 
 }  // namespace sarsim::raster

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/table/file_problem.hpp"
@@ -39,9 +40,11 @@ class ImageCheck {
     if (plane.empty()) return {};
     if (plane != "slant range" && plane != "ground grid")
       refuse("image_plane", plane, "'slant range' or 'ground grid'");
-    for (const char* const name : {"azimuth_step_m", "range_step_m", "carrier_hz", "light_speed_mps"})
+    for (const char* const name : {"azimuth_step_m", "range_step_m", "carrier_hz", "speed_mps"})
       if (const auto number = number_of(name); !number || !(*number > 0.0))
         refuse(name, text_of(name), "a number above 0");
+    if (const auto number = number_of("light_speed_mps"); !number || !is_light_speed(*number))
+      refuse("light_speed_mps", text_of("light_speed_mps"), light_speeds);
     for (const char* const name : {"azimuth_first_m", "range_first_m"})
       if (!number_of(name)) refuse(name, text_of(name), "a finite number");
     if (!vector_in(text_of("origin_m"))) refuse("origin_m", text_of("origin_m"), "three numbers, x, y, z");
@@ -90,6 +93,12 @@ class ImageCheck {
 };
 
 }  // namespace
+
+bool is_light_speed(double speed_mps) {
+  constexpr double share = 1e-8;
+  return std::abs(speed_mps - core::exact_light_speed_mps) < share * core::exact_light_speed_mps ||
+         std::abs(speed_mps - core::classic_light_speed_mps) < share * core::classic_light_speed_mps;
+}
 
 core::Problems problems_of_image(const RasterInfo& info, const RasterAxes* axes, const std::string& path) {
   return ImageCheck(info, path).run(axes);

@@ -70,8 +70,8 @@ void Raster::read_rows(std::size_t first, std::size_t count, std::span<std::comp
 }
 
 void Raster::read_whole_rows(std::size_t first, std::size_t count, std::span<std::complex<double>> out) const {
-  constexpr std::size_t most_at_once = std::size_t{1} << 16;
-  const std::size_t at_once = std::clamp<std::size_t>(most_at_once / columns(), 1, count);
+  constexpr std::size_t max_at_once = std::size_t{1} << 16;
+  const std::size_t at_once = std::clamp<std::size_t>(max_at_once / columns(), 1, count);
   std::vector<std::complex<float>> samples(at_once * columns());
   for (std::size_t row = 0; row < count; row += at_once) {
     const std::size_t rows = std::min(at_once, count - row);

@@ -129,9 +129,9 @@ class RowIndex {
 /// Bytes between marks for a file of a size: so few marks that they take some MB at most, so many that a row is found
 /// within some hundred KB.
 [[nodiscard]] inline std::uint64_t mark_spacing(std::uint64_t file_bytes) {
-  constexpr std::uint64_t most_marks = std::uint64_t{1} << 18;
+  constexpr std::uint64_t max_marks = std::uint64_t{1} << 18;
   constexpr std::uint64_t least = std::uint64_t{4} << 10;
-  return std::max(least, file_bytes / most_marks);
+  return std::max(least, file_bytes / max_marks);
 }
 
 }  // namespace sarsim::raster

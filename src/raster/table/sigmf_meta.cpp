@@ -131,8 +131,8 @@ class SigmfReader {
   // What the samples are.
   void take_global(const SigmfJson& global) {
     meta_.datatype = text(global, "core:datatype");
-    constexpr double least_rate_hz = 1e-9;
-    meta_.sample_rate_hz = number(global, "core:sample_rate", least_rate_hz);
+    constexpr double min_rate_hz = 1e-9;
+    meta_.sample_rate_hz = number(global, "core:sample_rate", min_rate_hz);
     if (const auto channels = whole(global, "core:num_channels"); channels && *channels != 1)
       refuse("core:num_channels", "other than 1 is not read", fmt::format("{}", *channels), "1",
              "store each channel as a recording of its own");

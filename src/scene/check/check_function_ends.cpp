@@ -15,9 +15,9 @@ namespace sarsim::scene {
 
 namespace {
 
-constexpr double rounding = 1e-9;           // of the span of a table
-constexpr double noticed_fraction = 1e-3;   // of a pulse's width
-constexpr std::size_t least_bent_path = 3;  // points: through two there is a straight line, which is meant to go on
+constexpr double rounding = 1e-9;          // of the span of a table
+constexpr double noticed_fraction = 1e-3;  // of a pulse's width
+constexpr std::size_t min_bent_path = 3;   // points: through two there is a straight line, which is meant to go on
 
 struct Span {
   double first = 0.0;
@@ -112,7 +112,7 @@ class EndRules {
     std::optional<Outside> worst;
     std::size_t which = 0;
     for (std::size_t part = 0; part < N; ++part) {
-      if (functions.part[part].knots.size() < least_bent_path) continue;
+      if (functions.part[part].knots.size() < min_bent_path) continue;
       const auto found = outside(functions.part[part], used, 0.0);
       if (!found || (worst && found->by <= worst->by)) continue;
       worst = found;
@@ -182,11 +182,11 @@ class EndRules {
   // Points that count in per cent or in microseconds lie beyond the pulse, but for the first few.
   void tell_unmet(std::string_view field, std::string_view what, std::string_view part,
                   const core::SampledFunction& function) {
-    constexpr double most_share = 0.5;
+    constexpr double max_share = 0.5;
     if (function.knots.size() < 2 || !is_sound(function)) return;
     const double first = function.knots.front().x, last = function.knots.back().x;
     const double met = std::max(0.0, std::min(1.0, last) - std::max(0.0, first));
-    if (met >= most_share * (last - first)) return;
+    if (met >= max_share * (last - first)) return;
     const std::string name = part.empty() ? std::string(what) : fmt::format("{} {}", what, part);
     findings_.warning(Consequence::surprise, field,
                       {.message = fmt::format("most of the {} is never met: a pulse lasts from 0 to 1", name),

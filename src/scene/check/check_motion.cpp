@@ -122,12 +122,6 @@ void check_epoch(Findings& findings, const Scene& scene) {
 
 void check_anchor(Findings& findings, const World& world) {
   constexpr double pole_deg = 89.999;
-  if (world.frame == World::Frame::earth && world.latitude.deg() == 0.0 && world.longitude.deg() == 0.0)
-    findings.warning(Consequence::surprise, "latitude",
-                     {.message = "the anchor is at latitude 0 and longitude 0, in the Gulf of Guinea",
-                      .found = {},
-                      .expected = "anchor = { latitude = \"47.2 deg\", longitude = \"11.4 deg\" }",
-                      .hint = "Is it missing?"});
   if (world.frame == World::Frame::earth && std::abs(world.latitude.deg()) > pole_deg)
     findings.warning(Consequence::surprise, "latitude",
                      {.message = "the anchor is at a pole, where east and north follow from its longitude",
@@ -189,7 +183,7 @@ void check_files(Findings& findings, const Platform& platform) {
     not_read("attitude_file", platform.attitude_file);
 }
 
-// What a leg lacks; empty where nothing.
+// What a leg needs to be flown, and is 0; empty where nothing.
 std::string_view lack_of(const Leg& leg) {
   switch (leg.kind) {
     case Leg::Kind::turn: return leg.angle.deg() == 0.0 ? "an angle" : "";
@@ -219,7 +213,7 @@ bool check_legs(Findings& findings, const Platform& platform) {
   for (std::size_t i = 0; i < platform.legs.size(); ++i) {
     const std::string_view lack = lack_of(platform.legs[i]);
     if (lack.empty()) continue;
-    findings.error(entry_of("legs", i), {.message = fmt::format("leg {} lacks {}", i + 1, lack),
+    findings.error(entry_of("legs", i), {.message = fmt::format("leg {}: {} is missing, or 0", i + 1, lack),
                                          .found = {},
                                          .expected = fmt::format("{} that is not 0", lack),
                                          .hint = {}});

@@ -74,16 +74,16 @@ std::vector<std::string_view> NameCheck::candidates() const {
 
 // The names that can be given, or the first few of them.
 std::string NameCheck::expected_name() const {
-  constexpr std::size_t most_listed = 8;
+  constexpr std::size_t max_listed = 8;
   std::string text;
   std::size_t listed = 0;
   for (const std::string_view name : candidates()) {
     if (name.empty() || name.size() > 60) continue;
-    if (++listed > most_listed) break;
+    if (++listed > max_listed) break;
     text += fmt::format("{}{}", listed > 1 ? ", " : "", name);
   }
   if (listed == 0) return fmt::format("the name of a {}", kind_);
-  return fmt::format("the name of a {}: {}{}", kind_, text, listed > most_listed ? ", ..." : "");
+  return fmt::format("the name of a {}: {}{}", kind_, text, listed > max_listed ? ", ..." : "");
 }
 
 void NameCheck::report_unknown(Findings& findings, std::string_view field, std::string_view name) const {

@@ -21,9 +21,9 @@ namespace sarsim::scene {
 
 namespace {
 
-constexpr double least_time_bandwidth = 10.0;  // below it the spectrum of a chirp has no band
-constexpr double most_oversampling = 20.0;
-constexpr double least_oversampling = 1.05;
+constexpr double min_time_bandwidth = 10.0;  // below it the spectrum of a chirp has no band
+constexpr double max_oversampling = 20.0;
+constexpr double min_oversampling = 1.05;
 constexpr double widest_beam_deg = 40.0;
 constexpr double longest_extrapolation = 200.0;  // times the points of a trajectory
 
@@ -67,14 +67,14 @@ void check_time_bandwidth(Findings& findings, const Radar& radar) {
       !(radar.pulse_width_s > 0.0))
     return;
   const double product = std::abs(radar.bandwidth_hz) * radar.pulse_width_s;
-  if (product >= least_time_bandwidth) return;
-  const bool short_unit = 1e3 * product >= least_time_bandwidth;
+  if (product >= min_time_bandwidth) return;
+  const bool short_unit = 1e3 * product >= min_time_bandwidth;
   findings.warning(
       Consequence::surprise, "pulse_width_s",
       {.message = "the time-bandwidth product of the chirp is too small for pulse compression",
        .found = fmt::format("{:.3g}: {} in {}", product, value_text(std::abs(radar.bandwidth_hz), "Hz"),
                             value_text(radar.pulse_width_s, "s")),
-       .expected = fmt::format("{:.0f} or more", least_time_bandwidth),
+       .expected = fmt::format("{:.0f} or more", min_time_bandwidth),
        .hint = short_unit ? fmt::format("Scripts give the pulse width in ns: write {} for {}.",
                                         core::format_number(core::tidy(1e12 * radar.pulse_width_s)),
                                         value_text(1e3 * radar.pulse_width_s, "s"))
@@ -156,14 +156,14 @@ void check_oversampling(Findings& findings, const Simulation& simulation, const 
   const double ratio = simulation.sample_rate_hz / bandwidth_hz;
   const std::string found =
       fmt::format("{}, {:.4g} times the bandwidth", value_text(simulation.sample_rate_hz, "Hz"), ratio);
-  if (ratio > most_oversampling)
+  if (ratio > max_oversampling)
     findings.warning(Consequence::surprise, "sample_rate_hz",
                      {.message = "the sampling frequency is far above the bandwidth of the pulse",
                       .found = found,
                       .expected = fmt::format("about {}", value_text(1.25 * bandwidth_hz, "Hz")),
                       .hint = "Scripts give bandwidths and sampling frequencies in GHz. The file grows with the ratio "
                               "and holds no more information."});
-  else if (ratio < least_oversampling && ratio >= 1.0 - 1e-9)
+  else if (ratio < min_oversampling && ratio >= 1.0 - 1e-9)
     findings.note("sample_rate_hz",
                   {.message = "the sampling frequency hardly exceeds the bandwidth of the pulse: the skirts of its "
                               "spectrum fold, and interpolation in range (focus, measure) is off by a few per cent",

@@ -10,7 +10,7 @@ namespace {
 
 using core::Knot;
 
-constexpr std::size_t most_segments = 1000;
+constexpr std::size_t max_segments = 1000;
 constexpr std::size_t polynomial_points = 6;
 
 // The polynomial through the points next to x (Neville's scheme), minus the first ordinate to spare digits.
@@ -33,14 +33,14 @@ bool cannot_err(const core::SampledFunction& part) {
   return part.knots.size() < 2 || (part.knots.size() == 2 && part.method != core::Interpolation::low_pass);
 }
 
-// Four places in each segment that overlaps the time, in at most `most_segments` evenly chosen ones.
+// Four places in each segment that overlaps the time, in at most `max_segments` evenly chosen ones.
 void add_places(const std::vector<Knot>& knots, double from_s, double to_s, std::vector<double>& places_s) {
   const auto first = std::ranges::lower_bound(knots, from_s, {}, &Knot::x) - knots.begin();
   const auto last = std::ranges::upper_bound(knots, to_s, {}, &Knot::x) - knots.begin();
   const std::size_t begin = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, first));
   const std::size_t end = std::min(knots.size(), static_cast<std::size_t>(last) + 1);
   if (begin >= end) return;
-  const std::size_t step = 1 + (end - begin - 1) / most_segments;
+  const std::size_t step = 1 + (end - begin - 1) / max_segments;
   const auto add = [&](std::size_t i) {
     for (const double share : {0.2, 0.4, 0.6, 0.8}) {
       const double place_s = knots[i - 1].x + share * (knots[i].x - knots[i - 1].x);

@@ -290,7 +290,7 @@ const LetNames* Document::let_names() const { return language() == Language::for
 
 // The expressions of fields whose values an edit changes, but for those that were typed into.
 std::vector<ReplacedExpression> Document::expressions_at_stake(const Edit& edit) const {
-  constexpr std::size_t most_objects = 1000;
+  constexpr std::size_t max_objects = 1000;
   std::vector<ReplacedExpression> found;
   const auto look = [&](std::optional<ObjectId> id, const auto& before, const auto& after) {
     for (auto& [field_id, typed] : typed_fields(id)) {
@@ -303,7 +303,7 @@ std::vector<ReplacedExpression> Document::expressions_at_stake(const Edit& edit)
   };
   const auto replaces = [](const ObjectChange& change) { return change.before && change.after; };
   if (!std::ranges::all_of(edit.changes, replaces)) return found;
-  for (std::size_t i = 0; i < std::min(edit.changes.size(), most_objects); ++i) {
+  for (std::size_t i = 0; i < std::min(edit.changes.size(), max_objects); ++i) {
     const ObjectChange& change = edit.changes[i];
     look(change.id, *change.before, *change.after);
   }

@@ -78,6 +78,21 @@ TEST(DocumentWorld, ComesBeforeTheObjectsWhereTheTextHasNone) {
   EXPECT_EQ(read.targets.size(), 1u);
 }
 
+// Until somebody says where it is.
+TEST(DocumentWorld, WithoutAnAnchorIsWarnedOf) {
+  const auto warned = [](const Document& document) {
+    return std::ranges::any_of(document.problems(), [](const core::Problem& problem) {
+      return problem.message.find("has no anchor") != std::string::npos;
+    });
+  };
+  Document document = Document::from_text("format = \"sarsim 2\"\n\n[[target]]\n");
+  change(document, "frame", "Earth");
+  EXPECT_TRUE(warned(document)) << document.text();
+  change(document, "longitude", "8 deg");
+  EXPECT_FALSE(warned(document)) << document.text();
+  EXPECT_NE(document.text().find("latitude = \"0 deg\""), std::string::npos) << document.text();
+}
+
 TEST(DocumentWorld, LosesItsTableWhereNothingIsLeftToSay) {
   Document document =
       Document::from_text("format = \"sarsim 2\"\n\n[world]\nepoch = \"2024-04-01T00:00:00Z\"\n\n[[target]]\n");

@@ -10,7 +10,7 @@ namespace sarsim::scene {
 namespace {
 
 // Cells of the table of distances that are worth computing; beyond, objects are compared place by place.
-constexpr std::size_t most_cells = 1'000'000;
+constexpr std::size_t max_cells = 1'000'000;
 
 // How one list becomes another, by positions in each.
 struct ListDifference {
@@ -113,7 +113,7 @@ ListDifference list_difference(std::span<const Object> from, std::span<const Obj
   if (cost(plain) <= std::max<std::size_t>(length_difference, 1)) return plain;
   for (std::size_t band = 2;; band *= 2) {
     const std::size_t widest = std::min(band, cost(plain));
-    if ((from.size() + 1) * (2 * widest + length_difference + 1) > most_cells) return plain;
+    if ((from.size() + 1) * (2 * widest + length_difference + 1) > max_cells) return plain;
     const BandedTable table(from, to, widest);
     // A path that leaves the band removes or inserts more than `widest` objects beyond what the lengths ask for.
     if (table.price() <= widest) return table.path();
@@ -125,9 +125,9 @@ template <class Object>
 void append_difference(Edit& edit, ObjectKind kind, const std::vector<Object>& from, const std::vector<Object>& to) {
   const auto [from_stop, to_stop] = std::ranges::mismatch(from, to);
   const auto head = static_cast<std::size_t>(from_stop - from.begin());
-  const std::size_t most_tail = std::min(from.size(), to.size()) - head;
+  const std::size_t max_tail = std::min(from.size(), to.size()) - head;
   std::size_t tail = 0;
-  while (tail < most_tail && from[from.size() - 1 - tail] == to[to.size() - 1 - tail]) ++tail;
+  while (tail < max_tail && from[from.size() - 1 - tail] == to[to.size() - 1 - tail]) ++tail;
   const ListDifference difference = list_difference(std::span(from).subspan(head, from.size() - head - tail),
                                                     std::span(to).subspan(head, to.size() - head - tail));
   for (const auto& [out, in] : difference.replaced)

@@ -18,7 +18,7 @@ namespace {
 
 using namespace function_tables;
 
-constexpr std::size_t most_problems = 20;  // of a file that is refused in any case
+constexpr std::size_t max_problems = 20;  // of a file that is refused in any case
 
 struct Column {
   std::string name;
@@ -61,7 +61,7 @@ class CsvReader {
 
   void add(const TableLine& line, std::string message, std::string_view found, std::string expected_text,
            core::Severity severity = core::Severity::error) {
-    if (problems_.size() >= most_problems) return;
+    if (problems_.size() >= max_problems) return;
     core::Problem problem;
     problem.severity = severity;
     problem.message = std::move(message);

@@ -20,7 +20,7 @@ namespace sarsim::scene {
 
 namespace {
 
-constexpr std::size_t most_line_problems = 100;  // more would only say the same again
+constexpr std::size_t max_line_problems = 100;  // more would only say the same again
 constexpr std::size_t quantities = TargetColumns::quantities;
 
 constexpr std::string_view decibel_name = "rcs_dbsm";
@@ -163,7 +163,7 @@ class Importer {
   }
 
   void add(core::Problem problem) {
-    if (import_.problems.size() < most_line_problems)
+    if (import_.problems.size() < max_line_problems)
       import_.problems.push_back(std::move(problem));
     else
       ++unsaid_;

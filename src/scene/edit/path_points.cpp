@@ -122,7 +122,7 @@ class LegFit {
     auto end = end_of(platform_, leg_ + 1);
     if (!end) return std::nullopt;
     double damping = 1e-3;
-    for (int i = 0; i < most_steps && damping < 1e9; ++i) {
+    for (int i = 0; i < max_steps && damping < 1e9; ++i) {
       const auto next = step(*end, damping);
       const auto next_end = next ? end_of(*next, leg_ + 1) : std::nullopt;
       if (next_end && core::norm(*next_end - to_m_) < core::norm(*end - to_m_)) {
@@ -139,7 +139,7 @@ class LegFit {
   }
 
  private:
-  static constexpr int most_steps = 60;
+  static constexpr int max_steps = 60;
 
   [[nodiscard]] std::optional<Platform> step(const core::Vec3& end, double damping) const {
     std::array<core::Vec3, 3> slope{};

@@ -252,9 +252,9 @@ class TableSplicer {
 
   // The table stays where it is with the first part that keeps its values; the others get tables of their own.
   void write_positions(const ObjectTable& table, Listed objects) {
-    constexpr std::size_t most_parts = 50;  // each copies the table
+    constexpr std::size_t max_parts = 50;  // each copies the table
     const std::vector<ListPart> parts = parts_of(objects);
-    if (parts.size() > most_parts) return write_anew(ObjectKind::target, table, objects);
+    if (parts.size() > max_parts) return write_anew(ObjectKind::target, table, objects);
     const auto stands = [](const ListPart& part) { return !part.is_new; };
     auto main =
         std::ranges::find_if(parts, [&](const ListPart& part) { return stands(part) && part.alike == nullptr; });

@@ -67,7 +67,6 @@ struct EphemerisFile {
   radar::TimeScale scale = radar::TimeScale::utc;
   TimeForm form = TimeForm::civil;
   std::vector<EphemerisSegment> segments;  ///< By time; usable ranges touch at most.
-  bool contradicts = false;                ///< States contradict each other or their velocities; a warning names them.
 };
 
 /// What was read, and what is wrong with it. Where `problems` holds an error, `file` is incomplete.

@@ -223,7 +223,7 @@ std::variant<SpacingChoice, Problem> spacing_for(const MotionPath& path, const S
     return error_problem("no spacing can be chosen", fmt::format("{} s, below {} m", length_s, wish.error_m),
                          "times that ascend, and a limit above 0");
   std::optional<SpacingChoice> tried;
-  const auto most = static_cast<double>(std::min<std::size_t>(wish.most_samples, 1'000'000'000));
+  const auto most = static_cast<double>(std::min<std::size_t>(wish.max_samples, 1'000'000'000));
   for (int step = widest_step(length_s); length_s / spacing_of(step) + 2.0 <= most; --step) {
     const double spacing_s = spacing_of(step);
     const std::vector<double> time_s = sample_times(wish.first_s, wish.last_s, spacing_s);
@@ -240,8 +240,8 @@ std::variant<SpacingChoice, Problem> spacing_for(const MotionPath& path, const S
   return error_problem(
       fmt::format("no spacing keeps the error below {} m", core::format_number(wish.error_m)),
       tried ? fmt::format("{:.3g} m with {} s", tried->error.position_m, core::format_number(tried->spacing_s))
-            : fmt::format("{} samples at most", wish.most_samples),
-      fmt::format("a limit that {} samples and the rounding of coordinates allow", wish.most_samples),
+            : fmt::format("{} samples at most", wish.max_samples),
+      fmt::format("a limit that {} samples and the rounding of coordinates allow", wish.max_samples),
       "choose a larger limit, a shorter time, or another interpolation");
 }
 

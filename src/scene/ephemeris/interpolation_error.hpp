@@ -59,7 +59,7 @@ struct SpacingWish {
   double first_s = 0.0;
   double last_s = 0.0;
   Reconstruction reconstruction = Reconstruction::hermite_degree_7;
-  std::size_t most_samples = 1'000'000;
+  std::size_t max_samples = 1'000'000;
 };
 
 /// A spacing and what it does.
@@ -71,7 +71,7 @@ struct SpacingChoice {
 /// The widest spacing among ..., 0.5, 1, 2, 5, 10, 20, ... s whose largest error is below a limit. Each is tried, from
 /// the widest that has enough samples, with 4 places in an interval, but 4000 in all at least: what lasts less than
 /// 1/4000 of the time may be missed. Calls the path about twice for each of these, in the worst case 12 times
-/// `most_samples`. Refuses a limit that no spacing reaches within that many samples or within the rounding of
+/// `max_samples`. Refuses a limit that no spacing reaches within that many samples or within the rounding of
 /// coordinates, and what `interpolation_error` refuses.
 [[nodiscard]] std::variant<SpacingChoice, core::Problem> spacing_for(const MotionPath& path, const SpacingWish& wish);
 

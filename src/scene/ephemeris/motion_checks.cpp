@@ -18,17 +18,17 @@ namespace {
 using Fault = std::optional<core::Problem>;
 
 constexpr double lowest_height_m = -900.0;  // readers refuse what is 1 km below the surface
-constexpr double most_distant_m = 1e9;
+constexpr double max_distant_m = 1e9;
 constexpr std::size_t longest_name = 200;  // a line of a CCSDS message has 254 characters
 
 bool finite(const core::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 Fault fault_of_place(const core::Vec3& position_m, double time_s, const radar::EarthFrame& earth) {
   const double distance_m = core::norm(earth.ecef_from_world(position_m));
-  if (!(distance_m <= most_distant_m))
+  if (!(distance_m <= max_distant_m))
     return motion_problem(fmt::format("the platform is too far from the Earth at {} s", core::format_number(time_s)),
                           fmt::format("{:.6g} m from its centre", distance_m),
-                          fmt::format("at most {:.0e} m", most_distant_m));
+                          fmt::format("at most {:.0e} m", max_distant_m));
   const double height_m = earth.geodetic_of(position_m).height_m;
   if (!(height_m >= lowest_height_m))
     return motion_problem(fmt::format("the platform is below the ground at {} s", core::format_number(time_s)),
@@ -79,9 +79,9 @@ core::Problem motion_problem(std::string message, std::string found, std::string
 }
 
 Fault fault_of_count(std::size_t count) {
-  if (count > 0 && count <= most_ephemeris_states) return std::nullopt;
+  if (count > 0 && count <= max_ephemeris_states) return std::nullopt;
   return motion_problem(count == 0 ? "there are no samples to write" : "there are too many samples to write",
-                        fmt::format("{} samples", count), fmt::format("1 to {}", most_ephemeris_states),
+                        fmt::format("{} samples", count), fmt::format("1 to {}", max_ephemeris_states),
                         "choose another spacing or other times");
 }
 
@@ -136,10 +136,10 @@ void append_vector(std::string& text, const core::Vec3& v, std::string_view sepa
 
 std::string stamp_of(const radar::Instant& epoch, double time_s) {
   constexpr int fewest_digits = 12;
-  constexpr int most_digits = 15;
+  constexpr int max_digits = 15;
   const radar::Instant instant = radar::later(epoch, time_s);
   std::string text;
-  for (int digits = fewest_digits; digits <= most_digits; ++digits) {
+  for (int digits = fewest_digits; digits <= max_digits; ++digits) {
     text = radar::format_instant(instant, radar::TimeScale::utc, digits);
     const std::optional<radar::Instant> read = radar::parse_instant(text, radar::TimeScale::utc).instant;
     if (read && radar::seconds_between(epoch, *read) == time_s) break;

@@ -29,7 +29,7 @@ class UnitMotions {
   [[nodiscard]] std::vector<double> weights(bool of_velocities, double time_s) const {
     const std::size_t count = order_.size();
     std::vector<double> weights(count * count);
-    std::array<radar::OrbitState, radar::most_polynomial_states> sums;
+    std::array<radar::OrbitState, radar::max_polynomial_states> sums;
     for (std::size_t first = 0; first < count; first += 3) {
       std::vector<Vec3> units(count);
       const std::size_t some = std::min<std::size_t>(3, count - first);

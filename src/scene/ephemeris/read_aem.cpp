@@ -84,7 +84,7 @@ class AemReader {
  private:
   enum class Part { version, header, metadata, between, states };
 
-  bool going_on() const { return !problems_.full() && states_ <= most_ephemeris_states; }
+  bool going_on() const { return !problems_.full() && states_ <= max_ephemeris_states; }
 
   void take(const KvnLine& line) {
     switch (part_) {
@@ -245,8 +245,8 @@ class AemReader {
     state.body_from_reference = {scale * q.w, turn * scale * q.x, turn * scale * q.y, turn * scale * q.z};
     states.push_back(state);
     at_.push_back(time_at);
-    if (++states_ > most_ephemeris_states)
-      problems_.error(time_at, {"the file has too many attitudes", "", fmt::format("at most {}", most_ephemeris_states),
+    if (++states_ > max_ephemeris_states)
+      problems_.error(time_at, {"the file has too many attitudes", "", fmt::format("at most {}", max_ephemeris_states),
                                 "thin them out"});
   }
 

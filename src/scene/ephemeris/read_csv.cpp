@@ -16,8 +16,8 @@ namespace sarsim::scene::ephemeris {
 
 namespace {
 
-constexpr std::size_t most_columns = 7;
-using CsvCells = std::array<std::string_view, most_columns>;
+constexpr std::size_t max_columns = 7;
+using CsvCells = std::array<std::string_view, max_columns>;
 
 char csv_separator(std::string_view line) {
   for (const char c : {';', ','})
@@ -39,7 +39,7 @@ std::size_t split_cells(std::string_view line, char separator, CsvCells& cells) 
 
 // The names that a column may have, without blanks, brackets and quotes.
 bool is_column(std::size_t column, std::string_view name) {
-  constexpr std::array<std::string_view, most_columns> names{"t", "x", "y", "z", "vx", "vy", "vz"};
+  constexpr std::array<std::string_view, max_columns> names{"t", "x", "y", "z", "vx", "vy", "vz"};
   std::string plain;
   for (const char c : name.substr(0, 40))
     if (core::is_digit(c) || (core::lower(c) >= 'a' && core::lower(c) <= 'z') || c == '_' || c == '/')
@@ -116,7 +116,7 @@ class CsvReader {
     if (!form_known_) file_.form = radar::parse_civil(cells_[0]).time ? TimeForm::civil : TimeForm::since_epoch;
     form_known_ = true;
     EphemerisState state;
-    std::array<double, most_columns> values{};
+    std::array<double, max_columns> values{};
     bool good = file_.form == TimeForm::civil
                     ? read_time(cells_[0], "the time of a state", file_.scale, problems_, state.time)
                     : read_number(cells_[0], "the time of a state", "s", 0, problems_, state.since_epoch_s);
@@ -125,9 +125,9 @@ class CsvReader {
     if (good) add(state, values);
   }
 
-  void add(EphemerisState& state, const std::array<double, most_columns>& values) {
+  void add(EphemerisState& state, const std::array<double, max_columns>& values) {
     state.position_m = {values[1], values[2], values[3]};
-    if (columns_ == most_columns) state.velocity_mps = core::Vec3{values[4], values[5], values[6]};
+    if (columns_ == max_columns) state.velocity_mps = core::Vec3{values[4], values[5], values[6]};
     collector_.add(state, cells_[0], cells_[1]);
   }
 

@@ -31,7 +31,7 @@ enum class OrbitFormat : std::uint8_t {
 /// Longest text that the readers take, in bytes.
 inline constexpr std::size_t longest_ephemeris_text = std::size_t{1} << 30U;
 /// Most states that the readers take from one file.
-inline constexpr std::size_t most_ephemeris_states = 10'000'000;
+inline constexpr std::size_t max_ephemeris_states = 10'000'000;
 
 /// The format of a text by its first lines.
 [[nodiscard]] OrbitFormat orbit_format_of(std::string_view text);

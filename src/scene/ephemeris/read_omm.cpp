@@ -40,11 +40,11 @@ bool take_cell(std::string_view& line, bool& more, std::string& cell) {
 }
 
 bool has_more_room(const ReaderInput& input, const MeanElementsFile& file) {
-  constexpr std::size_t most_sets = 1'000'000;
+  constexpr std::size_t max_sets = 1'000'000;
   if (input.problems.full()) return false;
-  if (file.sets.size() <= most_sets) return true;
+  if (file.sets.size() <= max_sets) return true;
   input.problems.error(
-      {}, {"the file has too many sets of elements of one satellite", "", fmt::format("at most {}", most_sets), ""});
+      {}, {"the file has too many sets of elements of one satellite", "", fmt::format("at most {}", max_sets), ""});
   return false;
 }
 

@@ -18,7 +18,7 @@ namespace sarsim::scene::ephemeris {
 namespace {
 
 constexpr std::size_t tle_length = 69;
-constexpr std::size_t most_tle_sets = 1'000'000;
+constexpr std::size_t max_tle_sets = 1'000'000;
 
 // Names are shorter than this, so that a satellite may be called "1 X".
 bool is_element_line(std::string_view line, char number) {
@@ -206,7 +206,7 @@ class TleReader {
   MeanElementsFile read() {
     TextLines lines(input_.text);
     std::string_view line;
-    while (!problems_.full() && file_.sets.size() < most_tle_sets && lines.next(line)) {
+    while (!problems_.full() && file_.sets.size() < max_tle_sets && lines.next(line)) {
       while (!line.empty() && core::is_blank(line.back())) line.remove_suffix(1);
       if (!line.empty() && line.front() != '#') take(line);
     }

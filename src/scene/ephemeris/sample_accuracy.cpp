@@ -20,7 +20,7 @@ namespace {
 using core::Vec3;
 using radar::TimeSpan;
 
-constexpr std::size_t most_intervals = 2000;
+constexpr std::size_t max_intervals = 2000;
 constexpr std::array<double, 3> shares{0.3, 0.5, 0.7};
 
 // Intervals of samples that have a part of a time: those that begin at [first, last).
@@ -44,7 +44,7 @@ Intervals intervals_within(const std::vector<double>& time_s, const TimeSpan& wi
 template <class Look>
 void for_some(const Intervals& intervals, const Look& look) {
   if (intervals.first >= intervals.last) return;
-  const std::size_t step = 1 + (intervals.last - intervals.first - 1) / most_intervals;
+  const std::size_t step = 1 + (intervals.last - intervals.first - 1) / max_intervals;
   for (std::size_t i = intervals.first; i < intervals.last; i += step) look(i);
   if (step > 1) look(intervals.last - 1);
 }
@@ -66,7 +66,10 @@ double error_by_orders(const OrderDifferences& d) {
 
 // The error of a polynomial where there are no more states, by its difference to the one before and the difference of
 // that to the one before it.
-double error_by_last_orders(double last, double before) { return last < before ? last * last / before : last; }
+// @param spread  by how much the product of the distances to the states grew with the last one more than before
+double error_by_last_orders(double last, double before, double spread) {
+  return last * spread < before ? last * last / before * spread : last;
+}
 
 // The polynomials through the first 1, 2, ... of some states at one time, and the noise that they have of these.
 class PolynomialsAt {
@@ -75,6 +78,14 @@ class PolynomialsAt {
                 RepeatedWeights& weights)
       : count_(order.size()), weights_(weights.at(view, order, time_s)) {
     radar::polynomial_sums(view, order, time_s, std::span(sums_).first(count_));
+    for (std::size_t j = 0; j < count_; ++j) offset_s_[j] = view.time_s[order[j]] - time_s;
+  }
+
+  /// How much farther the last state of the polynomial through the first a states is than the one before it; of both,
+  /// where positions and velocities count.
+  [[nodiscard]] double spread(std::size_t a) const {
+    const double farther = std::abs(offset_s_[a - 1] / offset_s_[a - 2]);
+    return weights_.of_velocity.empty() ? farther : farther * farther;
   }
 
   /// Between those through the first a and the first b states.
@@ -101,7 +112,8 @@ class PolynomialsAt {
 
   std::size_t count_;
   const PolynomialWeights& weights_;
-  std::array<radar::OrbitState, radar::most_polynomial_states> sums_;
+  std::array<radar::OrbitState, radar::max_polynomial_states> sums_;
+  std::array<double, radar::max_polynomial_states> offset_s_{};  // of the states from the time
 };
 
 // What the polynomial through the first `used` states loses of a smooth motion. Differences that noise explains say
@@ -117,7 +129,9 @@ double smooth_error(const PolynomialsAt& polynomials, std::size_t more, std::siz
   const double lower = std::max(off(used, fewer), off(used, used - 1));
   const std::size_t between = used + (more - used) / 2;
   if (more > used + 1) return error_by_orders({off(more, used), off(more, between), off(between, used), lower});
-  const double by_last = used > 2 ? error_by_last_orders(off(used, used - 1), off(used - 1, used - 2)) : off(used, 1);
+  const double by_last =
+      used > 2 ? error_by_last_orders(off(used, used - 1), off(used - 1, used - 2), polynomials.spread(used))
+               : off(used, 1);
   if (more == used) return by_last;
   return std::max(by_last, error_by_orders({off(more, used), off(more, used), lower, lower}));
 }
@@ -253,7 +267,7 @@ class AttitudePolynomial {
 
  private:
   [[nodiscard]] Vec3 value(const std::vector<Vec3>& of, const std::vector<std::size_t>& order, double time_s) const {
-    std::array<radar::OrbitState, radar::most_polynomial_states> sums;
+    std::array<radar::OrbitState, radar::max_polynomial_states> sums;
     radar::polynomial_sums({time_s_, of, {}}, order, time_s, std::span(sums).first(order.size()));
     return sums[order.size() - 1].position_m;
   }

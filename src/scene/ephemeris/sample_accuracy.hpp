@@ -27,10 +27,10 @@ struct SampleAccuracy {
 /// noise explains are no loss.
 ///
 /// Within a factor of 2 of the root mean square or the largest of the true errors: of orbits, flights and vibrations at
-/// 8 states a period or more, of states with noise of positions, velocities or both, and of wrong states. Down to 3
-/// states a period within a factor of 3; of long ellipses with velocities and fewer than 11 states around the perigee
-/// up to some hundred times too large. Motion faster than that between positions alone cannot be told from a slower
-/// one, and what is the same in all states, as an offset, is not seen. At most 2000 intervals are examined.
+/// 8 states a period or more, of states with noise of positions, velocities or both, and of wrong states. Of orbits of
+/// any eccentricity with a state every 300 s or less, and of 4 states or more, within a factor of 0.5 to 10. Down to 3
+/// states a period mostly within a factor of 3. Motion faster than that between positions alone cannot be told from a
+/// slower one, and what is the same in all states, as an offset, is not seen. At most 2000 intervals are examined.
 /// @param samples  as `radar::StateTable::from` takes them, sound, and its interpolation
 /// @return         nothing if no interval between two states overlaps the time span
 [[nodiscard]] std::optional<SampleAccuracy> accuracy_between(const radar::StateSamples& samples,

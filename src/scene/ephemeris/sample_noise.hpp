@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/maths/vector.hpp"
@@ -25,11 +26,15 @@ class SampleNoise {
   /// The order of differences that is noise around a sample; nothing where all of them fall: no noise is seen.
   [[nodiscard]] std::optional<std::size_t> order_around(std::size_t sample) const;
 
+  /// Whether the samples around one are off by turns: their highest differences are alike, and point to either side.
+  [[nodiscard]] bool is_by_turns(std::size_t sample) const;
+
   /// The size of the difference of an order around one sample: the noise of one sample, all directions together.
   [[nodiscard]] double size(std::size_t sample, std::size_t order) const;
 
  private:
-  [[nodiscard]] double difference(std::size_t first, std::size_t order) const;
+  [[nodiscard]] core::Vec3 difference(std::size_t first, std::size_t order) const;
+  [[nodiscard]] std::pair<std::size_t, std::size_t> neighbours(std::size_t sample, std::size_t order) const;
   [[nodiscard]] double mean_size(std::size_t sample, std::size_t order) const;
 
   std::span<const double> time_s_;
@@ -42,8 +47,9 @@ struct StateNoise {
   double velocity_mps = 0.0;
 };
 
-/// Estimates what states are off: noise of positions and of velocities, and what `ephemeris::examine_states` calls odd,
-/// which is asked for up to 20 000 states.
+/// Estimates what states are off: noise of positions and of velocities, no more than polynomials through both differ by
+/// where they go through more and more states (but for states that are off by turns), and what
+/// `ephemeris::examine_states` calls odd, which is asked for up to 20 000 states.
 class StateNoises {
  public:
   /// Keeps a view.
@@ -56,7 +62,7 @@ class StateNoises {
  private:
   struct Limits {
     double position_m = 0.0;
-    double velocity_share = 1.0;
+    double velocity_mps = 0.0;
   };
   [[nodiscard]] Limits limits(std::size_t sound) const;
 

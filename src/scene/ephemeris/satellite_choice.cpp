@@ -9,8 +9,8 @@ namespace sarsim::scene::ephemeris {
 
 namespace {
 
-constexpr std::size_t most_listed = 20;
-constexpr std::size_t most_suggested = 1000;
+constexpr std::size_t max_listed = 20;
+constexpr std::size_t max_suggested = 1000;
 
 bool same_number(std::string_view a, std::string_view b) {
   const auto first = core::parse_integer(a);
@@ -28,10 +28,10 @@ bool SatelliteChoice::is_wanted(std::string_view name, std::string_view id) cons
 void SatelliteChoice::remember(std::string_view name, std::string_view id) {
   const std::string key = core::lower_case(id.empty() ? name : id);
   const bool is_new = keys_.insert(key).second;
-  if (is_new && listed_.size() < most_listed)
+  if (is_new && listed_.size() < max_listed)
     listed_.push_back(name.empty() || id.empty() ? core::clipped(name.empty() ? id : name)
                                                  : fmt::format("{} ({})", core::clipped(name), core::clipped(id)));
-  if (is_new && words_.size() + 2 <= most_suggested) {
+  if (is_new && words_.size() + 2 <= max_suggested) {
     words_.push_back(core::clipped(name));
     words_.push_back(core::clipped(id));
   }

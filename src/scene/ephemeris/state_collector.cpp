@@ -51,10 +51,10 @@ EphemerisSegment& StateCollector::begin_segment(std::string_view at) {
 void StateCollector::add(const EphemerisState& state, std::string_view time_at, std::string_view position_at) {
   if (file_.segments.empty()) begin_segment(time_at);
   std::vector<EphemerisState>& states = file_.segments.back().states;
-  if (states_ >= most_ephemeris_states) {
+  if (states_ >= max_ephemeris_states) {
     if (!problems_.again(too_many_))
       too_many_ = problems_.error(time_at, {"the file has too many states", "",
-                                            fmt::format("at most {}", most_ephemeris_states), "thin them out"});
+                                            fmt::format("at most {}", max_ephemeris_states), "thin them out"});
     return;
   }
   check_position(state.position_m, position_at);
@@ -99,13 +99,12 @@ void StateCollector::check_position(const core::Vec3& position_m, std::string_vi
 // Velocities in another unit or of another frame do not fit the positions by a factor that no orbit explains.
 void StateCollector::check_velocity(const EphemerisState& before, const EphemerisState& state, std::string_view at) {
   constexpr double longest_step_s = 600.0;
-  constexpr double least_mps = 100.0;
+  constexpr double min_mps = 100.0;
   const std::optional<double> step = step_s(before, state);
   if (!before.velocity_mps || !state.velocity_mps || !step || *step > longest_step_s || problems_.has_errors()) return;
   const double moved_mps = core::norm(state.position_m - before.position_m) / *step;
   const double speed_mps = 0.5 * (core::norm(*before.velocity_mps) + core::norm(*state.velocity_mps));
-  if (std::max(moved_mps, speed_mps) < least_mps || (speed_mps < 2.0 * moved_mps && moved_mps < 2.0 * speed_mps))
-    return;
+  if (std::max(moved_mps, speed_mps) < min_mps || (speed_mps < 2.0 * moved_mps && moved_mps < 2.0 * speed_mps)) return;
   if (!problems_.again(wrong_speed_))
     wrong_speed_ = problems_.warning(
         at, {"velocities do not fit the positions", fmt::format("a speed of {:.6g} m/s", speed_mps),
@@ -206,7 +205,6 @@ void StateCollector::examine(std::size_t segment) {
   }
   if (velocity_mps.size() != position_m.size()) velocity_mps.clear();
   const StateFindings findings = examine_states({time_s, position_m, velocity_mps});
-  file_.contradicts = file_.contradicts || findings.velocities || !findings.odd.empty();
   if (usual_step_s_ == 0.0) usual_step_s_ = findings.steps.usual_s;
   if (findings.velocities && wrong_speed_ == 0) report_velocities(*findings.velocities, at[findings.velocities->worst]);
   report_odd(findings.odd, one, at);

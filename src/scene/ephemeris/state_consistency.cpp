@@ -13,11 +13,11 @@ using core::Vec3;
 using radar::OrbitState;
 using radar::StateView;
 
-constexpr std::size_t most_compared = 1'000'000;
-constexpr std::size_t most_odd = 20;
-constexpr std::size_t most_searches = 60;
+constexpr std::size_t max_compared = 1'000'000;
+constexpr std::size_t max_odd = 20;
+constexpr std::size_t max_searches = 60;
 constexpr std::size_t no_state = static_cast<std::size_t>(-1);
-constexpr double least_off_m = 5e-3;
+constexpr double min_off_m = 5e-3;
 
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
@@ -48,8 +48,8 @@ class Comparer {
  public:
   explicit Comparer(const StateView& states)
       : states_(states),
-        count_(std::min(states.time_s.size(), most_compared)),
-        most_(states.velocity_mps.empty() ? 8 : 6),
+        count_(std::min(states.time_s.size(), max_compared)),
+        max_(states.velocity_mps.empty() ? 8 : 6),
         fewest_(states.velocity_mps.empty() ? 4 : 3) {}
 
   std::vector<OddState> odd_states() {
@@ -62,9 +62,9 @@ class Comparer {
       all[i] = residual(i, {&odd_});
       off.push_back(std::max(all[i].position_m, all[i].velocity_m));
     }
-    noise_m_ = 8.0 * median(off) + least_off_m;
+    noise_m_ = 8.0 * median(off) + min_off_m;
     std::vector<OddState> found;
-    for (std::size_t search = 0; search < most_searches && found.size() < most_odd; ++search) {
+    for (std::size_t search = 0; search < max_searches && found.size() < max_odd; ++search) {
       const std::size_t worst = worst_of(all, unexplained);
       if (worst == no_state) break;
       const LeftOut culprit = culprit_around(worst);
@@ -96,7 +96,7 @@ class Comparer {
   [[nodiscard]] std::vector<std::size_t> around(std::size_t i, const LeftOut& without) const {
     std::vector<std::size_t> order;
     std::size_t below = i, above = i + 1;
-    while (order.size() < most_ && (below > 0 || above < count_)) {
+    while (order.size() < max_ && (below > 0 || above < count_)) {
       const bool take_below = above >= count_ || (below > 0 && i - below <= above - i - 1);
       const std::size_t next = take_below ? --below : above++;
       if (!without.has(next)) order.push_back(next);
@@ -109,7 +109,7 @@ class Comparer {
     const std::vector<std::size_t> order = around(i, without);
     Residual best;
     if (order.size() < fewest_) return best;
-    std::array<OrbitState, radar::most_polynomial_states> sums;
+    std::array<OrbitState, radar::max_polynomial_states> sums;
     radar::polynomial_sums(states_, order, states_.time_s[i], std::span(sums).first(order.size()));
     const double step_s = 0.25 * std::abs(states_.time_s[order[0]] - states_.time_s[i]);
     const bool moving = !states_.velocity_mps.empty();
@@ -136,7 +136,7 @@ class Comparer {
   // satellites do not.
   [[nodiscard]] bool could_be_flown(std::size_t i, const Residual& r) const {
     constexpr double satellite_mps = 3000.0;
-    constexpr double most_mps2 = 10.0;
+    constexpr double max_mps2 = 10.0;
     const std::size_t before = i > 0 ? i - 1 : 0;
     const std::size_t after = std::min(i + 1, count_ - 1);
     const double length_s = states_.time_s[after] - states_.time_s[before];
@@ -146,7 +146,7 @@ class Comparer {
     // The ends are predicted from one side: a bend there looks like a jump.
     const double step_m = step_s * moved_m / length_s;
     if (i < 3 || i + 3 >= count_) return r.position_m < 5.0 * step_m && r.velocity_mps * step_s < 5.0 * step_m;
-    return std::max(2.0 * r.position_m / (step_s * step_s), r.velocity_mps / step_s) < most_mps2;
+    return std::max(2.0 * r.position_m / (step_s * step_s), r.velocity_mps / step_s) < max_mps2;
   }
 
   // Above 1 where a state does not fit.
@@ -158,12 +158,12 @@ class Comparer {
 
   [[nodiscard]] std::size_t worst_of(const std::vector<Residual>& all, const std::vector<char>& unexplained) const {
     std::size_t worst = no_state;
-    double most_m = 0.0;
+    double max_m = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
       const double off_m = std::max(all[i].position_m, all[i].velocity_m);
-      if (odd_[i] != 0 || unexplained[i] != 0 || !(off_m > most_m) || !(excess(all[i]) > 1.0)) continue;
+      if (odd_[i] != 0 || unexplained[i] != 0 || !(off_m > max_m) || !(excess(all[i]) > 1.0)) continue;
       worst = i;
-      most_m = off_m;
+      max_m = off_m;
     }
     return worst;
   }
@@ -207,14 +207,14 @@ class Comparer {
 
   const StateView& states_;
   std::size_t count_;
-  std::size_t most_;
+  std::size_t max_;
   std::size_t fewest_;
   std::vector<char> odd_;
-  double noise_m_ = least_off_m;
+  double noise_m_ = min_off_m;
 };
 
 std::optional<VelocityMismatch> mismatch_of(const StateView& states) {
-  const std::size_t count = std::min(states.time_s.size(), most_compared);
+  const std::size_t count = std::min(states.time_s.size(), max_compared);
   if (states.velocity_mps.empty() || count < 5) return std::nullopt;
   const StateView positions{states.time_s, states.position_m, {}};
   double moved_m = 0.0, together = 0.0, apart = 0.0;
@@ -224,7 +224,7 @@ std::optional<VelocityMismatch> mismatch_of(const StateView& states) {
   const std::size_t compared = count - 4;
   for (std::size_t i = 2; i + 2 < count; ++i) {
     const std::vector<std::size_t> order = radar::neighbours_of(i, i > 2 ? i - 3 : 0, std::min(count, i + 4), 7);
-    std::array<OrbitState, radar::most_polynomial_states> sums;
+    std::array<OrbitState, radar::max_polynomial_states> sums;
     radar::polynomial_sums(positions, order, states.time_s[i], std::span(sums).first(order.size()));
     const Vec3& slope = sums[order.size() - 1].velocity_mps;
     const Vec3 difference = states.velocity_mps[i] - slope;
@@ -238,7 +238,7 @@ std::optional<VelocityMismatch> mismatch_of(const StateView& states) {
     if (one > worst.off_mps) worst = {i, one, core::norm(states.velocity_mps[i]), core::norm(slope)};
   }
   const bool one_way = compared < 3 || together > 0.5 * apart;
-  const bool large = 2 * wrong > compared && moved_m > least_off_m * static_cast<double>(compared);
+  const bool large = 2 * wrong > compared && moved_m > min_off_m * static_cast<double>(compared);
   return one_way && large ? std::optional(worst) : std::nullopt;
 }
 
@@ -253,15 +253,15 @@ SampleSteps steps_of(std::span<const double> time_s) {
   steps.usual_s = median(steps_s);
   const auto is_usual = [&](double step_s) { return std::abs(step_s - steps.usual_s) <= 0.01 * steps.usual_s; };
   const auto equal = static_cast<std::size_t>(std::ranges::count_if(steps_s, is_usual));
-  double most_s = 1.9 * steps.usual_s;
+  double max_s = 1.9 * steps.usual_s;
   if (equal * 10 < steps_s.size() * 8) {
     std::vector<double> sorted = steps_s;
     const auto ninth = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() * 9 / 10);
     std::ranges::nth_element(sorted, ninth);
-    most_s = std::max(4.0 * steps.usual_s, 3.0 * *ninth);
+    max_s = std::max(4.0 * steps.usual_s, 3.0 * *ninth);
   }
   for (std::size_t i = 0; i < steps_s.size(); ++i)
-    if (steps_s[i] > most_s) steps.gaps.push_back({i, steps_s[i]});
+    if (steps_s[i] > max_s) steps.gaps.push_back({i, steps_s[i]});
   return steps;
 }
 

@@ -305,8 +305,8 @@ SearchText search_text(const Found& found) {
 
 // All that has to do with some words; nothing where nothing has.
 std::optional<Explanation> searched(const std::string& words) {
-  constexpr std::size_t most_lines = 24;
-  constexpr std::size_t most_pages = 12;
+  constexpr std::size_t max_lines = 24;
+  constexpr std::size_t max_pages = 12;
   const std::vector<Found> paths = every_path();
   std::vector<SearchText> texts;
   for (const Found& found : paths) texts.push_back(search_text(found));
@@ -315,11 +315,11 @@ std::optional<Explanation> searched(const std::string& words) {
   for (const std::size_t i : best_matches(words, texts)) {
     const ExplanationLine line = line_of(paths[i]);
     const auto same = [&](const ExplanationLine& one) { return one.name == line.name; };
-    if (explanation.lines.size() < most_lines && std::ranges::none_of(explanation.lines, same))
+    if (explanation.lines.size() < max_lines && std::ranges::none_of(explanation.lines, same))
       explanation.lines.push_back(line);
   }
   explanation.pages = headings_with(words);
-  if (explanation.pages.size() > most_pages) explanation.pages.resize(most_pages);
+  if (explanation.pages.size() > max_pages) explanation.pages.resize(max_pages);
   const TradeWord* const meant = trade_word(words, {});
   if (explanation.lines.empty() && explanation.pages.empty() && meant == nullptr) return std::nullopt;
   explanation.meaning = meant != nullptr ? said_of(words, *meant) : "No field is called so. What has to do with it:";

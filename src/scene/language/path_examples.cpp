@@ -93,6 +93,14 @@ Node& node_at(Node& root, std::string_view path) {
   return dot == std::string_view::npos ? *found : node_at(*found, path.substr(dot + 1));
 }
 
+// What a path is set to; empty where it is not set.
+std::string_view text_at(const Node& root, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  const auto found = std::ranges::find(root.below, path.substr(0, dot), &Node::key);
+  if (found == root.below.end()) return {};
+  return dot == std::string_view::npos ? std::string_view(found->text) : text_at(*found, path.substr(dot + 1));
+}
+
 std::string inline_text(const Node& node) {
   if (node.below.empty()) return node.text;
   if (node.below.size() == 1 && node.below.front().key == "type") return node.below.front().text;
@@ -140,7 +148,8 @@ void set_needed(Node& root, const PlainTable& table) {
   for (const PathFacts& facts : paths_of(table)) {
     if (!facts.spec().needed) continue;
     const auto is_set = [&](const Dependence& on) {
-      const std::string text = node_at(root, word_path(table, on.choice)).text;
+      const std::string path = word_path(table, on.choice);
+      const std::string_view text = text_at(root, path);
       return std::ranges::any_of(on.words, [&](const std::string& word) { return in_quotes(word) == text; });
     };
     if (std::ranges::all_of(dependences(table, facts), is_set)) set(root, facts.path, example_value(facts));

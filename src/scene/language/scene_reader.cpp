@@ -75,6 +75,20 @@ class SceneReader {
       if (text.kind == "world") read_singles(source, lines, text);
   }
 
+  /// Warns of an anchor on the Earth that the texts leave out; one that is said may be anywhere.
+  void warn_of_anchor() {
+    if (scene_.world.frame != World::Frame::earth || (says_latitude_ && says_longitude_)) return;
+    const bool neither = !says_latitude_ && !says_longitude_;
+    core::Problem problem = core::problem_of(
+        core::Severity::warning,
+        neither ? "the world has no anchor: it lies at latitude 0 and longitude 0"
+                : fmt::format("the anchor has no {0}: it lies at {0} 0", says_latitude_ ? "longitude" : "latitude"),
+        {}, "anchor = { latitude = \"47.2 deg\", longitude = \"11.4 deg\" }", "write both, even where they are 0");
+    problem.subject = {"world", 0, "latitude"};
+    problem.place = reading_.places.find({"world", 0, neither ? "frame" : says_latitude_ ? "latitude" : "longitude"});
+    reading_.log.add(std::move(problem));
+  }
+
   /// What the places of the texts are turned into positions by.
   void set_earth() {
     const World& world = scene_.world;
@@ -204,6 +218,10 @@ class SceneReader {
                     fmt::format("[{}]", single.header), "write single brackets"});
     reader.note_place("", text.header);
     reader.read(scene_.*single.member);
+    if constexpr (std::is_same_v<Table, World>) {
+      says_latitude_ = says_latitude_ || text.find("anchor.latitude") != nullptr;
+      says_longitude_ = says_longitude_ || text.find("anchor.longitude") != nullptr;
+    }
     reader.finish(paths_of_single<Table>());
   }
 
@@ -269,17 +287,17 @@ class SceneReader {
                            "[[x, y, z], [x, y, z], ...] or { file = \"FILE\" }"});
     toml::Elements rows(source.text, positions.value);
     const std::size_t before = scene_.targets.size();
-    constexpr std::size_t most_points = 10'000'000;
+    constexpr std::size_t max_points = 10'000'000;
     const std::size_t points_each = alike.traits->gain_db.part[0].knots.size();
     while (const auto row = rows.next()) {
       if (reading_.log.full()) return;
       if (scene_.targets.size() == scene_.targets.capacity())
         make_room(row->value.span.begin, positions.value.span, scene_.targets.size() - before);
-      if ((scene_.targets.size() - before) * points_each > most_points)
-        return reader.error(positions.key, spec.id,
-                            {"these targets are too many for a reflectivity of so many points", "",
-                             fmt::format("up to {} points in all", most_points),
-                             "put the positions into a file, or give fewer points"});
+      if ((scene_.targets.size() - before) * points_each > max_points)
+        return reader.error(
+            positions.key, spec.id,
+            {"these targets are too many for a reflectivity of so many points", "",
+             fmt::format("up to {} points in all", max_points), "put the positions into a file, or give fewer points"});
       ObjectReader one(reading_, source, lines, text, "target", scene_.targets.size());
       one.note_place("", row->value.span);
       scene_.targets.push_back(alike);
@@ -291,6 +309,8 @@ class SceneReader {
 
   Reading& reading_;
   Scene& scene_;
+  bool says_latitude_ = false;  // Of the anchor, in any text.
+  bool says_longitude_ = false;
 };
 
 // References by exact name: what only begins alike, or differs in case, is not meant.
@@ -401,6 +421,7 @@ ScriptReading read_format_2(std::string_view text, const std::string& file_name,
   Scene scene;
   SceneReader reader(reading, scene);
   for (const Source& source : sources.sources) reader.read_worlds(source);
+  reader.warn_of_anchor();
   reader.set_earth();
   for (const Source& source : sources.sources) reader.read(source);
   core::Problems of_names = References(scene, reading).take();

@@ -250,6 +250,28 @@ TEST(Format2, UnlikelyNumbersAreRemarkedOn) {
   EXPECT_THAT(complaints("[[radar]]\ncarrier = \"5.3 Hz\"\n"), testing::Not(HasSubstr("is a unit missing?")));
 }
 
+// Where there is one, it may be anywhere: in the Gulf of Guinea, too.
+TEST(Format2, AWorldWithoutAnAnchorIsWarnedOf) {
+  const std::string earth = "[world]\nframe = \"earth\"\n";
+  EXPECT_THAT(complaints(earth), testing::StartsWith("scene.toml:3:9: warning: the world has no anchor: it lies at "
+                                                     "latitude 0 and longitude 0; expected anchor = { latitude"));
+  EXPECT_THAT(complaints(earth + "anchor = { height = \"10 m\" }\n"), HasSubstr("the world has no anchor"));
+  EXPECT_THAT(complaints(earth + "anchor = { latitude = 0 }\n"),
+              HasSubstr("anchor has no longitude: it lies at longitude 0"));
+  EXPECT_THAT(complaints(earth + "anchor.longitude = 0\n"), HasSubstr("anchor has no latitude: it lies at latitude 0"));
+  EXPECT_EQ(complaints(earth + "anchor = { latitude = 0, longitude = 0 }\n"), "");
+  EXPECT_EQ(complaints(earth + "[world.anchor]\nlatitude = \"0 deg\"\nlongitude = \"0 deg\"\n"), "");
+  EXPECT_EQ(complaints("[world]\nepoch = \"2024-04-01T00:00:00Z\"\n"), "");
+}
+
+// What is written says the anchor, so that reading it again is no surprise.
+TEST(Format2, AnAnchorAtZeroIsWritten) {
+  const Scene scene = sound("[world]\nframe = \"earth\"\nanchor = { latitude = 0, longitude = 0 }\n");
+  const std::string written = write_format_2(scene);
+  EXPECT_THAT(written, HasSubstr("anchor = { latitude = \"0 deg\", longitude = \"0 deg\" }"));
+  EXPECT_TRUE(read_format_2(written, "scene.toml", {}).problems.empty());
+}
+
 TEST(Format2, TheWorldInOtherLettersIsTheWorld) {
   const std::string text = mark + "[[platform]]\nname = \"EARTH\"\n[[target]]\nplatform = \"EARTH\"\n[[target]]\n";
   const ScriptReading reading = read_format_2(text, "scene.toml", {});

@@ -320,8 +320,15 @@ std::vector<Said> said_of(const Atmosphere& atmosphere, std::span<const SaidFiel
   return nodes_of_object(atmosphere, Saying::differences, also);
 }
 
+// An anchor that nobody has said stays so, and is warned of.
 std::vector<Said> said_of(const World& world, std::span<const SaidField> also) {
-  return nodes_of_object(world, Saying::differences, also);
+  std::vector<Said> nodes = nodes_of_object(world, Saying::differences, also);
+  if (!(world.latitude == World{}.latitude && world.longitude == World{}.longitude) || !also.empty()) return nodes;
+  const auto anchor = std::ranges::find(nodes, "anchor", &Said::key);
+  if (anchor == nodes.end()) return nodes;
+  std::erase_if(anchor->below, [](const Said& said) { return said.key == "latitude" || said.key == "longitude"; });
+  if (anchor->below.empty()) nodes.erase(anchor);
+  return nodes;
 }
 
 std::string said_value(const FieldSpec& field, const FieldValue& value, std::span<const SaidField> words) {

@@ -148,16 +148,16 @@ class Taking {
       } else if (!taken_.insert(data.path).second) {
         reader.error(element->value.span,
                      {"a file is included twice, or includes itself", wanted, "", "remove one of them"});
-      } else if (taken_.size() > most_files) {
+      } else if (taken_.size() > max_files) {
         return reader.error(element->value.span,
-                            {"too many files are included", "", fmt::format("up to {}", most_files)});
+                            {"too many files are included", "", fmt::format("up to {}", max_files)});
       } else {
         take(sources_.texts.emplace_back(data.text), data.path, wanted);
       }
     }
   }
 
-  static constexpr std::size_t most_files = 100;
+  static constexpr std::size_t max_files = 100;
 
   Reading& reading_;
   Sources& sources_;

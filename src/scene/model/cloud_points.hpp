@@ -18,8 +18,8 @@ struct CloudPoints {
   radar::PointArrays arrays;
   bool own_rcs = false;   ///< The table has cross-sections; else all points have `rcs_m2`.
   double rcs_m2 = 1.0;    ///< Of the cloud when the table was read.
-  core::Vec3 least_m;     ///< Corner of the box around all points ...
-  core::Vec3 most_m;      ///< ... and the opposite one.
+  core::Vec3 min_m;       ///< Corner of the box around all points ...
+  core::Vec3 max_m;       ///< ... and the opposite one.
   std::string file;       ///< Name by which the cloud meant the table.
   std::uint64_t sum = 0;  ///< XXH64 of the file's bytes.
   std::optional<radar::Anchor>

@@ -24,7 +24,7 @@ struct ReadPath {
   radar::TimeSpan usable;                ///< Times for which the states may be used.
   std::string made_of;                   ///< What it was made of: another file, satellite, world or time makes it anew.
   std::string description;               ///< For people: "a Sentinel-1 orbit file, 17 states, 10 s apart, in ITRF".
-  std::optional<ReadAccuracy> accuracy;  ///< Nothing if states are computed, or contradict each other.
+  std::optional<ReadAccuracy> accuracy;  ///< Nothing if states are computed.
   core::Problems remarks;                ///< Warnings and notes from reading the file.
 };
 

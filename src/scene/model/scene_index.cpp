@@ -67,12 +67,12 @@ std::vector<std::size_t> NameTable::sharing_prefix(std::string_view name, std::s
 }
 
 std::string NameTable::candidates(std::string_view name) const {
-  constexpr std::size_t most_listed = 8;
-  const std::vector<std::size_t> alike = sharing_prefix(name, most_listed + 1);
+  constexpr std::size_t max_listed = 8;
+  const std::vector<std::size_t> alike = sharing_prefix(name, max_listed + 1);
   std::string text;
-  for (std::size_t i = 0; i < std::min(alike.size(), most_listed); ++i)
+  for (std::size_t i = 0; i < std::min(alike.size(), max_listed); ++i)
     text += fmt::format("{}{}", i > 0 ? ", " : "", names_[alike[i]]);
-  return alike.size() > most_listed ? text + ", ..." : text;
+  return alike.size() > max_listed ? text + ", ..." : text;
 }
 
 SceneIndex::SceneIndex(const Scene& scene)

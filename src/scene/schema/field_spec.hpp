@@ -120,7 +120,8 @@ struct FieldSpec {
   std::string_view tip = {};             ///< Meaning and formula in a sentence or two.
   std::string_view detail = {};          ///< More about it for the comment beside a written value.
   bool rare = false;                     ///< Shown a level down.
-  bool needed = false;                   ///< Of an entry of a list: has no default, it has to be said.
+  bool needed = false;                   ///< Of an entry of a list: has no default, it has to be said. Of the world: a
+                                         ///< reader warns where it is not said.
 
   // What the table adds.
   std::string_view group = {};

@@ -14,7 +14,7 @@ namespace sarsim::scene {
 namespace {
 
 constexpr std::string_view blanks = " \t\r";
-constexpr std::size_t most_cells = std::size_t{1} << 16U;  // No table has more columns; what follows is one cell.
+constexpr std::size_t max_cells = std::size_t{1} << 16U;  // No table has more columns; what follows is one cell.
 
 std::string_view unquoted(std::string_view cell) {
   cell = core::trimmed(cell);
@@ -53,7 +53,7 @@ void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
   const std::string_view separators = separators_of(line);
   if (separators != blanks) {
     std::size_t start = 0;
-    for (std::size_t end = cell_end(line, start, separators); end < line.size() && cells.size() < most_cells;
+    for (std::size_t end = cell_end(line, start, separators); end < line.size() && cells.size() < max_cells;
          end = cell_end(line, start, separators)) {
       cells.push_back(unquoted(line.substr(start, end - start)));
       start = end + 1;
@@ -63,7 +63,7 @@ void find_cells(std::string_view line, std::vector<std::string_view>& cells) {
     return;
   }
   for (std::size_t start = line.find_first_not_of(blanks);
-       start != std::string_view::npos && cells.size() < most_cells;) {
+       start != std::string_view::npos && cells.size() < max_cells;) {
     const std::size_t end = cell_end(line, start, blanks);
     cells.push_back(unquoted(line.substr(start, end - start)));
     start = line.find_first_not_of(blanks, end);

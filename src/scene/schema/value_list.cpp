@@ -62,7 +62,7 @@ std::string decimal(double value) {
 // Reads the values of one field.
 class Reader {
  public:
-  Reader(const Field& field, std::size_t most) : field_(field), most_(most) {}
+  Reader(const Field& field, std::size_t most) : field_(field), max_(most) {}
 
   ValueList read(std::string_view text) {
     const auto items = split(text);
@@ -92,11 +92,11 @@ class Reader {
   }
 
   std::string too_many(std::string_view item) const {
-    return fmt::format("'{}' would be more than {} values", core::clipped(item), most_);
+    return fmt::format("'{}' would be more than {} values", core::clipped(item), max_);
   }
 
   std::string add(std::string text) {
-    if (texts_.size() >= most_) return too_many(text);
+    if (texts_.size() >= max_) return too_many(text);
     texts_.push_back(std::move(text));
     return {};
   }
@@ -134,7 +134,7 @@ class Reader {
     if (const std::string text = std::to_string(*from) + last.unit; field_.id != "seed")
       if (std::string failure = read_quantity(text, field_.quantity).failure; !failure.empty()) return failure;
     const std::uint64_t steps = static_cast<std::uint64_t>(*to) - static_cast<std::uint64_t>(*from);
-    if (steps >= most_ - texts_.size()) return too_many(item);
+    if (steps >= max_ - texts_.size()) return too_many(item);
     for (std::uint64_t i = 0; i <= steps; ++i)
       texts_.push_back(std::to_string(static_cast<std::int64_t>(static_cast<std::uint64_t>(*from) + i)) + last.unit);
     return {};
@@ -196,7 +196,7 @@ class Reader {
     if (step == 0.0) return fmt::format("'{}' has a step of zero", core::clipped(item));
     const double steps = std::floor((end - start) / step + rounding);
     if (steps < 0.0) return fmt::format("'{}' never reaches its end: the step leads away from it", core::clipped(item));
-    if (!(steps < static_cast<double>(most_ - std::min(most_, texts_.size())))) return too_many(item);
+    if (!(steps < static_cast<double>(max_ - std::min(max_, texts_.size())))) return too_many(item);
     const auto last = static_cast<std::size_t>(steps);
     for (std::size_t i = 0; i <= last; ++i) {
       const double value = start + static_cast<double>(i) * step;
@@ -207,7 +207,7 @@ class Reader {
   }
 
   const Field& field_;
-  std::size_t most_;
+  std::size_t max_;
   std::string unit_;
   std::vector<std::string> texts_;
 };

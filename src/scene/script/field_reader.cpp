@@ -165,10 +165,10 @@ void FieldReader::vector(const Field& field, core::Vec3& value) {
 }
 
 void FieldReader::choice(const FieldSpec& spec, const Field& field, FieldValue& value) {
-  constexpr std::size_t most_words = 16;
-  if (spec.choices.size() > most_words) throw std::logic_error("a field has more choices than the reader looks at");
-  std::array<std::string_view, most_words> words;
-  std::array<int, most_words> values{};
+  constexpr std::size_t max_words = 16;
+  if (spec.choices.size() > max_words) throw std::logic_error("a field has more choices than the reader looks at");
+  std::array<std::string_view, max_words> words;
+  std::array<int, max_words> values{};
   std::size_t count = 0;
   for (const Choice& one : spec.choices) {
     if (one.since_2()) continue;

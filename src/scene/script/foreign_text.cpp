@@ -209,11 +209,11 @@ std::string guess_of_text(std::string_view content) {
     return "JSON";
   if (is_table(lines, ',') || is_table(lines, ';')) return "a table of numbers (CSV)";
   if (is_table(lines, '\t') || is_table(lines, ' ')) return "a table of numbers";
-  constexpr double most_lines = 0.8;
+  constexpr double max_lines = 0.8;
   std::vector<std::string_view> bare;
   std::ranges::copy_if(lines, std::back_inserter(bare), [](std::string_view line) { return !line.starts_with('#'); });
   const bool yaml = lines.front() == "---" || lines.front().starts_with("%YAML") ||
-                    (!bare.empty() && share_of(bare, is_yaml_line) >= most_lines);
+                    (!bare.empty() && share_of(bare, is_yaml_line) >= max_lines);
   if (yaml) return "YAML";
   const bool sections = std::ranges::any_of(lines, [](std::string_view line) {
     return line.starts_with('[') && line.ends_with(']') && !line.starts_with("[[");

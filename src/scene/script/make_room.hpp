@@ -17,8 +17,8 @@ void make_room(std::vector<T>& list, std::size_t more, double share) {
   // many are believed little, a fiftieth of the whole is.
   constexpr double believed_share = 0.02;
   constexpr double slack = 1.02;
-  const double most_ahead = share < believed_share ? 8.0 : slack / believed_share;
-  const double ahead = std::clamp(slack / share, 1.0, most_ahead);
+  const double max_ahead = share < believed_share ? 8.0 : slack / believed_share;
+  const double ahead = std::clamp(slack / share, 1.0, max_ahead);
   const auto estimate = share < 1.0 ? static_cast<std::size_t>(static_cast<double>(needed) * ahead) : needed;
   list.reserve(std::max(estimate, list.capacity() + list.capacity() / 2));
 }

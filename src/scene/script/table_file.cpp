@@ -22,7 +22,7 @@ namespace sarsim::scene {
 
 namespace {
 
-constexpr std::size_t most_table_problems = 20;
+constexpr std::size_t max_table_problems = 20;
 
 core::Problem table_problem(const std::string& file, std::size_t line, std::string message, std::string found = {},
                             std::string expected = {}, std::string hint = {}) {
@@ -122,7 +122,7 @@ class TableFunctions {
   }
 
   void add(std::size_t part, double x, double y, std::size_t row) {
-    if (reading_.problems.size() >= most_table_problems) return;
+    if (reading_.problems.size() >= max_table_problems) return;
     std::vector<core::Knot>& knots = reading_.functions[part];
     const auto fail = [&](std::string message, double found, std::string expected, std::string hint = {}) {
       reading_.problems.push_back(table_problem(file_, 0, fmt::format("row {}: {}", row + 1, message),

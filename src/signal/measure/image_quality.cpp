@@ -290,7 +290,7 @@ LogPower log_power_at(const Chip& chip, double u, double v) {
 // Newton's step where the logarithm is concave, no longer than what would gain so much of it; else a quarter of a
 // sample uphill.
 std::pair<double, double> step_of(const LogPower& at) {
-  constexpr double most_gain = 0.5;  // nepers of power in the quadratic model: within a main lobe
+  constexpr double max_gain = 0.5;  // nepers of power in the quadratic model: within a main lobe
   if (!at.concave()) {
     const double slope = std::hypot(at.pu, at.pv);
     return slope > 0.0 ? std::pair(0.25 * at.pu / slope, 0.25 * at.pv / slope) : std::pair(0.0, 0.0);
@@ -298,7 +298,7 @@ std::pair<double, double> step_of(const LogPower& at) {
   const double du = -(at.pvv * at.pu - at.puv * at.pv) / at.determinant();
   const double dv = -(at.puu * at.pv - at.puv * at.pu) / at.determinant();
   const double gain = at.pu * du + at.pv * dv;
-  const double part = gain > most_gain ? std::sqrt(most_gain / gain) : 1.0;
+  const double part = gain > max_gain ? std::sqrt(max_gain / gain) : 1.0;
   return {part * du, part * dv};
 }
 
@@ -307,11 +307,11 @@ std::pair<double, double> step_of(const LogPower& at) {
 // squints, the main lobe is a ridge across rows and columns, along which the power changes little from one sample to
 // the next.
 Peak peak_of(const Chip& chip) {
-  constexpr int most_steps = 60;
+  constexpr int max_steps = 60;
   const double room = static_cast<double>(chip.size()) / 4.0;
   Peak peak;
   LogPower here = log_power_at(chip, 0.0, 0.0);
-  for (int iteration = 0; iteration < most_steps && here.power() > 0.0; ++iteration) {
+  for (int iteration = 0; iteration < max_steps && here.power() > 0.0; ++iteration) {
     auto [du, dv] = step_of(here);
     LogPower next = here;
     for (int halving = 0; halving < 8; ++halving) {

@@ -11,7 +11,7 @@ namespace sarsim::signal {
 
 namespace {
 
-constexpr std::size_t most_along = 65;
+constexpr std::size_t max_along = 65;
 
 struct Stretch {
   std::size_t begin = 0;
@@ -29,7 +29,7 @@ Stretch stretch_of(const ImageAxis& axis, double place_m, double half_m) {
   return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
 }
 
-std::size_t step_of(const Stretch& stretch) { return 1 + (stretch.end - stretch.begin - 1) / most_along; }
+std::size_t step_of(const Stretch& stretch) { return 1 + (stretch.end - stretch.begin - 1) / max_along; }
 
 }  // namespace
 

@@ -124,12 +124,12 @@ SampledResponse theoretical_response(const SarWindow& window, double time_bandwi
   CORE_EXPECT(time_bandwidth >= 0.0);
   CORE_EXPECT(sampling >= 0.0);
   // Memory must not grow with what a scene asks for; beyond these the figures change by less than 1e-4.
-  constexpr double most_time_bandwidth = 32768.0;
-  constexpr double most_sampling = 64.0;
+  constexpr double max_time_bandwidth = 32768.0;
+  constexpr double max_sampling = 64.0;
   const bool chirp = time_bandwidth > 0.0;
-  time_bandwidth = std::min(time_bandwidth, most_time_bandwidth);
+  time_bandwidth = std::min(time_bandwidth, max_time_bandwidth);
   // Samples to the inverse bandwidth.
-  double per_lag = chirp && sampling > 0.0 ? std::min(sampling, most_sampling) : 16.0;
+  double per_lag = chirp && sampling > 0.0 ? std::min(sampling, max_sampling) : 16.0;
   const double sampled_band = per_lag;
   const bool cut = beyond == BeyondSampling::lost && chirp && per_lag < 16.0;
   if (cut) per_lag = 16.0;

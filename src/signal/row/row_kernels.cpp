@@ -156,10 +156,10 @@ HWY_INLINE RowVec risen(RowVec x) {
 }
 
 HWY_INLINE RowVec weight_of_rows(RowVec sine, RowVec weight, const DopplerWeights& w) {
-  constexpr float least_edge = 1e-30F;
+  constexpr float min_edge = 1e-30F;
   const RowTag d;
-  const RowVec above = hn::Mul(hn::Sub(sine, hn::Set(d, w.low)), hn::Set(d, 1.0F / std::max(w.low_edge, least_edge)));
-  const RowVec below = hn::Mul(hn::Sub(hn::Set(d, w.high), sine), hn::Set(d, 1.0F / std::max(w.high_edge, least_edge)));
+  const RowVec above = hn::Mul(hn::Sub(sine, hn::Set(d, w.low)), hn::Set(d, 1.0F / std::max(w.low_edge, min_edge)));
+  const RowVec below = hn::Mul(hn::Sub(hn::Set(d, w.high), sine), hn::Set(d, 1.0F / std::max(w.high_edge, min_edge)));
   const RowVec within = hn::Min(above, below);
   const RowVec x = hn::Min(hn::Max(within, hn::Zero(d)), hn::Set(d, 1.0F));
   const auto all = hn::Ge(within, hn::Set(d, 1.0F));

@@ -34,7 +34,7 @@ SmoothPieces smooth_pieces(std::span<const double> knots, double tolerance, Left
   // Largest |(u + 1) u (u - 1) (u - 2)|/4! for u from 0 to 1.
   constexpr double of_fourth_difference = 9.0 / 384.0;
   // Beyond it the terms of a cubic are too large for floats.
-  constexpr double most_bent = 16.0;
+  constexpr double max_bent = 16.0;
   const std::size_t count = knots.size() - knots_for(0);
   SmoothPieces pieces;
   pieces.cubics.reserve(count);
@@ -44,7 +44,7 @@ SmoothPieces smooth_pieces(std::span<const double> knots, double tolerance, Left
     const double worst = std::max(std::abs(fourth_difference(at)), std::abs(fourth_difference(at + 1)));
     ExactCubic cubic(at + 1);
     const bool smooth =
-        worst * of_fourth_difference <= tolerance && std::abs(cubic.c2) * per_piece * per_piece <= most_bent;
+        worst * of_fourth_difference <= tolerance && std::abs(cubic.c2) * per_piece * per_piece <= max_bent;
     if (!smooth) {
       pieces.rough.push_back(p);
       cubic.c0 = cubic.c1 = cubic.c2 = cubic.c3 = 0.0;

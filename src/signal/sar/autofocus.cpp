@@ -226,13 +226,13 @@ PiecePhase along_track(const GradientResult& found, double middle_m, double rang
 // From where the first piece's last frequency may have been received to where the last piece's first one may.
 AlongTrack track_of(const std::vector<Piece>& pieces, double range_m, const Sight& sight, std::size_t size) {
   const auto whole = static_cast<double>(size);
-  const auto [least_m, most_m] =
+  const auto [min_m, max_m] =
       std::minmax({sight.behind_m(sight.centre() - whole, range_m), sight.behind_m(sight.centre() + whole, range_m)});
   const auto [low_m, high_m] = std::minmax({pieces.front().middle_m, pieces.back().middle_m});
   AlongTrack track;
   track.step_m = std::abs(sight.behind_m(1.0, range_m));
-  track.first_m = low_m - most_m;
-  track.count = static_cast<std::size_t>((high_m - least_m - track.first_m) / track.step_m) + 2;
+  track.first_m = low_m - max_m;
+  track.count = static_cast<std::size_t>((high_m - min_m - track.first_m) / track.step_m) + 2;
   return track;
 }
 

@@ -13,13 +13,13 @@ namespace sarsim::signal {
 
 /// When phase gradient autofocus is content.
 struct AutofocusOptions {
-  std::size_t rounds = 20;       ///< At most.
-  double enough_rad = 0.01;      ///< Ends when a round corrects less than this, root mean square.
-  double support_share = 0.1;    ///< Frequencies with less than this of the power that 97 % of the spectrum, smoothed,
-                                 ///< stay below are not part of the aperture.
-  double band_per_m = 0.0;       ///< Nor are those farther than half of this from the image's spectral centre, cycles
-                                 ///< per metre, where only noise is; 0: all may be.
-  std::size_t least_window = 5;  ///< Pixels of azimuth that a round looks at, at least.
+  std::size_t rounds = 20;     ///< At most.
+  double enough_rad = 0.01;    ///< Ends when a round corrects less than this, root mean square.
+  double support_share = 0.1;  ///< Frequencies with less than this of the power that 97 % of the spectrum, smoothed,
+                               ///< stay below are not part of the aperture.
+  double band_per_m = 0.0;     ///< Nor are those farther than half of this from the image's spectral centre, cycles
+                               ///< per metre, where only noise is; 0: all may be.
+  std::size_t min_window = 5;  ///< Pixels of azimuth that a round looks at, at least.
 };
 
 /// What autofocus found in an image whose pulses all saw all of it.
@@ -32,7 +32,7 @@ struct AutofocusResult {
 };
 
 /// Phase gradient autofocus (Wahl, Eichel, Ghiglia and Jakowatz, IEEE Trans. AES 30, 1994): each column's brightest
-/// pixel is brought to the middle and cut out with a window that narrows from twice the blur to `least_window`; in the
+/// pixel is brought to the middle and cut out with a window that narrows from twice the blur to `min_window`; in the
 /// spectra G of the columns the phase error of azimuth frequency n has the gradient arg of the sum over columns of G(n)
 /// conj(G(n - 1)). Its integral without constant and straight line, which only move the image, is taken out of all
 /// columns. What lies beyond the aperture is kept in the image, but not looked at: noise there would outshine points.

@@ -105,14 +105,14 @@ FlightDraw drawn_flight(std::mt19937& random) {
     point.velocity_mps = 100.0 / length_m * point.velocity_mps;
   }
   draw.point_m = {std::hypot(above_m, aside_m) * squint, aside_m, 0.0};
-  double least_m = INFINITY, most_m = 0.0;
+  double min_m = INFINITY, max_m = 0.0;
   for (const TrackPoint& point : draw.echoes.track) {
-    least_m = std::min(least_m, core::norm(draw.point_m - point.position_m));
-    most_m = std::max(most_m, core::norm(draw.point_m - point.position_m));
+    min_m = std::min(min_m, core::norm(draw.point_m - point.position_m));
+    max_m = std::max(max_m, core::norm(draw.point_m - point.position_m));
   }
   const double sample_m = core::exact_light_speed_mps / (2.0 * draw.echoes.waveform.sample_rate_hz);
-  draw.echoes.samples = static_cast<std::size_t>((most_m - least_m) / sample_m) + 300;
-  draw.echoes.first_delay_s = 2.0 * (least_m - 150.0 * sample_m) / core::exact_light_speed_mps;
+  draw.echoes.samples = static_cast<std::size_t>((max_m - min_m) / sample_m) + 300;
+  draw.echoes.first_delay_s = 2.0 * (min_m - 150.0 * sample_m) / core::exact_light_speed_mps;
   test::write_echoes(draw.echoes, {{draw.point_m}}, draw.echoes.track);
   return draw;
 }

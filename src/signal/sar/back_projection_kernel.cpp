@@ -93,7 +93,7 @@ Weighting weighting_of(const ProjectionAperture& aperture) {
   return aperture.uniform ? Weighting::cut : Weighting::table;
 }
 
-constexpr std::size_t most_stretches = ProjectionTile::columns / static_cast<std::size_t>(Stretch::of_16);
+constexpr std::size_t max_stretches = ProjectionTile::columns / static_cast<std::size_t>(Stretch::of_16);
 
 // What a pulse and a row have beside the polynomials.
 struct StretchTerms {
@@ -297,7 +297,7 @@ void project_on_target(std::span<const ProjectionPulse> pulses, const Projection
     project_stretches<false>(pulses, constants, aperture, stretch, {}, tile);
     return;
   }
-  std::array<RowShapes, most_stretches> shapes;
+  std::array<RowShapes, max_stretches> shapes;
   for (std::size_t i = 0; i * stretch < tile.used_columns; ++i) fill_shapes(tile.surface[i], shapes[i]);
   project_stretches<true>(pulses, constants, aperture, stretch, shapes, tile);
 }

@@ -166,12 +166,12 @@ ImageAxis part_of(const ImageAxis& axis, const std::optional<AxisInterval>& area
 // Closest distances that are shown and recorded where the line of sight has this cosine.
 struct StoltSpan {
   double cosine = 1.0;
-  double least_m = 0.0;
-  double most_m = 0.0;
+  double min_m = 0.0;
+  double max_m = 0.0;
 
   // Of the echoes of the nearest from those of a reference, and of the farthest.
-  [[nodiscard]] double below_m(double reference_m) const { return (reference_m - least_m) / cosine; }
-  [[nodiscard]] double above_m(double reference_m) const { return (most_m - reference_m) / cosine; }
+  [[nodiscard]] double below_m(double reference_m) const { return (reference_m - min_m) / cosine; }
+  [[nodiscard]] double above_m(double reference_m) const { return (max_m - reference_m) / cosine; }
 };
 
 // Those of one Doppler frequency at the lowest, the middle and the highest frequency of the pulse: an echo of the
@@ -193,7 +193,7 @@ struct StoltSpans {
 };
 
 StoltSpans spans_of(const FocusFrame& frame, double doppler_hz) {
-  constexpr double least_cosine = 1e-3;
+  constexpr double min_cosine = 1e-3;
   const SarWaveform& wave = frame.waveform;
   const double near_m = radar::range_of(frame.first_delay_s, wave.light_speed_mps);
   const double far_m =
@@ -203,10 +203,10 @@ StoltSpans spans_of(const FocusFrame& frame, double doppler_hz) {
     const double sine = frame.sine(doppler_hz) / (1.0 + part * frame.half_band_share());
     if (!(std::abs(sine) < 1.0)) continue;
     const StoltSpan span{.cosine = std::sqrt(1.0 - sine * sine),
-                         .least_m = std::max(near_m * std::sqrt(1.0 - sine * sine), frame.range.at(0.0)),
-                         .most_m = std::min(far_m * std::sqrt(1.0 - sine * sine),
-                                            frame.range.at(static_cast<double>(frame.range.count)))};
-    if (span.cosine > least_cosine && span.most_m > span.least_m) spans.spans.push_back(span);
+                         .min_m = std::max(near_m * std::sqrt(1.0 - sine * sine), frame.range.at(0.0)),
+                         .max_m = std::min(far_m * std::sqrt(1.0 - sine * sine),
+                                           frame.range.at(static_cast<double>(frame.range.count)))};
+    if (span.cosine > min_cosine && span.max_m > span.min_m) spans.spans.push_back(span);
   }
   return spans;
 }
@@ -269,7 +269,7 @@ FocusFrame::RowReference FocusFrame::row_reference(double doppler_hz) const {
   for (int i = 0; i < rounds; ++i) {
     const StoltSpan& low = spans.lowest(found.range_m);
     const StoltSpan& high = spans.highest(found.range_m);
-    found.range_m = (high.most_m * low.cosine + low.least_m * high.cosine) / (low.cosine + high.cosine);
+    found.range_m = (high.max_m * low.cosine + low.min_m * high.cosine) / (low.cosine + high.cosine);
   }
   found.half_span_m = spans.half_span_m(found.range_m);
   return found;
@@ -305,9 +305,9 @@ FrequencyRuns FocusFrame::doppler_runs() const {
 }
 
 double FocusFrame::early_s(double doppler_hz) const {
-  constexpr double least_turns = 5e-4;  // over the band
+  constexpr double min_turns = 5e-4;  // over the band
   const double delay_s = doppler_hz * waveform.pulse_width_s / waveform.bandwidth_hz;
-  return std::abs(delay_s * waveform.bandwidth_hz) < least_turns ? 0.0 : delay_s;
+  return std::abs(delay_s * waveform.bandwidth_hz) < min_turns ? 0.0 : delay_s;
 }
 
 RowRoom::RowRoom(const FocusFrame& frame)
@@ -323,7 +323,7 @@ namespace {
 // Doppler frequency has directions of very different cosines over the band. Bounded: what does not fit is lost.
 double widest_row_samples(const FocusFrame& frame) {
   constexpr int steps = 64;
-  constexpr double most_times = 4.0;
+  constexpr double max_times = 4.0;
   const double recorded = static_cast<double>(frame.samples);
   const SarWaveform& wave = frame.waveform;
   const double spectrum_hz =
@@ -337,7 +337,7 @@ double widest_row_samples(const FocusFrame& frame) {
     const double half_s = radar::delay_of(frame.row_reference(doppler_hz).half_span_m, wave.light_speed_mps);
     widest = std::max(widest, 2.0 * half_s * wave.sample_rate_hz);
   }
-  return widest <= StoltSpans::spare * recorded ? recorded : std::min(widest, most_times * recorded);
+  return widest <= StoltSpans::spare * recorded ? recorded : std::min(widest, max_times * recorded);
 }
 
 }  // namespace
@@ -387,7 +387,7 @@ void weigh_by_frequency(const FocusFrame& frame, double sine, std::span<std::com
   const auto factor_at = [&](double hz) {
     const double stretch = 1.0 + hz / f0;
     const double there = stretch > 0.0 ? 1.0 - std::pow(sine / stretch, 2) : 0.0;
-    if (!(there > 1.0 - most_sine * most_sine)) return 0.0;
+    if (!(there > 1.0 - max_sine * max_sine)) return 0.0;
     return std::pow(cosine_squared / there, 0.75) / std::sqrt(stretch);
   };
   for (const FrequencyRun& run : runs)

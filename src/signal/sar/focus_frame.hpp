@@ -167,7 +167,7 @@ class RowFocuser {
 
 /// Frequencies whose direction is within 2.6 degrees of the track are set to 0: their weight grows without bound, and
 /// so would the noise of a platform so slow that its pulses sample more than all directions.
-inline constexpr double most_sine = 0.999;
+inline constexpr double max_sine = 0.999;
 
 /// Multiplies a row of the two-dimensional spectrum by sqrt(f0/F) (D0/D)^1.5, with D the cosine of the direction at the
 /// frequency F = f0 + f and D0 that at the carrier: this turns the weight at the carrier into that of each frequency.

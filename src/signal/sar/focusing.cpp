@@ -67,14 +67,14 @@ std::vector<DopplerRow> doppler_rows(const FocusFrame& frame) {
   const auto weight = weight_of(frame.options.azimuth_window);
   // Omega-k weighs the frequencies of a row each by its own direction.
   const bool by_frequency = frame.options.method == FocusMethod::omega_k;
-  const double most = by_frequency ? most_sine * (1.0 + frame.half_band_share()) : most_sine;
+  const double most = by_frequency ? max_sine * (1.0 + frame.half_band_share()) : max_sine;
   std::vector<DopplerRow> rows(frame.image_rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     DopplerRow& row = rows[k];
     row.hz = frame.doppler_hz(k);
     row.sine = frame.sine(row.hz + frame.motion_doppler_hz(frame.waveform.carrier_hz));
     if (!(std::abs(row.sine) < most)) continue;
-    row.cosine = std::sqrt(std::max(1.0 - row.sine * row.sine, 1.0 - most_sine * most_sine));
+    row.cosine = std::sqrt(std::max(1.0 - row.sine * row.sine, 1.0 - max_sine * max_sine));
     row.kept = band_hz > 0.0 ? weight((row.hz - frame.options.doppler_centroid_hz) / band_hz) : 1.0;
     const double whole = row.kept / overlap_of(frame.waveform, row.hz);
     row.weight = static_cast<float>(by_frequency ? whole : whole / std::pow(row.cosine, 1.5));
@@ -92,7 +92,7 @@ double swept(const FocusFrame& frame, double sine) {
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {
     const double stretch = 1.0 + frame.half_band_share() * ((2.0 * i + 1.0) / steps - 1.0);
-    const double there = std::min(std::abs(sine) / stretch, most_sine);
+    const double there = std::min(std::abs(sine) / stretch, max_sine);
     sum += 1.0 / (stretch * std::pow(1.0 - there * there, 1.5));
   }
   return sum / steps;
@@ -214,7 +214,7 @@ class Focuser {
   // D at a Doppler frequency; that of the last direction beyond it.
   [[nodiscard]] double cosine_at(double doppler_hz) const {
     const double sine = frame_.sine(doppler_hz + frame_.motion_doppler_hz(frame_.waveform.carrier_hz));
-    return std::sqrt(std::max(1.0 - sine * sine, 1.0 - most_sine * most_sine));
+    return std::sqrt(std::max(1.0 - sine * sine, 1.0 - max_sine * max_sine));
   }
 
   [[nodiscard]] ColumnTables column_tables(const std::vector<DopplerRow>& rows) const {
@@ -329,17 +329,17 @@ core::Problem error(std::string message, double found, std::string_view unit, st
 // Rows are made from the record to the area, so that one that is far away is as large as one that is wide.
 void check_area(const EchoRows& echoes, const AxisInterval& area, const StraightTrack& track,
                 core::Problems& problems) {
-  constexpr double most_samples = 0x1p40;
+  constexpr double max_samples = 0x1p40;
   const double step_m = track.speed_mps * track.interval_s;
   const double first_m = track.speed_mps * track.time_s(0.0);
   const double last_m = track.speed_mps * track.time_s(static_cast<double>(echoes.track.size()) - 1.0);
   const double columns = static_cast<double>(std::max<std::size_t>(echoes.columns, 1));
   const double rows = (std::max(area.last_m, last_m) - std::min(area.first_m, first_m)) / step_m;
-  if (rows * columns <= most_samples) return;  // False for what is not a number.
-  const double most_m = most_samples / columns * step_m;
+  if (rows * columns <= max_samples) return;  // False for what is not a number.
+  const double max_m = max_samples / columns * step_m;
   core::Problem problem = error("the area to be focused is too long in azimuth, or too far from the record", 0.0, "",
                                 fmt::format("an area from {:.6g} to {:.6g} m at most, {:.3g} samples with the record",
-                                            last_m - most_m, first_m + most_m, most_samples),
+                                            last_m - max_m, first_m + max_m, max_samples),
                                 "give a smaller area, near the record");
   problem.found =
       fmt::format("{:.6g} to {:.6g} m, {:.3g} samples from the record on", area.first_m, area.last_m, rows * columns);
@@ -354,17 +354,17 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
     problems.push_back(error("the Doppler bandwidth does not fit between two pulses", options.doppler_bandwidth_hz,
                              "Hz", fmt::format("0 to {:.6g} Hz, the pulse repetition frequency", prf_hz)));
   // Of a band so narrow no line of the spectrum may be left.
-  const double least_hz = 2.0 * prf_hz / static_cast<double>(echoes.rows);
-  if (options.doppler_bandwidth_hz > 0.0 && options.doppler_bandwidth_hz < least_hz)
+  const double min_hz = 2.0 * prf_hz / static_cast<double>(echoes.rows);
+  if (options.doppler_bandwidth_hz > 0.0 && options.doppler_bandwidth_hz < min_hz)
     problems.push_back(error("the Doppler bandwidth is narrower than what the recorded pulses tell apart",
                              options.doppler_bandwidth_hz, "Hz",
                              fmt::format("at least {:.3g} Hz, twice the pulse repetition frequency over the number of "
                                          "pulses, or 0 for the whole spectrum",
-                                         least_hz)));
-  const double most_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
-  if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < most_sine * most_hz))
+                                         min_hz)));
+  const double max_hz = radar::turns_of(track.speed_mps, echoes.waveform.carrier_hz, echoes.waveform.light_speed_mps);
+  if (const double centroid_hz = std::abs(options.doppler_centroid_hz); !(centroid_hz < max_sine * max_hz))
     problems.push_back(error("no look direction has this Doppler centroid", centroid_hz, "Hz",
-                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_sine * most_hz),
+                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_sine * max_hz),
                              "check the centroid"));
 }
 
@@ -372,22 +372,22 @@ void check_options(const EchoRows& echoes, const FocusOptions& options, const St
 void check_spectrum(const EchoRows& echoes, const FocusOptions& options, const StraightTrack& track,
                     core::Problems& problems) {
   const SarWaveform& waveform = echoes.waveform;
-  const double most_hz = radar::turns_of(most_sine * track.speed_mps, waveform.carrier_hz, waveform.light_speed_mps);
+  const double max_hz = radar::turns_of(max_sine * track.speed_mps, waveform.carrier_hz, waveform.light_speed_mps);
   const double reached_hz = std::abs(options.doppler_centroid_hz) + 0.5 * options.doppler_bandwidth_hz;
-  if (std::abs(options.doppler_centroid_hz) < most_hz && !(reached_hz < most_hz))
+  if (std::abs(options.doppler_centroid_hz) < max_hz && !(reached_hz < max_hz))
     problems.push_back(error("the Doppler band reaches beyond that of any look direction", reached_hz, "Hz",
-                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", most_hz),
+                             fmt::format("below {:.6g} Hz, two speeds over the wavelength", max_hz),
                              "check the centroid, and keep a smaller band"));
   if (options.method != FocusMethod::chirp_scaling) return;
   // Rows are not to become many times longer; but short ones may.
-  constexpr double most_times = 8.0;
+  constexpr double max_times = 8.0;
   constexpr double short_row = 32768.0;
   const double dispersed = dispersed_samples(waveform);
-  if (dispersed <= std::max(most_times * static_cast<double>(echoes.columns), short_row)) return;
+  if (dispersed <= std::max(max_times * static_cast<double>(echoes.columns), short_row)) return;
   problems.push_back(
       error("the sampling rate is too far above the bandwidth for chirp scaling: it lengthens the rows too much",
             dispersed, "samples",
-            fmt::format("up to {:.0f} times the row's {} samples, or {:.0f}", most_times, echoes.columns, short_row),
+            fmt::format("up to {:.0f} times the row's {} samples, or {:.0f}", max_times, echoes.columns, short_row),
             "use omega-k or range-Doppler, or sample at about 1.5 times the bandwidth"));
 }
 

@@ -70,8 +70,8 @@ std::complex<double> peak_of(const SarEchoes& echoes, const Geometry& geometry, 
 double decibels(double amplitude) { return 20.0 * std::log10(amplitude); }
 
 // What is promised. Of it 0.06 dB are the 0.3 % of echoes that the image's spectrum leaves out at each end.
-constexpr double most_db = 0.1;
-constexpr double most_rad = 0.02;
+constexpr double max_db = 0.1;
+constexpr double max_rad = 0.02;
 
 // 300 MHz at 500 m, 150 MHz wide, and a flight of several hundred metres.
 Geometry low_band(double half_flight_m, double near_m, double far_m) {
@@ -89,8 +89,8 @@ TEST(FocusingAmplitude, DoesNotDependOnTheNearEdgeOfTheWindowNorOnTheTime) {
     const Geometry geometry = low_band(half_flight_m, near_m, far_m);
     const SarEchoes echoes = echoes_of(geometry);
     const std::complex<double> peak = peak_of(echoes, geometry, {});
-    EXPECT_NEAR(decibels(std::abs(peak)), 0.0, most_db) << half_flight_m << " " << near_m << " " << far_m;
-    EXPECT_NEAR(std::arg(peak), 0.0, most_rad) << half_flight_m << " " << near_m << " " << far_m;
+    EXPECT_NEAR(decibels(std::abs(peak)), 0.0, max_db) << half_flight_m << " " << near_m << " " << far_m;
+    EXPECT_NEAR(std::arg(peak), 0.0, max_rad) << half_flight_m << " " << near_m << " " << far_m;
     const auto middle_m = 0.5 * (near_m + far_m);
     for (const FocusMethod method : {FocusMethod::range_doppler, FocusMethod::chirp_scaling}) {
       // In the middle of the swath they leave nothing.
@@ -99,7 +99,7 @@ TEST(FocusingAmplitude, DoesNotDependOnTheNearEdgeOfTheWindowNorOnTheTime) {
       there.far_m = 2.0 * there.closest_m - near_m;
       if (std::hypot(half_flight_m, there.closest_m) > there.far_m - 20.0) continue;
       const SarEchoes seen = echoes_of(there);
-      EXPECT_NEAR(decibels(std::abs(peak_of(seen, there, {.method = method}))), 0.0, most_db)
+      EXPECT_NEAR(decibels(std::abs(peak_of(seen, there, {.method = method}))), 0.0, max_db)
           << half_flight_m << " " << near_m << " " << far_m;
     }
   }
@@ -115,8 +115,8 @@ TEST(FocusingAmplitude, IsRightOverABandAsWideAsItsCarrier) {
   for (const double near_m : {30.0, 400.0, 490.0}) {
     geometry.near_m = near_m;
     const std::complex<double> peak = peak_of(echoes_of(geometry), geometry, {});
-    EXPECT_NEAR(decibels(std::abs(peak)), 0.0, most_db) << near_m;
-    EXPECT_NEAR(std::arg(peak), 0.0, most_rad) << near_m;
+    EXPECT_NEAR(decibels(std::abs(peak)), 0.0, max_db) << near_m;
+    EXPECT_NEAR(std::arg(peak), 0.0, max_rad) << near_m;
   }
 }
 
@@ -151,8 +151,8 @@ TEST(FocusingAmplitude, OfRandomGeometriesIsThatOfTheEchoesOrWhatIsPredicted) {
         std::to_string(geometry.waveform.carrier_hz) + " Hz, band " + std::to_string(geometry.waveform.bandwidth_hz) +
         ", closest " + std::to_string(geometry.closest_m) + ", flight " + std::to_string(geometry.half_flight_m) +
         ", near " + std::to_string(geometry.near_m) + ", far " + std::to_string(geometry.far_m);
-    EXPECT_NEAR(decibels(std::abs(peak)), 0.0, most_db) << words;
-    EXPECT_NEAR(std::arg(peak), 0.0, most_rad) << words;
+    EXPECT_NEAR(decibels(std::abs(peak)), 0.0, max_db) << words;
+    EXPECT_NEAR(std::arg(peak), 0.0, max_rad) << words;
     for (const FocusMethod method : {FocusMethod::range_doppler, FocusMethod::chirp_scaling}) {
       FocusOptions options{.method = method};
       options.spectrum = spectrum_of(directions_of(echoes, geometry), echoes.waveform, 0.003);

@@ -17,7 +17,7 @@ struct FilledBand {
 };
 
 SpectrumExtent joined_extent(const SpectrumExtent& a, const SpectrumExtent& b) {
-  return {std::min(a.least_per_m, b.least_per_m), std::max(a.most_per_m, b.most_per_m)};
+  return {std::min(a.min_per_m, b.min_per_m), std::max(a.max_per_m, b.max_per_m)};
 }
 
 // The sum of the weights below a wave number, and how fast it grows there.
@@ -30,7 +30,7 @@ WeightBelow weight_below(std::span<const FilledBand> bands, double per_m) {
   WeightBelow below;
   for (const FilledBand& band : bands) {
     const double width = band.extent.width_per_m();
-    const double above = per_m - band.extent.least_per_m;
+    const double above = per_m - band.extent.min_per_m;
     below.sum += band.weight * (width > 0.0 ? std::clamp(above / width, 0.0, 1.0) : above >= 0.0);
     if (above > 0.0 && above < width) below.slope_m += band.weight / width;
   }
@@ -40,16 +40,16 @@ WeightBelow weight_below(std::span<const FilledBand> bands, double per_m) {
 // The wave number below which the weights add up to `weight`: of a sum of straight pieces, by Newton's steps within a
 // bracket that shrinks.
 double quantile_of(std::span<const FilledBand> bands, double weight, SpectrumExtent within) {
-  constexpr int most_steps = 40;
+  constexpr int max_steps = 40;
   constexpr double close = 1e-12;
   const double tolerance_per_m = close * within.width_per_m();
   double at = within.middle_per_m();
-  for (int i = 0; i < most_steps && within.width_per_m() > tolerance_per_m; ++i) {
+  for (int i = 0; i < max_steps && within.width_per_m() > tolerance_per_m; ++i) {
     const WeightBelow below = weight_below(bands, at);
-    (below.sum < weight ? within.least_per_m : within.most_per_m) = at;
+    (below.sum < weight ? within.min_per_m : within.max_per_m) = at;
     if (std::abs(below.sum - weight) <= close * weight) return at;
     const double next = at + (weight - below.sum) / below.slope_m;
-    const bool inside = next > within.least_per_m && next < within.most_per_m;
+    const bool inside = next > within.min_per_m && next < within.max_per_m;
     at = inside ? next : within.middle_per_m();
   }
   return at;
@@ -112,8 +112,8 @@ ImageSpectrum joined(const ImageSpectrum& a, const ImageSpectrum& b) {
 bool holds(const ImageAxis& axis, const SpectrumExtent& extent) {
   CORE_EXPECT(axis.step_m != 0.0);
   const double half_period = 0.5 / std::abs(axis.step_m);
-  return extent.least_per_m >= axis.spectrum_centre_per_m - half_period &&
-         extent.most_per_m <= axis.spectrum_centre_per_m + half_period;
+  return extent.min_per_m >= axis.spectrum_centre_per_m - half_period &&
+         extent.max_per_m <= axis.spectrum_centre_per_m + half_period;
 }
 
 double step_for(const ImageAxis& axis, const SpectrumExtent& extent) {

@@ -11,11 +11,11 @@ namespace sarsim::signal {
 
 /// Wave numbers of an axis, in cycles per metre.
 struct SpectrumExtent {
-  double least_per_m = 0.0;
-  double most_per_m = 0.0;
+  double min_per_m = 0.0;
+  double max_per_m = 0.0;
 
-  [[nodiscard]] double width_per_m() const { return most_per_m - least_per_m; }
-  [[nodiscard]] double middle_per_m() const { return 0.5 * (least_per_m + most_per_m); }
+  [[nodiscard]] double width_per_m() const { return max_per_m - min_per_m; }
+  [[nodiscard]] double middle_per_m() const { return 0.5 * (min_per_m + max_per_m); }
 };
 
 /// The wave numbers of an image of slant range, in baseband.

@@ -108,12 +108,12 @@ class RangeTurns {
   // @param left, right  at the first sample and at that behind the last; a power of two of them
   void turn_between(std::span<std::complex<double>> row, std::size_t first, std::size_t count, double left,
                     double right) const {
-    constexpr double most_turns = 1e-5;
+    constexpr double max_turns = 1e-5;
     if (first >= row.size()) return;
     const auto begin = static_cast<double>(first);
     const auto span = static_cast<double>(count);
     const double middle = at(begin + 0.5 * span);
-    if (count > 2 && !(std::abs(at(begin + 0.25 * span) - 0.125 * (3.0 * left + 6.0 * middle - right)) < most_turns)) {
+    if (count > 2 && !(std::abs(at(begin + 0.25 * span) - 0.125 * (3.0 * left + 6.0 * middle - right)) < max_turns)) {
       turn_between(row, first, count / 2, left, middle);
       turn_between(row, first + count / 2, count / 2, middle, right);
       return;

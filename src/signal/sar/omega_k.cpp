@@ -29,9 +29,9 @@ class OmegaK : public RowFocuser {
       const double weight = across > 0.0 ? std::sqrt(frame.waveform.carrier_hz / across) : 0.0;
       to_begin_.emplace_back(weight * core::turned_exactly(turns_to_begin(hz, frame.reference_range_m)));
     }
-    constexpr double least_turns = 1e-6;
+    constexpr double min_turns = 1e-6;
     const double turns = frame.range.spectrum_centre_per_m * frame.range.step_m;
-    if (std::abs(turns) * static_cast<double>(frame.range.count) < least_turns) return;
+    if (std::abs(turns) * static_cast<double>(frame.range.count) < min_turns) return;
     for (std::size_t n = 0; n < frame.range.count; ++n)
       to_centre_.emplace_back(core::turned_exactly(turns * static_cast<double>(n)));
   }
@@ -51,7 +51,7 @@ class OmegaK : public RowFocuser {
 
  private:
   // Of the directions that are not along the track.
-  inline static const double least_cosine = std::sqrt(1.0 - most_sine * most_sine);
+  inline static const double min_cosine = std::sqrt(1.0 - max_sine * max_sine);
 
   [[nodiscard]] double motion() const { return frame_.track.speed_mps / frame_.waveform.light_speed_mps; }
   // Takes the phase of the reference away: what remains is smooth enough to interpolate.
@@ -113,7 +113,7 @@ class OmegaK : public RowFocuser {
                                 std::span(room.step).subspan(run.begin, run.count)};
       sample_places([&](double bin) { return (true_hz(across(bin)) - f0) * bins_per_hz + negative; }, SincRow::steps,
                     places);
-      const auto least = [&](double hz) { return std::max(least_cosine * true_hz(hz), 0.0); };
+      const auto least = [&](double hz) { return std::max(min_cosine * true_hz(hz), 0.0); };
       const auto factors = std::span(room.factors).subspan(run.begin, run.count);
       std::ranges::fill(factors, 1.0F);
       for (std::size_t k = 0; k < run.count; ++k) {

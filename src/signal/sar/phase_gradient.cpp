@@ -235,7 +235,7 @@ GradientResult phase_gradient(AzimuthColumns& columns, const SpectrumBand& band,
     });
     // Twice as wide as the blur to begin with, then narrower from round to round: what lies beyond is other points,
     // whose echoes would be taken for fast changes of phase that no later, narrower round could see.
-    const std::size_t least = std::min(options.least_window, size);
+    const std::size_t least = std::min(options.min_window, size);
     window = std::max(round == 0 ? std::min(2 * blur_width(centred), size) : 6 * window / 10, least);
     const auto products =
         sum_over_columns<std::complex<double>>(columns, control, [&](std::size_t i, auto& sum, auto& scratch) {

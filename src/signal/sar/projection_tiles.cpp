@@ -84,27 +84,27 @@ StretchSurface fitted_surface(std::size_t stretch, const PointAt& point_at) {
 // The largest distance of the cubic from the surface, where the remainder of degree 4 is largest.
 template <class PointAt>
 double misfit_m(const StretchSurface& surface, std::size_t stretch, const PointAt& point_at) {
-  double most_m = 0.0;
+  double max_m = 0.0;
   for (std::size_t a = 0; a <= 4; ++a)
     for (std::size_t b = 0; b <= 4; ++b) {
       const double row = half_rows * (1.0 - std::cos(0.25 * core::pi * static_cast<double>(a)));
       const double j = middle_of_columns - half_columns(stretch) * std::cos(0.25 * core::pi * static_cast<double>(b));
-      most_m = std::max(most_m, core::norm(surface.point_m(row, j) - point_at(row, j)));
+      max_m = std::max(max_m, core::norm(surface.point_m(row, j) - point_at(row, j)));
     }
-  return most_m;
+  return max_m;
 }
 
 // The term of degree 4 of the distances along the stretch, which its polynomial leaves out, at its ends.
 double neglected_m(const StretchSurface& surface, std::size_t stretch, const core::Vec3& antenna_m) {
   const double quarter = 0.25 * static_cast<double>(stretch);
-  double most_m = 0.0;
+  double max_m = 0.0;
   for (const double row : {0.0, 2.0 * half_rows}) {
     const auto distance_m = [&](double k) { return core::norm(surface.point_m(row, k * quarter) - antenna_m); };
     const double fourth =
         distance_m(-2.0) - 4.0 * distance_m(-1.0) + 6.0 * distance_m(0.0) - 4.0 * distance_m(1.0) + distance_m(2.0);
-    most_m = std::max(most_m, std::abs(fourth) * 16.0 / 24.0);
+    max_m = std::max(max_m, std::abs(fourth) * 16.0 / 24.0);
   }
-  return most_m;
+  return max_m;
 }
 
 }  // namespace
@@ -156,8 +156,8 @@ Stretch ProjectionTiles::longest_stretch(std::size_t index, const SarEchoes& ech
 }
 
 ProjectionTiles::Plan ProjectionTiles::plan_of(std::size_t index, const SarEchoes& echoes, double wavelength_m) const {
-  constexpr double most_misfit = 1e-4;       // of a wavelength
-  constexpr double most_neglected = 0.5e-5;  // of a wavelength: 1e-5 cycles
+  constexpr double max_misfit = 1e-4;       // of a wavelength
+  constexpr double max_neglected = 0.5e-5;  // of a wavelength: 1e-5 cycles
   const Stretch longest = longest_stretch(index, echoes, wavelength_m);
   if (!grid_->curved) return {longest, {}};
   const std::size_t last = echoes.track.size() - 1;
@@ -172,9 +172,9 @@ ProjectionTiles::Plan ProjectionTiles::plan_of(std::size_t index, const SarEchoe
       };
       plan.surface.push_back(fitted_surface(length, point_at));
       const StretchSurface& piece = plan.surface.back();
-      fits = misfit_m(piece, length, point_at) < most_misfit * wavelength_m;
+      fits = misfit_m(piece, length, point_at) < max_misfit * wavelength_m;
       for (const std::size_t pulse : {std::size_t{0}, last / 2, last})
-        fits = fits && neglected_m(piece, length, echoes.track[pulse].position_m) < most_neglected * wavelength_m;
+        fits = fits && neglected_m(piece, length, echoes.track[pulse].position_m) < max_neglected * wavelength_m;
     }
     if (fits) return plan;
   }

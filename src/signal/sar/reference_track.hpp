@@ -25,7 +25,7 @@ struct ReferenceTrack {
 [[nodiscard]] double straightness(std::span<const TrackPoint> track);
 
 /// Straightness below which a flight is treated as curved, without a line: a turn by more than about 50 degrees.
-inline constexpr double least_straightness = 0.97;
+inline constexpr double min_straightness = 0.97;
 
 /// Distance of a point from the whole line; from `position_m` where the velocity is 0.
 [[nodiscard]] double distance_from(const ReferenceTrack& track, const core::Vec3& point_m);

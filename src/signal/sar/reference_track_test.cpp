@@ -27,8 +27,8 @@ TEST(Straightness, IsTheChordOverTheWayOfATurn) {
     EXPECT_NEAR(straightness(turn_by(2.0 * half, 801)), std::sin(half) / (8.0 * std::sin(half / 8.0)), 1e-9) << degrees;
   }
   EXPECT_NEAR(straightness(turn_by(2.0 * core::pi, 801)), 0.0, 1e-9);
-  EXPECT_LT(straightness(turn_by(55.0 / core::deg_per_rad, 801)), least_straightness);
-  EXPECT_GT(straightness(turn_by(45.0 / core::deg_per_rad, 801)), least_straightness);
+  EXPECT_LT(straightness(turn_by(55.0 / core::deg_per_rad, 801)), min_straightness);
+  EXPECT_GT(straightness(turn_by(45.0 / core::deg_per_rad, 801)), min_straightness);
 }
 
 // A drone at 5 m/s that is blown to and fro by a metre, faster than it flies.

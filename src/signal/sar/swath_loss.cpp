@@ -65,9 +65,9 @@ class SpectrumMaker {
     const double centroid_hz = frame_.unfolds ? stretch * frame_.options.doppler_centroid_hz : frame_.doppler_middle_hz;
     if (!(std::abs(doppler_hz - centroid_hz) <= 0.5 * frame_.prf_hz())) return false;
     const double sine = frame_.sine(doppler_hz);
-    if (!omega_k()) return std::abs(sine) < most_sine;
+    if (!omega_k()) return std::abs(sine) < max_sine;
     const double there = std::abs(sine) / stretch;
-    if (!(there < most_sine)) return false;
+    if (!(there < max_sine)) return false;
     constexpr double spare = 1.1;
     const double from_reference_m = range_m_ - frame_.row_reference(doppler_hz).range_m;
     return std::abs(from_reference_m) / std::sqrt(1.0 - there * there) <= spare * 0.5 * row_m_;
@@ -174,7 +174,7 @@ double PointLosses::left_turns(double range_m, double low_sine, double high_sine
   for (const double part : {-0.5, 0.5})
     for (const double direction : {low_sine, high_sine}) {
       const double hz = part * std::abs(frame.waveform.bandwidth_hz);
-      const double sine = std::clamp(direction * (1.0 + hz / frame.waveform.carrier_hz), -most_sine, most_sine);
+      const double sine = std::clamp(direction * (1.0 + hz / frame.waveform.carrier_hz), -max_sine, max_sine);
       most = std::max(most, std::abs(share * secondary_turns(frame, hz, sine, std::sqrt(1.0 - sine * sine))));
     }
   return most;

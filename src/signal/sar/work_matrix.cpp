@@ -24,7 +24,7 @@ void WorkCounter::add(std::size_t done) {
 // A file that vanishes with the process.
 struct WorkMatrix::File {
   // Between two looks for a stop: a piece may be all of the memory.
-  static constexpr std::size_t most_bytes = std::size_t{4} << 20U;
+  static constexpr std::size_t max_bytes = std::size_t{4} << 20U;
 
   int descriptor = -1;
   std::filesystem::path folder;
@@ -54,7 +54,7 @@ struct WorkMatrix::File {
   void read(std::size_t offset, std::span<std::byte> bytes, const core::StopFlag* stop) const {
     while (!bytes.empty()) {
       end_if_wanted(stop);
-      const std::size_t part = std::min(bytes.size(), most_bytes);
+      const std::size_t part = std::min(bytes.size(), max_bytes);
       const ssize_t done = ::pread(descriptor, bytes.data(), part, static_cast<off_t>(offset));
       if (done < 0 && errno == EINTR) continue;
       if (done <= 0) fail("read a temporary file in");
@@ -65,7 +65,7 @@ struct WorkMatrix::File {
   void write(std::size_t offset, std::span<const std::byte> bytes, const core::StopFlag* stop) const {
     while (!bytes.empty()) {
       end_if_wanted(stop);
-      const std::size_t part = std::min(bytes.size(), most_bytes);
+      const std::size_t part = std::min(bytes.size(), max_bytes);
       const ssize_t done = ::pwrite(descriptor, bytes.data(), part, static_cast<off_t>(offset));
       if (done < 0 && errno == EINTR) continue;
       if (done == 0) errno = EIO;

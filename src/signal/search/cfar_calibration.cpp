@@ -15,7 +15,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr std::size_t most_calibrated_cells = 400;
+constexpr std::size_t max_calibrated_cells = 400;
 
 // One step of Householder's reduction: makes the column below the diagonal of `at` a multiple of its first element and
 // turns the rest of the matrix along. Returns |that element|^2.
@@ -328,7 +328,7 @@ double correlated_statistic_factor(const std::vector<Complex>& matrix, std::size
 double cfar_calibration(const NoiseCorrelation& correlation, const CfarOptions& options, std::size_t rows,
                         std::size_t columns) {
   if (rows == 0 || columns == 0) return 1.0;
-  if (reference_cells(options, rows, columns) > most_calibrated_cells) return 1.0;
+  if (reference_cells(options, rows, columns) > max_calibrated_cells) return 1.0;
   const std::vector<Place> places = places_of(options, rows, columns);
   const std::size_t cells = places.size() - 1;
   if (cells == 0) return 1.0;

@@ -37,13 +37,13 @@ constexpr std::size_t guard_samples = 32;
 
 // By how many samples the centre's echo moves in a burst, at most to where pulses leave their window.
 std::size_t largest_shift(const SarEchoes& seen, std::size_t pulses, std::size_t step) {
-  double most_s = 0.0;
+  double max_s = 0.0;
   for (std::size_t first = 0; first + pulses <= seen.track.size(); first += step) {
     const double middle_s = centre_delay_s(seen.track[first + pulses / 2], seen.waveform.light_speed_mps);
     for (std::size_t p = first; p < first + pulses; ++p)
-      most_s = std::max(most_s, std::abs(centre_delay_s(seen.track[p], seen.waveform.light_speed_mps) - middle_s));
+      max_s = std::max(max_s, std::abs(centre_delay_s(seen.track[p], seen.waveform.light_speed_mps) - middle_s));
   }
-  const double samples = std::ceil(most_s * seen.waveform.sample_rate_hz);
+  const double samples = std::ceil(max_s * seen.waveform.sample_rate_hz);
   return static_cast<std::size_t>(std::min(samples, static_cast<double>(seen.samples + guard_samples)));
 }
 

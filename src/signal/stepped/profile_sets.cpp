@@ -9,13 +9,13 @@
 
 namespace sarsim::signal {
 
-std::vector<ProfileSet> scans_of(std::span<const double> gain, double least_share) {
-  CORE_EXPECT(least_share >= 0.0 && least_share <= 1.0);
+std::vector<ProfileSet> scans_of(std::span<const double> gain, double min_share) {
+  CORE_EXPECT(min_share >= 0.0 && min_share <= 1.0);
   std::vector<ProfileSet> scans;
   const double largest = gain.empty() ? 0.0 : *std::ranges::max_element(gain);
   if (!(largest > 0.0)) return scans;
   for (std::size_t i = 0; i < gain.size(); ++i) {
-    if (gain[i] < least_share * largest) continue;
+    if (gain[i] < min_share * largest) continue;
     if (!scans.empty() && scans.back().last + 1 == i)
       scans.back().last = i;
     else

@@ -17,9 +17,9 @@ struct ProfileSet {
 
 /// The scans of an encounter. A scan is what was received while the target was illuminated, the encounter all profiles
 /// while it was in sight, over a number of scans (thesis, nomenclature): runs of bursts whose gain is at least
-/// `least_share` of the largest.
+/// `min_share` of the largest.
 /// @param gain  of each burst: two-way power towards the target, in any unit; all 0: no scan
-[[nodiscard]] std::vector<ProfileSet> scans_of(std::span<const double> gain, double least_share);
+[[nodiscard]] std::vector<ProfileSet> scans_of(std::span<const double> gain, double min_share);
 
 /// Root mean square of the magnitudes of some profiles, bin by bin: what integration without phases leaves of a set.
 /// @param profiles  rows of `bins`

@@ -13,7 +13,7 @@ namespace sarsim::signal {
 namespace {
 
 // Cells with less than this share of the strongest cell's spectrum are taken for empty: they hold little but noise.
-constexpr double least_share = 0.02;
+constexpr double min_share = 0.02;
 
 std::size_t transform_size(const SteppedWaveform& w) {
   return w.subband_hz > 0.0 ? core::good_fft_size(w.samples + std::max(w.response.size(), w.filter.size())) : 1;
@@ -75,7 +75,7 @@ void SteppedBand::lay_out_subbands() {
   }
   double largest = 0.0;
   for (const auto& s : share_) largest = std::max(largest, std::abs(s));
-  for (auto& s : share_) s = std::abs(s) > least_share * largest ? 1.0 / s : std::complex<double>();
+  for (auto& s : share_) s = std::abs(s) > min_share * largest ? 1.0 / s : std::complex<double>();
 }
 
 // Correlating with the filter multiplies a spectrum by sum over k of filter[k] exp(+2 pi j f k/fs).

@@ -78,7 +78,7 @@ PointResponse measured(const FocusedImage& image, const ImagePlace& place) {
 }
 
 void expect_points(const FocusedImage& image, const Scene& scene, const IsarPlane& plane, double place_error_m,
-                   double least_amplitude) {
+                   double min_amplitude) {
   for (const auto& [place, amplitude] : scene.points) {
     // A spherical wave: a point aside is farther than its projection on the line of sight by x^2/(2 R).
     const double x = core::dot(place, plane.cross_range);
@@ -86,7 +86,7 @@ void expect_points(const FocusedImage& image, const Scene& scene, const IsarPlan
     const PointResponse found = measured(image, expected);
     EXPECT_NEAR(found.place.azimuth_m, expected.azimuth_m, place_error_m);
     EXPECT_NEAR(found.place.range_m, expected.range_m, place_error_m);
-    EXPECT_GT(found.amplitude, least_amplitude * amplitude);
+    EXPECT_GT(found.amplitude, min_amplitude * amplitude);
     EXPECT_LT(found.amplitude, 1.1 * amplitude);
   }
 }

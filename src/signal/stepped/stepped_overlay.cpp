@@ -14,9 +14,9 @@ namespace sarsim::signal {
 namespace {
 
 // The strongest of a target tell where it lies; the many weak ones are not needed.
-constexpr std::size_t most_tried = 12;
-constexpr std::size_t most_weighed = 64;
-constexpr double least_peak_share = 0.1;  // Of the strongest peak's amplitude.
+constexpr std::size_t max_tried = 12;
+constexpr std::size_t max_weighed = 64;
+constexpr double min_peak_share = 0.1;  // Of the strongest peak's amplitude.
 
 ImagePlace operator+(const ImagePlace& a, const ImagePlace& b) {
   return {a.azimuth_m + b.azimuth_m, a.range_m + b.range_m};
@@ -61,7 +61,7 @@ class Magnitudes {
   [[nodiscard]] std::vector<ImagePlace> peaks(const ImagePlace& cell) const {
     std::vector<ImagePlace> places;
     for (const std::size_t index : tops()) {
-      if (places.size() == most_tried) break;
+      if (places.size() == max_tried) break;
       const ImagePlace place{image_.azimuth.at(static_cast<double>(index / image_.range.count)),
                              image_.range.at(static_cast<double>(index % image_.range.count))};
       const bool beside = std::ranges::any_of(places, [&](const ImagePlace& other) {
@@ -91,7 +91,7 @@ class Magnitudes {
   [[nodiscard]] std::vector<std::size_t> tops() const {
     double largest = 0.0;
     for (const auto& value : image_.values) largest = std::max(largest, static_cast<double>(std::norm(value)));
-    const double least = least_peak_share * std::sqrt(largest);
+    const double least = min_peak_share * std::sqrt(largest);
     std::vector<std::size_t> found;
     if (!(largest > 0.0)) return found;
     for (std::ptrdiff_t row = 0; row < rows_; ++row)
@@ -115,7 +115,7 @@ std::vector<OverlayPoint> strongest_of(std::span<const OverlayPoint> points) {
   for (const OverlayPoint& point : points)
     if (point.amplitude > 0.0) strongest.push_back(point);
   std::ranges::stable_sort(strongest, [](const auto& a, const auto& b) { return a.amplitude > b.amplitude; });
-  strongest.resize(std::min(strongest.size(), most_weighed));
+  strongest.resize(std::min(strongest.size(), max_weighed));
   return strongest;
 }
 
@@ -130,7 +130,7 @@ double unexplained(const Magnitudes& magnitudes, std::span<const OverlayPoint> p
 ImagePlace refined(const FocusedImage& image, std::span<const OverlayPoint> points, const ImagePlace& shift,
                    const ImagePlace& cell) {
   const ImageReader reader = reader_of(image);
-  for (const OverlayPoint& point : points.first(std::min(points.size(), most_tried))) {
+  for (const OverlayPoint& point : points.first(std::min(points.size(), max_tried))) {
     const ImagePlace expected = point.place + shift;
     const auto peak = measure_point(image, reader, expected, std::max(cell.azimuth_m, cell.range_m));
     if (peak && std::abs(peak->amplitude - point.amplitude) <= 0.5 * point.amplitude)
@@ -150,7 +150,7 @@ std::optional<ImagePlace> shift_upon_image(const FocusedImage& image, std::span<
   if (strongest.empty() || peaks.empty()) return std::nullopt;
   ImagePlace best = peaks.front() - strongest.front().place;
   double least = unexplained(magnitudes, strongest, best);
-  for (std::size_t i = 0; i < std::min(strongest.size(), most_tried); ++i)
+  for (std::size_t i = 0; i < std::min(strongest.size(), max_tried); ++i)
     for (const ImagePlace& peak : peaks) {
       const ImagePlace shift = peak - strongest[i].place;
       const double left = unexplained(magnitudes, strongest, shift);

@@ -54,8 +54,8 @@ struct Candidate {
   double entropy = 0.0;
 };
 
-constexpr std::size_t most_bursts = 16;
-constexpr std::size_t most_candidates = 8;
+constexpr std::size_t max_bursts = 16;
+constexpr std::size_t max_candidates = 8;
 
 // Evenly spaced speeds about a middle.
 std::vector<double> speeds_about(double middle_mps, double step_mps, int to_either_side) {
@@ -68,7 +68,7 @@ std::vector<Candidate> judged(const Sharpness& cost, const std::vector<double>& 
                               const core::WorkControl& control) {
   std::vector<Candidate> candidates(speeds.size());
   core::parallel_ranges(speeds.size(), 1, control, [&](std::size_t i, std::size_t) {
-    candidates[i] = {speeds[i], cost.entropy(speeds[i], most_bursts)};
+    candidates[i] = {speeds[i], cost.entropy(speeds[i], max_bursts)};
   });
   return candidates;
 }
@@ -78,7 +78,7 @@ std::vector<Candidate> sharpest(std::vector<Candidate> all, double apart_mps) {
   std::ranges::stable_sort(all, {}, &Candidate::entropy);
   std::vector<Candidate> best;
   for (const Candidate& candidate : all) {
-    if (best.size() == most_candidates) break;
+    if (best.size() == max_candidates) break;
     const auto near = [&](const Candidate& b) { return std::abs(b.speed_mps - candidate.speed_mps) < apart_mps; };
     if (std::ranges::none_of(best, near)) best.push_back(candidate);
   }
@@ -133,7 +133,7 @@ VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes&
     const Sharpness cost(maker, echoes, (bursts - used) / 2, used);
     // Half a cell: of smear, which goes with twice the time, or of walk.
     const double step = std::min(first_speed_step_mps(band, cost.span_s()), (to_mps - from_mps) / 8.0);
-    if (kept.empty() && (to_mps - from_mps) / step > most_searched_speeds)
+    if (kept.empty() && (to_mps - from_mps) / step > max_searched_speeds)
       throw std::invalid_argument("velocity search: the interval holds too many speeds to try");
     speeds.clear();
     if (kept.empty()) {
@@ -148,7 +148,7 @@ VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes&
     open_mps = 1.5 * step;
     if (used < bursts) continue;
     const Candidate best = refined(cost, kept.front(), step, control);
-    return {std::clamp(best.speed_mps, from_mps, to_mps), best.entropy, cost.entropy(0.0, most_bursts), step / 64.0};
+    return {std::clamp(best.speed_mps, from_mps, to_mps), best.entropy, cost.entropy(0.0, max_bursts), step / 64.0};
   }
 }
 

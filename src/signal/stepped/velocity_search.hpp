@@ -38,7 +38,7 @@ struct VelocityEstimate {
 };
 
 /// Speeds that the first round of a search tries at the most.
-inline constexpr double most_searched_speeds = 20000.0;
+inline constexpr double max_searched_speeds = 20000.0;
 
 /// Spacing of the speeds that a search over some time begins with: c/(8 B) over that time, a quarter of a cell.
 [[nodiscard]] double first_speed_step_mps(const SteppedBand& band, double span_s);
@@ -51,7 +51,7 @@ inline constexpr double most_searched_speeds = 20000.0;
 /// @param echoes  of one burst or more
 /// @throw  std::invalid_argument where the sizes contradict the band, the interval is empty or the first round would
 /// try
-///         more than `most_searched_speeds`; Interrupted
+///         more than `max_searched_speeds`; Interrupted
 [[nodiscard]] VelocityEstimate estimate_velocity(const ProfileMaker& maker, const BurstEchoes& echoes, double from_mps,
                                                  double to_mps, const core::WorkControl& control);
 

@@ -100,8 +100,8 @@ TEST(EstimateVelocity, RefusesIntervalsOfTooManySpeeds) {
   const double span_s = echoes.time_s.back() - echoes.time_s.front();
   const double step_mps = first_speed_step_mps(band, span_s);
   EXPECT_NEAR(step_mps, core::exact_light_speed_mps / (8.0 * band.band_hz()) / span_s, 1e-9);
-  const double most_mps = 0.5 * most_searched_speeds * step_mps;
-  EXPECT_THROW((void)estimate_velocity(maker, echoes, -1.01 * most_mps, 1.01 * most_mps, one), std::invalid_argument);
+  const double max_mps = 0.5 * max_searched_speeds * step_mps;
+  EXPECT_THROW((void)estimate_velocity(maker, echoes, -1.01 * max_mps, 1.01 * max_mps, one), std::invalid_argument);
 }
 
 TEST(EstimateVelocity, EndsWhenAskedTo) {

@@ -110,33 +110,33 @@ double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_sampl
 
 // The most that is held at once: while the script is read and checked and its platforms are looked at, or while its
 // pulses are computed.
-double most_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
+double max_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   constexpr double program = 11e6;
   constexpr double transform_library = 5e6;
   constexpr double platform = 70e3;
   constexpr double checked_target = 148.0;
   constexpr double surveyed_target = 300.0;
-  constexpr double most_surveyed = 65'536.0;
+  constexpr double max_surveyed = 65'536.0;
   constexpr double resolved_target = 72.0;
   constexpr double cloud_point = 32.0;
   constexpr double echo = 48.0;
   constexpr double sample = 140.0;
   constexpr double transform_point = 52.0;
   constexpr double spectra_kept = 12.0;  // of pulses, each with half the points of their transforms, 8 bytes
-  constexpr double most_spectra = 16e6;
+  constexpr double max_spectra = 16e6;
   const ResolvedScene& scene = *plan.scene;
   const double all = scatterers_of(scene);
   const auto targets = static_cast<double>(scene.scatterers.targets());
   const double points = static_cast<double>(scene.scatterers.size()) - targets;
   const double sheets = all - static_cast<double>(scene.scatterers.size());
-  const double checked = checked_target * targets + surveyed_target * std::min(all, most_surveyed) +
+  const double checked = checked_target * targets + surveyed_target * std::min(all, max_surveyed) +
                          platform * static_cast<double>(scene.platforms.size());
   const double at_once = work.transforms > 0.0 ? std::min(all, static_cast<double>(points_at_once)) : all;
   double of_thread = echo * at_once + sample * static_cast<double>(std::max(plan.raw_grid.count, plan.columns));
   double computed = resolved_target * (targets + sheets);
   if (work.transforms > 0.0) {
     const double spectra = work.transforms > 1.0 ? spectra_kept * 4.0 * work.transforms * work.transform_points : 0.0;
-    of_thread += transform_point * work.transform_points + std::min(spectra, most_spectra);
+    of_thread += transform_point * work.transform_points + std::min(spectra, max_spectra);
   }
   if (work.transforms > 0.0 || plan.compressor) computed += transform_library;
   computed += threads * of_thread;
@@ -164,7 +164,7 @@ Cost estimated_cost(const Plan& plan, unsigned threads, const MachineSpeed& mach
   cost.start_seconds = work.start_s;
   cost.seconds_one_thread = work.start_s + computing_s;
   cost.seconds = work.start_s + computing_s / (1.0 + gain * (threads - 1.0));
-  cost.memory_bytes = most_memory(plan, work, threads);
+  cost.memory_bytes = max_memory(plan, work, threads);
   return cost;
 }
 

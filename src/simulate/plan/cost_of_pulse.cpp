@@ -37,7 +37,7 @@ constexpr double transform_octave_ns = 1.7;
 constexpr double bin_octave_ns = 0.5;
 constexpr double cached_points = 32768.0;
 constexpr double double_precision_times = 2.6;
-constexpr double least_single_tolerance = 9.9e-7;
+constexpr double min_single_tolerance = 9.9e-7;
 
 // Of transforms of so many points in all.
 double point_ns(double cached_ns, double octave_ns, double points) {
@@ -112,7 +112,7 @@ SpectralEstimate PulseCost::spectral(const radar::PulseRange& pulses) const {
   estimate.cost = radar::SpectralKernel::cost(pulse_, grid_, tolerance_, radar_.carrier.highest_hz(), doppler.lowest,
                                               doppler.highest);
   const auto terms = static_cast<double>(estimate.cost.doppler_terms);
-  const double precision = tolerance_ < least_single_tolerance ? double_precision_times : 1.0;
+  const double precision = tolerance_ < min_single_tolerance ? double_precision_times : 1.0;
   const auto points = terms * static_cast<double>(estimate.cost.transform_size);
   estimate.ns = precision * echoes_ *
                     (spread_ns + doppler_term_ns * (terms - 1.0) +

@@ -45,11 +45,11 @@ TEST(Cost, IsThatOfTheEngineThatWasChosen) {
 TEST(Cost, OfTheAutomaticChoiceIsTheLeast) {
   for (const int targets : {1, 10, 100, 1000, 10000}) {
     const scene::Scene scene = scene_of(targets);
-    const double least_s = std::min(seconds(scene, Engine::direct), seconds(scene, Engine::spectral));
+    const double min_s = std::min(seconds(scene, Engine::direct), seconds(scene, Engine::spectral));
     const double chosen_s = seconds(scene, Engine::automatic);
     if (make_plan(scene, 0, nullptr, Engine::automatic).engine.engine == Engine::reference) continue;  // no SIMD
     // Nobody asks for the least where all is cheap.
-    EXPECT_LE(chosen_s, least_s + 20.0 * 20e-6) << targets;
+    EXPECT_LE(chosen_s, min_s + 20.0 * 20e-6) << targets;
   }
 }
 

@@ -12,11 +12,11 @@ namespace sarsim::simulate {
 
 namespace {
 
-constexpr std::int64_t most_looks = 65;
+constexpr std::int64_t max_looks = 65;
 constexpr std::int64_t looks_at_many = 17;
-constexpr std::int64_t least_looks = 3;
+constexpr std::int64_t min_looks = 3;
 constexpr std::size_t many_scatterers = 50'000;
-constexpr std::size_t most_poses = 100'000;  // kept at once
+constexpr std::size_t max_poses = 100'000;  // kept at once
 constexpr std::size_t between_stops = 4096;
 constexpr double weakest_heard = 1e-3;  // -60 dB
 // What a platform may move during a flight, and what a pulse may be stretched by: far more than any speed does.
@@ -88,9 +88,9 @@ class Hearing {
     const double slack_s = share_of_flight * (pulse.last_s() - pulse.first_s()) + 2.0 * grid.interval_s;
     begin_s_ = grid.first_s - pulse.last_s() - slack_s;
     end_s_ = grid.time_s(grid.count) - pulse.first_s() + slack_s;
-    const std::int64_t most = point_count(scene) > many_scatterers ? looks_at_many : most_looks;
-    const auto kept = static_cast<std::int64_t>(most_poses / std::max<std::size_t>(scene.platforms.size(), 1));
-    const std::int64_t looks = std::min(pulses.count(), std::clamp(kept, least_looks, most));
+    const std::int64_t most = point_count(scene) > many_scatterers ? looks_at_many : max_looks;
+    const auto kept = static_cast<std::int64_t>(max_poses / std::max<std::size_t>(scene.platforms.size(), 1));
+    const std::int64_t looks = std::min(pulses.count(), std::clamp(kept, min_looks, most));
     for (std::int64_t n = 0; n < looks; ++n) {
       const double share = looks > 1 ? static_cast<double>(n) / static_cast<double>(looks - 1) : 0.0;
       looks_.push_back(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));
@@ -181,7 +181,7 @@ class Hearing {
         const Interval since = this->since(back);
         const bool beyond = step > 0 ? all.last_s - since.first_s < begin_s_ : all.first_s - since.last_s > end_s_;
         if (beyond) break;
-        if (std::abs(back) > most_pulses_away) {
+        if (std::abs(back) > max_pulses_away) {
           some_farther = true;
           (step > 0 ? before_s_ : after_s_) = step > 0 ? since.first_s : since.last_s;
           break;

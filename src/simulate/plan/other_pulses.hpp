@@ -22,11 +22,11 @@ struct OtherPulse {
 /// The pulses whose echoes rows receive besides those of their own, ascending.
 struct OtherPulses {
   std::vector<OtherPulse> pulses;
-  /// Of those sent more than `most_pulses_away` before or after a row's own, which are left out: amplitude of the
+  /// Of those sent more than `max_pulses_away` before or after a row's own, which are left out: amplitude of the
   /// strongest echo against the strongest of all; 0 where there is none.
   double farther = 0.0;
 };
-inline constexpr std::int64_t most_pulses_away = 1000;
+inline constexpr std::int64_t max_pulses_away = 1000;
 
 /// Which other pulses are heard while a row is received, those of whose echoes one may touch a row.
 ///

@@ -242,7 +242,7 @@ TEST(OtherPulses, TakeNoLongerWhereManyHearMany) {
   const auto begin = std::chrono::steady_clock::now();
   const Plan plan = make_plan(scene, 0);
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
-  ASSERT_EQ(plan.other_pulses.pulses.size(), 2 * static_cast<std::size_t>(most_pulses_away));
+  ASSERT_EQ(plan.other_pulses.pulses.size(), 2 * static_cast<std::size_t>(max_pulses_away));
   // The strongest, with 1e4 m2 at 203 km, is one of all that each of them may have sent.
   for (const OtherPulse& other : plan.other_pulses.pulses) ASSERT_EQ(other.strength, 1.0) << other.back;
 }

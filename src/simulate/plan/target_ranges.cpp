@@ -11,9 +11,9 @@ namespace sarsim::simulate {
 
 namespace {
 
-constexpr std::int64_t most_pulses = 17;
+constexpr std::int64_t max_pulses = 17;
 constexpr std::size_t between_looks = 4096;
-constexpr std::size_t most_cloud_points = 65'536;  // are looked at
+constexpr std::size_t max_cloud_points = 65'536;  // are looked at
 
 void look_at(const core::StopFlag* stop) {
   if (stop != nullptr && stop->requested()) throw core::Interrupted();
@@ -30,7 +30,7 @@ void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseG
   const double light_mps = scene.conventions.light_speed_mps;
   const radar::Pointing pointing = geometry.pointing();
   const ScattererList& all = scene.scatterers;
-  const std::size_t step = (all.size() - all.targets()) / most_cloud_points + 1;
+  const std::size_t step = (all.size() - all.targets()) / max_cloud_points + 1;
   for (std::size_t i = 0, n = 0; i < all.size(); i += i < all.targets() ? 1 : step, ++n) {
     if (n % between_looks == 0) look_at(stop);
     include(extent, radar::range_of(geometry.view(i, pointing).delay_s, light_mps));
@@ -52,7 +52,7 @@ RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar
   CORE_EXPECT(radar.platform < scene.platforms.size());
   RangeExtent extent;
   PulseGeometry geometry(scene, radar);
-  const std::int64_t looks = std::min(pulses.count(), most_pulses);
+  const std::int64_t looks = std::min(pulses.count(), max_pulses);
   for (std::int64_t n = 0; n < looks; ++n) {
     const double share = looks > 1 ? static_cast<double>(n) / static_cast<double>(looks - 1) : 0.0;
     geometry.set_pulse(pulses.first + std::llround(share * static_cast<double>(pulses.count() - 1)));

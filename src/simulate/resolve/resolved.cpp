@@ -153,11 +153,11 @@ std::uint32_t platform_number(std::size_t found, const scene::Scene& scene, cons
 // Boxes around what each platform carries.
 class Boxes {
  public:
-  explicit Boxes(std::size_t platforms) : least_(platforms, {far, far, far}), most_(platforms, {-far, -far, -far}) {}
+  explicit Boxes(std::size_t platforms) : min_(platforms, {far, far, far}), max_(platforms, {-far, -far, -far}) {}
 
   void include(std::uint32_t platform, const core::Vec3& p) {
-    core::Vec3& least = least_[platform];
-    core::Vec3& most = most_[platform];
+    core::Vec3& least = min_[platform];
+    core::Vec3& most = max_[platform];
     least = {std::min(least.x, p.x), std::min(least.y, p.y), std::min(least.z, p.z)};
     most = {std::max(most.x, p.x), std::max(most.y, p.y), std::max(most.z, p.z)};
   }
@@ -165,16 +165,16 @@ class Boxes {
   // Middle and radius of the balls around the boxes.
   void find_balls(std::vector<ResolvedPlatform>& platforms) const {
     for (std::size_t i = 0; i < platforms.size(); ++i) {
-      if (!(least_[i].x <= most_[i].x)) continue;
-      platforms[i].middle_m = 0.5 * (least_[i] + most_[i]);
-      platforms[i].radius_m = 0.5 * core::norm(most_[i] - least_[i]);
+      if (!(min_[i].x <= max_[i].x)) continue;
+      platforms[i].middle_m = 0.5 * (min_[i] + max_[i]);
+      platforms[i].radius_m = 0.5 * core::norm(max_[i] - min_[i]);
     }
   }
 
  private:
   static constexpr double far = std::numeric_limits<double>::infinity();
-  std::vector<core::Vec3> least_;
-  std::vector<core::Vec3> most_;
+  std::vector<core::Vec3> min_;
+  std::vector<core::Vec3> max_;
 };
 
 void find_balls(ResolvedScene& resolved) {
@@ -184,7 +184,7 @@ void find_balls(ResolvedScene& resolved) {
     boxes.include(s.platform, s.position_m);
   }
   for (const ScattererCloud& cloud : resolved.scatterers.clouds())
-    for (const core::Vec3& corner_m : {cloud.least_m, cloud.most_m}) boxes.include(cloud.common.platform, corner_m);
+    for (const core::Vec3& corner_m : {cloud.min_m, cloud.max_m}) boxes.include(cloud.common.platform, corner_m);
   for (const ScattererSheet& sheet : resolved.sheets)
     for (const core::Vec3& point_m : sheet.points_m) boxes.include(sheet.platform, point_m);
   boxes.find_balls(resolved.platforms);
@@ -211,7 +211,7 @@ void add_targets(const scene::Scene& scene, scene::SceneIndex& names, ResolvedSc
       throw std::invalid_argument("the points of cloud '" + cloud.file + "' are not read");
     Scatterer common = scatterer_of(cloud.traits, resolved);
     common.platform = platform_number(names.platform(cloud.platform), scene, cloud.platform);
-    resolved.scatterers.add_cloud({common, arrays_of(cloud), cloud.points->least_m, cloud.points->most_m});
+    resolved.scatterers.add_cloud({common, arrays_of(cloud), cloud.points->min_m, cloud.points->max_m});
   }
 }
 
@@ -292,17 +292,17 @@ std::vector<std::uint32_t> reflecting_platforms(const ResolvedScene& scene) {
   return platforms;
 }
 
-std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene> scene, std::size_t most_points) {
+std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene> scene, std::size_t max_points) {
   CORE_EXPECT(scene != nullptr);
   if (std::ranges::none_of(scene->scatterers.clouds(),
-                           [&](const ScattererCloud& cloud) { return cloud.points->size() > most_points; }))
+                           [&](const ScattererCloud& cloud) { return cloud.points->size() > max_points; }))
     return scene;
   auto some = std::make_shared<ResolvedScene>();
   some->conventions = scene->conventions;
   some->options = scene->options;
   some->turning = scene->turning;
   some->platforms = scene->platforms;
-  some->scatterers = scene->scatterers.thinned(most_points);
+  some->scatterers = scene->scatterers.thinned(max_points);
   some->sheets = scene->sheets;
   some->gain_curves = scene->gain_curves;
   return some;

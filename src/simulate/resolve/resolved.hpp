@@ -84,7 +84,7 @@ inline constexpr double surface_points_per_m2 = 1.0;
 /// A scene with at most so many points of each of its clouds, evenly chosen: for looks that need not see all of them.
 /// The same scene where no cloud has more.
 [[nodiscard]] std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene> scene,
-                                                           std::size_t most_points);
+                                                           std::size_t max_points);
 
 /// Resolves one radar of a scene.
 [[nodiscard]] ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar);

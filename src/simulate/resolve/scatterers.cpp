@@ -67,8 +67,8 @@ void ScattererList::note_platform(std::uint32_t platform) {
   if (at == platforms_.end() || *at != platform) platforms_.insert(at, platform);
 }
 
-ScattererList ScattererList::thinned(std::size_t most_points) const {
-  CORE_EXPECT(most_points > 1);
+ScattererList ScattererList::thinned(std::size_t max_points) const {
+  CORE_EXPECT(max_points > 1);
   ScattererList list;
   list.single_ = single_;
   list.rests_ = rests_;
@@ -76,13 +76,13 @@ ScattererList ScattererList::thinned(std::size_t most_points) const {
   list.count_ = single_.size();
   for (const ScattererCloud& cloud : clouds_) {
     const radar::PointArrays& all = *cloud.points;
-    if (all.size() <= most_points) {
+    if (all.size() <= max_points) {
       list.add_cloud(cloud);
       continue;
     }
     auto some = std::make_shared<radar::PointArrays>();
-    for (std::size_t n = 0; n < most_points; ++n) {
-      const std::size_t i = n * (all.size() - 1) / (most_points - 1);
+    for (std::size_t n = 0; n < max_points; ++n) {
+      const std::size_t i = n * (all.size() - 1) / (max_points - 1);
       some->x_m.push_back(all.x_m[i]);
       some->y_m.push_back(all.y_m[i]);
       some->z_m.push_back(all.z_m[i]);

@@ -35,8 +35,8 @@ struct Scatterer {
 struct ScattererCloud {
   Scatterer common;  ///< All but position and cross-section.
   std::shared_ptr<const radar::PointArrays> points;
-  core::Vec3 least_m;  ///< Box around the points, in the platform's frame.
-  core::Vec3 most_m;
+  core::Vec3 min_m;  ///< Box around the points, in the platform's frame.
+  core::Vec3 max_m;
   std::size_t first = 0;  ///< Number of its first point in the list.
 };
 
@@ -94,7 +94,7 @@ class ScattererList {
   /// The platforms that carry any, ascending.
   [[nodiscard]] const std::vector<std::uint32_t>& platforms() const { return platforms_; }
   /// The same list with at most so many points of each cloud, evenly chosen, its first and last among them.
-  [[nodiscard]] ScattererList thinned(std::size_t most_points) const;
+  [[nodiscard]] ScattererList thinned(std::size_t max_points) const;
 
  private:
   void note_platform(std::uint32_t platform);

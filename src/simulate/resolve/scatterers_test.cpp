@@ -21,8 +21,8 @@ std::shared_ptr<const scene::CloudPoints> some_points(std::size_t count) {
     read.arrays.root_rcs_m.push_back(1.0 + x);
   }
   read.own_rcs = true;
-  read.least_m = {0.0, 1000.0, 1.0 - static_cast<double>(count)};
-  read.most_m = {static_cast<double>(count) - 1.0, 999.0 + static_cast<double>(count), 0.0};
+  read.min_m = {0.0, 1000.0, 1.0 - static_cast<double>(count)};
+  read.max_m = {static_cast<double>(count) - 1.0, 999.0 + static_cast<double>(count), 0.0};
   read.file = "points.npy";
   return std::make_shared<const scene::CloudPoints>(std::move(read));
 }

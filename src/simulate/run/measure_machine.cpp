@@ -133,14 +133,14 @@ class Measuring {
 
   [[nodiscard]] double run_seconds(const scene::Scene& scene, Engine engine) const {
     const Plan plan = make_plan(scene, 0, nullptr, engine, stop_);
-    double least_s = std::numeric_limits<double>::infinity();
+    double min_s = std::numeric_limits<double>::infinity();
     for (int i = 0; i < trial_repeats; ++i) {
       Nowhere nowhere;
       const Moment begin = Moment::now();
       (void)run(plan, plan.simulation.lsb_v, nowhere, {1, stop_, {}});
-      least_s = std::min(least_s, begin.seconds_since());
+      min_s = std::min(min_s, begin.seconds_since());
     }
-    return least_s;
+    return min_s;
   }
 
   const core::StopFlag* stop_;

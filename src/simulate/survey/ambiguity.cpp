@@ -90,7 +90,7 @@ class OtherPulseRules {
     if (!(heard.farther > 0.0)) return;
     add(core::Severity::warning,
         fmt::format("echoes of pulses sent more than {} pulses earlier or later are received but left out",
-                    most_pulses_away),
+                    max_pulses_away),
         fmt::format("up to {:.0f} dB relative to the strongest echo, antennas ignored",
                     core::amplitude_db(heard.farther)),
         "", "lower the PRF, or move the targets");

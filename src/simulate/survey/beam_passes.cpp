@@ -27,10 +27,10 @@ class BeamPasses {
   // Up to `most` pulses; of all targets one pass, then another, at times spread over the recording.
   [[nodiscard]] std::vector<std::int64_t> pulses(std::size_t most) {
     std::vector<std::int64_t> found;
-    for (std::size_t round = 0; round < most_passes; ++round)
+    for (std::size_t round = 0; round < max_passes; ++round)
       for (std::size_t i = 0; i < scene_.scatterers.size(); ++i) {
         if (found.size() >= most) return found;
-        const double share = static_cast<double>(round) / static_cast<double>(most_passes - 1);
+        const double share = static_cast<double>(round) / static_cast<double>(max_passes - 1);
         if (const auto pulse = met(i, first_s_ + share * (last_s_ - first_s_))) found.push_back(*pulse);
       }
     return found;
@@ -54,7 +54,7 @@ class BeamPasses {
   }
 
  private:
-  static constexpr std::size_t most_passes = 5;  // of each target
+  static constexpr std::size_t max_passes = 5;  // of each target
 
   [[nodiscard]] std::int64_t pulse_at(double time_s) const {
     const double half_s = 0.5 * radar_.repetition.mean_interval_s();

@@ -98,8 +98,8 @@ SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey)
   f.last_delay_s = radar::delay_of(plan.column_range_m.back(), c);
   if (plan.column_range_m.size() > 1) f.column_spacing_m = plan.column_range_m[1] - plan.column_range_m[0];
   f.sampling_ratio = plan.simulation.sample_rate_hz / band_of(plan.radar.pulse);
-  constexpr std::size_t most_targets = 4096;
-  f.pulse_motion_rad = motion_left_in_pulse(plan, targets_in_window(survey, most_targets)).phase_rad;
+  constexpr std::size_t max_targets = 4096;
+  f.pulse_motion_rad = motion_left_in_pulse(plan, targets_in_window(survey, max_targets)).phase_rad;
   f.noise_power_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;
   const double gain = processing_gain(plan) * largest_stc_gain(plan);
   f.largest_echo_v = gain * largest_in_window_v(survey);

@@ -14,9 +14,9 @@ namespace sarsim::simulate {
 
 namespace {
 
-constexpr std::size_t most_motion_looks = 400'000;  // pulses times targets
-constexpr std::int64_t most_motion_pulses = 1025;
-constexpr std::int64_t least_motion_pulses = 65;
+constexpr std::size_t max_motion_looks = 400'000;  // pulses times targets
+constexpr std::int64_t max_motion_pulses = 1025;
+constexpr std::int64_t min_motion_pulses = 65;
 constexpr std::int64_t finer_looks = 16;
 // First looks, at platforms alone and then at few targets and pulses; one that finds far less than anybody would note
 // is the last.
@@ -50,7 +50,7 @@ double longest_turned(const core::Mat3& m) {
 // A bound for what the second derivative of the distance to points of a platform, within `reach_m` of its origin and
 // nowhere nearer than `nearest_m`, changes by within a pulse. The third derivative is (3 v.a + r.j - 3 d' d")/d, at
 // most 3 v (2 a + v^2/d)/d and the jerk, whose share is what the accelerations differ by.
-double most_change_mps2(const Moved& radar, const Moved& platform, double reach_m, double nearest_m, double pulse_s) {
+double max_change_mps2(const Moved& radar, const Moved& platform, double reach_m, double nearest_m, double pulse_s) {
   if (!(nearest_m > 0.0)) return std::numeric_limits<double>::infinity();
   const double speed_mps = core::norm(platform.pose.velocity_world_mps - radar.pose.velocity_world_mps) +
                            reach_m * longest_turned(platform.pose.world_from_platform_rate);
@@ -60,7 +60,7 @@ double most_change_mps2(const Moved& radar, const Moved& platform, double reach_
   return 3.0 * speed_mps * (2.0 * acceleration_mps2 + speed_mps * speed_mps / nearest_m) / nearest_m * pulse_s;
 }
 
-double most_jerk_mps2(const Moved& before, const Moved& after, double reach_m) {
+double max_jerk_mps2(const Moved& before, const Moved& after, double reach_m) {
   const auto& a = before.acceleration;
   const auto& b = after.acceleration;
   return core::norm(b.acceleration_world_mps2 - a.acceleration_world_mps2) +
@@ -78,16 +78,16 @@ class MotionLook {
 
   PulseMotion worst() {
     const std::int64_t count = plan_.pulses.count();
-    const PulseMotion bound = most_by_platforms(std::min(count, least_motion_pulses));
+    const PulseMotion bound = max_by_platforms(std::min(count, min_motion_pulses));
     if (bound.phase_rad < worth_looking_rad) return bound;
     const std::vector<std::size_t> all(targets_.begin(), targets_.end());
     const std::vector<std::size_t> few = evenly_of(all);
     targets_ = few;
-    look(plan_.pulses.first, plan_.pulses.last, std::min(count, least_motion_pulses));
+    look(plan_.pulses.first, plan_.pulses.last, std::min(count, min_motion_pulses));
     if (worst_.phase_rad < worth_looking_rad) return worst_;
     targets_ = all;
-    const auto affordable = static_cast<std::int64_t>(most_motion_looks / targets_.size());
-    const std::int64_t looks = std::min(count, std::clamp(affordable, least_motion_pulses, most_motion_pulses));
+    const auto affordable = static_cast<std::int64_t>(max_motion_looks / targets_.size());
+    const std::int64_t looks = std::min(count, std::clamp(affordable, min_motion_pulses, max_motion_pulses));
     const std::int64_t spacing = looks > 1 ? (count - 1) / (looks - 1) + 1 : 1;
     look(plan_.pulses.first, plan_.pulses.last, looks);
     if (spacing > 1)
@@ -120,24 +120,24 @@ class MotionLook {
   }
 
   // The largest bound, or the first that is worth looking into.
-  [[nodiscard]] PulseMotion most_by_platforms(std::int64_t looks) const {
+  [[nodiscard]] PulseMotion max_by_platforms(std::int64_t looks) const {
     PulseMotion most{0.0, targets_.front(), plan_.pulses.first};
     for (std::size_t i = 0; i < static_cast<std::size_t>(looks) && most.phase_rad < worth_looking_rad; ++i) {
       const std::int64_t pulse = chosen(plan_.pulses.first, plan_.pulses.last, looks, i);
-      const double phase_rad = most_at(pulse);
+      const double phase_rad = max_at(pulse);
       if (!(phase_rad <= most.phase_rad)) most = {phase_rad, most.target, pulse};
     }
     return most;
   }
 
-  [[nodiscard]] double most_at(std::int64_t pulse) const {
+  [[nodiscard]] double max_at(std::int64_t pulse) const {
     const double width_s = plan_.radar.pulse.width_s;
     const double time_s = plan_.radar.repetition.send_time_s(pulse);
     std::vector<radar::Track::ErrorSteps> steps(platforms_.size());
     const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse, steps);
     const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse, steps);
     const std::size_t own = slot_of_[plan_.radar.platform];
-    double most_mps2 = 0.0;
+    double max_mps2 = 0.0;
     for (std::size_t p = 0; p < reflecting_; ++p) {
       const ResolvedPlatform& platform = plan_.scene->platforms[platforms_[p]];
       const double reach_m = core::norm(platform.middle_m) + platform.radius_m;
@@ -145,12 +145,12 @@ class MotionLook {
       for (const std::vector<Moved>* at : {&before, &after}) {
         const core::Vec3 middle_m = radar::world_position_m((*at)[p].pose, platform.middle_m);
         const double nearest_m = core::norm(middle_m - (*at)[own].pose.position_world_m) - platform.radius_m;
-        change_mps2 = std::max(change_mps2, most_change_mps2((*at)[own], (*at)[p], reach_m, nearest_m, width_s));
+        change_mps2 = std::max(change_mps2, max_change_mps2((*at)[own], (*at)[p], reach_m, nearest_m, width_s));
       }
-      change_mps2 += most_jerk_mps2(before[p], after[p], reach_m) + most_jerk_mps2(before[own], after[own], 0.0);
-      most_mps2 = std::max(most_mps2, change_mps2);
+      change_mps2 += max_jerk_mps2(before[p], after[p], reach_m) + max_jerk_mps2(before[own], after[own], 0.0);
+      max_mps2 = std::max(max_mps2, change_mps2);
     }
-    return phase_of(most_mps2, pulse);
+    return phase_of(max_mps2, pulse);
   }
 
   // At the ends of a pulse within which the second derivative of the distance changes by so much.

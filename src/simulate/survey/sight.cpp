@@ -16,8 +16,8 @@ namespace sarsim::simulate {
 namespace {
 
 constexpr std::int64_t looks_of_a_target = 64;
-constexpr std::int64_t least_lit = 8;  // looks within 6 dB of the strongest that show a passage well enough
-constexpr int most_zooms = 6;
+constexpr std::int64_t min_lit = 8;  // looks within 6 dB of the strongest that show a passage well enough
+constexpr int max_zooms = 6;
 
 bool is_isotropic(const radar::AntennaPattern& pattern) {
   return pattern.kind == radar::AntennaPattern::Kind::isotropic;
@@ -92,11 +92,11 @@ class Looker {
     if (turns(radar_.beam)) narrow_to_a_pass(target, first, last);
     std::vector<PulseLook> looks =
         first == pulses_.first && last == pulses_.last ? looks_at(target) : looks_at(target, first, last);
-    for (int zoom = 0; zoom < most_zooms; ++zoom) {
+    for (int zoom = 0; zoom < max_zooms; ++zoom) {
       take_in(sight, looks);
       const std::int64_t step =
           static_cast<std::int64_t>(looks.size()) < last - first + 1 ? (last - first) / (looks_of_a_target - 1) + 1 : 1;
-      if (step == 1 || lit(looks) >= least_lit) break;
+      if (step == 1 || lit(looks) >= min_lit) break;
       // Twice as much as is lit, so that what the passage begins and ends with is there.
       const std::int64_t reach = (2 + 2 * lit(looks)) * step;
       const std::int64_t middle = nearest(looks).pulse;

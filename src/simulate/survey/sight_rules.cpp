@@ -15,10 +15,10 @@ namespace sarsim::simulate {
 
 namespace {
 
-constexpr double least_pattern = 0.01;  // two-way: below it, targets are seen by side lobes alone
-constexpr double good_pattern = 0.25;   // two-way: within the half-power width
-constexpr double least_snr = 10.0;      // 10 dB: below it nobody finds a target
-constexpr double least_recorded = 0.9;  // of an echo
+constexpr double min_pattern = 0.01;   // two-way: below it, targets are seen by side lobes alone
+constexpr double good_pattern = 0.25;  // two-way: within the half-power width
+constexpr double min_snr = 10.0;       // 10 dB: below it nobody finds a target
+constexpr double min_recorded = 0.9;   // of an echo
 
 // Degrees, to a hundredth.
 double shown_deg(double angle_rad) { return std::round(100.0 * core::deg_per_rad * angle_rad) / 100.0 + 0.0; }
@@ -66,7 +66,7 @@ class SightRules {
   bool check_beam() {
     const double best = best_pattern(sights_);
     const bool silent = sighted_.summary.strongest().amplitude_v == 0.0;
-    if (silent && best >= least_pattern) {
+    if (silent && best >= min_pattern) {
       // `check` has already warned of negative cross-sections.
       if (std::ranges::all_of(sights_,
                               [&](const TargetSight& s) { return plan_.scene->scatterers[s.target].rcs_m2 < 0.0; }))
@@ -76,7 +76,7 @@ class SightRules {
           "a target with a radar cross-section above 0 that faces the radar", "");
       return false;
     }
-    if (best >= least_pattern) return true;
+    if (best >= min_pattern) return true;
     const std::string what =
         silent ? "no echo is received: the beam points away from all targets"
                : fmt::format(
@@ -134,14 +134,14 @@ class SightRules {
   void check_noise() {
     if (!sighted_.summary.noise) return;
     const TargetSight& best = *std::ranges::max_element(sights_, {}, &TargetSight::processed_snr);
-    if (best.processed_snr >= least_snr) return;
+    if (best.processed_snr >= min_snr) return;
     add(core::Severity::warning, "simulation", "", "the echoes drown in noise: no processing finds a target" + scope_,
         fmt::format("target {}: SNR {:.1f} dB per pulse, {:.1f} dB with all pulses added", best.target + 1,
                     core::power_db(best.snr), core::power_db(best.processed_snr)),
-        fmt::format("{:.0f} dB or more with all pulses added", core::power_db(least_snr)),
+        fmt::format("{:.0f} dB or more with all pulses added", core::power_db(min_snr)),
         fmt::format("Raise power, antenna gains, pulse width or cross-sections by {:.0f} dB, or lower the noise "
                     "temperature (0: no noise).",
-                    std::ceil(core::power_db(least_snr / best.processed_snr))));
+                    std::ceil(core::power_db(min_snr / best.processed_snr))));
   }
 
   struct Extent {
@@ -179,7 +179,7 @@ class SightRules {
     double least = 1.0;
     for (const TargetSight& s : sights_) {
       const double share = std::min({recorded(s.range_m), recorded(s.nearest_m), recorded(s.farthest_m)});
-      if (s.amplitude_v == 0.0 || share >= least_recorded) continue;
+      if (s.amplitude_v == 0.0 || share >= min_recorded) continue;
       cut.push_back(s.target + 1);
       least = std::min(least, share);
       leaves = leaves || s.nearest_m - lead_m < window.first_m || s.farthest_m > window.last_m;
@@ -215,7 +215,7 @@ class SightRules {
     for (const TargetSight& s : sights_)
       if ((s.pulse == plan_.pulses.first || s.pulse == plan_.pulses.last) && s.best_pattern < good_pattern)
         missed.push_back(s.target + 1);
-    if (missed.empty() || best_pattern(sights_) < least_pattern) return;
+    if (missed.empty() || best_pattern(sights_) < min_pattern) return;
     add(core::Severity::note, "simulation", "time_start_s",
         fmt::format(
             "the beam passes {} of {} targets ({}) before or after the azimuth window: their images are weak, at "

@@ -57,10 +57,10 @@ class Surveyor {
   }
 
  private:
-  static constexpr std::size_t most_sights = 64;
+  static constexpr std::size_t max_sights = 64;
 
   void check_sights(const EchoSurvey& survey, const Plan& plan, const core::WorkControl& control) {
-    const SightSurvey looked(plan, targets_in_window(survey, most_sights));
+    const SightSurvey looked(plan, targets_in_window(survey, max_sights));
     EchoSummary summary{index_, survey.targets.size(), survey.totals.in_window, looked.look(control)};
     const auto directive = [](const radar::AntennaPattern& pattern) {
       return pattern.kind != radar::AntennaPattern::Kind::isotropic;
@@ -74,8 +74,8 @@ class Surveyor {
   }
 
   void check_pulse_motion(const EchoSurvey& survey, const Plan& plan, const core::WorkControl& control) {
-    constexpr std::size_t most_targets = 4096;
-    const PulseMotion left = motion_left_in_pulse(plan, targets_in_window(survey, most_targets), control);
+    constexpr std::size_t max_targets = 4096;
+    const PulseMotion left = motion_left_in_pulse(plan, targets_in_window(survey, max_targets), control);
     if (left.phase_rad < noted_motion_rad) return;
     add(left.phase_rad < warned_motion_rad ? core::Severity::note : core::Severity::warning, "radar",
         fmt::format("echoes follow the motion within a pulse to its second order: what is left turns the ends of the "
@@ -240,20 +240,20 @@ class Surveyor {
     const double strongest = survey.totals.strongest_v + 3.0 * plan.noise_stddev_v;
     if (strongest <= 0.0) return;
     // Echoes that meet each other may add up to this.
-    const double most_v = std::max(survey.largest_sum_v, strongest);
+    const double max_v = std::max(survey.largest_sum_v, strongest);
     const double full_v = simulation_.lsb_v * radar::full_scale_count(simulation_.bits);
     const auto millivolts = [](double v) { return core::format_number(v, 3) + " mV"; };
     const auto rounded = [](double v) { return fmt::format("{:.6g} mV", v * 1e3); };
     if (strongest > 1.01 * full_v)
       add(core::Severity::warning, "lsb_v", "the least significant bit is too small: echoes will be clipped" + scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(most_v / radar::full_scale_count(simulation_.bits)),
+          millivolts(simulation_.lsb_v), "about " + rounded(max_v / radar::full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
-    else if (most_v < 0.5 * full_v)
+    else if (max_v < 0.5 * full_v)
       add(core::Severity::warning, "lsb_v",
           fmt::format("the least significant bit is too large: at most {:.2g} % of the converter's range will be used",
-                      100.0 * most_v / full_v) +
+                      100.0 * max_v / full_v) +
               scope_,
-          millivolts(simulation_.lsb_v), "about " + rounded(most_v / radar::full_scale_count(simulation_.bits)),
+          millivolts(simulation_.lsb_v), "about " + rounded(max_v / radar::full_scale_count(simulation_.bits)),
           "set it to 0 to have it estimated from the data");
   }
 

@@ -13,27 +13,26 @@ namespace sarsim::simulate {
 
 namespace {
 
-constexpr std::size_t most_pulses = 64;      // decisions: "at most 64 pulses x all targets, labelled as an estimate"
-constexpr std::size_t most_views = 400'000;  // targets times pulses: a look takes some hundredths of a second
-constexpr double closest_m = 1e-9;           // a target nearer than this stands on the radar
+constexpr std::size_t max_pulses = 64;      // decisions: "at most 64 pulses x all targets, labelled as an estimate"
+constexpr std::size_t max_views = 400'000;  // targets times pulses: a look takes some hundredths of a second
+constexpr double closest_m = 1e-9;          // a target nearer than this stands on the radar
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Targets that one thread looks at together, and pulses of which all poses are kept at once. They decide the order in
 // which amplitudes are summed.
 constexpr std::size_t range_targets = 2048;
-constexpr std::size_t most_poses = 100'000;
+constexpr std::size_t max_poses = 100'000;
 constexpr std::size_t range_poses = 2000;  // that are worth a thread
 
 std::size_t batch_pulses(std::size_t platforms) {
-  return std::clamp<std::size_t>(most_poses / std::max<std::size_t>(platforms, 1), 1, most_pulses);
+  return std::clamp<std::size_t>(max_poses / std::max<std::size_t>(platforms, 1), 1, max_pulses);
 }
 
 // Pulse numbers to look at: all, or an even choice that includes the first and the last.
 std::vector<std::int64_t> sampled_pulses(const radar::PulseRange& range, std::size_t targets) {
   std::vector<std::int64_t> pulses;
   const std::int64_t count = range.count();
-  const std::size_t affordable =
-      std::clamp<std::size_t>(most_views / std::max<std::size_t>(targets, 1), 3, most_pulses);
+  const std::size_t affordable = std::clamp<std::size_t>(max_views / std::max<std::size_t>(targets, 1), 3, max_pulses);
   const std::int64_t looks = std::min<std::int64_t>(count, static_cast<std::int64_t>(affordable));
   for (std::int64_t i = 0; i < looks; ++i) {
     const double share = looks > 1 ? static_cast<double>(i) / static_cast<double>(looks - 1) : 0.0;
@@ -48,8 +47,8 @@ std::vector<std::int64_t> pulses_to_look_at(const Plan& plan) {
   std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses, targets);
   const bool all = static_cast<std::int64_t>(pulses.size()) == plan.pulses.count();
   if (all || targets == 0 || !turns(plan.radar.beam)) return pulses;
-  const std::size_t views = most_views / targets;
-  const std::size_t poses = most_poses / std::max<std::size_t>(plan.scene->platforms.size(), 1);
+  const std::size_t views = max_views / targets;
+  const std::size_t poses = max_poses / std::max<std::size_t>(plan.scene->platforms.size(), 1);
   const std::size_t most = std::min(views, poses);
   if (most <= pulses.size()) return pulses;
   std::ranges::copy(pulses_on_targets(plan, most - pulses.size()), std::back_inserter(pulses));
@@ -138,7 +137,7 @@ class Look {
     const std::vector<std::int64_t> pulses = pulses_to_look_at(plan_);
     survey_.pulses_sampled = pulses.size();
     survey_.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan_.pulses.count();
-    if (survey_.targets.size() * pulses.size() <= most_views) looks_.resize(survey_.targets.size() * pulses.size());
+    if (survey_.targets.size() * pulses.size() <= max_views) looks_.resize(survey_.targets.size() * pulses.size());
     const std::size_t batch = std::min(pulses.size(), batch_pulses(plan_.scene->platforms.size()));
     std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
     for (std::size_t first = 0; first < pulses.size(); first += batch) {

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::int64_t pulses_compared = 9;
 constexpr std::int64_t pulses_of_targets = 3;
-constexpr std::size_t most_targets = 20'000;
-constexpr std::size_t most_surfaces = 2'000;
-constexpr std::size_t most_surface_points = 4'000;  // of all surfaces together
-constexpr std::size_t most_looks = 64;
+constexpr std::size_t max_targets = 20'000;
+constexpr std::size_t max_surfaces = 2'000;
+constexpr std::size_t max_surface_points = 4'000;  // of all surfaces together
+constexpr std::size_t max_looks = 64;
 
 // Of one surface, or of all targets: the points that are farthest beyond a table at some pulse, and by how much.
 class ReachingPoints {
@@ -75,8 +75,8 @@ class ReachComparison {
 
   void compare(const EchoSurvey& survey, const std::vector<std::size_t>& examined) {
     choose_targets(survey, examined);
-    const std::size_t step = step_of(scene_.sheets.size(), most_surfaces);
-    const std::size_t each = most_surface_points / std::max<std::size_t>(1, scene_.sheets.size() / step);
+    const std::size_t step = step_of(scene_.sheets.size(), max_surfaces);
+    const std::size_t each = max_surface_points / std::max<std::size_t>(1, scene_.sheets.size() / step);
     std::vector<std::pair<std::size_t, std::vector<std::size_t>>> surfaces;
     for (std::size_t i = 0; i < scene_.sheets.size(); i += step)
       surfaces.emplace_back(i, outermost(scene_.sheets[i], std::clamp<std::size_t>(each / 2, 4, 16)));
@@ -93,7 +93,7 @@ class ReachComparison {
 
   [[nodiscard]] std::vector<TargetSight> target_sights() {
     if (targets_.empty()) return {};
-    std::vector<std::size_t> chosen = targets_.points(most_looks / 2);
+    std::vector<std::size_t> chosen = targets_.points(max_looks / 2);
     std::ranges::sort(chosen);
     return SightSurvey(plan_, chosen).look(control_);
   }
@@ -102,7 +102,7 @@ class ReachComparison {
     const auto reaching = static_cast<std::size_t>(
         std::ranges::count_if(sheets_, [](const ReachingPoints& farthest) { return !farthest.empty(); }));
     if (reaching == 0) return {};
-    const std::size_t each = std::max<std::size_t>(1, most_looks / 2 / reaching);
+    const std::size_t each = std::max<std::size_t>(1, max_looks / 2 / reaching);
     auto points = std::make_shared<ResolvedScene>();
     points->conventions = scene_.conventions;
     points->options = scene_.options;
@@ -110,7 +110,7 @@ class ReachComparison {
     points->platforms = scene_.platforms;
     std::vector<SurfaceSight> sights;
     std::vector<std::size_t> numbers;
-    for (std::size_t sheet = 0; sheet < sheets_.size() && sights.size() < most_looks; ++sheet)
+    for (std::size_t sheet = 0; sheet < sheets_.size() && sights.size() < max_looks; ++sheet)
       for (const std::size_t point : sheets_[sheet].points(each)) {
         points->scatterers.push_back(scatterer_of(scene_.sheets[sheet], point));
         numbers.push_back(sights.size());
@@ -138,7 +138,7 @@ class ReachComparison {
   void choose_targets(const EchoSurvey& survey, const std::vector<std::size_t>& examined) {
     for (std::size_t i = 0; i < survey.targets.size(); ++i)
       if (survey.targets[i].in_window && !std::ranges::binary_search(examined, i)) chosen_.push_back(i);
-    const std::size_t step = step_of(chosen_.size(), most_targets);
+    const std::size_t step = step_of(chosen_.size(), max_targets);
     for (std::size_t i = 0; i * step < chosen_.size(); ++i) chosen_[i] = chosen_[i * step];
     chosen_.resize((chosen_.size() + step - 1) / step);
   }

@@ -207,8 +207,8 @@ TEST(TablesOfAngles, TellPointsOfCloudsThatAreBeyond) {
     points.arrays.z_m.push_back(i == 777 ? 300.0 : 0.0);
     points.arrays.root_rcs_m.push_back(1.0);
   }
-  points.most_m = {20.0, 1000.0, 300.0};
-  points.least_m = {0.0, 1000.0, 0.0};
+  points.max_m = {20.0, 1000.0, 300.0};
+  points.min_m = {0.0, 1000.0, 0.0};
   points.file = "points.npy";
   scene::Scene scene = seen_at({{0, 0}});
   scene.clouds.emplace_back();

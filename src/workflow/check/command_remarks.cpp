@@ -30,8 +30,8 @@ namespace sarsim::workflow {
 namespace {
 
 constexpr double rest_mps = 1e-6;
-constexpr std::size_t most_focus_looks = 1'000'000;  // half a second of two cores
-constexpr std::int64_t least_pulses = 8;             // with fewer nobody makes maps or images
+constexpr std::size_t max_focus_looks = 1'000'000;  // half a second of two cores
+constexpr std::int64_t min_pulses = 8;              // with fewer nobody makes maps or images
 
 // How radar and targets move at the middle pulse.
 struct Movement {
@@ -139,7 +139,7 @@ class Asking {
     const simulate::Plan plan =
         simulate::make_plan(scene_, index, resolved_, simulate::Engine::reference, control_.stop);
     const Movement movement = movement_of(plan);
-    const bool pulses = records_pulses(scene_, asked) && plan.pulses.count() >= least_pulses;
+    const bool pulses = records_pulses(scene_, asked) && plan.pulses.count() >= min_pulses;
     const bool detects = pulses && plan.noise_stddev_v > 0.0;
     const bool sweeps = beam_turns(plan);
     const auto take = [&](const char* command, bool suits, const Answer& answer) {
@@ -158,7 +158,7 @@ class Asking {
          [&] { return isar(index, plan); });
     take("focus",
          pulses && movement.radar && movement.aperture && !simulate::turns(plan.radar.beam) &&
-             plan.scene->scatterers.size() <= most_focus_looks / looks_at_targets(plan),
+             plan.scene->scatterers.size() <= max_focus_looks / looks_at_targets(plan),
          [&] { return focus(index, plan); });
   }
 

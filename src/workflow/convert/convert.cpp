@@ -250,14 +250,14 @@ class Conversion {
   }
 
   [[nodiscard]] std::string remedy_of_clipping() const {
-    constexpr int most_bits = 64;
+    constexpr int max_bits = 64;
     if (!std::isfinite(tally_.maximum_v)) return "some of the numbers are infinite";
     if (change_ == Change::to_counts)
       return fmt::format("an LSB of {:.6G} V would hold them all",
                          tally_.maximum_v / radar::full_scale_count(product_.bits));
-    if (product_.bits < most_bits && tally_.maximum_v <= radar::full_scale_count(most_bits))
+    if (product_.bits < max_bits && tally_.maximum_v <= radar::full_scale_count(max_bits))
       return "more --bits would hold them all";
-    return fmt::format("{} are the most that counts can have", most_bits);
+    return fmt::format("{} are the most that counts can have", max_bits);
   }
 
   [[nodiscard]] core::Problem what_is_no_number() const {

@@ -87,7 +87,7 @@ core::Problems convert_scene(const ConvertSceneRequest& request, const core::Wor
         format ? fmt::format("to record the scene: sarsim run {} --format {}", request.input, format_word(*format))
                : "end it with .toml for format 2 or .scr for the language of 1998");
   }
-  const SceneInput input = read_scene(request.input, request.overrides, Scrutiny::reading, control);
+  const SceneInput input = read_scene(request.input, request.overrides, Scrutiny::files, control);
   expect_usable(input);
   expect_free_outputs({request.output}, {input.sources, request.force, "OUT"});
   const std::string text = scene_text(input, *language);

@@ -94,8 +94,8 @@ raster::CphdDescription cphd_of(const Collection& collection, const CollectionEx
   d.start = collection.start_text();
   d.tx_time1_s = extent.first_tx_s;
   d.tx_time2_s = extent.last_tx_s;
-  d.fx_min_hz = extent.least_carrier_hz + from_carrier_hz;
-  d.fx_max_hz = extent.most_carrier_hz + from_carrier_hz + (middle.fx2_hz - middle.fx1_hz);
+  d.fx_min_hz = extent.min_carrier_hz + from_carrier_hz;
+  d.fx_max_hz = extent.max_carrier_hz + from_carrier_hz + (middle.fx2_hz - middle.fx1_hz);
   d.toa_min_s = shape.toa1_s;
   d.toa_max_s = shape.toa2_s;
   d.encoding = encoding;
@@ -106,7 +106,7 @@ raster::CphdDescription cphd_of(const Collection& collection, const CollectionEx
   channel.vectors = plan.rows;
   channel.samples = shape.grid.samples;
   channel.reference = reference;
-  channel.fx_fixed = extent.least_carrier_hz == extent.most_carrier_hz;
+  channel.fx_fixed = extent.min_carrier_hz == extent.max_carrier_hz;
   channel.srp_fixed = collection.reference.kind != ReferencePoint::Kind::moving;
   channel.centre_hz = 0.5 * (d.fx_min_hz + d.fx_max_hz);
   channel.band_hz = d.fx_max_hz - d.fx_min_hz;

@@ -59,7 +59,7 @@ raster::PlatformGeometry middle_of(const raster::PhaseVector& v, double time_s) 
 
 void expect_receivable(const simulate::Plan& plan) {
   constexpr double off_samples = 1e-3;
-  constexpr double least_oversampling = 1.1;
+  constexpr double min_oversampling = 1.1;
   core::Problems problems;
   const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
     problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
@@ -71,9 +71,9 @@ void expect_receivable(const simulate::Plan& plan) {
   if (!chirp && plan.radar.pulse.kind != radar::Pulse::Kind::mono)
     refuse("CRSD describes pulses of one frequency and chirps, but this one is coded or given by points", {}, "a chirp",
            "NPY and HDF5 take any pulse");
-  if (!(rate_hz >= least_oversampling * band_hz))
+  if (!(rate_hz >= min_oversampling * band_hz))
     refuse("the sampling rate is too low for CRSD", fmt::format("{:.6g} MHz", 1e-6 * rate_hz),
-           fmt::format("at least {:.6g} MHz, 1.1 times the bandwidth", 1e-6 * least_oversampling * band_hz),
+           fmt::format("at least {:.6g} MHz, 1.1 times the bandwidth", 1e-6 * min_oversampling * band_hz),
            "raise sample_rate");
   const radar::Repetition& repetition = plan.radar.repetition;
   double shortest_s = INFINITY;
@@ -152,8 +152,8 @@ raster::CrsdDescription crsd_of(const Collection& collection, const CollectionEx
   d.tx_time2_s = extent.last_tx_s;
   d.rcv_start1_s = extent.first_tx_s + first_sample_s(plan);
   d.rcv_start2_s = extent.last_tx_s + first_sample_s(plan);
-  d.least_carrier_hz = extent.least_carrier_hz;
-  d.most_carrier_hz = extent.most_carrier_hz;
+  d.min_carrier_hz = extent.min_carrier_hz;
+  d.max_carrier_hz = extent.max_carrier_hz;
   d.band_hz = std::abs(radar::bandwidth_hz(plan.radar.pulse));
   d.width_s = plan.radar.pulse.width_s;
   d.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;

@@ -19,7 +19,7 @@ namespace {
 
 // Refuses what leaves no phase history, and remarks on what spoils it.
 void expect_divisible(const Collection& collection, const HistoryShape& shape, core::Problems& remarks) {
-  constexpr double least_share = 0.05;
+  constexpr double min_share = 0.05;
   const simulate::Plan& plan = *collection.plan;
   const DelaySpan whole = whole_echoes(plan);
   if (!(whole.first_s < whole.last_s))
@@ -41,11 +41,11 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
                     100.0 * lost),
         {}, {}, other));
   const double share = PhaseHistory(collection, shape).weakest_share(plan.rows / 2);
-  if (!(share >= least_share))
+  if (!(share >= min_share))
     throw core::Refused({core::problem_of(
         core::Severity::error, "the spectrum of the pulse has gaps, by which CPHD cannot divide",
-        fmt::format("{:.2g} of its largest magnitude", share),
-        fmt::format("at least {:g} within the band", least_share), "use a chirp; CRSD takes any pulse as it is")});
+        fmt::format("{:.2g} of its largest magnitude", share), fmt::format("at least {:g} within the band", min_share),
+        "use a chirp; CRSD takes any pulse as it is")});
   if (plan.scene->options.pulse != scene::PulseDefinition::band_limited)
     remarks.push_back(core::problem_of(core::Severity::warning,
                                        "the pulse has hard edges, whose spectrum does not end at half the sampling "

@@ -2,7 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <array>
 #include <functional>
+#include <iterator>
 #include <set>
 
 #include "core/maths/constants.hpp"
@@ -175,99 +178,122 @@ double path_rate(const raster::PhaseVector& v) {
   return rate(v.tx_m, v.tx_mps) + rate(v.rcv_m, v.rcv_mps);
 }
 
-std::vector<Rule> rules() {
-  using F = WholeFile;
-  using V = raster::PhaseVector;
-  const auto first = [](F& f) -> V& { return f.vectors.front(); };
+using F = WholeFile;
+using V = raster::PhaseVector;
+
+V& first(F& file) { return file.vectors.front(); }
+
+// Times of vectors.
+std::vector<Rule> rules_of_times() {
   return {
       {"first_txtime", [](const F& f) { return f.vectors.front().tx_time_s >= 0.0; },
-       [=](F& f) { first(f).tx_time_s = -1e-3; }},
-      {"time_increasing", increasing, [=](F& f) { std::swap(f.vectors[1].tx_time_s, f.vectors[2].tx_time_s); }},
+       [](F& f) { first(f).tx_time_s = -1e-3; }},
+      {"time_increasing", increasing, [](F& f) { std::swap(f.vectors[1].tx_time_s, f.vectors[2].tx_time_s); }},
       {"rcv_after_tx", [](const F& f) { return all_vectors(f, [](const V& v) { return v.rcv_time_s > v.tx_time_s; }); },
-       [=](F& f) { first(f).rcv_time_s = first(f).tx_time_s; }},
+       [](F& f) { first(f).rcv_time_s = first(f).tx_time_s; }},
       {"rcv_time_of_srp",
        [](const F& f) {
          return all_vectors(f, [](const V& v) {
            return std::abs((v.rcv_time_s - v.tx_time_s) * light_mps - v.reference_way_m()) < 1e-4;
          });
        },
-       [=](F& f) { first(f).rcv_time_s += 1e-11; }},
+       [](F& f) { first(f).rcv_time_s += 1e-11; }},
       {"channel_global_txtime",
        [](const F& f) {
          return all_vectors(f,
                             [&](const V& v) { return v.tx_time_s >= f.d.tx_time1_s && v.tx_time_s <= f.d.tx_time2_s; });
        },
-       [=](F& f) { f.d.tx_time2_s -= 1e-3; }},
-      {"channel_fx2_gt_fx1",
-       [](const F& f) { return all_vectors(f, [](const V& v) { return v.fx2_hz > v.fx1_hz && v.fx1_hz > 0.0; }); },
-       [=](F& f) { std::swap(first(f).fx1_hz, first(f).fx2_hz); }},
+       [](F& f) { f.d.tx_time2_s -= 1e-3; }},
+  };
+}
+
+// What a channel says once of all its vectors.
+std::vector<Rule> rules_of_channels() {
+  return {
       {"channel_fxfixed",
        [](const F& f) {
          return !f.d.channels[0].fx_fixed || all_vectors(f, [&](const V& v) {
            return v.fx1_hz == f.vectors[0].fx1_hz && v.fx2_hz == f.vectors[0].fx2_hz;
          });
        },
-       [=](F& f) { f.vectors[3].fx2_hz += 1.0; }},
+       [](F& f) { f.vectors[3].fx2_hz += 1.0; }},
       {"channel_toafixed",
        [](const F& f) {
          return !f.d.channels[0].toa_fixed || all_vectors(f, [&](const V& v) {
            return v.toa1_s == f.vectors[0].toa1_s && v.toa2_s == f.vectors[0].toa2_s;
          });
        },
-       [=](F& f) { f.vectors[3].toa2_s *= 1.01; }},
+       [](F& f) { f.vectors[3].toa2_s *= 1.01; }},
       {"channel_srpfixed",
        [](const F& f) {
          return f.d.channels[0].srp_fixed == all_vectors(f, [&](const V& v) { return v.srp_m == f.vectors[0].srp_m; });
        },
-       [=](F& f) { f.d.channels[0].srp_fixed = !f.d.channels[0].srp_fixed; }},
+       [](F& f) { f.d.channels[0].srp_fixed = !f.d.channels[0].srp_fixed; }},
       {"channel_fxc",
        [](const F& f) {
          return std::abs(f.d.channels[0].centre_hz - 0.5 * (f.vectors[0].fx1_hz + f.vectors[0].fx2_hz)) < 1.0;
        },
-       [=](F& f) { f.d.channels[0].centre_hz += 10.0; }},
+       [](F& f) { f.d.channels[0].centre_hz += 10.0; }},
       {"channel_fxbw",
        [](const F& f) { return std::abs(f.d.channels[0].band_hz - (f.vectors[0].fx2_hz - f.vectors[0].fx1_hz)) < 1.0; },
-       [=](F& f) { f.d.channels[0].band_hz += 10.0; }},
+       [](F& f) { f.d.channels[0].band_hz += 10.0; }},
       {"channel_toasaved",
        [](const F& f) { return std::abs(f.d.channels[0].toa_s - (f.vectors[0].toa2_s - f.vectors[0].toa1_s)) < 1e-15; },
-       [=](F& f) { f.d.channels[0].toa_s *= 1.1; }},
+       [](F& f) { f.d.channels[0].toa_s *= 1.1; }},
+      {"channel_positions_of_reference_vector", [](const F& f) { return f.d.channels[0].reference < f.vectors.size(); },
+       [](F& f) { f.d.channels[0].reference = f.vectors.size(); }},
+  };
+}
+
+// Bands and swaths.
+std::vector<Rule> rules_of_bands() {
+  return {
+      {"channel_fx2_gt_fx1",
+       [](const F& f) { return all_vectors(f, [](const V& v) { return v.fx2_hz > v.fx1_hz && v.fx1_hz > 0.0; }); },
+       [](F& f) { std::swap(first(f).fx1_hz, first(f).fx2_hz); }},
       {"channel_global_toaswath",
        [](const F& f) {
          return all_vectors(f, [&](const V& v) { return v.toa1_s >= f.d.toa_min_s && v.toa2_s <= f.d.toa_max_s; });
        },
-       [=](F& f) { f.d.toa_max_s *= 0.5; }},
+       [](F& f) { f.d.toa_max_s *= 0.5; }},
       {"channel_global_fxminmax",
        [](const F& f) {
          return all_vectors(f, [&](const V& v) { return v.fx1_hz >= f.d.fx_min_hz && v.fx2_hz <= f.d.fx_max_hz; });
        },
-       [=](F& f) { f.d.fx_min_hz += 1e6; }},
+       [](F& f) { f.d.fx_min_hz += 1e6; }},
       {"channel_fx_osr",
        [](const F& f) {
          return all_vectors(f, [](const V& v) { return 1.0 / (v.step * (v.toa2_s - v.toa1_s)) >= 1.2; });
        },
-       [=](F& f) { first(f).step *= 4.0; }},
+       [](F& f) { first(f).step *= 4.0; }},
       {"samples_within_band",
        [](const F& f) {
          const double last = static_cast<double>(f.samples[0].size() - 1);
          return all_vectors(
              f, [&](const V& v) { return v.first == v.fx1_hz && std::abs(v.first + last * v.step - v.fx2_hz) < 1e-3; });
        },
-       [=](F& f) { first(f).first += 1e3; }},
+       [](F& f) { first(f).first += 1e3; }},
+  };
+}
+
+// Numbers that follow from others, and that are numbers.
+std::vector<Rule> rules_of_numbers() {
+  return {
       {"channel_afdop",
        [](const F& f) {
          return all_vectors(f, [](const V& v) { return std::abs(v.doppler + path_rate(v) / light_mps) < 1e-12; });
        },
-       [=](F& f) { first(f).doppler += 1e-9; }},
+       [](F& f) { first(f).doppler += 1e-9; }},
       {"channel_afrr1",
        [](const F& f) { return all_vectors(f, [](const V& v) { return std::abs(v.rate1 / v.rate2 - 9.6e9) < 1.0; }); },
-       [=](F& f) { first(f).rate1 *= 1.001; }},
+       [](F& f) { first(f).rate1 *= 1.001; }},
       {"channel_afrr2",
        [](const F& f) {
          return all_vectors(f, [](const V& v) { return std::abs(v.rate2 * light_mps * 1.2e14 / 2.0 - 1.0) < 1e-12; });
        },
-       [=](F& f) { first(f).rate2 *= 1.001; }},
+       [](F& f) { first(f).rate2 *= 1.001; }},
       {"channel_normal_signal_pvp", [](const F& f) { return all_vectors(f, [](const V& v) { return v.signal == 1; }); },
-       [=](F& f) { first(f).signal = 0; }},
+       [](F& f) { first(f).signal = 0; }},
       {"pvp_set_finiteness",
        [](const F& f) {
          return all_vectors(f, [](const V& v) {
@@ -277,7 +303,7 @@ std::vector<Rule> rules() {
            });
          });
        },
-       [=](F& f) { first(f).rcv_mps.y = NAN; }},
+       [](F& f) { first(f).rcv_mps.y = NAN; }},
       {"channel_signal_data",
        [](const F& f) {
          double sum = 0.0;
@@ -285,13 +311,19 @@ std::vector<Rule> rules() {
            for (const auto& sample : row) sum += static_cast<double>(std::norm(sample));
          return std::isfinite(sum) && sum > 0.0;
        },
-       [=](F& f) { f.samples[2][3] = NAN; }},
+       [](F& f) { f.samples[2][3] = NAN; }},
+  };
+}
+
+// Places and axes.
+std::vector<Rule> rules_of_places() {
+  return {
       {"scene_plane_axis_vectors",
        [](const F& f) {
          return std::abs(core::dot(f.d.scene.x_axis, f.d.scene.y_axis)) < 1e-12 &&
                 core::dot(core::cross(f.d.scene.x_axis, f.d.scene.y_axis), f.d.scene.origin_m) > 0.0;
        },
-       [=](F& f) { std::swap(f.d.scene.x_axis, f.d.scene.y_axis); }},
+       [](F& f) { std::swap(f.d.scene.x_axis, f.d.scene.y_axis); }},
       {"imagearea_holds_the_targets",
        [](const F& f) {
          const raster::AreaRectangle& a = f.d.scene.area;
@@ -300,7 +332,7 @@ std::vector<Rule> rules() {
          const double x = core::dot(target_m, f.d.scene.x_axis), y = core::dot(target_m, f.d.scene.y_axis);
          return x > a.x1 && x < a.x2 && y > a.y1 && y < a.y2;
        },
-       [=](F& f) { f.d.scene.area.x2 = 5.0; }},
+       [](F& f) { f.d.scene.area.x2 = 5.0; }},
       {"txrcv_posvel_residuals",
        [](const F& f) {
          for (std::size_t i = 1; i < f.vectors.size(); ++i) {
@@ -311,10 +343,16 @@ std::vector<Rule> rules() {
          }
          return true;
        },
-       [=](F& f) { f.vectors[4].tx_mps = -f.vectors[4].tx_mps; }},
-      {"channel_positions_of_reference_vector", [](const F& f) { return f.d.channels[0].reference < f.vectors.size(); },
-       [=](F& f) { f.d.channels[0].reference = f.vectors.size(); }},
+       [](F& f) { f.vectors[4].tx_mps = -f.vectors[4].tx_mps; }},
   };
+}
+
+std::vector<Rule> rules() {
+  std::vector<Rule> all;
+  for (const std::vector<Rule>& some :
+       std::array{rules_of_times(), rules_of_channels(), rules_of_bands(), rules_of_numbers(), rules_of_places()})
+    std::ranges::copy(some, std::back_inserter(all));
+  return all;
 }
 
 TEST(ExportCphd, KeepsTheRulesOfTheStandard) {

@@ -47,9 +47,9 @@ void include_scatterers(const simulate::Plan& plan, Rectangle& rectangle) {
   }
   for (const simulate::ScattererCloud& cloud : all.clouds())
     for (unsigned corner = 0; corner < 8; ++corner)
-      include(cloud.common.platform, {(corner & 1U) != 0 ? cloud.least_m.x : cloud.most_m.x,
-                                      (corner & 2U) != 0 ? cloud.least_m.y : cloud.most_m.y,
-                                      (corner & 4U) != 0 ? cloud.least_m.z : cloud.most_m.z});
+      include(cloud.common.platform,
+              {(corner & 1U) != 0 ? cloud.min_m.x : cloud.max_m.x, (corner & 2U) != 0 ? cloud.min_m.y : cloud.max_m.y,
+               (corner & 4U) != 0 ? cloud.min_m.z : cloud.max_m.z});
   for (const simulate::ScattererSheet& sheet : plan.scene->sheets)
     for (const core::Vec3& point_m : sheet.points_m) include(sheet.platform, point_m);
 }

@@ -35,12 +35,9 @@ radar::SampleGrid grid_of_reference(const simulate::Plan& plan) {
 }
 
 CollectionExtent joined(const CollectionExtent& a, const CollectionExtent& b) {
-  return {std::min(a.first_tx_s, b.first_tx_s),
-          std::max(a.last_tx_s, b.last_tx_s),
-          std::min(a.least_delay_s, b.least_delay_s),
-          std::max(a.most_delay_s, b.most_delay_s),
-          std::min(a.least_carrier_hz, b.least_carrier_hz),
-          std::max(a.most_carrier_hz, b.most_carrier_hz)};
+  return {std::min(a.first_tx_s, b.first_tx_s),         std::max(a.last_tx_s, b.last_tx_s),
+          std::min(a.min_delay_s, b.min_delay_s),       std::max(a.max_delay_s, b.max_delay_s),
+          std::min(a.min_carrier_hz, b.min_carrier_hz), std::max(a.max_carrier_hz, b.max_carrier_hz)};
 }
 
 }  // namespace
@@ -89,7 +86,7 @@ CollectionExtent extent_of(const Collection& collection, const core::WorkControl
 
 HistoryShape history_shape(const Collection& collection, const CollectionExtent& extent) {
   const DelaySpan whole = whole_echoes(*collection.plan);
-  return {frequency_grid(*collection.plan), whole.first_s - extent.least_delay_s, whole.last_s - extent.most_delay_s};
+  return {frequency_grid(*collection.plan), whole.first_s - extent.min_delay_s, whole.last_s - extent.max_delay_s};
 }
 
 PhaseHistory::PhaseHistory(const Collection& collection, const HistoryShape& shape)

@@ -34,9 +34,9 @@ struct DelaySpan {
 
 /// What the pulses of a collection have between them.
 struct CollectionExtent {
-  double first_tx_s = 0.0, last_tx_s = 0.0;        ///< Send times, from the start of the file.
-  double least_delay_s = 0.0, most_delay_s = 0.0;  ///< Light times to the reference point and back.
-  double least_carrier_hz = 0.0, most_carrier_hz = 0.0;
+  double first_tx_s = 0.0, last_tx_s = 0.0;     ///< Send times, from the start of the file.
+  double min_delay_s = 0.0, max_delay_s = 0.0;  ///< Light times to the reference point and back.
+  double min_carrier_hz = 0.0, max_carrier_hz = 0.0;
 };
 /// Looks at the geometry of all pulses.
 [[nodiscard]] CollectionExtent extent_of(const Collection& collection, const core::WorkControl& control);

@@ -67,18 +67,18 @@ void expect_memory(const signal::FocusedImage& image, double piece_m, std::size_
 // Of a piece, in metres.
 double piece_of(const signal::FocusedImage& axes, const AutofocusChoice& choice, double aperture_m) {
   constexpr double share_of_aperture = 0.1;
-  constexpr double least_rows = 16.0;
-  const double least_m = least_rows * axes.azimuth.step_m;
+  constexpr double min_rows = 16.0;
+  const double min_m = min_rows * axes.azimuth.step_m;
   const double length_m = static_cast<double>(axes.azimuth.count) * axes.azimuth.step_m;
-  if (!(length_m >= least_m))
+  if (!(length_m >= min_m))
     throw core::Refused(
-        fmt::format("autofocus needs an image of {:.0f} rows or more; this one has {}", least_rows, axes.azimuth.count),
+        fmt::format("autofocus needs an image of {:.0f} rows or more; this one has {}", min_rows, axes.azimuth.count),
         "record more pulses, or do without --autofocus");
-  if (!(choice.piece_m > 0.0)) return std::clamp(share_of_aperture * aperture_m, least_m, length_m);
-  if (!(choice.piece_m >= least_m && choice.piece_m <= length_m))
+  if (!(choice.piece_m > 0.0)) return std::clamp(share_of_aperture * aperture_m, min_m, length_m);
+  if (!(choice.piece_m >= min_m && choice.piece_m <= length_m))
     throw core::Refused(
         fmt::format("autofocus cannot work on pieces of {:.4g} m", choice.piece_m),
-        fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image", least_m, length_m));
+        fmt::format("--autofocus-piece: {:.4g} to {:.4g} m, sixteen rows to the whole image", min_m, length_m));
   return choice.piece_m;
 }
 
@@ -241,9 +241,9 @@ void judge(const signal::FocusedImage& before, const signal::FocusedImage& after
 }
 
 // What half of an error that is taken out adds to the peak of a point, exp(-e^2) of its power, but no more than 3 dB.
-double least_gain_db(double rms_rad) {
-  constexpr double most_db = 3.0;
-  return std::min(0.5 * core::power_db(std::exp(1.0)) * rms_rad * rms_rad, most_db);
+double min_gain_db(double rms_rad) {
+  constexpr double max_db = 3.0;
+  return std::min(0.5 * core::power_db(std::exp(1.0)) * rms_rad * rms_rad, max_db);
 }
 
 }  // namespace
@@ -277,11 +277,11 @@ std::pair<signal::FocusedRows, AutofocusFinding> autofocused(
 
 std::string failure_of(const AutofocusFinding& finding) {
   constexpr double much_rad = 0.5;
-  constexpr double least_gain = 0.02;
+  constexpr double min_gain = 0.02;
   constexpr double dead_db = -10.0;
   const double gain = finding.entropy_before - finding.entropy_after;
   if (!(gain > 0.0)) return "the image was sharper before";
-  if (finding.rms_rad > much_rad && gain < least_gain)
+  if (finding.rms_rad > much_rad && gain < min_gain)
     return fmt::format("the entropy of the image hardly changes, from {:.3f} to {:.3f}", finding.entropy_before,
                        finding.entropy_after);
   if (!(finding.contrast_after > finding.contrast_before))
@@ -294,10 +294,10 @@ std::string failure_of(const AutofocusFinding& finding) {
   if (!(finding.point_gain_db >= 0.0))
     return fmt::format("the peaks of the points fall by {:.2f} dB", -finding.point_gain_db);
   const double snr_gain_db = finding.point_snr_after_db - finding.point_snr_before_db;
-  if (!(snr_gain_db >= least_gain_db(finding.rms_rad)))
+  if (!(snr_gain_db >= min_gain_db(finding.rms_rad)))
     return fmt::format(
         "the peaks of the points change by {:+.2f} dB and their SNR by {:+.2f} dB, which should gain {:.2f} dB or more",
-        finding.point_gain_db, snr_gain_db, least_gain_db(finding.rms_rad));
+        finding.point_gain_db, snr_gain_db, min_gain_db(finding.rms_rad));
   return {};
 }
 

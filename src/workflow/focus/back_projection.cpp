@@ -59,8 +59,8 @@ void refine_azimuth(signal::ImageAxis& axis, const std::vector<SarTarget>& targe
   for (const SarTarget& target : targets) {
     if (!(target.amplitude > 0.0)) continue;
     // All pulses are summed, those that see the target in sidelobes of the antenna, too.
-    const double above_hz = target.most_doppler_hz - options.doppler_centroid_hz;
-    const double below_hz = options.doppler_centroid_hz - target.least_doppler_hz;
+    const double above_hz = target.max_doppler_hz - options.doppler_centroid_hz;
+    const double below_hz = options.doppler_centroid_hz - target.min_doppler_hz;
     band_hz = std::max({band_hz, 2.0 * above_hz, 2.0 * below_hz});
   }
   if (options.doppler_bandwidth_hz > 0.0) band_hz = std::min(band_hz, options.doppler_bandwidth_hz);
@@ -126,15 +126,15 @@ std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& i
 
 // Columns beyond the recorded ranges are made as well, but not so far away that they could not be counted.
 void cut_range(signal::ImageAxis& range, const signal::AxisInterval& area) {
-  constexpr double most_columns = 0x1p40;
+  constexpr double max_columns = 0x1p40;
   const double first = range.index_of(area.first_m);
   const double last = range.index_of(area.last_m);
-  if (!(std::abs(first) <= most_columns && std::abs(last) <= most_columns)) {
-    const double most_m = most_columns * range.step_m;
+  if (!(std::abs(first) <= max_columns && std::abs(last) <= max_columns)) {
+    const double max_m = max_columns * range.step_m;
     throw core::Refused({core::problem_of(
         core::Severity::error, "--range reaches too far from the recorded ranges",
         fmt::format("{:.6g} to {:.6g} m", area.first_m, area.last_m),
-        fmt::format("ranges from {:.6g} to {:.6g} m", range.first_m - most_m, range.first_m + most_m),
+        fmt::format("ranges from {:.6g} to {:.6g} m", range.first_m - max_m, range.first_m + max_m),
         fmt::format("recorded are {:.6g} to {:.6g} m", range.first_m, range.at(static_cast<double>(range.count))))});
   }
   signal::cut_axis(range, area);

@@ -100,7 +100,7 @@ class FlownImage {
  private:
   template <class Point>
   [[nodiscard]] FlownSpectrum spectrum_of(std::span<const PulseSight> sights, const Point& point) const {
-    constexpr double least_used = 0.05;  // of the echoes: what is beyond counts as part of all of them
+    constexpr double min_used = 0.05;  // of the echoes: what is beyond counts as part of all of them
     std::vector<signal::SeenSlopes> seen;
     seen.reserve(sights.size());
     double all = 0.0;
@@ -113,7 +113,7 @@ class FlownImage {
       seen.back().weight = sight.amplitude;
       used += sight.amplitude;
     }
-    if (!(used > least_used * all)) return {};
+    if (!(used > min_used * all)) return {};
     return {used / static_cast<double>(sights.size()),
             signal::spectrum_of(seen, point.baseband(), echoes_.waveform, left_out_of_image * all / used)};
   }
@@ -138,7 +138,7 @@ class FlownImage {
 std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan, const signal::EchoRows& recorded,
                                                     const signal::ImageFrame& image, const core::Vec3& scene_m,
                                                     const DopplerBand& kept, const core::WorkControl& control) {
-  constexpr SightLimits limits{most_examined_targets, 257};
+  constexpr SightLimits limits{max_examined_targets, 257};
   constexpr double weakest = 0.01;
   signal::EchoRows echoes = recorded;
   if (!echoes.carriers_hz.empty()) {

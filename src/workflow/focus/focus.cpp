@@ -14,7 +14,6 @@
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
-#include "raster/format/envi.hpp"
 #include "scene/model/world_frame.hpp"
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/air_remarks.hpp"
@@ -272,17 +271,6 @@ std::optional<EarthPlace> wanted_place(const FocusRequest& request, FocusInput& 
   return place;
 }
 
-// An image beside its header, or that header.
-void expect_no_image(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  const bool is_header = core::equal_ignoring_case(extension, ".hdr");
-  const fs::path image = is_header ? fs::path(path).replace_extension(".img") : path;
-  if (!core::equal_ignoring_case(image.extension().string(), ".img") || !raster::has_envi_header(image)) return;
-  throw core::Refused(
-      fmt::format("'{}' is a focused image already, and no recording", path.string()),
-      fmt::format("sarsim measure {0} measures it, sarsim plot {0} -o FILE.png draws it", image.string()));
-}
-
 }  // namespace
 
 core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& control) {
@@ -400,7 +388,7 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
 
 FocusReport focus(const FocusRequest& request, const core::Observer& observer) {
   const double begin_s = core::now_s();
-  expect_no_image(request.input.path);
+  if (!request.input.held) expect_no_image(request.input.path);
   if (is_phase_history(request.input.path)) return focus_phase_history(request, observer);
   if (!request.channel.empty() || request.sign)
     throw core::Refused("--channel and --sign are for phase histories (CPHD)", "leave them out");

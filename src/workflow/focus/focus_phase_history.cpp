@@ -172,9 +172,9 @@ void remark_on_repetition(const signal::FocusedImage& image, double repeats_m, c
 // An axis over [low, high] whose samples tell all frequencies of a band apart.
 signal::ImageAxis axis_over(double low_m, double high_m, const Band& band) {
   constexpr double spare = 1.25;
-  constexpr double least_per_m = 1e-4;
+  constexpr double min_per_m = 1e-4;
   signal::ImageAxis axis;
-  axis.step_m = 1.0 / std::max(spare * (band.high - band.low), least_per_m);
+  axis.step_m = 1.0 / std::max(spare * (band.high - band.low), min_per_m);
   axis.first_m = std::ceil(low_m / axis.step_m) * axis.step_m;
   const double count = std::floor(high_m / axis.step_m) - std::ceil(low_m / axis.step_m) + 1.0;
   axis.count = count >= 1.0 ? static_cast<std::size_t>(std::min(count, 0x1p40)) : 0;
@@ -276,8 +276,8 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
         core::problem_of(core::Severity::note, "--sign says what the file says itself", {}, {}, {}));
   const radar::EarthFrame earth(anchor_of(d));
   const PhaseHistoryRows rows(file, channel, request.sign, earth);
-  constexpr std::size_t most_looks = 1024;
-  const std::vector<PhaseVector> vectors = rows.some_vectors(most_looks);
+  constexpr std::size_t max_looks = 1024;
+  const std::vector<PhaseVector> vectors = rows.some_vectors(max_looks);
   if (vectors.empty()) throw core::Refused("no vector of the channel has a signal (SIGNAL is 0 in all of them)");
   std::vector<signal::TrackPoint> track;
   for (const PhaseVector& vector : vectors) track.push_back(rows.track_point(vector));

@@ -150,7 +150,7 @@ std::optional<radar::EarthFrame> earth_under(const scene::World& world, const Im
 // What the header repeats of the recording: phases, places and theory follow the one or the other.
 core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& input, const fs::path& file) {
   constexpr double share = 1e-6;
-  constexpr double least_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
+  constexpr double min_cosine = 0.9;  // Navigation and curved tracks turn the line by less.
   core::Problems remarks;
   const auto remark = [&](const char* field, std::string found, std::string expected) {
     remarks.push_back(core::problem_of(
@@ -171,7 +171,7 @@ core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& 
   if (opened.image.frame.plane != signal::ImagePlane::slant_range || input.echoes.track.size() < 2) return remarks;
   const core::Vec3 flown = signal::fit_straight(input.echoes.track).along;
   const core::Vec3& along = opened.image.frame.along;
-  if (!(core::dot(flown, along) >= least_cosine))
+  if (!(core::dot(flown, along) >= min_cosine))
     remark("along", fmt::format("({:.4g}, {:.4g}, {:.4g})", along.x, along.y, along.z),
            fmt::format("({:.4g}, {:.4g}, {:.4g}), as was flown", flown.x, flown.y, flown.z));
   return remarks;
@@ -192,10 +192,10 @@ std::optional<core::Problem> note_of_clouds(const simulate::ResolvedScene& scene
   if (listed == 0)
     throw core::Refused(fmt::format("the {} points of the clouds are too many to be measured one by one", points),
                         fmt::format("the limit is {} cloud points; add a target where an image is to be measured",
-                                    most_examined_targets));
+                                    max_examined_targets));
   return core::problem_of(core::Severity::note,
                           fmt::format("the {} points of the clouds are not measured one by one", points), {},
-                          fmt::format("at most {} of them", most_examined_targets), {});
+                          fmt::format("at most {} of them", max_examined_targets), {});
 }
 
 bool is_asked_for(const MeasureRequest& request, const TargetTheory& theory) {
@@ -274,10 +274,13 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
     for (std::size_t t = begin; t < end; ++t) {
       targets[t].theory = theories[t];
       targets[t].picture = picture_of(request, theories[t]);
-      if (!(theories[t].amplitude > 0.0)) targets[t].state = TargetState::no_echoes;
+      targets[t].outside =
+          theories[t].unrecorded || (theories[t].amplitude > 0.0 && !is_within(opened.image, theories[t].place));
+      if (targets[t].outside)
+        targets[t].state = TargetState::outside;
+      else if (!(theories[t].amplitude > 0.0))
+        targets[t].state = TargetState::no_echoes;
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
-      targets[t].outside = !is_within(opened.image, theories[t].place);
-      if (targets[t].outside) targets[t].state = TargetState::outside;
       if (targets[t].outside) continue;
       targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
       measure_target(opened, opened.reader, request, cuts, targets[t]);
@@ -290,11 +293,35 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
   return targets;
 }
 
+// Between the samples of an image its values follow from those around, which at an edge are known on one side alone.
+std::optional<core::Problem> remark_on_edges(const signal::FocusedImage& image,
+                                             const std::vector<MeasuredTarget>& targets) {
+  constexpr double reach = 1.5;  // -3 dB widths; farther away a peak is right within 0.1 dB
+  const auto is_near = [](const signal::ImageAxis& axis, double place, double width) {
+    const auto [low, high] = std::minmax({axis.at(0.0), axis.at(static_cast<double>(axis.count) - 1.0)});
+    return place - low < reach * width || high - place < reach * width;
+  };
+  std::vector<std::size_t> near;
+  for (const MeasuredTarget& target : targets) {
+    const signal::PointResponse* const peak = target.response();
+    if (peak != nullptr && (is_near(image.azimuth, peak->place.azimuth_m, peak->azimuth.width) ||
+                            is_near(image.range, peak->place.range_m, peak->range.width)))
+      near.push_back(target.theory.target);
+  }
+  if (near.empty()) return std::nullopt;
+  return core::problem_of(
+      core::Severity::warning,
+      fmt::format("{} of {} targets ({}) lie within {:g} widths of the edge of the image, beyond which their responses "
+                  "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
+                  near.size(), targets.size(), target_list(near), reach),
+      {}, {}, "record or focus a wider part");
+}
+
 }  // namespace
 
 TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& peak,
                      const signal::ResponseAxes& axes) {
-  constexpr double most_db = 3.0;
+  constexpr double max_db = 3.0;
   constexpr double hopeless_db = -20.0;
   constexpr double deviations = 3.0;
   const TargetTheory& theory = target.theory;
@@ -315,8 +342,8 @@ TargetState state_of(const MeasuredTarget& target, const signal::PointResponse& 
   const double part = peak.amplitude / theory.amplitude;
   if (!is_at(axes.azimuth, theory.azimuth, peak.azimuth) || !is_at(axes.range, theory.range, peak.range))
     return core::amplitude_db(part) > hopeless_db ? TargetState::displaced : TargetState::not_found;
-  if (core::amplitude_db(part) < -most_db && part < 1.0 - deviations * of_theory) return TargetState::weak;
-  if (core::amplitude_db(part) > most_db && part > 1.0 + deviations * of_theory) return TargetState::strong;
+  if (core::amplitude_db(part) < -max_db && part < 1.0 - deviations * of_theory) return TargetState::weak;
+  if (core::amplitude_db(part) > max_db && part > 1.0 + deviations * of_theory) return TargetState::strong;
   return TargetState::found;
 }
 
@@ -347,12 +374,14 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
   observer.remarks(movers);
   std::ranges::move(movers, std::back_inserter(way.problems));
-  return {opened.origin,
-          way.script.empty() ? way.source : way.script,
-          measured_targets(opened, theories, request, control),
-          request.false_alarm,
-          std::move(way.problems),
-          opened.image.frame};
+  std::vector<MeasuredTarget> targets = measured_targets(opened, theories, request, control);
+  if (auto edges = remark_on_edges(opened.image, targets)) {
+    observer.remarks({*edges});
+    way.problems.push_back(*std::move(edges));
+  }
+  return {opened.origin,           way.script.empty() ? way.source : way.script,
+          std::move(targets),      request.false_alarm,
+          std::move(way.problems), opened.image.frame};
 }
 
 }  // namespace sarsim::workflow

@@ -36,7 +36,7 @@ struct MeasureRequest {
 /// Result for a target in an image.
 enum class TargetState {
   no_echoes,  ///< No echoes of it are expected.
-  outside,    ///< Its expected position is not in the image: it was not searched for.
+  outside,    ///< Its expected position is not in the image, or its echoes are not recorded: it was not searched for.
   not_found,  ///< No peak above the detection threshold, or a displaced one that is 20 dB or more too weak.
   displaced,  ///< A peak off the expected position by more than half a -3 dB width and three standard deviations.
   weak,       ///< A peak at the expected position, below the expected amplitude by 3 dB and three standard deviations.
@@ -55,7 +55,7 @@ struct MeasuredTarget {
   std::optional<signal::PointResponse> found;
   /// The same for a peak above the threshold that is displaced, weak or strong.
   std::optional<signal::PointResponse> peak{};
-  bool outside = false;    ///< Its place is not in the image: it was not looked for.
+  bool outside = false;    ///< Its place is not in the image, or not recorded: it was not looked for.
   double noise_v = 0.0;    ///< Root mean square of what the image shows beside its points, near this place; 0: nothing.
   double threshold = 0.0;  ///< Power over that of the noise that a peak in the area searched has to exceed.
   double search_m = 0.0;   ///< How far from its place, in both coordinates, it was looked for.
@@ -83,7 +83,7 @@ struct MeasuredTarget {
 /// Many targets in a few numbers: those found, their errors least and largest.
 struct MeasureSummary {
   std::size_t expected = 0;  ///< Targets that theory has echoes of, within the image.
-  std::size_t outside = 0;   ///< Those beside it.
+  std::size_t outside = 0;   ///< Those beside it, or beside the recorded ranges.
   std::size_t found = 0;
   std::size_t displaced = 0, weak = 0, strong = 0;  ///< Of the others.
   double farthest_m = 0.0;                          ///< Largest distance from its place.

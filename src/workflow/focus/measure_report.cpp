@@ -52,8 +52,9 @@ std::string csv_line(const MeasuredTarget& target, const MeasureReport& report) 
   const bool found = peak != nullptr;
   const bool measured = target.expected() && !target.outside;
   std::string line = fmt::format("{},{}", theory.target + 1, target.found ? 1 : 0);
-  add_cell(line, theory.place.azimuth_m);
-  add_cell(line, theory.place.range_m);
+  const bool placed = target.expected() || target.outside;
+  add_cell(line, placed ? theory.place.azimuth_m : none);
+  add_cell(line, placed ? theory.place.range_m : none);
   add_cell(line, found ? peak->place.azimuth_m - theory.place.azimuth_m : none);
   add_cell(line, found ? peak->place.range_m - theory.place.range_m : none);
   add_cell(line, theory.amplitude);
@@ -122,7 +123,7 @@ MeasureSummary summary_of(const MeasureReport& report) {
     highest = summary.found == 1 ? value : std::max(highest, value);
   };
   for (const MeasuredTarget& target : report.targets) {
-    if (target.expected()) ++(target.outside ? summary.outside : summary.expected);
+    if (target.outside || target.expected()) ++(target.outside ? summary.outside : summary.expected);
     summary.displaced += target.state == TargetState::displaced ? 1 : 0;
     summary.weak += target.state == TargetState::weak ? 1 : 0;
     summary.strong += target.state == TargetState::strong ? 1 : 0;

@@ -21,7 +21,7 @@ namespace sarsim::workflow {
 namespace {
 
 // Samples of the image times pulses beyond which back-projection is proposed, not chosen: some ten minutes of a core.
-constexpr double most_projections = 2e11;
+constexpr double max_projections = 2e11;
 
 // Why back-projection is not affordable where the user has not asked for it; empty where it is.
 std::string too_much(const FocusWork& work) {
@@ -30,8 +30,8 @@ std::string too_much(const FocusWork& work) {
   const auto pulses = static_cast<double>(work.input.echoes.track.size());
   const double bytes = 8.0 * (samples + pulses * static_cast<double>(work.input.echoes.columns));
   const auto memory = static_cast<double>(work.options.memory_bytes);
-  if (!(samples * pulses <= most_projections))
-    return fmt::format("that takes {:.2g} samples times pulses, more than {:.1g}", samples * pulses, most_projections);
+  if (!(samples * pulses <= max_projections))
+    return fmt::format("that takes {:.2g} samples times pulses, more than {:.1g}", samples * pulses, max_projections);
   if (!(memory == 0.0 || bytes <= memory))
     return fmt::format("that needs {:.2g} GB of memory, {:.2g} are allowed", 1e-9 * bytes, 1e-9 * memory);
   return {};
@@ -168,7 +168,7 @@ std::string why_in_time(const signal::EchoRows& echoes) {
            "ground around the targets";
   const double uneven = signal::unevenness(echoes.track, signal::fitted_track(echoes.track));
   if (std::isinf(uneven)) return "the antenna turns back along its line, so that its pulses cannot be put in order";
-  if (uneven > most_uneven)
+  if (uneven > max_uneven)
     return fmt::format(
         "the distance between pulses changes by up to {:.3g} % from one to the next, too much for "
         "motion compensation to interpolate",

@@ -114,8 +114,8 @@ TEST_F(MethodChoice, PredictsWhatTheImageOfEachMethodShows) {
   };
   for (int number = 0; number < 8; ++number) {
     const int method = number % 3;
-    const double most_m = method == 0 ? 0.003 : 0.8;
-    const Stray stray{between(-most_m, most_m), between(-most_m, most_m), between(0.4, 3.0), between(0.0, 6.0),
+    const double max_m = method == 0 ? 0.003 : 0.8;
+    const Stray stray{between(-max_m, max_m), between(-max_m, max_m), between(0.4, 3.0), between(0.0, 6.0),
                       method == 0 ? 0.0 : between(-0.1, 0.1)};
     const double above_m = method == 1 ? 0.0 : between(-12.0, 12.0);
     const core::Vec3 point_m{between(-60.0, 60.0), between(-20.0, 20.0), method == 0 ? 0.0 : above_m};

@@ -76,13 +76,13 @@ void compensate(FocusInput& input, MotionOrder order, std::optional<double> grou
   const double speed_mps = core::norm(how.reference.velocity_mps);
   const double uneven = speed_mps > 0.0 ? signal::unevenness(input.echoes.track, how.reference) : 0.0;
   expect_one_way(input.echoes);
-  if (uneven > most_uneven)
+  if (uneven > max_uneven)
     throw core::Refused(
         fmt::format(
             "the distance between pulses changes by up to {:.3g} % from one to the next: no motion compensation "
             "can interpolate between them",
             100.0 * uneven),
-        fmt::format("expected up to {:.0f} %; use --algorithm back-projection", 100.0 * most_uneven));
+        fmt::format("expected up to {:.0f} %; use --algorithm back-projection", 100.0 * max_uneven));
   input.echoes = signal::compensate_motion(input.echoes, how, {options.memory_bytes / 2, options.scratch_folder},
                                            control, progress);
 }

@@ -24,7 +24,7 @@ enum class MotionOrder {
 
 /// Largest relative change of the distance between pulses, from one to the next, across which motion compensation
 /// interpolates.
-inline constexpr double most_uneven = 0.02;
+inline constexpr double max_uneven = 0.02;
 
 /// core::Refused where the antenna does not fly the line that fits its track in one direction.
 void expect_one_way(const signal::EchoRows& echoes);

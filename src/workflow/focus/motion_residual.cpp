@@ -117,7 +117,7 @@ KeptEchoes kept_echoes(std::span<const PulseSight> sights, const ResidualsOfFlig
   for (const PulseSight& sight : sights) {
     if (!(sight.amplitude > 0.0 && sight.amplitude >= 0.1 * strongest)) continue;
     const ResidualEcho echo = residuals.of(sight);
-    const bool inside = echo.cycles_per_m >= flight.kept.least_per_m && echo.cycles_per_m <= flight.kept.most_per_m;
+    const bool inside = echo.cycles_per_m >= flight.kept.min_per_m && echo.cycles_per_m <= flight.kept.max_per_m;
     if (!inside) continue;
     kept.ideal += echo.weight;
     kept.echoes.push_back(echo);
@@ -232,8 +232,8 @@ double MotionResidual::lost_db() const { return -core::amplitude_db(amplitude); 
 double excess_of(const std::optional<MotionResidual>& residual) {
   if (!residual) return 0.0;
   const double moved = residual->cell_m > 0.0 ? std::abs(residual->azimuth_m) / residual->cell_m : 0.0;
-  return std::max({std::abs(residual->phase_rad) / most_residual_rad, residual->lost_db() / most_residual_db,
-                   moved / most_residual_cells});
+  return std::max({std::abs(residual->phase_rad) / max_residual_rad, residual->lost_db() / max_residual_db,
+                   moved / max_residual_cells});
 }
 
 std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan, const signal::EchoRows& echoes,
@@ -276,8 +276,8 @@ core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual
                   what, residual->rms_rad, residual->target + 1, std::max(residual->lost_db(), 0.0),
                   residual->phase_rad, std::abs(residual->azimuth_m)),
       {},
-      fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", most_residual_rad, most_residual_db,
-                  most_residual_cells),
+      fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", max_residual_rad, max_residual_db,
+                  max_residual_cells),
       hint)};
 }
 

@@ -39,9 +39,9 @@ struct MotionResidual {
 };
 
 /// Tolerances of these errors: phase, loss, and displacement in resolution cells.
-inline constexpr double most_residual_rad = 0.02;
-inline constexpr double most_residual_db = 0.1;
-inline constexpr double most_residual_cells = 0.05;
+inline constexpr double max_residual_rad = 0.02;
+inline constexpr double max_residual_db = 0.1;
+inline constexpr double max_residual_cells = 0.05;
 
 /// The largest ratio of an error to its tolerance: above 1 the image is outside the tolerance; 0 for no residual.
 [[nodiscard]] double excess_of(const std::optional<MotionResidual>& residual);

@@ -68,7 +68,7 @@ void remark_on_rows(const std::vector<SarTarget>& targets, const std::vector<std
 core::Problems remarks_on_movers(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                  const std::optional<signal::FocusedImage>& image, const core::WorkControl& control) {
   constexpr double rest_mps = 1e-6;
-  if (plan.scene->scatterers.size() > most_examined_targets || plan.scene->scatterers.empty()) return {};
+  if (plan.scene->scatterers.size() > max_examined_targets || plan.scene->scatterers.empty()) return {};
   const Motions motions = motions_of(plan);
   std::vector<std::size_t> movers;
   for (std::size_t t = 0; t < motions.speeds_mps.size(); ++t)

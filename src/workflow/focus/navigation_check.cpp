@@ -66,7 +66,7 @@ core::Problems problems_of_navigation(const std::string& name, std::span<const s
   CORE_EXPECT(recorded.size() == believed.size() && !recorded.empty());
   constexpr double tolerated = 0.01;
   constexpr double tolerated_rad = core::pi / 180.0;
-  constexpr double least_way_m = 1.0;
+  constexpr double min_way_m = 1.0;
   constexpr const char* hint = "is it of this recording, in the axes of its world, with its time 0, in metres?";
   core::Problems problems;
   const Farthest far = farthest_of(recorded, believed);
@@ -76,7 +76,7 @@ core::Problems problems_of_navigation(const std::string& name, std::span<const s
         fmt::format("{:.6g} m away at {:.6g} s", far.distance_m, far.time_s),
         fmt::format("up to {:.4g} m, a hundredth of the farthest range", tolerated * farthest_m), hint));
   const Ways ways = ways_of(recorded, believed);
-  if (core::has_errors(problems) || !(ways.recorded_m > least_way_m)) return problems;
+  if (core::has_errors(problems) || !(ways.recorded_m > min_way_m)) return problems;
   const double ratio = ways.believed_m / ways.recorded_m;
   if (!(std::abs(ratio - 1.0) <= tolerated))
     problems.push_back(navigation_problem(

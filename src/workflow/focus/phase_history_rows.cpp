@@ -96,14 +96,14 @@ double PhaseHistoryRows::reference_delay_s(const PhaseVector& v, const signal::T
 }
 
 std::size_t PhaseHistoryRows::together(std::size_t first) const {
-  constexpr std::size_t most_samples = std::size_t{1} << 23U;
+  constexpr std::size_t max_samples = std::size_t{1} << 23U;
   constexpr std::size_t most = 4096;
   const std::size_t rows = std::min(most, channel().vectors - first);
   std::vector<PhaseVector> vectors(rows);
   file_->read_vectors(channel_, first, vectors);
   if (!is_sound(vectors.front()) && vectors.front().signal != 0) refuse_vector(*file_, first, "says no place or time");
   const Sampling sampling = sampling_of(vectors.front());
-  const std::size_t fit = std::clamp<std::size_t>(most_samples / std::max<std::size_t>(sampling.count, 1), 1, rows);
+  const std::size_t fit = std::clamp<std::size_t>(max_samples / std::max<std::size_t>(sampling.count, 1), 1, rows);
   std::size_t count = 1;
   while (count < fit && vectors[count].step == vectors.front().step &&
          sampling_of(vectors[count]).count == sampling.count)
@@ -151,11 +151,11 @@ signal::SarEchoes PhaseHistoryRows::echoes(std::size_t first, std::size_t count,
       for (std::complex<float>& sample : samples) {
         if (!std::isfinite(sample.real()) || !std::isfinite(sample.imag()))
           refuse_vector(*file_, first + used[i], "holds a sample that is not a number");
-        if (!(std::abs(static_cast<double>(sample.real())) <= raster::most_cphd_sample &&
-              std::abs(static_cast<double>(sample.imag())) <= raster::most_cphd_sample))
+        if (!(std::abs(static_cast<double>(sample.real())) <= raster::max_cphd_sample &&
+              std::abs(static_cast<double>(sample.imag())) <= raster::max_cphd_sample))
           refuse_vector(*file_, first + used[i], "holds a sample that is too large to compute with",
                         fmt::format("{:g} + {:g}j", sample.real(), sample.imag()),
-                        fmt::format("finite numbers, up to {:g}", raster::most_cphd_sample));
+                        fmt::format("finite numbers, up to {:g}", raster::max_cphd_sample));
         if (sign_ > 0) sample = std::conj(sample);
       }
       const std::complex<double> turn = core::turned_exactly(-echoes.carriers_hz[i] * delays_s[i]);

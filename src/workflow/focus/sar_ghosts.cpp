@@ -63,8 +63,9 @@ SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const S
   target.lowest_doppler_hz = INFINITY;
   target.highest_doppler_hz = -INFINITY;
   constexpr double unseen = 0.0005;
-  std::tie(target.least_doppler_hz, target.most_doppler_hz) = extent_of(seen, unseen);
+  std::tie(target.min_doppler_hz, target.max_doppler_hz) = extent_of(seen, unseen);
   constexpr double rounding = 1e-6;
+  target.recorded = std::ranges::any_of(seen, [](const SarLook& look) { return look.amplitude * look.share > 0.0; });
   for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;
     target.lowest_doppler_hz = std::min(target.lowest_doppler_hz, look.doppler_hz);
@@ -128,19 +129,19 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
   double farthest_m = -INFINITY;
   double largest = 0.0;
   double missing = 0.0;  // From the peak of a target: all of its ghosts.
-  double most_missing = 0.0;
+  double max_missing = 0.0;
   for (const SarGhost& ghost : ghosts) {
     if (wrapped.empty() || wrapped.back() != ghost.target) {
       wrapped.push_back(ghost.target);
       missing = 0.0;
     }
     missing += ghost.share;
-    most_missing = std::max(most_missing, missing);
+    max_missing = std::max(max_missing, missing);
     nearest_m = std::min(nearest_m, ghost.place.azimuth_m);
     farthest_m = std::max(farthest_m, ghost.place.azimuth_m);
     largest = std::max(largest, ghost.share);
   }
-  const double lost_db = -core::amplitude_db(std::max(1.0 - most_missing, 1e-6));
+  const double lost_db = -core::amplitude_db(std::max(1.0 - max_missing, 1e-6));
   constexpr double little = 0.1;
   problems.push_back(core::problem_of(
       in_time && largest < little ? core::Severity::note : core::Severity::warning,
@@ -155,16 +156,18 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
 }
 
 void remark_on_swath(const std::vector<SarTarget>& targets, core::Problems& problems) {
-  std::vector<std::size_t> outside;
+  std::vector<std::size_t> outside, leaving;
   for (const SarTarget& target : targets)
-    if (target.amplitude > 0.0 && !target.in_swath) outside.push_back(target.target);
-  if (outside.empty()) return;
-  problems.push_back(
-      core::problem_of(core::Severity::warning,
-                       fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images "
-                                   "are weaker and wider, or missing",
-                                   outside.size(), targets.size(), target_list(outside)),
-                       {}, {}, "record a wider window of ranges"));
+    if (target.amplitude > 0.0 && !target.in_swath) (target.recorded ? leaving : outside).push_back(target.target);
+  const auto remark = [&](const std::vector<std::size_t>& some, const char* what) {
+    if (some.empty()) return;
+    problems.push_back(
+        core::problem_of(core::Severity::warning,
+                         fmt::format("{} of {} targets ({}) {}", some.size(), targets.size(), target_list(some), what),
+                         {}, {}, "record a wider window of ranges"));
+  };
+  remark(outside, "are never within the recorded ranges: the image does not show them");
+  remark(leaving, "leave the recorded ranges for some pulses: their images are weaker and wider, or missing");
 }
 
 void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems& problems) {
@@ -256,7 +259,7 @@ core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows
                               GhostsIn image, const core::WorkControl& control) {
   core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
-  if (plan.scene->scatterers.size() > most_examined_targets) return problems;
+  if (plan.scene->scatterers.size() > max_examined_targets) return problems;
   const SarLooks looks(plan, echoes);
   std::vector<SarTarget> targets(looks.targets());
   std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());

@@ -10,7 +10,7 @@
 namespace sarsim::workflow {
 
 /// Scenes of more targets are not examined target by target before they are focused.
-inline constexpr std::size_t most_examined_targets = 4096;
+inline constexpr std::size_t max_examined_targets = 4096;
 
 /// The Doppler frequencies that focusing keeps.
 struct DopplerBand {
@@ -37,11 +37,12 @@ struct SarTarget {
   double amplitude = 0.0;          ///< Mean of its whole echoes over all pulses, volts.
   double lowest_doppler_hz = 0.0;  ///< Among the pulses whose echo is within 20 dB of the strongest.
   double highest_doppler_hz = 0.0;
-  double least_doppler_hz = 0.0;  ///< Among all pulses but those at either end that together hold a two-thousandth of
-                                  ///< the amplitude: sidelobes of the antenna count.
-  double most_doppler_hz = 0.0;
-  bool in_swath = true;  ///< Inside the recorded ranges at every such pulse.
-  bool whole = true;     ///< And not so near to the end of a raw recording that the rest of its echo is missing.
+  double min_doppler_hz = 0.0;  ///< Among all pulses but those at either end that together hold a two-thousandth of
+                                ///< the amplitude: sidelobes of the antenna count.
+  double max_doppler_hz = 0.0;
+  bool in_swath = true;   ///< Inside the recorded ranges at every such pulse.
+  bool recorded = false;  ///< Inside of them at one pulse at least.
+  bool whole = true;      ///< And not so near to the end of a raw recording that the rest of its echo is missing.
 };
 
 /// All targets, as the geometry has them.
@@ -79,7 +80,7 @@ enum class GhostsIn {
 /// What a user should know before focusing, without errors: targets whose echoes wrap around and where their ghosts
 /// appear, targets outside the swath or at the end of a raw recording, a beam that holds more Doppler frequencies than
 /// the pulses sample, ranges sampled more coarsely than the band allows. Nothing is said of more
-/// than `most_examined_targets`.
+/// than `max_examined_targets`.
 /// @throw  Interrupted
 [[nodiscard]] core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                             const DopplerBand& kept, GhostsIn image,

@@ -103,7 +103,7 @@ TEST(RemarksOnSar, NameTargetsBeyondTheSwathAndWideBeams) {
   scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(30.0);
   scene.radars[0].beam_azimuth = core::Angle::from_deg(90.0);
   const std::string text = remarks(scene);
-  EXPECT_NE(text.find("1 of 2 targets (2) leave the recorded ranges"), std::string::npos) << text;
+  EXPECT_NE(text.find("1 of 2 targets (2) are never within the recorded ranges"), std::string::npos) << text;
   EXPECT_NE(text.find("Doppler band of 3661 Hz"), std::string::npos) << text;
 }
 

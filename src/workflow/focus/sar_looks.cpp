@@ -16,11 +16,11 @@ namespace {
 
 // Looks at a target: all of these for so many targets, then as many in all, but no fewer than the least.
 constexpr std::size_t looks_for_targets = 4096;
-constexpr std::size_t least_looks = 65;
+constexpr std::size_t min_looks = 65;
 
-std::size_t step_of(std::size_t pulses, std::size_t targets, std::size_t most_looks) {
-  const std::size_t affordable = most_looks * looks_for_targets / std::max(targets, looks_for_targets);
-  const std::size_t looks = std::max(affordable, least_looks);
+std::size_t step_of(std::size_t pulses, std::size_t targets, std::size_t max_looks) {
+  const std::size_t affordable = max_looks * looks_for_targets / std::max(targets, looks_for_targets);
+  const std::size_t looks = std::max(affordable, min_looks);
   return (pulses + looks - 1) / looks;
 }
 
@@ -45,16 +45,16 @@ double receding_mps(const radar::Pose& radar, const radar::Pose& platform, const
 }  // namespace
 
 SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight,
-                   std::size_t most_looks)
+                   std::size_t max_looks)
     : plan_(plan),
-      scene_(simulate::thinned(plan.scene, most_examined_targets)),
+      scene_(simulate::thinned(plan.scene, max_examined_targets)),
       track_(signal::fit_straight(echoes.track)),
       gain_(
           plan, echoes.columns, weight ? weight : [](double) { return 1.0; }),
       peak_gain_(peak_gain_of(plan)),
       carrier_hz_(echoes.waveform.carrier_hz),
       pulses_(echoes.track.size()),
-      step_(step_of(echoes.track.size(), scene_->scatterers.size(), most_looks)),
+      step_(step_of(echoes.track.size(), scene_->scatterers.size(), max_looks)),
       compensated_(echoes.compensated) {}
 
 void SarLooks::each(const core::WorkControl& control,
@@ -173,9 +173,9 @@ signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const
 
 std::optional<double> line_doppler_centroid_hz(const simulate::Plan& plan, signal::EchoRows echoes,
                                                const core::WorkControl& control) {
-  constexpr std::size_t most_looks = 65;
+  constexpr std::size_t max_looks = 65;
   echoes.compensated = true;
-  const SarLooks looks(plan, echoes, {}, most_looks);
+  const SarLooks looks(plan, echoes, {}, max_looks);
   struct Sums {
     double power = 0.0;
     double moment = 0.0;

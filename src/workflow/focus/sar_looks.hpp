@@ -34,7 +34,7 @@ struct SarLook {
   [[nodiscard]] SarLook in_vacuum() const;
 };
 
-/// The pulses of a plan as looks at each of its targets; of more than `most_looks` pulses, some that are evenly spaced,
+/// The pulses of a plan as looks at each of its targets; of more than `max_looks` pulses, some that are evenly spaced,
 /// of more than 4096 targets fewer still, but 65 at least. Of a cloud of more than 4096 points, as many that are evenly
 /// chosen stand for all. They are computed when they are asked for, a few targets at
 /// a time.
@@ -46,7 +46,7 @@ class SarLooks {
   /// @param echoes  their track, their window, and whether they are compensated to the track's line; no rows are read
   /// @param weight  of the compressing filter over the pulse; even where there is none
   SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight = {},
-           std::size_t most_looks = usual_looks);
+           std::size_t max_looks = usual_looks);
 
   [[nodiscard]] std::size_t targets() const { return scene_->scatterers.size(); }
   /// Looks at each target.

@@ -91,13 +91,13 @@ core::Problems problems_of_sar(const simulate::Plan& plan, bool recorded) {
     problems.push_back(core::problem_of(core::Severity::error, "too few pulses to focus",
                                         fmt::format("{}", plan.pulses.count()), "at least 2", "record for longer"));
   // A row anew holds all of the last echo.
-  constexpr double most_samples = 0x1p31;
+  constexpr double max_samples = 0x1p31;
   const double samples = plan.simulation.sample_rate_hz * plan.radar.pulse.width_s;
-  if (!recorded && !(samples <= most_samples))
+  if (!recorded && !(samples <= max_samples))
     problems.push_back(core::problem_of(
         core::Severity::error, "the pulse is too long to be focused: a row has to hold a whole echo",
         fmt::format("pulse_width {:g} s, {:.3g} samples", plan.radar.pulse.width_s, samples),
-        fmt::format("at most {:.3g} s", most_samples / plan.simulation.sample_rate_hz), "shorten the pulse"));
+        fmt::format("at most {:.3g} s", max_samples / plan.simulation.sample_rate_hz), "shorten the pulse"));
   const bool compressed = recorded && plan.simulation.processing == scene::Processing::matched_filter;
   const bool even = !compressed || plan.compressor->output_index().back() + 1 == plan.columns;
   if (!even)
@@ -226,7 +226,7 @@ core::Vec3 scene_middle_m(const simulate::Plan& plan) {
 
 double geometric_doppler_centroid_hz(const simulate::Plan& plan) {
   constexpr std::int64_t looks = 65;
-  constexpr std::size_t most_echoes = 4096;
+  constexpr std::size_t max_echoes = 4096;
   simulate::PulseGeometry geometry(*plan.scene, plan.radar);
   const std::int64_t pulses = plan.pulses.count();
   double power = 0.0;
@@ -234,7 +234,7 @@ double geometric_doppler_centroid_hz(const simulate::Plan& plan) {
   for (std::int64_t look = 0; look < std::min(looks, pulses); ++look) {
     geometry.set_pulse(plan.pulses.first +
                        look * (pulses - 1) / std::max<std::int64_t>(std::min(looks, pulses) - 1, 1));
-    simulate::each_sampled_view(*plan.scene, geometry, most_echoes, [&](const simulate::ScattererView& view) {
+    simulate::each_sampled_view(*plan.scene, geometry, max_echoes, [&](const simulate::ScattererView& view) {
       const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
       power += weight;
       sum -= weight * view.speed_mps;

@@ -180,8 +180,8 @@ std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, 
   // A pulse of less than a cycle of its sweep is no chirp: its length gives the resolution.
   if (!is_plain_chirp(plan.radar.pulse) || !(band_hz * waveform.pulse_width_s >= 1.0)) return std::nullopt;
   // Sampled so coarsely, it is nothing but ghosts of itself.
-  constexpr double least_sampling = 1.0 / 16.0;
-  if (!(waveform.sample_rate_hz >= least_sampling * band_hz)) return std::nullopt;
+  constexpr double min_sampling = 1.0 / 16.0;
+  if (!(waveform.sample_rate_hz >= min_sampling * band_hz)) return std::nullopt;
   signal::ResponseFigures figures = signal::theoretical_figures(
       window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
   const double cell_m = radar::range_of_cycle(band_hz, waveform.light_speed_mps);
@@ -230,9 +230,9 @@ class RangePulse {
     return lost ? lost_ : folded_;
   }
   [[nodiscard]] signal::SampledResponse made(signal::BeyondSampling beyond) const {
-    constexpr double most_time_bandwidth = 2048.0;  // Sidelobes within 60 cells change by less than 1e-3 beyond it.
+    constexpr double max_time_bandwidth = 2048.0;  // Sidelobes within 60 cells change by less than 1e-3 beyond it.
     const double band_hz = std::abs(waveform_.bandwidth_hz);
-    return signal::theoretical_response(window_, std::min(band_hz * waveform_.pulse_width_s, most_time_bandwidth),
+    return signal::theoretical_response(window_, std::min(band_hz * waveform_.pulse_width_s, max_time_bandwidth),
                                         waveform_.sample_rate_hz / band_hz, recorded_window(plan_), beyond);
   }
 
@@ -266,12 +266,13 @@ struct UsedLooks {
 
 UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, double sample_rate_hz) {
   UsedLooks used;
-  double moment = 0.0;
+  double moment = 0.0, whole_moment = 0.0;
   std::complex<double> folded;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const double part = weights.of(i, seen) * seen[i].amplitude;
     if (!(part > 0.0) || !weights.sampled(seen[i])) continue;
     used.whole += part;
+    whole_moment += part * static_cast<double>(i);
     if (!(seen[i].share > 0.0)) continue;
     used.numbers.push_back(i);
     used.parts.push_back(part * seen[i].share);
@@ -281,7 +282,9 @@ UsedLooks used_looks(const LookWeights& weights, std::span<const SarLook> seen, 
     folded += std::polar(used.parts.back(), 2.0 * core::pi * (samples - std::round(samples)));
   }
   if (used.sum > 0.0) used.coherence = std::abs(folded) / used.sum;
-  if (used.sum > 0.0) used.middle = static_cast<std::size_t>(std::llround(moment / used.sum));
+  if (used.whole > 0.0)
+    used.middle =
+        static_cast<std::size_t>(std::llround(used.sum > 0.0 ? moment / used.sum : whole_moment / used.whole));
   return used;
 }
 
@@ -386,9 +389,14 @@ class Theories {
     TargetTheory theory;
     theory.target = number;
     const UsedLooks used = used_looks(weights_, seen, echoes_.waveform.sample_rate_hz);
-    if (!(used.sum > 0.0)) return theory;
+    if (!(used.whole > 0.0)) return theory;
     const SarLook& middle = seen[used.middle];
     theory.place = looks_.place(middle, middle.doppler_hz);
+    if (!(used.sum > 0.0)) {
+      theory.unrecorded = true;
+      if (image_.ground) theory.place = lay_on_ground(number, shift_by_air(middle), theory.place);
+      return theory;
+    }
     theory.amplitude = pulse_.kept(used.coherence) * used.sum /
                        sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
     signal::ImagePlace on_image = theory.place;
@@ -498,7 +506,7 @@ signal::ResponseAxes axes_about_centroid(const signal::EchoRows& echoes, const s
 std::size_t listed_targets(const simulate::ResolvedScene& scene) {
   const std::size_t all = scene.scatterers.size();
   const std::size_t targets = scene.scatterers.targets();
-  return all - targets > most_examined_targets ? targets : all;
+  return all - targets > max_examined_targets ? targets : all;
 }
 
 std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,

@@ -21,6 +21,8 @@ struct TargetTheory {
   /// as was flown. As they are recorded, volts: with the receiver's gain over
   /// time, less where the end of a raw recording cuts them, 0 outside the recorded ranges.
   double amplitude = 0.0;
+  /// Its echoes are never within the recorded ranges: `place` is where its image would be.
+  bool unrecorded = false;
   /// -4 pi f0 R0/c, R0 that of its place, and what an atmosphere leaves besides moving it, in (-pi, pi].
   double phase_rad = 0.0;
   /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: from the

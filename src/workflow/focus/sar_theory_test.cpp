@@ -167,6 +167,19 @@ TEST(TheoryOfTargets, OfARawRecordingsEndIsThatOfThePartOfTheEchoThatItHolds) {
               1.0 / 3.0 - std::sin(2.0 * core::pi / 3.0) / (2.0 * core::pi), 0.01);
 }
 
+// Before and behind the 200 m that are recorded; where they would be is known all the same.
+TEST(TheoryOfTargets, SaysWhichTargetsAreNeverRecorded) {
+  const auto [plan, rows] = sar_recording(sar_scene(600.0, {point_at(-60.0), point_at(100.0), point_at(400.0)}, 0.5));
+  const std::vector<TargetTheory> theories = theory_of_targets(*plan, rows, {});
+  const double range_m[] = {10038.0, 10198.0, 10498.0};
+  for (std::size_t t = 0; t < theories.size(); ++t) {
+    EXPECT_EQ(theories[t].unrecorded, t != 1) << t;
+    EXPECT_EQ(theories[t].amplitude > 0.0, t == 1) << t;
+    EXPECT_NEAR(theories[t].place.range_m, range_m[t], 0.1);
+    EXPECT_NEAR(theories[t].place.azimuth_m, 0.0, 1.0);
+  }
+}
+
 TEST(TheoryOfTargets, IsNoneOutsideTheRecordedRanges) {
   const auto [plan, rows] = sar_recording(sar_scene(600.0, {point_at(250.0)}, 0.1));
   EXPECT_EQ(theory_of_targets(*plan, rows, {}).at(0).amplitude, 0.0);

@@ -66,25 +66,25 @@ LitArea lit_area(const FocusInput& input, const signal::ImageFrame& frame, const
   return area;
 }
 
-signal::ImageAxis axis_around(double least_m, double most_m, const signal::SpectrumExtent& extent) {
+signal::ImageAxis axis_around(double min_m, double max_m, const signal::SpectrumExtent& extent) {
   constexpr double spare = 1.1;
-  constexpr double least_samples = 48.0;
+  constexpr double min_samples = 48.0;
   constexpr double share = 0.1;
-  constexpr double least_per_m = 1e-6;  // of an echo of one frequency from one direction
+  constexpr double min_per_m = 1e-6;  // of an echo of one frequency from one direction
   signal::ImageAxis axis;
-  axis.step_m = 1.0 / (spare * std::max(extent.width_per_m(), least_per_m));
+  axis.step_m = 1.0 / (spare * std::max(extent.width_per_m(), min_per_m));
   axis.spectrum_centre_per_m = extent.middle_per_m();
-  const double margin_m = std::max(share * (most_m - least_m), least_samples * axis.step_m);
+  const double margin_m = std::max(share * (max_m - min_m), min_samples * axis.step_m);
   // Of whole steps from 0, so that areas of one scene have their samples at the same places.
-  axis.first_m = axis.step_m * std::floor((least_m - margin_m) / axis.step_m);
-  axis.count = static_cast<std::size_t>(std::ceil((most_m + margin_m - axis.first_m) / axis.step_m)) + 1;
+  axis.first_m = axis.step_m * std::floor((min_m - margin_m) / axis.step_m);
+  axis.count = static_cast<std::size_t>(std::ceil((max_m + margin_m - axis.first_m) / axis.step_m)) + 1;
   return axis;
 }
 
 }  // namespace
 
 bool flies_along_a_line(const signal::EchoRows& echoes) {
-  return signal::straightness(echoes.track) >= signal::least_straightness;
+  return signal::straightness(echoes.track) >= signal::min_straightness;
 }
 
 signal::FocusedImage scene_grid_axes(const FocusInput& input, std::optional<double> ground_m,

@@ -39,8 +39,8 @@ TargetSpectrum spectrum_of_target(std::span<const SarLook> seen, const signal::E
     used += weight;
   }
   // Of a target with few echoes among those that are used, what is beyond counts as part of all of them.
-  constexpr double least_used = 0.05;
-  if (!(used > least_used * all)) return target;
+  constexpr double min_used = 0.05;
+  if (!(used > min_used * all)) return target;
   target.amplitude = used / static_cast<double>(seen.size());
   target.spectrum = signal::spectrum_of(directions, echoes.waveform, left_out_of_image * all / used);
   return target;
@@ -52,7 +52,7 @@ std::string text_of_axis(const char* what, const signal::ImageAxis& coarse, cons
   return fmt::format(
       "{} {:.4g} m apart instead of {:.4g} m, for a spectrum of {:.4g} cycles per metre from {:.4g} to "
       "{:.4g}",
-      what, fine.step_m, coarse.step_m, extent.width_per_m(), extent.least_per_m, extent.most_per_m);
+      what, fine.step_m, coarse.step_m, extent.width_per_m(), extent.min_per_m, extent.max_per_m);
 }
 
 }  // namespace
@@ -60,18 +60,18 @@ std::string text_of_axis(const char* what, const signal::ImageAxis& coarse, cons
 std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
                                                    const DopplerBand& kept, SeenPulses pulses,
                                                    const core::WorkControl& control) {
-  constexpr std::size_t most_looks = 257;
+  constexpr std::size_t max_looks = 257;
   constexpr double weakest = 0.01;
   echoes.compensated = true;
   if (!echoes.carriers_hz.empty()) {
     const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
     echoes.waveform.bandwidth_hz = std::abs(echoes.waveform.bandwidth_hz) + high - low;
   }
-  const SarLooks looks(plan, echoes, {}, most_looks);
+  const SarLooks looks(plan, echoes, {}, max_looks);
   const double prf_hz = 1.0 / looks.track().interval_s;
   double band_hz = pulses == SeenPulses::all ? std::numeric_limits<double>::infinity() : prf_hz;
   if (kept.width_hz > 0.0) band_hz = std::min(band_hz, kept.width_hz);
-  const std::size_t every = (looks.targets() + most_examined_targets - 1) / most_examined_targets;
+  const std::size_t every = (looks.targets() + max_examined_targets - 1) / max_examined_targets;
   std::vector<TargetSpectrum> targets(looks.targets());
   looks.each(
       control,

@@ -20,7 +20,7 @@ enum class SeenPulses {
 inline constexpr double left_out_of_image = 0.002;
 
 /// The wave numbers that the images of a scene's targets fill, but for `left_out_of_image`. Targets whose echoes are 40
-/// dB below the strongest do not count, of more than `most_examined_targets` some are looked at. Nothing where there
+/// dB below the strongest do not count, of more than `max_examined_targets` some are looked at. Nothing where there
 /// are no echoes.
 /// @param echoes  their waveform, track and window; no rows are read. Directions are those from the track's line
 /// @throw  Interrupted

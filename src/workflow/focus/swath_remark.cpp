@@ -19,8 +19,8 @@ namespace sarsim::workflow {
 namespace {
 
 // What an image that is right may lose.
-constexpr double most_loss_db = 0.1;
-constexpr double most_loss_rad = 0.02;
+constexpr double max_loss_db = 0.1;
+constexpr double max_loss_rad = 0.02;
 
 // Where a target is, and between which sines of directions most of its echoes are.
 struct Candidate {
@@ -98,7 +98,7 @@ double lost_db(double amplitude) {
 
 // Of two losses the one that is farther beyond what is right.
 double grade_of(const signal::SwathLoss& loss) {
-  return std::max(lost_db(loss.amplitude) / most_loss_db, std::abs(loss.phase_rad) / most_loss_rad);
+  return std::max(lost_db(loss.amplitude) / max_loss_db, std::abs(loss.phase_rad) / max_loss_rad);
 }
 
 std::string name_of_target(const MethodLoss& loss) {
@@ -113,8 +113,8 @@ MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptio
   const double middle = per_hz * options.doppler_centroid_hz / axes.frame.speed_mps;
   double low = middle, high = middle;
   if (options.spectrum) {
-    low = per_hz * options.spectrum->azimuth.least_per_m;
-    high = per_hz * options.spectrum->azimuth.most_per_m;
+    low = per_hz * options.spectrum->azimuth.min_per_m;
+    high = per_hz * options.spectrum->azimuth.max_per_m;
   }
   const double half = 0.5 * per_hz / (signal::fit_straight(echoes.track).interval_s * axes.frame.speed_mps);
   std::vector<signal::SeenDirection> directions;
@@ -130,12 +130,12 @@ MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptio
 
 std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                             const signal::FocusOptions& options, const core::WorkControl& control) {
-  constexpr std::size_t most_looks = 129;
+  constexpr std::size_t max_looks = 129;
   const signal::PointLosses losses(echoes, options);
-  if (plan.scene->scatterers.size() > most_examined_targets) return loss_at_edge(echoes, options, losses);
+  if (plan.scene->scatterers.size() > max_examined_targets) return loss_at_edge(echoes, options, losses);
   signal::EchoRows from_line = echoes;
   from_line.compensated = true;
-  const SarLooks looks(plan, from_line, {}, most_looks);
+  const SarLooks looks(plan, from_line, {}, max_looks);
   std::vector<Candidate> candidates(looks.targets());
   std::vector<std::vector<signal::SeenDirection>> directions(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
@@ -153,19 +153,19 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
   for (const Candidate& candidate : candidates) {
     if (!(candidate.amplitude >= weakest * strongest && candidate.told < worst->told)) continue;
     worst->told = candidate.told;
-    worst->least_told = candidate.target;
+    worst->min_told = candidate.target;
   }
   return worst;
 }
 
 double excess_of(const std::optional<MethodLoss>& loss) {
-  return loss ? std::max(grade_of(loss->loss), lost_db(loss->told) / most_loss_db) : 0.0;
+  return loss ? std::max(grade_of(loss->loss), lost_db(loss->told) / max_loss_db) : 0.0;
 }
 
 std::string text_of(const MethodLoss& loss) {
   if (lost_db(loss.told) > lost_db(loss.loss.amplitude))
     return fmt::format("{:.3g} dB of target {}, whose Doppler frequencies the pulses alias", lost_db(loss.told),
-                       loss.least_told + 1);
+                       loss.min_told + 1);
   return fmt::format("{:.3g} dB of {}, whose Doppler frequencies the pulses alias at the upper end of the band",
                      lost_db(loss.loss.amplitude), name_of_target(loss));
 }
@@ -179,7 +179,7 @@ core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::E
   const signal::SwathLoss& loss = worst->loss;
   const bool warns = grade >= 1.0;
   const core::Severity severity = warns ? core::Severity::warning : core::Severity::note;
-  const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", most_loss_db, most_loss_rad) : "";
+  const std::string expected = warns ? fmt::format("below {:.1f} dB and {:.2f} rad", max_loss_db, max_loss_rad) : "";
   if (options.method == signal::FocusMethod::omega_k)
     return {core::problem_of(severity,
                              fmt::format("omega-k loses {:.3g} dB of {}: the pulses alias a part of its Doppler "

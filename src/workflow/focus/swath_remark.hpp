@@ -20,11 +20,11 @@ struct MethodLoss {
   /// aliased: the rest is missing from its peak as well, which `remarks_on_ghosts` reports. 1 if no targets are
   /// examined.
   double told = 1.0;
-  std::size_t least_told = 0;  ///< The target of that share, counted from 0.
+  std::size_t min_told = 0;  ///< The target of that share, counted from 0.
 };
 
 /// Loss of the method of `options` for echoes as seen from the straight line, for the target in the swath that loses
-/// most; with more than `most_examined_targets`, at the farther edge of the swath. Residuals of motion compensation are
+/// most; with more than `max_examined_targets`, at the farther edge of the swath. Residuals of motion compensation are
 /// not included. Nothing if there is no such target.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted

@@ -11,6 +11,7 @@
 #include "core/build/version.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "raster/table/image_gate.hpp"
 #include "workflow/image/map_fields.hpp"
 #include "workflow/input/earth_place.hpp"
 
@@ -60,6 +61,12 @@ class FieldTaker {
   [[nodiscard]] double above_zero(const std::string& name) const {
     const double value = number(name);
     if (!(value > 0.0)) refuse(name, "is not above 0");
+    return value;
+  }
+  [[nodiscard]] double light_speed(const std::string& name) const {
+    const double value = number(name);
+    if (!raster::is_light_speed(value))
+      refuse(name, fmt::format("is no speed of light ({})", raster::light_speeds).c_str());
     return value;
   }
   // A vector of length 1.
@@ -146,11 +153,11 @@ void read_header(const raster::EnviHeader& header, const std::string& file, sign
   const bool slant = fields.word("image plane", {"slant range", "ground grid"}) == "slant range";
   image.frame = {slant ? signal::ImagePlane::slant_range : signal::ImagePlane::ground_grid, fields.vector("origin m"),
                  fields.direction("along"), slant ? fields.vector("across") : fields.direction("across"),
-                 fields.number("speed mps")};
+                 fields.above_zero("speed mps")};
   image.azimuth = fields.axis("azimuth", header.lines);
   image.range = fields.axis("range", header.samples);
   image.carrier_hz = fields.above_zero("carrier hz");
-  image.light_speed_mps = fields.above_zero("light speed mps");
+  image.light_speed_mps = fields.light_speed("light speed mps");
   origin.source = fields.text("source");
   origin.script = fields.text("script");
   origin.settings = header.field("settings").value_or("");

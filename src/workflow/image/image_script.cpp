@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/report/refused.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/product_attributes.hpp"
@@ -72,8 +73,9 @@ std::optional<std::string> sum_of_samples(const std::string& source, const std::
   const raster::RasterHints hints = script.empty()
                                         ? raster::RasterHints{}
                                         : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
-  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
-  return opened.raster ? std::optional(samples_sum(*opened.raster, stop)) : std::nullopt;
+  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
+  if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
+  return samples_sum(*opened.raster, stop);
 }
 
 // The same; nothing also where they cannot be read.
@@ -156,8 +158,8 @@ std::string source_by_name(const std::string& file, const std::string& scene_sum
   const auto now = scene_sum.empty() || !script.empty() ? std::nullopt : checksum_of(file, script);
   problems.push_back(now && *now != scene_sum
                          ? warning_of_scene(file, image)
-                         : note_of(fmt::format("'{}' does not say which samples it was made from, as an image of an "
-                                               "earlier version: '{}' is taken by its name",
+                         : note_of(fmt::format("'{}' does not say which samples it was made from (images of earlier "
+                                               "versions do not): '{}' is taken by its name",
                                                image.string(), file)));
   return file;
 }
@@ -223,7 +225,9 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
     way.source = scene_with_sum(sources, scene_sum, origin.source, image, way.problems);
     return way;
   }
-  const auto sum = header.field("source checksum");
+  // A header that was edited, or copied by another program, may have the name alone.
+  std::optional<std::string> sum = header.field("source checksum");
+  if (sum && core::trimmed(*sum).empty()) sum.reset();
   if (!sum)
     way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems);
   else

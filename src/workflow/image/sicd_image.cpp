@@ -150,10 +150,10 @@ class SicdMaker {
 
   // The lowest degree that follows the flight to a tenth of a millimetre, at most 7.
   [[nodiscard]] std::vector<core::Vec3> flight_terms() const {
-    constexpr std::size_t most_degree = 7;
+    constexpr std::size_t max_degree = 7;
     constexpr double good_m = 1e-4;
-    constexpr std::size_t most_points = 512;
-    const std::size_t step = std::max<std::size_t>(1, collection_.track.size() / most_points);
+    constexpr std::size_t max_points = 512;
+    const std::size_t step = std::max<std::size_t>(1, collection_.track.size() / max_points);
     const core::Vec3 from = collection_.track.front().position_m;
     std::array<std::vector<SurfacePoint>, 3> points;
     for (std::size_t p = 0; p < collection_.track.size(); p += step) {
@@ -164,7 +164,7 @@ class SicdMaker {
       points[2].push_back({at.time_s - first_s(), 0.0, way.z});
     }
     std::vector<core::Vec3> terms;
-    for (std::size_t degree = 1; degree <= most_degree; ++degree) {
+    for (std::size_t degree = 1; degree <= max_degree; ++degree) {
       std::array<std::vector<std::vector<double>>, 3> axes;
       double worst_m = 0.0;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -448,8 +448,8 @@ class SicdMaker {
       }
     const double half = 0.5 / direction.step_m;
     const bool wraps = least < -half || most > half;
-    direction.least_per_m = wraps ? -half : least;
-    direction.most_per_m = wraps ? half : most;
+    direction.min_per_m = wraps ? -half : least;
+    direction.max_per_m = wraps ? half : most;
   }
 
   const signal::FocusedImage& image_;
@@ -470,7 +470,7 @@ class SicdMaker {
 // Turns the point about the line of flight, at its range, until it has the height.
 std::optional<core::Vec3> point_of_height(const radar::EarthFrame& earth, const core::Vec3& foot_m,
                                           const core::Vec3& along, const core::Vec3& scene_m, double range_m) {
-  constexpr int most_steps = 50;
+  constexpr int max_steps = 50;
   constexpr double good_m = 1e-7;
   const core::Vec3 to_scene = scene_m - foot_m;
   const core::Vec3 across = to_scene - core::dot(to_scene, along) * along;
@@ -479,7 +479,7 @@ std::optional<core::Vec3> point_of_height(const radar::EarthFrame& earth, const 
   const core::Vec3 turned = core::cross(along, side);
   const double height_m = earth.geodetic_of(scene_m).height_m;
   double angle = 0.0;
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const core::Vec3 point = foot_m + range_m * (std::cos(angle) * side + std::sin(angle) * turned);
     const radar::Geodetic place = earth.geodetic_of(point);
     const double above_m = place.height_m - height_m;
@@ -488,8 +488,8 @@ std::optional<core::Vec3> point_of_height(const radar::EarthFrame& earth, const 
     const core::Vec3 up{axes.row[0].z, axes.row[1].z, axes.row[2].z};
     const double slope_m = range_m * core::dot(up, -std::sin(angle) * side + std::cos(angle) * turned);
     if (std::abs(slope_m) < 1e-9 * range_m) return std::nullopt;
-    constexpr double most_turn = 0.3;
-    angle -= std::clamp(above_m / slope_m, -most_turn, most_turn);
+    constexpr double max_turn = 0.3;
+    angle -= std::clamp(above_m / slope_m, -max_turn, max_turn);
     constexpr double half_turn = 1.5707963267948966;
     if (!(std::abs(angle) < half_turn)) return std::nullopt;
   }

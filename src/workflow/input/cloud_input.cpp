@@ -34,9 +34,9 @@ constexpr std::string_view hdf5_mark = "\x89HDF\r\n\x1a\n";
 
 // What a look at all points finds.
 struct PointsFound {
-  core::Vec3 least_m{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                     std::numeric_limits<double>::infinity()};
-  core::Vec3 most_m = -1.0 * least_m;
+  core::Vec3 min_m{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                   std::numeric_limits<double>::infinity()};
+  core::Vec3 max_m = -1.0 * min_m;
   std::uint64_t sum = 0;
   std::size_t negative = 0;    // cross-sections
   std::size_t bad_row = none;  // of the first value that cannot be computed with
@@ -57,8 +57,8 @@ void look_at_column(PointsFound& found, const std::vector<double>& column, std::
     most = std::max(most, column[i]);
   }
   if (axis != nullptr) {
-    found.least_m.*axis = least;
-    found.most_m.*axis = most;
+    found.min_m.*axis = least;
+    found.max_m.*axis = most;
   }
   for (std::size_t i = begin; !sound && i < std::min(end, found.bad_row); ++i)
     if (!scene::computable(column[i])) {
@@ -96,8 +96,8 @@ PointsFound take_points(radar::PointArrays& arrays, const core::WorkControl& con
   core::Checksum sum;
   for (const PointsFound& part : parts) {
     for (double core::Vec3::*axis : {&core::Vec3::x, &core::Vec3::y, &core::Vec3::z}) {
-      all.least_m.*axis = std::min(all.least_m.*axis, part.least_m.*axis);
-      all.most_m.*axis = std::max(all.most_m.*axis, part.most_m.*axis);
+      all.min_m.*axis = std::min(all.min_m.*axis, part.min_m.*axis);
+      all.max_m.*axis = std::max(all.max_m.*axis, part.max_m.*axis);
     }
     all.negative += part.negative;
     if (part.bad_row < all.bad_row) {
@@ -171,7 +171,7 @@ CloudReading read_file(const scene::Cloud& cloud, const scene::World& world, con
         fmt::format("{} of {} points", found.negative, table.arrays.size()), "numbers above 0",
         "They are in m2, not in dBsm; a text may name its column rcs_dbsm."));
   reading.points = std::make_shared<const scene::CloudPoints>(
-      scene::CloudPoints{std::move(table.arrays), table.own_rcs, rcs_m2, found.least_m, found.most_m, name, found.sum,
+      scene::CloudPoints{std::move(table.arrays), table.own_rcs, rcs_m2, found.min_m, found.max_m, name, found.sum,
                          table.geodetic ? std::optional(scene::anchor_of(world)) : std::nullopt});
   return reading;
 }
@@ -249,7 +249,7 @@ scene::Cloud cloud_of_points(const std::string& platform, const std::string& fil
   cloud.platform = platform;
   cloud.file = file;
   cloud.points = std::make_shared<const scene::CloudPoints>(scene::CloudPoints{
-      std::move(arrays), !rcs_m2.empty(), 1.0, found.least_m, found.most_m, file, found.sum, std::nullopt});
+      std::move(arrays), !rcs_m2.empty(), 1.0, found.min_m, found.max_m, file, found.sum, std::nullopt});
   return cloud;
 }
 

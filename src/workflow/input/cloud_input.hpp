@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 
 /// More points of one cloud are no longer looked at one by one where a look is enough: by `check`, by the survey before
 /// a run, by theory beside images. The echoes of a recording are those of all points.
-inline constexpr std::size_t most_cloud_looks = 65'536;
+inline constexpr std::size_t max_cloud_looks = 65'536;
 
 /// Reads the tables of the clouds of a scene that are not read yet: each file once, on several threads. What is wrong
 /// with a file is an error of its cloud, with row and column; the cloud then stays without points.

@@ -127,8 +127,8 @@ TEST_F(ReadClouds, TakesTheSamePointsFromEachFormat) {
   EXPECT_EQ(points.z_m, (std::vector<double>{3.25, 0.0, 9.0}));
   EXPECT_EQ(points.root_rcs_m, (std::vector<double>{2.0, 0.5, 0.0}));
   EXPECT_TRUE(first.points->own_rcs);
-  EXPECT_EQ(first.points->least_m, (core::Vec3{-0.5, -2.0, 0.0}));
-  EXPECT_EQ(first.points->most_m, (core::Vec3{7.0, 1e6, 9.0}));
+  EXPECT_EQ(first.points->min_m, (core::Vec3{-0.5, -2.0, 0.0}));
+  EXPECT_EQ(first.points->max_m, (core::Vec3{7.0, 1e6, 9.0}));
   for (const char* name : {"single.npy", "fortran.npy", "named.csv", "bare.csv", "blanks.txt", "units.csv"}) {
     const scene::Cloud other = read(name);
     ASSERT_TRUE(other.points) << name << ": " << core::to_string(problems_.at(0));

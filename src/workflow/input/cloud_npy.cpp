@@ -18,20 +18,20 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::size_t least_columns = 3;
-constexpr std::size_t most_columns = 5;  // x, y, z, cross-section, phase
+constexpr std::size_t min_columns = 3;
+constexpr std::size_t max_columns = 5;  // x, y, z, cross-section, phase
 constexpr std::size_t phase_column = 4;
 constexpr std::size_t range_rows = std::size_t{1} << 15;
 constexpr const char* wanted_shape = "an array of N rows and 3 or 4 columns: x, y, z and cross-section";
 
 // Where the columns of a table of points are within what is stored for each point.
 struct PointColumns {
-  std::array<std::optional<std::size_t>, most_columns> offset;  // Bytes; nothing: the table has no such column.
-  std::size_t stride = 0;                                       // From one point to the next.
+  std::array<std::optional<std::size_t>, max_columns> offset;  // Bytes; nothing: the table has no such column.
+  std::size_t stride = 0;                                      // From one point to the next.
 };
 
 // Names that fields of structures may have, for each column.
-constexpr std::array<std::array<std::string_view, 6>, most_columns> field_names{{
+constexpr std::array<std::array<std::string_view, 6>, max_columns> field_names{{
     {"x", "x_m", "X", "", "", ""},
     {"y", "y_m", "Y", "", "", ""},
     {"z", "z_m", "Z", "", "", ""},
@@ -49,7 +49,7 @@ class NpyPoints {
 
   std::optional<TableFault> read(const core::WorkControl& control) {
     resize(table_.arrays, rows_, control);
-    table_.own_rcs = columns_.offset[least_columns].has_value();
+    table_.own_rcs = columns_.offset[min_columns].has_value();
     core::parallel_ranges(rows_, range_rows, control, [&](std::size_t begin, std::size_t end) {
       if (header_.fortran_order && header_.fields.empty())
         read_columns(begin, end);
@@ -73,14 +73,14 @@ class NpyPoints {
   void read_rows(std::size_t begin, std::size_t end) {
     std::vector<std::byte> read((end - begin) * columns_.stride);
     file_.read_all_at(header_.data_offset + std::uint64_t{begin} * columns_.stride, read);
-    for (std::size_t column = 0; column < most_columns; ++column)
+    for (std::size_t column = 0; column < max_columns; ++column)
       if (const auto offset = columns_.offset[column])
         take(column, begin, end, [&](std::size_t i) { return number_at(read.data() + i * columns_.stride + *offset); });
   }
 
   void read_columns(std::size_t begin, std::size_t end) {
     std::vector<std::byte> read((end - begin) * sizeof(Number));
-    for (std::size_t column = 0; column < most_columns; ++column) {
+    for (std::size_t column = 0; column < max_columns; ++column) {
       if (!columns_.offset[column]) continue;
       file_.read_all_at(header_.data_offset + (std::uint64_t{column} * rows_ + begin) * sizeof(Number), read);
       take(column, begin, end, [&](std::size_t i) { return number_at(read.data() + i * sizeof(Number)); });
@@ -133,7 +133,7 @@ std::variant<PointColumns, TableFault> columns_of_fields(const raster::NpyHeader
   std::string names;
   for (const raster::NpyField& field : header.fields) {
     names += (names.empty() ? "" : ", ") + field.name.substr(0, 20);
-    for (std::size_t column = 0; column < most_columns; ++column) {
+    for (std::size_t column = 0; column < max_columns; ++column) {
       if (std::ranges::find(field_names[column], field.name) == field_names[column].end() || field.name.empty())
         continue;
       if (field.count != 1 || (type != field.type && !type.empty()))
@@ -173,7 +173,7 @@ std::optional<TableFault> read_npy_points(const core::InputFile& file, PointTabl
     auto found = columns_of_fields(header, type);
     if (auto* fault = std::get_if<TableFault>(&found)) return std::move(*fault);
     columns = std::get<PointColumns>(found);
-  } else if (shape.size() != 2 || shape[0] == 0 || shape[1] < least_columns || shape[1] > most_columns) {
+  } else if (shape.size() != 2 || shape[0] == 0 || shape[1] < min_columns || shape[1] > max_columns) {
     return TableFault{"the array is not a table of points", raster::shape_text(shape), wanted_shape, {}};
   }
   const bool is_single = type == "<f4";

@@ -14,12 +14,14 @@
 #include "core/maths/constants.hpp"
 #include "core/os/input_file.hpp"
 #include "core/report/refused.hpp"
+#include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/pose_axes.hpp"
 #include "raster/table/product_attributes.hpp"
+#include "raster/table/sample_gate.hpp"
 #include "scene/check/check.hpp"
 #include "scene/language/format_mark.hpp"
 #include "scene/language/json_text.hpp"
@@ -120,20 +122,21 @@ struct OpenedFile {
   std::optional<raster::RasterAxes> axes;
 };
 
+[[noreturn]] void refuse_image(const std::string& path, const std::string& says) {
+  throw core::Refused(fmt::format("'{}' is a focused image, as its {} says, not a recording", path, says),
+                      fmt::format("sarsim measure {0} measures it, sarsim plot {0} -o FILE.png draws it; or name the "
+                                  "scene or the recording that it was made from",
+                                  path));
+}
+
 OpenedFile opened(const std::string& path, const raster::RasterHints& hints, core::Problems& problems) {
   raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints);
   if (!result.raster) throw core::Refused(core::ranked(std::move(result.problems)));
+  const raster::RasterInfo& info = result.raster->info();
+  if (!raster::attribute_of(info.attributes, "image_plane").empty()) refuse_image(path, "field image_plane");
+  if (info.format == &raster::sicd_format()) refuse_image(path, "format SICD");
   take(problems, std::move(result.problems));
   return {result.raster, result.axes ? std::move(result.axes) : result.raster->axes()};
-}
-
-// What was made from a recording may have its name and its shape.
-void expect_no_image(const std::string& path) {
-  const auto format = raster::format_from_path(path);
-  if ((format && !raster::format_of(*format).envi_header) || !raster::has_envi_header(path)) return;
-  throw core::Refused(fmt::format("'{}' is an image, as its header '{}' says, not a recording", path,
-                                  raster::envi_header_of(path).filename().string()),
-                      "name the script or the recording that it was made from");
 }
 
 raster::RasterHints hints_of(const simulate::Plan& plan) {
@@ -257,37 +260,12 @@ double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core
   return 1.0;
 }
 
-// What can be computed with in single precision: sums over all samples of a recording stay below 3.4e38.
-bool is_usable(const std::complex<double>& value) {
-  constexpr double most = 1e28;
-  return std::abs(value.real()) <= most && std::abs(value.imag()) <= most;  // False where one is not a number.
-}
-
 // A single such sample would spoil every pixel of the result.
-[[noreturn]] void refuse_sample(const raster::Raster& file, std::size_t row,
-                                std::span<const std::complex<double>> values) {
-  const auto bad = std::ranges::find_if_not(values, is_usable);
-  const auto column = bad - values.begin();
-  core::Problem problem =
-      core::problem_of(core::Severity::error,
-                       std::isnan(bad->real()) || std::isnan(bad->imag())
-                           ? fmt::format("row {}, sample {} (from 0) is not a number", row, column)
-                           : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
-                       fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, up to 1e28 V",
-                       "set it to 0 or record again; sarsim info --statistics says how many such samples there are");
-  problem.place.file = file.info().path.string();
-  throw core::Refused({std::move(problem)});
-}
-
-// A row of a recording in memory, which is refused like one of a file.
 void expect_usable_row(const std::string& name, std::size_t row, std::span<const std::complex<double>> values) {
-  const auto bad = std::ranges::find_if_not(values, is_usable);
+  const auto bad = std::ranges::find_if_not(values, raster::is_usable_sample);
   if (bad == values.end()) return;
-  throw core::Refused({core::problem_of(
-      core::Severity::error,
-      fmt::format("row {}, sample {} (from 0) of '{}' is not a number that can be computed with", row,
-                  bad - values.begin(), name),
-      fmt::format("{} + {}j V", bad->real(), bad->imag()), "finite numbers, up to 1e28 V", "set it to 0")});
+  const auto column = static_cast<std::size_t>(bad - values.begin());
+  throw core::Refused({raster::unusable_sample(name, row, column, *bad)});
 }
 
 core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, double scale) {
@@ -295,9 +273,8 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
   const std::size_t columns = file->columns();
   return {rows, columns, [file = std::move(file), scale](std::size_t row, std::span<std::complex<double>> out) {
             file->read_rows(row, 1, out);
-            bool usable = true;
-            for (std::complex<double>& value : out) usable &= is_usable(value *= scale);
-            if (!usable) refuse_sample(*file, row, out);
+            for (std::complex<double>& value : out) value *= scale;
+            expect_usable_row(file->info().path.string(), row, out);
           }};
 }
 
@@ -371,6 +348,21 @@ std::vector<fs::path> named_sources(const RecordingArguments& arguments) {
 
 bool names_script(const RecordingArguments& arguments) {
   return arguments.held ? !arguments.held->rows : language_of_name(arguments.path).has_value();
+}
+
+// What was made from a recording may have its name and its shape.
+void expect_no_image(const std::string& path) {
+  std::string image = path;
+  std::error_code ignored;
+  if (core::equal_ignoring_case(fs::path(path).extension().string(), ".hdr"))
+    for (const char* const ending : {".npy", ".img"})
+      if (const fs::path beside = fs::path(path).replace_extension(ending); fs::exists(beside, ignored))
+        image = beside.string();
+  // The image of a scene or phase history has its name, and a header beside both.
+  const raster::Format* const format = raster::row_from_path(image);
+  const bool has_own = format == nullptr || format->envi_header || format == &raster::envi_format();
+  if (language_of_name(image) || !has_own || !raster::has_envi_header(image)) return;
+  refuse_image(image, fmt::format("header '{}'", raster::envi_header_of(image).filename().string()));
 }
 
 bool holds_script(const std::string& path) {

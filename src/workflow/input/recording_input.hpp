@@ -61,6 +61,11 @@ struct ScriptedRecording {
   std::size_t simulation = 0;  ///< Position in the script's list.
 };
 
+/// Refuses a focused image that has a header beside it, and that header; of other files that are images opening says
+/// so.
+/// @throws core::Refused
+void expect_no_image(const std::string& path);
+
 /// Reads the script of the arguments and finds the simulation. Throws core::Refused with all problems where the script
 /// cannot be simulated or has no such simulation.
 [[nodiscard]] ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& suits,

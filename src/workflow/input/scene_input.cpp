@@ -164,11 +164,11 @@ void name_clouds(core::Problems& problems, const scene::Scene& scene, const simu
 void note_thinning(core::Problems& problems, const scene::Scene& scene) {
   for (std::size_t i = 0; i < scene.clouds.size(); ++i) {
     const std::size_t points = scene::point_count(scene.clouds[i]);
-    if (points <= most_cloud_looks) continue;
+    if (points <= max_cloud_looks) continue;
     core::Problem note = core::problem_of(
         core::Severity::note,
         fmt::format("echo figures are based on {} of the {} points of the cloud; target counts include only those",
-                    most_cloud_looks, points),
+                    max_cloud_looks, points),
         {}, {}, {});
     note.subject = {"cloud", i, "file"};
     problems.push_back(std::move(note));
@@ -190,7 +190,7 @@ core::Problems problems_of_echoes(SceneInput& input, const std::optional<WantedP
     input.scene.simulations.clear();
     for (const std::size_t index : wanted->simulations) input.scene.simulations.push_back(all.at(index));
   }
-  const auto surveyed = simulate::thinned(input.resolved, most_cloud_looks);
+  const auto surveyed = simulate::thinned(input.resolved, max_cloud_looks);
   simulate::SurveyReport report = simulate::survey_report(input.scene, surveyed, control);
   if (is_script(input) || input.scene.options.profile == scene::Profile::classic)
     append(report.problems, simulate::differences_of_profiles(input.scene, report.summaries));
@@ -233,11 +233,26 @@ core::Problems problems_in(const std::vector<std::filesystem::path>& files, cons
   return found;
 }
 
-core::Problems warnings_of_files(core::Problems problems, const SceneInput& input) {
+void keep_warnings(core::Problems& problems) {
   std::erase_if(problems, [](const core::Problem& problem) { return problem.severity != core::Severity::warning; });
+}
+
+// As they are said of the scene.
+core::Problems warnings_of_files(core::Problems problems, const SceneInput& input) {
+  keep_warnings(problems);
   if (input.language == scene::Language::format_2) scene::say_in_format_2(problems);
   scene::locate(problems, input.places);
   return core::ranked(std::move(problems));
+}
+
+// What files have to be warned of that nobody needs yet; nothing of them is kept, and they need not be there.
+core::Problems warnings_by_look(const scene::Scene& scene, const std::filesystem::path& folder,
+                                const core::WorkControl& control) {
+  if (data_files_of(scene, folder).empty()) return {};
+  scene::Scene looked = scene;
+  core::Problems found = read_files_of(looked, folder, control);
+  keep_warnings(found);
+  return found;
 }
 
 // A scene with what its reader found, on its way to an input.
@@ -259,14 +274,18 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
         !mistakes.empty())
       throw core::Refused(std::move(mistakes));
   core::Problems of_files = problems_in(data_files_of(input.scene, folder), reading.problems);
+  core::Problems of_look;
   if (scrutiny != Scrutiny::reading && !core::has_errors(reading.problems)) {
-    core::Problems read = read_files_of(input.scene, folder, control);
+    const bool keeps = scrutiny != Scrutiny::files;
+    core::Problems read =
+        keeps ? read_files_of(input.scene, folder, control) : warnings_by_look(input.scene, folder, control);
+    if (!keeps) of_look = read;
     append(of_files, core::Problems(read));
     append(reading.problems, std::move(read));
   }
   std::optional<WantedProducts> wanted;
   if (choose && !core::has_errors(reading.problems)) wanted = choose(input.scene);
-  if (scrutiny != Scrutiny::reading) {
+  if (scrutiny != Scrutiny::reading && scrutiny != Scrutiny::files) {
     core::Problems found = without_objects_of(scene::check(input.scene, control), reading.problems, input.scene);
     if (core::has_errors(reading.problems))  // Files were not read then.
       std::erase_if(found, [](const core::Problem& p) { return p.message == scene::unread_motion; });
@@ -288,6 +307,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   scene::locate(reading.problems, input.places);
   input.problems = core::ranked(std::move(reading.problems));
   input.of_files = warnings_of_files(std::move(of_files), input);
+  input.of_look = warnings_of_files(std::move(of_look), input);
   return input;
 }
 
@@ -335,13 +355,27 @@ SceneInput read_scene_text(std::string_view text, const std::string& name, const
                   scrutiny, control, {});
 }
 
+namespace {
+
+core::Problems without(core::Problems problems, const core::Problems& some) {
+  std::erase_if(problems, [&](const core::Problem& problem) {
+    return std::ranges::any_of(some, [&](const core::Problem& one) {
+      return one.severity == problem.severity && one.message == problem.message && one.found == problem.found &&
+             one.place == problem.place;
+    });
+  });
+  return problems;
+}
+
+}  // namespace
+
 SceneInput check_again(const SceneInput& known, Scrutiny scrutiny, const core::WorkControl& control,
                        const ChooseProducts& choose, const SceneOverrides& overrides) {
   if (!overrides.let.empty())
     throw core::Refused("--let means nothing for a scene that was read already", "give the values when it is read");
   scene::ScriptReading reading;
   reading.scene = known.scene;
-  reading.problems = known.problems;
+  reading.problems = without(known.problems, known.of_look);
   reading.places = known.places;
   reading.language = known.language;
   reading.json = known.json;

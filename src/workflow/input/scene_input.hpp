@@ -44,7 +44,8 @@ struct SceneInput {
   std::vector<std::filesystem::path> sources;  ///< The script, what it includes, and the data files that it names.
   core::Problems problems;                     ///< Of reader, check and survey, ranked and with their places.
   core::Problems of_files;                     ///< Of these the warnings about the files that it names.
-  std::vector<simulate::EchoSummary> echoes;   ///< Of the simulations that are wanted, where echoes were looked at.
+  core::Problems of_look;  ///< Of these the ones that are found anew: `Scrutiny::files` keeps nothing.
+  std::vector<simulate::EchoSummary> echoes;  ///< Of the simulations that are wanted, where echoes were looked at.
   std::shared_ptr<const simulate::ResolvedScene> resolved;  ///< Where echoes were looked at, else empty.
   scene::Language language = scene::Language::script;       ///< Of the text that was read.
   bool json = false;                                        ///< It is JSON, which nothing writes.
@@ -56,6 +57,7 @@ struct SceneInput {
 /// How much of a scene is looked at.
 enum class Scrutiny {
   reading,  ///< The text alone.
+  files,    ///< Also the files that it names, for what has to be warned of; they need not be there, and are not kept.
   values,   ///< Also `check`.
   echoes,   ///< Also `survey`, where there is no error.
 };

@@ -97,14 +97,14 @@ std::string script_sum(const scene::Scene& scene, const core::WorkControl& contr
 }
 
 std::string samples_sum(const raster::Raster& file, const core::StopFlag* stop) {
-  constexpr std::size_t most_rows = 64;
+  constexpr std::size_t max_rows = 64;
   core::Checksum sum;
   file.wait_until_indexed(stop);
   const std::size_t rows = file.rows();
   const std::uint64_t shape[] = {rows, file.columns()};
   sum.add(std::as_bytes(std::span(shape)));
   std::vector<std::complex<double>> row(file.columns());
-  const std::size_t count = std::min(rows, most_rows);
+  const std::size_t count = std::min(rows, max_rows);
   for (std::size_t i = 0; i < count; ++i) {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
     file.read_rows(count > 1 ? i * (rows - 1) / (count - 1) : 0, 1, row);

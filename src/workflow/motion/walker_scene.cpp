@@ -20,7 +20,7 @@ namespace {
 // Cubics through so many points of a cycle are within 0.15 mm.
 constexpr double points_per_cycle = 200.0;
 constexpr double part_rcs_m2 = 0.02;
-constexpr std::size_t most_points = 1'000'000;
+constexpr std::size_t max_points = 1'000'000;
 
 std::string part_name(std::size_t part) {
   return fmt::format("walker {}", radar::name_of(static_cast<radar::BodyPart>(part)));
@@ -30,9 +30,9 @@ scene::Scene scene_of(const WalkerRequest& request, const radar::WalkingBody& bo
   scene::Scene scene;
   const double step_s = body.gait().cycle_s / points_per_cycle;
   const auto steps = static_cast<std::size_t>((request.end_s - request.start_s) / step_s) + 2;
-  if (steps > most_points)
+  if (steps > max_points)
     throw core::Refused("the walk is too long",
-                        fmt::format("at most {:.0f} s", step_s * static_cast<double>(most_points)));
+                        fmt::format("at most {:.0f} s", step_s * static_cast<double>(max_points)));
   scene.platforms.resize(radar::body_part_count);
   for (std::size_t part = 0; part < radar::body_part_count; ++part) {
     scene::Platform& platform = scene.platforms[part];

@@ -15,12 +15,12 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::uint64_t most_signed = INT64_MAX;
+constexpr std::uint64_t max_signed = INT64_MAX;
 constexpr const char* hint_begins = "; did you mean ";
 
 // Numbers beyond those with a sign are read as they stand.
 std::optional<std::uint64_t> whole_number(const std::string& word, std::uint64_t high) {
-  if (high <= most_signed) {
+  if (high <= max_signed) {
     const auto number = core::parse_integer(word);
     return number && *number >= 0 ? std::optional(static_cast<std::uint64_t>(*number)) : std::nullopt;
   }
@@ -103,7 +103,7 @@ core::Problems problems_with(const std::vector<Option>& options, const GivenWord
 double number_in(const std::string& word) { return core::parse_number(word).value_or(0.0); }
 
 std::uint64_t whole_number_in(const std::string& word) {
-  if (const auto number = whole_number(word, most_signed)) return *number;
+  if (const auto number = whole_number(word, max_signed)) return *number;
   return whole_number(word, UINT64_MAX).value_or(0);
 }
 

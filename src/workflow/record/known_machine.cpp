@@ -26,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view first_line = "sarsim machine speed 1\n";
-constexpr std::uint64_t most_bytes = 4096;
+constexpr std::uint64_t max_bytes = 4096;
 
 struct Part {
   std::string_view name;
@@ -41,10 +41,10 @@ constexpr std::array<Part, 6> parts{{{"samples", &simulate::MachineSpeed::sample
 
 // As Linux says it; empty elsewhere.
 std::string processor_name() {
-  constexpr int most_lines = 64;
+  constexpr int max_lines = 64;
   std::ifstream file("/proc/cpuinfo");
   std::string line;
-  for (int i = 0; i < most_lines && std::getline(file, line); ++i)
+  for (int i = 0; i < max_lines && std::getline(file, line); ++i)
     if (line.starts_with("model name")) return line;
   return {};
 }
@@ -52,7 +52,7 @@ std::string processor_name() {
 std::optional<std::string> short_text_of(const fs::path& path) {
   auto opened = core::InputFile::open(path);
   const core::InputFile* file = std::get_if<core::InputFile>(&opened);
-  if (file == nullptr || file->size() > most_bytes) return std::nullopt;
+  if (file == nullptr || file->size() > max_bytes) return std::nullopt;
   std::string text(file->size(), '\0');
   file->read_all_at(0, std::as_writable_bytes(std::span(text)));
   return text;

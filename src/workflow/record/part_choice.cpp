@@ -9,11 +9,11 @@
 namespace sarsim::workflow {
 
 std::optional<PartChoice::Share> share_from(const std::string& text) {
-  constexpr std::int64_t most_parts = 1'000'000;
+  constexpr std::int64_t max_parts = 1'000'000;
   const std::size_t slash = text.find('/');
   const auto number = core::parse_integer(text.substr(0, slash));
   const auto count = slash == std::string::npos ? std::nullopt : core::parse_integer(text.substr(slash + 1));
-  if (!number || !count || *number < 1 || *number > *count || *count > most_parts) return std::nullopt;
+  if (!number || !count || *number < 1 || *number > *count || *count > max_parts) return std::nullopt;
   return PartChoice::Share{*number, *count};
 }
 

@@ -56,7 +56,7 @@ PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simul
 
 RecordingReport make_recording(const PreparedRecording& prepared, const core::Observer& observer) try {
   const std::filesystem::path folder = std::filesystem::absolute(prepared.file).parent_path();
-  core::expect_room(folder, raster::least_bytes(prepared.options.format, prepared.estimate.bytes),
+  core::expect_room(folder, raster::min_bytes(prepared.options.format, prepared.estimate.bytes),
                     "or choose another folder");
   return make_recording({prepared.plan, prepared.file, prepared.options, prepared.script}, 0, observer);
 } catch (const simulate::ImpossibleEcho& error) {

@@ -256,16 +256,16 @@ class Recorder {
   // One line for each recording, and the room that all of them need.
   void announce() {
     double bytes_wanted = 0.0;
-    std::optional<std::size_t> most_rows;
+    std::optional<std::size_t> max_rows;
     std::vector<std::string> lines;
     core::Problems missing;
     for (const ProductJob& job : jobs_) {
       if (job.table) {
-        bytes_wanted += least_table_bytes(input_.scene, *input_.resolved, input_.scene.geometries[job.index]);
+        bytes_wanted += min_table_bytes(input_.scene, *input_.resolved, input_.scene.geometries[job.index]);
         continue;
       }
       simulate::Plan plan = planned(job.index);
-      most_rows = std::max(most_rows.value_or(0), plan.rows);
+      max_rows = std::max(max_rows.value_or(0), plan.rows);
       const double bytes = raster::expected_bytes(simulate::product_of(plan, {}), sink_options(plan.simulation));
       bytes_wanted += room_bytes(job, plan, bytes);
       lines.push_back(announcement(job, plan, bytes));
@@ -274,10 +274,10 @@ class Recorder {
       if (!kept_plan_) kept_plan_.emplace(job.index, std::move(plan));
     }
     const auto& span = request_.part.span;
-    if (span && most_rows && *most_rows < static_cast<std::size_t>(span->first))
+    if (span && max_rows && *max_rows < static_cast<std::size_t>(span->first))
       throw core::Refused(
           {core::problem_of(core::Severity::error, "no recording has as many pulses as --pulses asks for",
-                            words_of(request_.part), fmt::format("pulses 1 to {}", *most_rows), {})});
+                            words_of(request_.part), fmt::format("pulses 1 to {}", *max_rows), {})});
     observer_.remarks(missing);
     for (const std::string& line : lines) observer_.announces(line);
     take_problems(std::move(missing));
@@ -302,7 +302,7 @@ class Recorder {
 
   // What a recording needs on the disk at least.
   [[nodiscard]] double room_bytes(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
-    const double least = raster::least_bytes(plan.simulation.format, bytes);
+    const double least = raster::min_bytes(plan.simulation.format, bytes);
     if (!journaled_) return least;
     if (fs::exists(raster::parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
     const double rows = static_cast<double>(plan.rows);

@@ -26,8 +26,8 @@ RecordingSize size_of(const simulate::Plan& plan, unsigned threads, bool counts)
   return size;
 }
 
-double least_table_bytes(const scene::Scene& scene, const simulate::ResolvedScene& resolved,
-                         const scene::GeometryTable& table) {
+double min_table_bytes(const scene::Scene& scene, const simulate::ResolvedScene& resolved,
+                       const scene::GeometryTable& table) {
   const std::size_t radar = scene::find_radar(scene, table.radar);
   if (radar == scene::not_found) return 0.0;
   const radar::PulseRange pulses =

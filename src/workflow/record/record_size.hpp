@@ -31,7 +31,7 @@ struct RecordingSize {
 [[nodiscard]] RecordingSize size_of(const simulate::Plan& plan, unsigned threads, bool counts = false);
 
 /// Bytes that a geometry table has at least; 0 for an unknown radar. No line is shorter than its pulse number and end.
-[[nodiscard]] double least_table_bytes(const scene::Scene& scene, const simulate::ResolvedScene& resolved,
-                                       const scene::GeometryTable& table);
+[[nodiscard]] double min_table_bytes(const scene::Scene& scene, const simulate::ResolvedScene& resolved,
+                                     const scene::GeometryTable& table);
 
 }  // namespace sarsim::workflow

@@ -120,7 +120,7 @@ RecordingReport record_file(const ScenePlan& planned, const std::filesystem::pat
   if (raster::format_of(options.format).carries_script)
     job.script = scene::recorded_text(planned.input.scene, observer.control(core::thread_count(threads)));
   const double bytes = raster::expected_bytes(simulate::product_of(planned.plan, job.script), options);
-  core::expect_room(std::filesystem::absolute(file).parent_path(), raster::least_bytes(options.format, bytes),
+  core::expect_room(std::filesystem::absolute(file).parent_path(), raster::min_bytes(options.format, bytes),
                     "or choose another folder");
   return make_recording(job, threads, observer);
 } catch (const simulate::ImpossibleEcho& error) {

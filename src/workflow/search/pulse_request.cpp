@@ -13,7 +13,7 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::int64_t most_cells = 100000;
+constexpr std::int64_t max_cells = 100000;
 constexpr double usual_false_alarm = 1e-6;
 constexpr double usual_rank = 0.75;
 
@@ -67,7 +67,7 @@ std::optional<CellReach> cells_from_text(const std::string& text) {
   const auto columns = core::parse_integer(text.substr(0, colon));
   const auto rows =
       colon == std::string::npos ? std::optional<std::int64_t>(0) : core::parse_integer(text.substr(colon + 1));
-  const auto good = [](std::optional<std::int64_t> n) { return n && *n >= 0 && *n <= most_cells; };
+  const auto good = [](std::optional<std::int64_t> n) { return n && *n >= 0 && *n <= max_cells; };
   if (!good(columns) || !good(rows)) return std::nullopt;
   return CellReach{static_cast<std::size_t>(*columns), static_cast<std::size_t>(*rows)};
 }

@@ -77,11 +77,11 @@ class Remarks {
 
   void doppler() {
     std::size_t count = 0;
-    double most_hz = 0.0;
+    double max_hz = 0.0;
     for (const simulate::TargetSurvey& target : survey_.targets) {
       if (!target.in_window || std::abs(extreme_hz(target)) <= 0.5 * prf_hz_) continue;
       ++count;
-      if (std::abs(extreme_hz(target)) > std::abs(most_hz)) most_hz = extreme_hz(target);
+      if (std::abs(extreme_hz(target)) > std::abs(max_hz)) max_hz = extreme_hz(target);
     }
     if (count == 0) return;
     // A radar that searches finds directions and ranges, and is built to fold speeds.
@@ -89,26 +89,24 @@ class Remarks {
         beam_turns(plan_) ? core::Severity::note : core::Severity::warning,
         fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
                     survey_.targets.size()),
-        fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(most_hz)),
-                    core::with_prefix(std::abs(most_hz), "Hz", 4)),
+        fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(max_hz)), core::with_prefix(std::abs(max_hz), "Hz", 4)),
         fmt::format("at most {:.4g} m/s, lambda PRF/4", speed_of(0.5 * prf_hz_)),
         fmt::format("speeds are shown modulo {:.4g} m/s; a PRF of {} tells them apart", speed_of(prf_hz_),
-                    core::with_prefix(2.0 * std::abs(most_hz), "Hz", 4))));
+                    core::with_prefix(2.0 * std::abs(max_hz), "Hz", 4))));
   }
 
   void range_walk() {
     const double time_s = static_cast<double>(options_.recorded_pulses()) / prf_hz_;
     const double cell_m =
         radar::range_of_cycle(radar::bandwidth_hz(plan_.radar.pulse), plan_.scene->conventions.light_speed_mps);
-    double most_mps = 0.0;
+    double max_mps = 0.0;
     for (const simulate::TargetSurvey& target : survey_.targets)
-      if (target.in_window) most_mps = std::max(most_mps, target.largest_speed_mps);
-    if (most_mps * time_s <= cell_m) return;
-    warn(
-        "targets move through more than a cell of range in an interval: their responses smear",
-        fmt::format("{:.4g} m at {:.4g} m/s", most_mps * time_s, most_mps),
-        fmt::format("at most {:.4g} m, c/(2 B)", cell_m),
-        fmt::format("take intervals of at most {:.0f} pulses", std::max(1.0, std::floor(cell_m / most_mps * prf_hz_))));
+      if (target.in_window) max_mps = std::max(max_mps, target.largest_speed_mps);
+    if (max_mps * time_s <= cell_m) return;
+    warn("targets move through more than a cell of range in an interval: their responses smear",
+         fmt::format("{:.4g} m at {:.4g} m/s", max_mps * time_s, max_mps),
+         fmt::format("at most {:.4g} m, c/(2 B)", cell_m),
+         fmt::format("take intervals of at most {:.0f} pulses", std::max(1.0, std::floor(cell_m / max_mps * prf_hz_))));
   }
 
   // Far from 0, where nothing rests.

@@ -105,14 +105,14 @@ class IntervalGroups {
 
   // From the middle to either end in steps that are far shorter than a turn unless the interval is many turns long.
   double half_sector_rad(const SearchInterval& interval) {
-    constexpr std::size_t most_steps = 64;
+    constexpr std::size_t max_steps = 64;
     const std::size_t last = options_.recorded_pulses() - 1;
     double farthest_rad = 0.0;
     for (const std::size_t end : {std::size_t{0}, last}) {
       double before_rad = core::azimuth_rad(interval.beam_world);
       double swept_rad = 0.0;
       const double pulses = static_cast<double>(end) - 0.5 * static_cast<double>(last);
-      const std::size_t steps = std::min(last + 1, most_steps);
+      const std::size_t steps = std::min(last + 1, max_steps);
       for (std::size_t step = 1; step <= steps; ++step) {
         const double pulse =
             0.5 * static_cast<double>(last) + pulses * static_cast<double>(step) / static_cast<double>(steps);

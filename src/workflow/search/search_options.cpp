@@ -13,7 +13,7 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::uint64_t most_pulses = std::uint64_t{1} << 24;
+constexpr std::uint64_t max_pulses = std::uint64_t{1} << 24;
 
 [[noreturn]] void refuse_word(std::string message, const std::string& found, std::string expected) {
   throw core::Refused(
@@ -37,11 +37,11 @@ void take_pulse_window(PulseRequest& request, const std::string& word) {
 }
 
 void add_intervals(OptionTable<PulseRequest>& table, const std::string& usual_pulses) {
-  table.whole("--interval", 1, most_pulses, "pulses of a coherent interval (default: " + usual_pulses + ")",
+  table.whole("--interval", 1, max_pulses, "pulses of a coherent interval (default: " + usual_pulses + ")",
               &PulseRequest::pulses);
-  table.whole("--step", 1, most_pulses, "pulses from one interval to the next (default: its length)",
+  table.whole("--step", 1, max_pulses, "pulses from one interval to the next (default: its length)",
               &PulseRequest::step);
-  table.whole("--frequencies", 1, most_pulses,
+  table.whole("--frequencies", 1, max_pulses,
               "Doppler rows of an interval, finer than its pulses give (default: as many)", &PulseRequest::frequencies);
   table.text(
       "--window", "WINDOW",

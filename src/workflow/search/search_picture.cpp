@@ -14,8 +14,8 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr double most_pixels_to_a_side = 1000.0;  // by default
-constexpr double most_pixels = 30000.0;           // of a picture's edge
+constexpr double max_pixels_to_a_side = 1000.0;  // by default
+constexpr double max_pixels = 30000.0;           // of a picture's edge
 constexpr double widest_half_sector_rad = 0.25 * core::pi;
 
 core::Vec3 radar_at(const PulseRows& rows, std::size_t pulse) {
@@ -57,11 +57,11 @@ signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& argu
   const double extent_m = arguments.extent_m ? above_zero("--extent", *arguments.extent_m)
                                              : reach_m + 0.5 * std::hypot(end_m.x - begin_m.x, end_m.y - begin_m.y);
   const double step_m = rows.samples() > 1 ? rows.range_m[1] - rows.range_m[0] : reach_m;
-  const double pixel_m = arguments.pixel_m ? above_zero("--pixel", *arguments.pixel_m)
-                                           : std::max(step_m, extent_m / most_pixels_to_a_side);
-  if (2.0 * extent_m / pixel_m > most_pixels)
+  const double pixel_m =
+      arguments.pixel_m ? above_zero("--pixel", *arguments.pixel_m) : std::max(step_m, extent_m / max_pixels_to_a_side);
+  if (2.0 * extent_m / pixel_m > max_pixels)
     throw core::Refused(fmt::format("a picture of {:.6g} pixels to a side is too large", 2.0 * extent_m / pixel_m),
-                        fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / most_pixels));
+                        fmt::format("give --pixel at least {:.3g}, or --extent less", 2.0 * extent_m / max_pixels));
   return signal::ppi_grid(middle_m.x, middle_m.y, extent_m, pixel_m);
 }
 

@@ -59,17 +59,17 @@ std::size_t nearest_index(const std::vector<double>& ascending, double value) {
 // Pulses that one look stands for: an odd number, which has a middle. A canceller takes what changes from one pulse to
 // the next and needs each of them.
 std::size_t pulses_of_look(const SearchOptions& options) {
-  constexpr std::size_t most_looks = 64;
+  constexpr std::size_t max_looks = 64;
   if (options.canceller > 0) return 1;
-  return (options.recorded_pulses() + most_looks - 1) / most_looks | 1U;
+  return (options.recorded_pulses() + max_looks - 1) / max_looks | 1U;
 }
 
 double probability_of(const signal::CfarOptions& cfar, std::size_t cells, double snr) {
-  constexpr std::size_t most_ordered = 4096;
+  constexpr std::size_t max_ordered = 4096;
   if (cfar.kind == signal::CfarOptions::Kind::cell_averaging)
     return std::min(1.0, signal::cell_averaging_steady_probability(
                              cells, signal::cell_averaging_factor(cells, cfar.false_alarm), snr));
-  cells = std::min(cells, most_ordered);
+  cells = std::min(cells, max_ordered);
   const std::size_t rank = signal::cfar_rank(cells, cfar.rank_share);
   const double factor = signal::ordered_statistic_factor(cells, rank, cfar.false_alarm);
   return std::min(1.0, signal::ordered_statistic_steady_probability(cells, rank, factor, snr));
@@ -135,8 +135,8 @@ SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options
 
 // Some targets at a time, which bounds what is held of a long interval.
 std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
-  constexpr std::size_t most_held = std::size_t{1} << 18;
-  const std::size_t at_once = std::max<std::size_t>(1, most_held / looks_);
+  constexpr std::size_t max_held = std::size_t{1} << 18;
+  const std::size_t at_once = std::max<std::size_t>(1, max_held / looks_);
   std::vector<TargetSight> sights(targets_.size());
   for (std::size_t first = 0; first < sights.size(); first += at_once) {
     const std::span<TargetSight> some = std::span(sights).subspan(first, std::min(at_once, sights.size() - first));
@@ -257,10 +257,10 @@ double SearchTargets::distance(const SearchDetection& detection, const TargetSig
 // Range and Doppler do not tell targets in different directions apart: one that the beam does not see in the interval
 // is not what was detected. High beams sweep a wider azimuth than their width.
 bool SearchTargets::beside_beam(const SearchInterval& interval, const TargetSight& sight) const {
-  constexpr double least_cosine = 0.02;
+  constexpr double min_cosine = 0.02;
   if (!half_beam_rad_) return false;
   const core::Vec3& beam = interval.beam_world;
-  const double cosine = std::max(std::hypot(beam.x, beam.y), least_cosine);
+  const double cosine = std::max(std::hypot(beam.x, beam.y), min_cosine);
   const double away_rad = std::remainder(sight.azimuth_rad - core::azimuth_rad(beam), 2.0 * core::pi);
   return std::abs(away_rad) > interval.half_sector_rad + *half_beam_rad_ / cosine;
 }
@@ -282,10 +282,10 @@ SearchTargets::Strengths SearchTargets::strengths_at(const SearchDetection& dete
 // above what all targets give together, of which the target gives half as much as the largest or more, and no more than
 // 20 dB below what the target gives, which is spread over the cells that it passes.
 bool SearchTargets::fits(const SearchDetection& detection, const TargetSight& sight, const Strengths& there) const {
-  constexpr double least_of_largest = 0.5;
-  constexpr double least_of_expected = 0.1;
+  constexpr double min_of_largest = 0.5;
+  constexpr double min_of_expected = 0.1;
   constexpr double deviations = 3.0;
-  if (sight.amplitude_v < least_of_largest * there.largest_v) return false;
+  if (sight.amplitude_v < min_of_largest * there.largest_v) return false;
   const double noise_v = deviations * sight.amplitude_v / std::sqrt(sight.snr);
   if (detection.magnitude_v > std::numbers::sqrt2 * there.sum_v + noise_v) return false;
   const double wavelength_m =
@@ -293,7 +293,7 @@ bool SearchTargets::fits(const SearchDetection& detection, const TargetSight& si
   const double passed_m =
       0.5 * wavelength_m * std::abs(sight.doppler_hz) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
   const double cells = 1.0 + passed_m / cell_m_;
-  return detection.magnitude_v + noise_v >= least_of_expected * sight.amplitude_v / cells;
+  return detection.magnitude_v + noise_v >= min_of_expected * sight.amplitude_v / cells;
 }
 
 std::vector<std::optional<std::size_t>> SearchTargets::take(const SearchInterval& interval) {

@@ -18,8 +18,8 @@ namespace sarsim::workflow {
 namespace {
 
 // Below this the turning during all bursts is taken for none.
-constexpr double least_turn_rad = 1e-6;
-constexpr double most_pixels = 0x1p26;
+constexpr double min_turn_rad = 1e-6;
+constexpr double max_pixels = 0x1p26;
 
 // What the image is made from, besides the echoes.
 struct IsarPlan {
@@ -53,7 +53,7 @@ signal::ImagePlace first_order_place(const IsarPlan& plan, const core::Vec3& poi
 }
 
 signal::ImagePlace place_in_plane(const IsarPlan& plan, const IsarOptions& options, const core::Vec3& point_m) {
-  if (options.algorithm == IsarOptions::Algorithm::range_doppler && plan.plane.turn_rad > least_turn_rad)
+  if (options.algorithm == IsarOptions::Algorithm::range_doppler && plan.plane.turn_rad > min_turn_rad)
     return first_order_place(plan, point_m);
   return {core::dot(point_m, plan.plane.cross_range), core::dot(point_m, plan.plane.range)};
 }
@@ -81,7 +81,7 @@ signal::ImagePlace half_size(const SteppedRows& rows, const IsarPlan& plan, cons
 
 void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& options, const signal::ImagePlace& half,
                  double wavelength_m) {
-  if (plan.plane.turn_rad <= least_turn_rad) {
+  if (plan.plane.turn_rad <= min_turn_rad) {
     made.problems.push_back(core::problem_of(
         core::Severity::error, "the target does not turn against the line of sight: there is no cross-range",
         fmt::format("{:.3g} degrees", plan.plane.turn_rad * 180.0 / core::pi), "a target that turns or flies past",
@@ -91,7 +91,7 @@ void add_remarks(IsarImage& made, const IsarPlan& plan, const IsarOptions& optio
   const double pixels = 4.0 * half.azimuth_m * half.range_m /
                         (made.cross_range_resolution_m * made.range_resolution_m) *
                         static_cast<double>(options.oversampling * options.oversampling);
-  if (!(half.azimuth_m > 0.0 && half.range_m > 0.0) || !(pixels < most_pixels)) {
+  if (!(half.azimuth_m > 0.0 && half.range_m > 0.0) || !(pixels < max_pixels)) {
     made.problems.push_back(core::problem_of(
         core::Severity::error, "the image cannot be made this large",
         fmt::format("{:.4g} m x {:.4g} m", 2.0 * half.azimuth_m, 2.0 * half.range_m),
@@ -169,10 +169,18 @@ void lay_upon_image(IsarImage& made) {
   }
 }
 
+bool is_within(const signal::ImageAxis& axis, double place_m) {
+  const double at = axis.index_of(place_m);
+  return at >= -0.5 && at < static_cast<double>(axis.count) - 0.5;
+}
+
 void find_points(IsarImage& made) {
-  made.points.resize(std::min(made.points.size(), most_held_targets));
+  made.points.resize(std::min(made.points.size(), max_held_targets));
   const signal::ImageReader reader = signal::reader_of(made.image);
   for (HeldPoint& point : made.points) {
+    point.outside = !is_within(made.image.azimuth, point.expected.azimuth_m) ||
+                    !is_within(made.image.range, point.expected.range_m);
+    if (point.outside) continue;
     double search_m = 3.0 * std::min(made.cross_range_resolution_m, made.range_resolution_m);
     for (const HeldPoint& other : made.points)
       if (other.target != point.target)

@@ -40,7 +40,8 @@ struct HeldPoint {
   std::size_t target = 0;       ///< Position in the scene's list, from 0.
   signal::ImagePlace expected;  ///< Cross-range and range from the target's centre.
   double amplitude = 0.0;       ///< Mean of its echoes, volts.
-  std::optional<signal::PointResponse> found;
+  bool outside = false;         ///< Its place is not in the image: it is not looked for.
+  std::optional<signal::PointResponse> found{};
 };
 
 /// An image of a turning target and what it is of.
@@ -54,7 +55,7 @@ struct IsarImage {
   double range_resolution_m = 0.0;         ///< c/(2 B)
   double cross_range_resolution_m = 0.0;   ///< wavelength/(2 turn)
   double unambiguous_cross_range_m = 0.0;  ///< wavelength/2 over the turn from burst to burst.
-  std::vector<HeldPoint> points;           ///< Of many targets in an image that was made the first `most_held_targets`.
+  std::vector<HeldPoint> points;           ///< Of many targets in an image that was made the first `max_held_targets`.
   core::Problems problems;                 ///< What limits this image.
 };
 

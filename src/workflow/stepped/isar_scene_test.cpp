@@ -132,8 +132,8 @@ TEST(IsarImage, HoldsTheFirstThousandTargetsAgainstIt) {
   while (scene.targets.size() < 1100) scene.targets.push_back(simulate::target_on("Ship", {1.0, 1.0, 0.0}, 1e-6));
   const SteppedRows rows = rows_of(scene);
   const IsarImage made = make_isar_image(rows, 0, 4, options_for(rows), two);
-  ASSERT_EQ(made.points.size(), most_held_targets);
-  EXPECT_EQ(made.points.back().target, most_held_targets - 1);
+  ASSERT_EQ(made.points.size(), max_held_targets);
+  EXPECT_EQ(made.points.back().target, max_held_targets - 1);
 }
 
 TEST(IsarImage, TakesAGivenTurningForItsScale) {

@@ -12,7 +12,7 @@ namespace sarsim::workflow {
 namespace {
 
 // The whole scan is not needed for its speed: so many of its middle bursts are.
-constexpr std::size_t most_searched = 64;
+constexpr std::size_t max_searched = 64;
 
 std::vector<double> times_of(const SteppedRows& rows, std::size_t burst) {
   const std::size_t pulses = rows.band->waveform().burst_pulses();
@@ -35,7 +35,7 @@ ScanRecord record_of(const SteppedRows& rows, const signal::ProfileSet& bursts) 
 signal::VelocityEstimate search_speed(const SteppedRows& rows, const signal::ProfileMaker& maker,
                                       const signal::ProfileSet& bursts, double fastest_mps,
                                       const core::WorkControl& control) {
-  const std::size_t count = std::min(bursts.count(), most_searched);
+  const std::size_t count = std::min(bursts.count(), max_searched);
   const std::size_t first = bursts.first + (bursts.count() - count) / 2;
   return signal::estimate_velocity(maker, read_bursts(rows, first, count, control), -fastest_mps, fastest_mps, control);
 }
@@ -187,17 +187,21 @@ std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const Profil
   std::vector<HeldTarget> targets;
   for (const BurstTruth& truth : truth_of_burst(rows, profile.burst)) {
     if (!(truth.amplitude > 0.0)) continue;
-    if (targets.size() == most_held_targets) break;
+    if (targets.size() == max_held_targets) break;
     HeldTarget target;
     target.truth = truth;
     const double left_mps = truth.speed_mps - scan.speed_mps;
     target.expected_m = truth.range_m + moved_m + series.limits.shift_m(left_mps);
     target.expected_bin = series.axis.index_of(target.expected_m);
+    target.outside =
+        !(target.expected_bin >= -0.5 && target.expected_bin < static_cast<double>(series.axis.count) - 0.5);
     target.smear_cells = series.limits.smear_cells(left_mps);
     targets.push_back(target);
   }
   for (std::size_t i = 0; i < targets.size(); ++i) {
     targets[i].nearest_m = distance_to_next(targets, i);
+    // Beside the profile there are only the sidelobes of others.
+    if (targets[i].outside) continue;
     targets[i].found = signal::peak_near(series.row(row), series.axis, targets[i].expected_m,
                                          search_around(targets[i], series.limits.resolution_m));
   }

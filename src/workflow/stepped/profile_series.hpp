@@ -94,13 +94,14 @@ struct HeldTarget {
   BurstTruth truth;
   double expected_m = 0.0;  ///< Its range, where its profile shows it, and what speed that is left shifts it by.
   double expected_bin = 0.0;
+  bool outside = false;                      ///< That bin is not in the profile: it is not looked for.
   double smear_cells = 0.0;                  ///< By the speed that is left.
   double nearest_m = 0.0;                    ///< Distance of `expected_m` to that of the next target; infinite alone.
   std::optional<signal::ProfilePeak> found;  ///< The largest peak within half the distance to the next target.
 };
 
 /// The targets of the scene, as the profile of one burst shows them; those without echoes left out. Of many the first
-/// `most_held_targets` are looked at.
+/// `max_held_targets` are looked at.
 /// @param row  of a series that `make_profiles` made
 [[nodiscard]] std::vector<HeldTarget> hold_against_scene(const SteppedRows& rows, const ProfileSeries& series,
                                                          const SeriesOptions& options, std::size_t row);

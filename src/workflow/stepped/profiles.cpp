@@ -77,8 +77,8 @@ void expect_ranges(SteppedInput& input, const SeriesOptions& options) {
   const double bins = (to_m - from_m) /
                       (radar::range_of_cycle(input.rows.band->band_hz(), input.rows.band->waveform().light_speed_mps) /
                        static_cast<double>(options.oversampling));
-  constexpr double most_bins = 0x1p26;
-  if (bins > most_bins)
+  constexpr double max_bins = 0x1p26;
+  if (bins > max_bins)
     throw core::Refused(fmt::format("a profile of {:.3g} bins cannot be held", bins),
                         "choose fewer ranges with --from and --to, or less --oversampling");
   if (from_m < shown.from_m || to_m > shown.to_m)
@@ -199,8 +199,8 @@ ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& ob
   report.velocity = options.velocity;
   report.bursts = input.rows.bursts;
   report.targets = hold_against_scene(input.rows, report.series, options, report.held_row);
-  constexpr std::size_t most_peaks = 20;
-  report.peaks = signal::highest_peaks(report.series.row(report.held_row), report.series.axis, most_peaks,
+  constexpr std::size_t max_peaks = 20;
+  report.peaks = signal::highest_peaks(report.series.row(report.held_row), report.series.axis, max_peaks,
                                        report.series.limits.resolution_m, 0.03);
   report.problems = std::move(input.problems);
   report.seconds = core::now_s() - begin_s;

@@ -30,7 +30,8 @@ void write_image_member(core::JsonWriter& json, const WrittenIsarImage& written)
   json.member("unambiguous_cross_range_m", made.unambiguous_cross_range_m).key("targets").begin_array();
   for (const HeldPoint& point : made.points) {
     json.begin_object().member("target", point.target + 1);
-    json.member("cross_range_m", point.expected.azimuth_m).member("range_m", point.expected.range_m).key("found");
+    json.member("cross_range_m", point.expected.azimuth_m).member("range_m", point.expected.range_m);
+    json.member("outside", point.outside).key("found");
     if (point.found) {
       json.begin_object();
       json.member("cross_range_error_m", point.found->place.azimuth_m - point.expected.azimuth_m);
@@ -59,6 +60,7 @@ void write_held_target(core::JsonWriter& json, const HeldTarget& target) {
   json.begin_object().member("target", target.truth.target + 1).member("range_m", target.truth.range_m);
   json.member("speed_mps", target.truth.speed_mps).member("amplitude_v", target.truth.amplitude);
   json.member("expected_m", target.expected_m).member("expected_bin", target.expected_bin);
+  json.member("outside", target.outside);
   json.member("smear_cells", target.smear_cells).key("nearest_target_m");
   std::isfinite(target.nearest_m) ? json.value(target.nearest_m) : json.null();
   json.key("found");

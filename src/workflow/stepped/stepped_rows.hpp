@@ -75,7 +75,7 @@ enum class SteppedUse {
                                               const core::ProgressReport& progress = {});
 
 /// Of many targets so many are held against profiles and images.
-inline constexpr std::size_t most_held_targets = 1000;
+inline constexpr std::size_t max_held_targets = 1000;
 
 /// Where a target is in the middle of a burst, and how strong.
 struct BurstTruth {

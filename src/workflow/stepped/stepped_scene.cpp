@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::size_t most_targets = 4096;
+constexpr std::size_t max_targets = 4096;
 
 std::int64_t pulse_of(const SteppedRows& rows, std::size_t burst, std::size_t in_burst) {
   return rows.first_pulse + static_cast<std::int64_t>(burst * rows.band->waveform().burst_pulses() + in_burst);
@@ -62,7 +62,7 @@ std::vector<double> illumination_of(const SteppedRows& rows, const core::WorkCon
     for (std::size_t b = begin; b < end; ++b) {
       geometry.set_pulse(pulse_of(rows, b, rows.band->waveform().burst_pulses() / 2));
       const radar::Pointing pointing = geometry.pointing();
-      for (std::size_t t = 0; t < targets; t += targets / most_targets + 1) {
+      for (std::size_t t = 0; t < targets; t += targets / max_targets + 1) {
         const double amplitude = geometry.view(t, pointing).amplitude_sqrt_w;
         power[b] = std::max(power[b], amplitude * amplitude);
       }
@@ -76,20 +76,20 @@ std::vector<double> illumination_of(const SteppedRows& rows, const core::WorkCon
 double fastest_searched_mps(const SteppedRows& rows) {
   const std::size_t pulses = rows.band->waveform().burst_pulses();
   const double span_s = rows.pulse_time_s(pulses - 1) - rows.pulse_time_s(0);
-  return span_s > 0.0 ? 0.5 * signal::most_searched_speeds * signal::first_speed_step_mps(*rows.band, span_s)
+  return span_s > 0.0 ? 0.5 * signal::max_searched_speeds * signal::first_speed_step_mps(*rows.band, span_s)
                       : std::numeric_limits<double>::infinity();
 }
 
 double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count) {
-  constexpr std::size_t most_looks = 17;
-  const std::size_t looks = std::min(count, most_looks);
+  constexpr std::size_t max_looks = 17;
+  const std::size_t looks = std::min(count, max_looks);
   simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
   double power = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < looks; ++i) {
     const std::size_t burst = first + (looks > 1 ? i * (count - 1) / (looks - 1) : 0);
     geometry.set_pulse(pulse_of(rows, burst, rows.band->waveform().burst_pulses() / 2));
-    simulate::each_sampled_view(*rows.plan->scene, geometry, most_targets, [&](const simulate::ScattererView& view) {
+    simulate::each_sampled_view(*rows.plan->scene, geometry, max_targets, [&](const simulate::ScattererView& view) {
       const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
       power += weight;
       sum += weight * view.speed_mps;

@@ -26,11 +26,11 @@ void expect_speed(double fastest_mps) {
 }
 
 void expect_searchable(double fastest_mps, const SteppedRows& rows) {
-  const double most_mps = fastest_searched_mps(rows);
-  if (fastest_mps <= most_mps) return;
+  const double max_mps = fastest_searched_mps(rows);
+  if (fastest_mps <= max_mps) return;
   throw core::Refused(fmt::format("--fastest: up to {} m/s, bursts this long resolve too many speeds to try them all",
                                   core::format_number(fastest_mps)),
-                      fmt::format("at most {:.6g} m/s", most_mps));
+                      fmt::format("at most {:.6g} m/s", max_mps));
 }
 
 }  // namespace sarsim::workflow

@@ -87,7 +87,7 @@ void add_measured(Figures& figures, const MeasureReport& report) {
   figures.add("lowest_amplitude_error_db", any ? summary.lowest_amplitude_db : no_number);
   figures.add("highest_amplitude_error_db", any ? summary.highest_amplitude_db : no_number);
   figures.add("lowest_snr_db", any ? summary.lowest_snr_db : no_number);
-  if (report.targets.size() > most_followed_targets) return;
+  if (report.targets.size() > max_followed_targets) return;
   for (const MeasuredTarget& target : report.targets) add_target(figures, target);
 }
 
@@ -137,7 +137,7 @@ FollowedUp followed_by_search(const FollowUp& follow_up, const FollowedRecording
   figures.add("intervals", number(report.intervals));
   figures.add("detections", number(report.detections));
   figures.add("expected_false_alarms", report.expected_false_alarms);
-  if (report.findings.size() <= most_followed_targets)
+  if (report.findings.size() <= max_followed_targets)
     for (const TargetFinding& finding : report.findings) {
       figures.add(finding.target, "intervals_expected", finding.probability ? number(finding.expected) : no_number);
       figures.add(finding.target, "intervals_found", number(finding.found));
@@ -160,7 +160,7 @@ FollowedUp followed_by_profiles(const FollowUp& follow_up, const FollowedRecordi
   figures.add("profiles", number(report.series.rows.size()));
   figures.add("scans", number(report.series.scans.size()));
   if (!report.series.scans.empty()) figures.add("compensated_speed_mps", report.series.scans.front().speed_mps);
-  if (report.targets.size() <= most_followed_targets)
+  if (report.targets.size() <= max_followed_targets)
     for (const HeldTarget& target : report.targets) {
       const std::size_t t = target.truth.target;
       figures.add(t, "range_error_m", target.found ? target.found->range_m - target.expected_m : no_number);

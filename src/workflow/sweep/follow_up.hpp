@@ -60,7 +60,7 @@ void expect_sense(const FollowUp& follow_up);
 [[nodiscard]] std::vector<std::filesystem::path> files_of(const FollowUp& follow_up, const std::filesystem::path& stem);
 
 /// Of more targets there are figures of all together alone.
-inline constexpr std::size_t most_followed_targets = 20;
+inline constexpr std::size_t max_followed_targets = 20;
 
 /// Focuses, searches or makes profiles; throws as `focus`, `measure`, `search` and `profiles` do. Figures of targets
 /// that were not found are not numbers.

@@ -215,7 +215,7 @@ SweepReport run_sweep(const SweepRequest& request, SweepPlan plan, const core::O
   take_finished(request, plan.rows);  // Another process may have made some since the plan was made.
   expect_free_files(request, plan.sweep, plan.rows);
   if (!request.discard)
-    core::expect_room(request.folder, sum_of(plan.checks, &ProductSize::least_bytes),
+    core::expect_room(request.folder, sum_of(plan.checks, &ProductSize::min_bytes),
                       "choose another folder with --out, or keep the tables alone with --discard");
   observer.announces(announcement(request, plan));
   const double begin_s = core::now_s();

@@ -31,7 +31,7 @@ namespace {
 constexpr std::size_t longest_name = 200;
 
 // Of settings that are wrong; those behind them are not read.
-constexpr std::size_t most_mistakes = 20;
+constexpr std::size_t max_mistakes = 20;
 
 const char* option_of(std::string_view setting) { return setting.starts_with(let_prefix) ? "" : "--set "; }
 
@@ -103,7 +103,7 @@ std::optional<SweepAxis> axis_of(const NamedThings& things, const std::string& s
   if (axis.field.field != nullptr && is_random(texts)) {
     axis.law = texts;
   } else if (axis.field.field != nullptr) {
-    scene::ValueList list = scene::read_value_list(texts, *axis.field.field, most_variations);
+    scene::ValueList list = scene::read_value_list(texts, *axis.field.field, max_variations);
     failure = std::move(list.failure);
     axis.values = std::move(list.texts);
   }
@@ -224,7 +224,7 @@ void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core
     heading_line_ = table.heading_line;
     table_lines_ = std::move(table.lines);
     for (SweepAxis& axis : table.axes) {
-      if (problems.size() >= most_mistakes) return;
+      if (problems.size() >= max_mistakes) return;
       axis.of_table = true;
       core::Problem again = mistake(axis.name + ": ");
       again.place = {table_.string(), heading_line_, 0};
@@ -232,7 +232,7 @@ void Sweep::read_axes(const scene::Scene& scene, const SweepValues& values, core
     }
   }
   for (const std::string& setting : values.settings) {
-    if (problems.size() >= most_mistakes) return;
+    if (problems.size() >= max_mistakes) return;
     if (std::optional<SweepAxis> axis = axis_of({scene, source_.names}, setting, problems))
       add(*std::move(axis), mistake_in(setting, ""));
   }
@@ -275,17 +275,17 @@ void Sweep::set_size(core::Problems& problems) {
   for (const std::vector<std::size_t>& group : groups_) {
     const SweepAxis& first = axes_[group.front()];
     for (const std::size_t i : group)
-      if (axes_[i].values.size() != first.values.size() && problems.size() < most_mistakes)
+      if (axes_[i].values.size() != first.values.size() && problems.size() < max_mistakes)
         problems.push_back(mistake_in(
             axes_[i].name,
             fmt::format("with --zip all lists are of one length; this one has {} values and that of {} has {}",
                         axes_[i].values.size(), first.name, first.values.size())));
     size *= static_cast<double>(first.values.size());
   }
-  if (size > static_cast<double>(most_variations)) {
+  if (size > static_cast<double>(max_variations)) {
     problems.push_back(mistake(fmt::format("the sweep would have {:.0f} variations", size),
                                "vary less at once, or pair the values with --zip"));
-    problems.back().expected = fmt::format("{} at most", most_variations);
+    problems.back().expected = fmt::format("{} at most", max_variations);
   }
   if (!problems.empty()) return;
   size_ = 1;
@@ -303,7 +303,7 @@ void Sweep::name_values(core::Problems& problems) {
       axis.stamps.push_back(stamp_of(scene::data_file_on_disk(folder_, value)));
   }
   for (const std::vector<std::size_t>& group : groups_) {
-    if (problems.size() >= most_mistakes) return;
+    if (problems.size() >= max_mistakes) return;
     refuse_repetition(group, problems);
   }
 }

@@ -15,7 +15,7 @@
 namespace sarsim::workflow {
 
 /// More variations are taken for a mistake.
-inline constexpr std::size_t most_variations = 100000;
+inline constexpr std::size_t max_variations = 100000;
 
 /// What varies in a sweep, in words.
 struct SweepValues {

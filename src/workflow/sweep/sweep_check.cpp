@@ -67,7 +67,7 @@ class Looker {
         size.bytes = raster::expected_bytes(simulate::product_of(plan, {}),
                                             {plan.simulation.format, false, work_.counts, false});
         const scene::FileFormat format = plan.simulation.format;
-        size.least_bytes = raster::least_bytes(format, size.bytes);
+        size.min_bytes = raster::min_bytes(format, size.bytes);
         const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(format, work_.counts);
         size.seconds = simulate::estimated_cost(plan, 1, known_machine()).seconds * (twice ? 2.0 : 1.0);
       }

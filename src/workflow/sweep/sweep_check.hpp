@@ -17,8 +17,8 @@ struct ProductSize {
   std::size_t rows = 0;
   std::size_t columns = 0;
   double bytes = 0.0;
-  double least_bytes = 0.0;  ///< The size of text is an estimate from above.
-  double seconds = 0.0;      ///< Roughly, on one thread.
+  double min_bytes = 0.0;  ///< The size of text is an estimate from above.
+  double seconds = 0.0;    ///< Roughly, on one thread.
 };
 
 /// What `check_sweep` works with.

@@ -13,7 +13,7 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::size_t most_listed = 5;
+constexpr std::size_t max_listed = 5;
 
 struct Line {
   std::string name;
@@ -59,7 +59,7 @@ std::string field_list(const NamedThings& things) {
   std::vector<Line> lines;
   for (const scene::ObjectKind kind : scene::all_object_kinds) {
     const std::size_t count = scene::count_of(scene, kind);
-    const std::size_t listed = scene::reflects(kind) ? std::min(count, most_listed) : count;
+    const std::size_t listed = scene::reflects(kind) ? std::min(count, max_listed) : count;
     for (std::size_t i = 0; i < listed; ++i) add_object(lines, scene, {kind, i});
     if (listed < count) lines.push_back({fmt::format("... and {} more", count - listed), "", ""});
   }

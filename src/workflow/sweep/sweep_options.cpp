@@ -27,7 +27,7 @@ OptionTable<SweepValues> value_options() {
   table.text("--values", "CSV", "table of values: a column for each field, a line for each variation",
              [](SweepValues& values, const std::string& word) { values.table = word; });
   table.flag("--zip", "pair all values instead of combining them", &SweepValues::paired);
-  table.whole("--draws", 1, most_variations, "how many random values are drawn",
+  table.whole("--draws", 1, max_variations, "how many random values are drawn",
               [](SweepValues& values, std::uint64_t n) { values.draws = static_cast<std::size_t>(n); });
   return table;
 }
@@ -73,9 +73,9 @@ SweepPart read_part(const std::string& text) {
   if (!index || !count)
     throw core::Refused(fmt::format("--part: '{}' is not a valid part", text),
                         "write K/N, for instance 2/4 for the second of four");
-  if (*count < 1 || *count > static_cast<std::int64_t>(most_variations) || *index < 1 || *index > *count)
+  if (*count < 1 || *count > static_cast<std::int64_t>(max_variations) || *index < 1 || *index > *count)
     throw core::Refused(fmt::format("--part: there is no part {}", text),
-                        fmt::format("parts are numbered from 1 to N, and N is {} at most", most_variations));
+                        fmt::format("parts are numbered from 1 to N, and N is {} at most", max_variations));
   return {static_cast<std::size_t>(*index) - 1, static_cast<std::size_t>(*count)};
 }
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_problems_told = 20;
+constexpr std::size_t max_problems_told = 20;
 
 std::vector<ProductJob> products_of(const SweepRequest& request) {
   const OutputNames names = output_names(request.scene, {".", false, request.format});
@@ -160,12 +160,12 @@ SweepFrame frame_of(const SweepRequest& request, const SweepPlan& plan, std::str
 }
 
 core::Problems shortened(core::Problems problems) {
-  if (problems.size() <= most_problems_told) return problems;
+  if (problems.size() <= max_problems_told) return problems;
   core::Problem rest;
   rest.severity = core::Severity::note;
-  rest.message = fmt::format("{} more of this kind are not shown", problems.size() - most_problems_told);
+  rest.message = fmt::format("{} more of this kind are not shown", problems.size() - max_problems_told);
   rest.hint = "vary less at once to see all of them";
-  problems.resize(most_problems_told);
+  problems.resize(max_problems_told);
   problems.push_back(std::move(rest));
   return problems;
 }

@@ -15,7 +15,7 @@ namespace sarsim::workflow {
 
 namespace {
 
-constexpr std::size_t most_told = 20;
+constexpr std::size_t max_told = 20;
 
 // Reads the lines of a table into the axes of its columns.
 class TableReader {
@@ -29,14 +29,14 @@ class TableReader {
       tell(0, "the table has no values", {}, "a line of names of fields, then a line for each variation");
       return {};
     }
-    if (lines.size() - 1 > most_variations) {
+    if (lines.size() - 1 > max_variations) {
       tell(lines.back().number, "the table has too many lines", core::counted(lines.size() - 1, "line"),
-           fmt::format("{} at most", most_variations));
+           fmt::format("{} at most", max_variations));
       return {};
     }
     heading_line_ = lines[0].number;
     ValueTable table{axes_of(lines[0]), heading_line_};
-    for (std::size_t i = 1; i < lines.size() && !table.axes.empty() && problems_.size() < most_told; ++i)
+    for (std::size_t i = 1; i < lines.size() && !table.axes.empty() && problems_.size() < max_told; ++i)
       add_line(lines[i], table);
     return table;
   }
@@ -56,7 +56,7 @@ class TableReader {
       tell(line.number, "the first line of the table names no fields", core::quoted_word(line.text),
            "names as in Radar1.bandwidth or seed");
     for (const scene::ColumnHeading& column : scene::headings_of(line)) {
-      if (problems_.size() >= most_told) break;
+      if (problems_.size() >= max_told) break;
       SweepAxis axis;
       axis.name = column.written;
       name(axis, column.unit.empty() ? "" : "0");
@@ -96,7 +96,7 @@ class TableReader {
   void expect_whole_brackets(const scene::TableLine& line) {
     for (const std::string_view cell : line.cells) {
       const std::size_t open = cell.find_first_of("[(");
-      if (open == std::string_view::npos || problems_.size() >= most_told) continue;
+      if (open == std::string_view::npos || problems_.size() >= max_told) continue;
       const std::size_t close = cell.find(cell[open] == '[' ? ']' : ')', open);
       if (close == cell.size() - 1) continue;
       tell(line.number,
@@ -135,7 +135,7 @@ class TableReader {
     } else if (failure.empty() && !unit.empty()) {
       failure = fmt::format("'{}' is not a number in {}", core::quoted_word(cell), unit);
     }
-    if (!failure.empty() && problems_.size() < most_told)
+    if (!failure.empty() && problems_.size() < max_told)
       tell(line.number, fmt::format("{}: {}", axis.name, failure), {}, {});
     axis.values.push_back(std::move(cell));
   }

@@ -7,12 +7,12 @@ namespace sarsim::workflow::verify {
 namespace {
 
 constexpr long double light_speed = core::exact_light_speed_mps;
-constexpr int most_iterations = 40;  // Each reduces the error by speed over c; the loop ends earlier.
+constexpr int max_iterations = 40;  // Each reduces the error by speed over c; the loop ends earlier.
 
 // Solves x = f(x) for an f that hardly depends on x.
 template <class Function>
 long double fixed_point(const Function& f, long double x) {
-  for (int i = 0; i < most_iterations; ++i) {
+  for (int i = 0; i < max_iterations; ++i) {
     const long double next = f(x);
     if (next == x) break;
     x = next;
