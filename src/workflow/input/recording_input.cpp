@@ -85,15 +85,15 @@ scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecordin
 }
 
 // Of a file that carries its script.
-scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& info, StoredRecording& recording) {
+scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& info, StoredRecording& recording,
+                           const core::WorkControl& control) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
     throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
                         "give the script that wrote it with --script");
   scene::ScriptReading reading = read_carried_script(script->second, path);
   expect_sound(std::move(reading.problems));
-  core::Problems of_clouds =
-      without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)}));
+  core::Problems of_clouds = without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), control));
   expect_sound(of_clouds);
   recording.of_files = of_clouds;
   take(recording.problems, std::move(of_clouds));
@@ -116,8 +116,8 @@ void expect_no_overrides(const RecordingArguments& arguments) {
 }
 
 std::shared_ptr<const raster::Raster> opened(const std::string& path, const raster::RasterHints& hints,
-                                             core::Problems& problems) {
-  raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints);
+                                             core::Problems& problems, const core::StopFlag* stop) {
+  raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints, stop);
   if (!result.raster) throw core::Refused(core::ranked(std::move(result.problems)));
   take(problems, std::move(result.problems));
   return std::move(result.raster);
@@ -289,7 +289,8 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
 
 // What is in memory was decided with its plan.
 StoredRecording held_recording(const RecordingArguments& arguments, const Suits& suits,
-                               const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
+                               const std::function<core::Problems(const simulate::Plan&)>& problems_of,
+                               const core::StopFlag* stop) {
   expect_no_overrides(arguments);
   if (!arguments.script.empty())
     throw core::Refused("--script is for files of samples", "a recording in memory has its scene with it");
@@ -299,7 +300,8 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
   recording.sources = input.sources;
   recording.of_files = input.of_files;
   recording.simulation = simulation_of_scene(recording.scene, arguments.path, arguments.simulation, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
+  recording.plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(recording.scene, recording.simulation, nullptr, simulate::Engine::reference, stop));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   const core::SampleRows<double>& rows = *arguments.held->rows;
@@ -388,7 +390,7 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
                                const std::function<core::Problems(const simulate::Plan&)>& problems_of,
                                const core::WorkControl& control) {
-  if (arguments.held) return held_recording(arguments, suits, problems_of);
+  if (arguments.held) return held_recording(arguments, suits, problems_of, control.stop);
   StoredRecording recording;
   recording.sources = {arguments.path};
   expect_no_image(arguments.path);
@@ -397,18 +399,19 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
     expect_no_overrides(arguments);
     raster::RasterHints hints;
     hints.dataset = arguments.dataset;
-    file = opened(arguments.path, hints, recording.problems);
+    file = opened(arguments.path, hints, recording.problems, control.stop);
   }
-  recording.scene =
-      file ? scene_in_file(arguments.path, file->info(), recording) : scene_of_script(arguments, recording, control);
+  recording.scene = file ? scene_in_file(arguments.path, file->info(), recording, control)
+                         : scene_of_script(arguments, recording, control);
   recording.simulation = simulation_of_file(recording.scene, arguments, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
+  recording.plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(recording.scene, recording.simulation, nullptr, simulate::Engine::reference, control.stop));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   if (!file) {
     raster::RasterHints hints = hints_of(*recording.plan);
     hints.dataset = arguments.dataset;
-    file = opened(arguments.path, hints, recording.problems);
+    file = opened(arguments.path, hints, recording.problems, control.stop);
   }
   expect_shape(*file, *recording.plan, arguments.path);
   Comparison(*file, *recording.plan, recording.problems).run();
