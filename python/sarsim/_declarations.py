@@ -214,7 +214,7 @@ FUNCTIONS = {
     "sarsim_table_text": (c_char_p, (c_void_p, c_size_t, c_size_t)),
     "sarsim_table_csv": (c_char_p, (c_void_p,)),
     "sarsim_raster_free": (None, (c_void_p,)),
-    "sarsim_raster_open": (c_int, (c_char_p, c_void_p, c_size_t, c_void_p, c_void_p)),
+    "sarsim_raster_open": (c_int, (c_char_p, c_void_p, c_size_t, c_void_p, c_void_p, c_void_p)),
     "sarsim_raster_of_floats": (c_int, (c_void_p, c_uint64, c_uint64, c_int, c_void_p, c_void_p)),
     "sarsim_raster_set_axis": (c_int, (c_void_p, c_char_p, c_void_p, c_uint64, c_void_p)),
     "sarsim_raster_set_attribute": (c_int, (c_void_p, c_char_p, c_char_p, c_void_p)),

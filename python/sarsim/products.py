@@ -165,7 +165,9 @@ def open(path: "Path", **options: Any) -> Raster:  # noqa: A001  (sarsim.open)
     """Opens a file of samples of any format that Sarsim reads: recordings, images, pictures. `sarsim.options("raster")`
     lists what can be said of a file that does not describe itself."""
     words = _words(options)
-    return Raster(made(lib.sarsim_raster_free, lib.sarsim_raster_open, _convert.path(path), texts(words), len(words)))
+    opened = Handle(lib.sarsim_raster_free)
+    work(lib.sarsim_raster_open, _convert.path(path), texts(words), len(words), WORK, opened.out)
+    return Raster(opened)
 
 
 def options(work_name: str) -> str:

@@ -193,11 +193,11 @@ sarsim_raster raster_of_image(workflow::KeptImage image) {
 void sarsim_raster_free(sarsim_raster* raster) { delete raster; }
 
 sarsim_status sarsim_raster_open(const char* path, const char* const* options, size_t option_count,
-                                 sarsim_raster** raster, sarsim_problems** problems) {
+                                 const sarsim_work* work, sarsim_raster** raster, sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems& found) {
     sarsim_raster*& result = capi::cleared(raster, "sarsim_raster_open: raster");
     const std::string file = &capi::given(path, "sarsim_raster_open: path");
-    core::Observer observer;
+    core::Observer observer = capi::observer_of(capi::work_of(work));
     observer.remark = [&found](const core::Problems& more) { found.insert(found.end(), more.begin(), more.end()); };
     result = new sarsim_raster(capi::raster_of_file(file, said_of(options, option_count), observer));
   });

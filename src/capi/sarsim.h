@@ -395,9 +395,11 @@ typedef struct sarsim_raster sarsim_raster;
 SARSIM_API void sarsim_raster_free(sarsim_raster* raster);
 
 /* Opens a file of samples: recordings, images, pictures. `options` are "NAME=VALUE" (sarsim_options of "raster"): what is
- * said of a file that does not describe itself. Its samples stay in the file until they are read. */
+ * said of a file that does not describe itself. Its samples stay in the file until they are read; a text is read through,
+ * which `work` can stop. */
 SARSIM_API sarsim_status sarsim_raster_open(const char* path, const char* const* options, size_t option_count,
-                                            sarsim_raster** raster, sarsim_problems** problems);
+                                            const sarsim_work* work, sarsim_raster** raster,
+                                            sarsim_problems** problems);
 /* Makes a raster of rows * columns pairs of numbers in volts, which stay the caller's: they must not change or go before
  * the raster and everything that was made of it are freed. `pairs` 0: rows * columns real numbers. */
 SARSIM_API sarsim_status sarsim_raster_of_floats(const float* samples, uint64_t rows, uint64_t columns, int pairs,

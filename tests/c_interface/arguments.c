@@ -112,7 +112,7 @@ static void rasters(void) {
   REFUSED(sarsim_raster_of_floats(samples, 0, 3, 1, &none, &problems));
   REFUSED(sarsim_raster_of_floats(samples, (uint64_t)-2, 3, 1, &none, &problems));
   REFUSED(sarsim_raster_of_floats(samples, UINT64_C(1) << 32, UINT64_C(1) << 32, 1, &none, &problems));
-  REFUSED(sarsim_raster_open(NULL, NULL, 0, &none, &problems));
+  REFUSED(sarsim_raster_open(NULL, NULL, 0, NULL, &none, &problems));
   EXPECT(none == NULL);
   EXPECT_STATUS(sarsim_raster_of_floats(samples, 2, 3, 1, &raster, NULL), SARSIM_OK, NULL);
   REFUSED(sarsim_raster_set_axis(raster, "pulse_time_s", points, (uint64_t)-1, &problems));

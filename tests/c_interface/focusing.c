@@ -137,7 +137,7 @@ static void expect_written(const sarsim_raster* image) {
   EXPECT_STATUS(status, SARSIM_OK, problems);
   status = sarsim_raster_write(image, "focusing.img", NULL, 0, NULL, &problems);
   EXPECT_STATUS(status, SARSIM_BAD_INPUT, problems);
-  status = sarsim_raster_open("focusing.img", NULL, 0, &again, &problems);
+  status = sarsim_raster_open("focusing.img", NULL, 0, NULL, &again, &problems);
   EXPECT_STATUS(status, SARSIM_OK, problems);
   const sarsim_raster_info shape = raster_info(again);
   EXPECT(strcmp(shape.format, "envi") == 0 && strcmp(shape.path, "focusing.img") == 0);

@@ -221,6 +221,18 @@ static void many_points_in_one_call(void) {
   free(rcs);
 }
 
+/* A file that is tried first is left when that is no longer wanted. */
+static void expect_open_stopped(const char* path) {
+  sarsim_stop* stop = NULL;
+  sarsim_raster* raster = NULL;
+  sarsim_work work = SARSIM_INIT(sarsim_work);
+  EXPECT_STATUS(sarsim_stop_new(&stop, NULL), SARSIM_OK, NULL);
+  sarsim_stop_request(stop);
+  work.stop = stop;
+  EXPECT(sarsim_raster_open(path, NULL, 0, &work, &raster, NULL) == SARSIM_STOPPED && raster == NULL);
+  sarsim_stop_free(stop);
+}
+
 /* The caller's memory becomes a file with its axes, and comes back. */
 static void memory_becomes_files(void) {
   static const float samples[2 * 6] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
@@ -245,7 +257,7 @@ static void memory_becomes_files(void) {
   EXPECT_STATUS(sarsim_raster_set_attribute(raster, "sample_rate_hz", "1e8", NULL), SARSIM_OK, NULL);
   status = sarsim_raster_write(raster, "working.h5", force, 1, NULL, &problems);
   EXPECT_STATUS(status, SARSIM_OK, problems);
-  status = sarsim_raster_open("working.h5", NULL, 0, &again, &problems);
+  status = sarsim_raster_open("working.h5", NULL, 0, NULL, &again, &problems);
   EXPECT_STATUS(status, SARSIM_OK, problems);
   EXPECT_STATUS(sarsim_raster_get_info(again, &info, NULL), SARSIM_OK, NULL);
   EXPECT(info.rows == 2 && info.columns == 3 && info.value == SARSIM_COMPLEX && info.sample_rate_hz == 1e8);
@@ -260,8 +272,9 @@ static void memory_becomes_files(void) {
   EXPECT(sarsim_raster_axis_info(again, 3, &axis, NULL) == SARSIM_BAD_ARGUMENT);
   sarsim_raster_free(again);
   sarsim_raster_free(raster);
+  expect_open_stopped("working.h5");
   remove("working.h5");
-  EXPECT(sarsim_raster_open("missing.h5", NULL, 0, &again, NULL) == SARSIM_BAD_INPUT && again == NULL);
+  EXPECT(sarsim_raster_open("missing.h5", NULL, 0, NULL, &again, NULL) == SARSIM_BAD_INPUT && again == NULL);
   EXPECT(sarsim_raster_of_floats(samples, 2, UINT64_MAX / 2, 1, &again, NULL) == SARSIM_BAD_ARGUMENT);
   EXPECT(sarsim_raster_of_floats(NULL, 2, 3, 1, &again, NULL) == SARSIM_BAD_ARGUMENT);
 }

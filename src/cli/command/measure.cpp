@@ -138,7 +138,7 @@ void draw_cuts(const MeasureArguments& arguments, const workflow::MeasureReport&
     picture::Figure figure =
         figure_of_cuts(target.cuts, *target.response(), target.theory.azimuth, target.theory.range);
     figure.title = fmt::format("Target {} of {}", target.theory.target + 1, arguments.image);
-    picture::write_picture(figure, target.picture, {.width_px = 800, .height_px = 800, .dark = arguments.dark});
+    picture::write_picture(figure, target.picture, {.width_px = 800, .height_px = 800, .dark = arguments.dark}, stop);
   }
 }
 

@@ -260,11 +260,12 @@ ExitStatus plot(PlotArguments& a, Streams& streams) {
     expect_used_by_input(one);
     return is_script(one) ? plot_scene(one, streams) : plot_file(one, streams);
   };
-  Plotted plotted = is_overlaid(a) ? plot_overlaid(a, plot_one) : plot_one(a);
+  Plotted plotted = is_overlaid(a) ? plot_overlaid(a, plot_one, streams.stop) : plot_one(a);
   plotted.figure.title = title_for(a, plotted.figure);
   if (!a.out.empty())
     picture::write_picture(plotted.figure, a.out,
-                           {static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0), a.dark});
+                           {static_cast<int>(a.size[0]), static_cast<int>(a.size[1]), a.scale.value_or(1.0), a.dark},
+                           streams.stop);
   write_table(a, plotted.table);
   return exit_done;
 }

@@ -26,8 +26,9 @@ void expect_few(std::size_t layers) {
                         fmt::format("{} are possible: make several pictures", picture::max_overlaid_curves));
 }
 
-void add_variations(std::vector<Layer>& layers, const PlotArguments& a) {
-  const workflow::SceneInput input = workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::reading);
+void add_variations(std::vector<Layer>& layers, const PlotArguments& a, const core::StopFlag* stop) {
+  const workflow::SceneInput input =
+      workflow::read_scene(a.input, a.overrides, workflow::Scrutiny::reading, {core::thread_count(0), stop});
   workflow::SweepValues values;
   values.settings = a.variations;
   values.folder = fs::path(a.input).parent_path();
@@ -40,12 +41,12 @@ void add_variations(std::vector<Layer>& layers, const PlotArguments& a) {
   }
 }
 
-std::vector<Layer> layers_of(const PlotArguments& a) {
+std::vector<Layer> layers_of(const PlotArguments& a, const core::StopFlag* stop) {
   std::vector<Layer> layers;
   if (a.variations.empty())
     layers.push_back({fs::path(a.input).filename().string(), a});
   else
-    add_variations(layers, a);
+    add_variations(layers, a, stop);
   for (const std::string& path : a.others) {
     Layer layer{fs::path(path).filename().string(), a};
     layer.arguments.input = path;
@@ -59,9 +60,10 @@ std::vector<Layer> layers_of(const PlotArguments& a) {
 
 bool is_overlaid(const PlotArguments& a) { return !a.others.empty() || !a.variations.empty(); }
 
-Plotted plot_overlaid(const PlotArguments& a, const std::function<Plotted(const PlotArguments&)>& plot_one) {
+Plotted plot_overlaid(const PlotArguments& a, const std::function<Plotted(const PlotArguments&)>& plot_one,
+                      const core::StopFlag* stop) {
   std::vector<picture::OverlaidFigure> figures;
-  for (const Layer& layer : layers_of(a)) figures.push_back({layer.name, plot_one(layer.arguments).figure});
+  for (const Layer& layer : layers_of(a, stop)) figures.push_back({layer.name, plot_one(layer.arguments).figure});
   std::optional<picture::Figure> together = picture::overlaid(figures);
   if (!together)
     throw core::Refused("these curves do not fit into one pair of axes",

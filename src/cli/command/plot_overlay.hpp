@@ -11,8 +11,10 @@ namespace sarsim::cli {
 
 /// The curves of the input, of its variations (--vary) and of other inputs (--with) in one picture.
 /// @param plot_one  what a picture of one of them is made by
+/// @param stop      may be null: nobody asks
 /// @throws core::Refused for variations that cannot be, and for figures that do not fit together
 [[nodiscard]] Plotted plot_overlaid(const PlotArguments& arguments,
-                                    const std::function<Plotted(const PlotArguments&)>& plot_one);
+                                    const std::function<Plotted(const PlotArguments&)>& plot_one,
+                                    const core::StopFlag* stop);
 
 }  // namespace sarsim::cli

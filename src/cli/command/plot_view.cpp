@@ -109,7 +109,7 @@ void plot_view(const PlotArguments& a, Streams& streams) {
   ProgressDisplay progress(streams.err, kind, a.out);
   for (std::size_t i = 0; i < times_s.size(); ++i) {
     if (streams.stop != nullptr && streams.stop->requested()) throw core::Interrupted();
-    picture::write_picture(view.at(times_s[i]), paths[i], style);
+    picture::write_picture(view.at(times_s[i]), paths[i], style, streams.stop);
     progress.update({i + 1, times_s.size(), 0});
   }
 }

@@ -16,6 +16,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/close_later.hpp"
 #include "core/os/write_behind.hpp"
 
 namespace sarsim::core {
@@ -121,7 +122,7 @@ void OutputFile::create_temporary(unsigned mode) {
 void OutputFile::write(std::span<const std::byte> bytes) {
   if (descriptor_ < 0) throw std::logic_error("OutputFile: written after the end: " + path_.string());
   while (!bytes.empty()) {
-    const ssize_t written = ::write(descriptor_, bytes.data(), bytes.size());
+    const ssize_t written = ::write(descriptor_, bytes.data(), std::min(bytes.size(), write_behind_bytes));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       failed_ = true;
@@ -141,7 +142,8 @@ void OutputFile::write(std::span<const std::byte> bytes) {
 void OutputFile::write_at(std::uint64_t offset, std::span<const std::byte> bytes) {
   if (descriptor_ < 0) throw std::logic_error("OutputFile: written after the end: " + path_.string());
   while (!bytes.empty()) {
-    const ssize_t written = ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    const ssize_t written =
+        ::pwrite(descriptor_, bytes.data(), std::min(bytes.size(), write_behind_bytes), static_cast<off_t>(offset));
     if (written < 0 && errno == EINTR) continue;
     if (written <= 0) {
       failed_ = true;
@@ -219,10 +221,14 @@ void OutputFile::publish() {
 }
 
 void OutputFile::discard() noexcept {
-  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
-  if (!direct_ && !working_path_.empty()) ::unlink(working_path_.c_str());
+  int descriptor = std::exchange(descriptor_, -1);
+  if (!direct_ && !working_path_.empty()) {
+    if (descriptor < 0) descriptor = ::open(working_path_.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    ::unlink(working_path_.c_str());
+  }
   temporary_.forget();
   working_path_.clear();
+  if (descriptor >= 0) close_later(std::span(&descriptor, 1));
 }
 
 void sync_folder_of(const fs::path& path) noexcept {

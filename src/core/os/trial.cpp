@@ -1,6 +1,7 @@
 #include "core/os/trial.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -11,7 +12,9 @@
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <optional>
 #include <system_error>
+#include <utility>
 
 namespace sarsim::core {
 
@@ -92,10 +95,15 @@ struct ChildRules {
   ::_exit(0);
 }
 
-std::string everything_from(int pipe_end) {
+// Nothing where it is asked to end meanwhile.
+std::optional<std::string> everything_from(int pipe_end, const std::function<bool()>& ends) {
+  constexpr int between_questions_ms = 20;
   std::string text;
   std::array<char, 4096> part{};
   for (;;) {
+    pollfd ready{.fd = pipe_end, .events = POLLIN, .revents = 0};
+    while (ends && ::poll(&ready, 1, between_questions_ms) <= 0)
+      if (ends()) return std::nullopt;
     const ssize_t got = ::read(pipe_end, part.data(), part.size());
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return text;
@@ -127,25 +135,29 @@ std::uint64_t own_memory_limit_bytes() {
   return value.rlim_max < mapped + trial_bytes ? value.rlim_max : 0;
 }
 
-TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds, std::mutex* lock) {
+TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds, std::mutex* lock,
+                      const std::function<bool()>& ends) {
   const auto fail = [](const char* what) { throw std::system_error(errno, std::generic_category(), what); };
   const ChildRules rules{seconds, mapped_bytes(), ::getpid()};
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) fail("cannot make a pipe to try a file");
+  std::array<int, 2> pipe{};
+  if (::pipe2(pipe.data(), O_CLOEXEC) != 0) fail("cannot make a pipe to try a file");
   const pid_t process = fork_under(lock);
   if (process < 0) {
-    ::close(ends[0]);
-    ::close(ends[1]);
+    ::close(pipe[0]);
+    ::close(pipe[1]);
     fail("cannot start a process to try a file in");
   }
-  if (process == 0) child(work, rules, ends[1]);
-  ::close(ends[1]);
-  TrialReport report;
-  report.text = everything_from(ends[0]);
-  ::close(ends[0]);
+  if (process == 0) child(work, rules, pipe[1]);
+  ::close(pipe[1]);
+  std::optional<std::string> text = everything_from(pipe[0], ends);
+  ::close(pipe[0]);
+  if (!text) ::kill(process, SIGKILL);
   int status = 0;
   while (::waitpid(process, &status, 0) < 0)
     if (errno != EINTR) fail("cannot wait for the process that tries a file");
+  if (!text) return {TrialResult::stopped, {}};
+  TrialReport report;
+  report.text = std::move(*text);
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return report;
   return {result_of(status), {}};
 }

@@ -7,8 +7,8 @@
 
 namespace sarsim::core {
 
-/// How a trial ended. Too much work: it used up its processor time. Stopped: by a signal that asks programs to end,
-/// which says nothing about the work.
+/// How a trial ended. Too much work: it used up its processor time. Stopped: by a signal that asks programs to end, or
+/// by whoever began it, which says nothing about the work.
 enum class TrialResult { passed, crashed, too_much_work, stopped };
 
 /// Address space that a trial may take beyond that of the process that begins it.
@@ -34,8 +34,9 @@ struct TrialReport {
 /// but those that this process ignores; it ends with this process, too.
 /// @param lock  that of the library: no other thread may be inside it while the child begins, because the child would
 ///              have its copy of what that thread was changing, for ever; null for none
+/// @param ends  asked now and then: true ends the child, and the trial was stopped; empty: nobody asks for that
 /// @throws std::system_error where no child can be made
 [[nodiscard]] TrialReport run_trial(const std::function<std::string()>& work, unsigned seconds,
-                                    std::mutex* lock = nullptr);
+                                    std::mutex* lock = nullptr, const std::function<bool()>& ends = {});
 
 }  // namespace sarsim::core

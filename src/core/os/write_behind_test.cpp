@@ -21,8 +21,8 @@ TEST(WriteBehind, TakesAnyPieces) {
   const int file = ::open((folder / "file").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   ASSERT_GE(file, 0);
   std::uint64_t end = 0;
-  for (const std::uint64_t size : {std::uint64_t{1}, write_behind_bytes - 1, write_behind_bytes, std::uint64_t{77},
-                                   3 * write_behind_bytes, std::uint64_t{5}}) {
+  for (const std::size_t size : {std::size_t{1}, write_behind_bytes - 1, write_behind_bytes, std::size_t{77},
+                                 20 * write_behind_bytes, std::size_t{5}}) {
     const std::vector<std::byte> bytes(size, std::byte{1});
     ASSERT_EQ(::pwrite(file, bytes.data(), bytes.size(), static_cast<off_t>(end)), static_cast<ssize_t>(size));
     errno = ENOENT;
@@ -38,7 +38,7 @@ TEST(WriteBehind, MindsNothingThatCannotBeAsked) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
   EXPECT_EQ(write_behind(ends[1], 0, 3 * write_behind_bytes), 0);
-  EXPECT_EQ(write_behind(ends[1], write_behind_bytes, write_behind_bytes), 0);
+  EXPECT_EQ(write_behind(ends[1], 20 * write_behind_bytes, write_behind_bytes), 0);
   ::close(ends[0]);
   ::close(ends[1]);
 }

@@ -84,7 +84,7 @@ void RunJob::wait_for_leave(const core::StopFlag& stop) {
 void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& report) {
   const workflow::PreparedRecording prepared = workflow::prepare_recording(
       request_.scene, request_.simulation, request_.file,
-      {.replace = request_.replace, .counts = request_.counts, .doubles = request_.doubles});
+      {.replace = request_.replace, .counts = request_.counts, .doubles = request_.doubles}, &stop);
   const RunEstimate estimate = estimate_of(prepared);
   QMetaObject::invokeMethod(
       this, [this, estimate] { emit estimated(estimate); }, Qt::QueuedConnection);

@@ -23,29 +23,33 @@ std::string valid(const std::string& text) {
   return result;
 }
 
-cairo_status_t append(void* bytes, const unsigned char* data, unsigned int length) {
-  static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
-  return CAIRO_STATUS_SUCCESS;
-}
-
 void expect_good(cairo_status_t status) {
   if (status != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error(fmt::format("the picture could not be drawn: {}", cairo_status_to_string(status)));
 }
 
-cairo_surface_t* surface_for(PictureKind kind, const PictureStyle& style, const std::string& title,
-                             std::string& bytes) {
+}  // namespace
+
+cairo_status_t Canvas::Output::append(void* output, const unsigned char* data, unsigned int length) {
+  auto& [bytes, stop] = *static_cast<Output*>(output);
+  if (stop != nullptr && stop->requested()) return CAIRO_STATUS_WRITE_ERROR;
+  bytes.append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+cairo_surface_t* Canvas::surface_for(PictureKind kind, const PictureStyle& style, const std::string& title,
+                                     Output& output) {
   switch (kind) {
     case PictureKind::png: break;
     case PictureKind::svg: {
       cairo_surface_t* const surface =
-          cairo_svg_surface_create_for_stream(append, &bytes, style.width_px, style.height_px);
+          cairo_svg_surface_create_for_stream(Output::append, &output, style.width_px, style.height_px);
       cairo_svg_surface_set_document_unit(surface, CAIRO_SVG_UNIT_PX);
       return surface;
     }
     case PictureKind::pdf: {
       cairo_surface_t* const surface =
-          cairo_pdf_surface_create_for_stream(append, &bytes, style.width_px, style.height_px);
+          cairo_pdf_surface_create_for_stream(Output::append, &output, style.width_px, style.height_px);
       cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_TITLE, valid(title).c_str());
       cairo_pdf_surface_set_metadata(surface, CAIRO_PDF_METADATA_CREATOR, "sarsim");
       // Not when it was drawn: equal figures are equal files.
@@ -57,10 +61,9 @@ cairo_surface_t* surface_for(PictureKind kind, const PictureStyle& style, const 
   return cairo_image_surface_create(CAIRO_FORMAT_RGB24, dots(style.width_px), dots(style.height_px));
 }
 
-}  // namespace
-
-Canvas::Canvas(PictureKind kind, const PictureStyle& style, const std::string& title)
-    : kind_(kind), style_(style), surface_(surface_for(kind, style, title, bytes_)) {
+Canvas::Canvas(PictureKind kind, const PictureStyle& style, const std::string& title, const core::StopFlag* stop)
+    : kind_(kind), style_(style), output_{{}, stop}, surface_(surface_for(kind, style, title, output_)) {
+  end_if_asked();
   expect_good(cairo_surface_status(surface_.get()));
   cairo_.reset(cairo_create(surface_.get()));
   if (kind == PictureKind::png) cairo_scale(cairo(), style.scale, style.scale);
@@ -83,16 +86,20 @@ void Canvas::line(double x1, double y1, double x2, double y2) const {
 }
 
 std::string Canvas::finish() {
+  end_if_asked();
   expect_good(cairo_status(cairo()));
+  cairo_status_t status = CAIRO_STATUS_SUCCESS;
   if (kind_ == PictureKind::png) {
     cairo_surface_flush(surface_.get());
-    expect_good(cairo_surface_write_to_png_stream(surface_.get(), append, &bytes_));
+    status = cairo_surface_write_to_png_stream(surface_.get(), Output::append, &output_);
   } else {
     cairo_show_page(cairo());
     cairo_surface_finish(surface_.get());
-    expect_good(cairo_surface_status(surface_.get()));
+    status = cairo_surface_status(surface_.get());
   }
-  return std::move(bytes_);
+  end_if_asked();
+  expect_good(status);
+  return std::move(output_.bytes);
 }
 
 namespace {

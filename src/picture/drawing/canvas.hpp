@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "core/task/stop_points.hpp"
 #include "picture/figure/picture_file.hpp"
 
 namespace sarsim::picture {
@@ -24,8 +25,9 @@ struct Area {
 /// What a picture is drawn on, in pixels of PictureStyle.
 class Canvas {
  public:
+  /// @param stop  may be null: nobody asks
   /// @throws std::runtime_error where there is no room for so many dots
-  Canvas(PictureKind kind, const PictureStyle& style, const std::string& title);
+  Canvas(PictureKind kind, const PictureStyle& style, const std::string& title, const core::StopFlag* stop);
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
@@ -37,13 +39,17 @@ class Canvas {
   /// Whether whoever shows the picture makes images larger by smoothing them, whatever they are asked.
   [[nodiscard]] bool smooths_images() const { return kind_ == PictureKind::svg; }
 
+  /// Throws Interrupted where a stop has been requested: before what takes some milliseconds.
+  void end_if_asked() const { core::end_if_asked(output_.stop); }
+  [[nodiscard]] const core::StopFlag* stop() const { return output_.stop; }
+
   /// The colour of what is drawn next.
   void use(Role role, double alpha = 1.0) const;
   /// A straight line, one pixel wide.
   void line(double x1, double y1, double x2, double y2) const;
 
   /// Ends the picture and returns its bytes.
-  /// @throws std::runtime_error where something of it could not be drawn
+  /// @throws std::runtime_error where something of it could not be drawn; Interrupted
   [[nodiscard]] std::string finish();
 
  private:
@@ -52,11 +58,22 @@ class Canvas {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
   };
 
+  // What the library hands over, which ends its work where that is no longer wanted.
+  struct Output {
+    std::string bytes;
+    const core::StopFlag* stop = nullptr;
+
+    static cairo_status_t append(void* output, const unsigned char* data, unsigned int length);
+  };
+
+  static cairo_surface_t* surface_for(PictureKind kind, const PictureStyle& style, const std::string& title,
+                                      Output& output);
+
   static constexpr double finest_dots_per_px = 16.0;
 
   PictureKind kind_;
   PictureStyle style_;
-  std::string bytes_;
+  Output output_;
   std::unique_ptr<cairo_surface_t, Closer> surface_;
   std::unique_ptr<cairo_t, Closer> cairo_;
 };

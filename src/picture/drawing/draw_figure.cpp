@@ -60,8 +60,9 @@ std::vector<PlacedPanel> placed_panels(const Canvas& canvas, const Figure& figur
 
 }  // namespace
 
-std::string drawn_figure(const Figure& figure, PictureKind kind, const PictureStyle& style) {
-  Canvas canvas(kind, style, figure.title);
+std::string drawn_figure(const Figure& figure, PictureKind kind, const PictureStyle& style,
+                         const core::StopFlag* stop) {
+  Canvas canvas(kind, style, figure.title, stop);
   const Heading title(canvas, figure.title, true);
   const Heading note(canvas, figure.note, false);
   std::vector<Heading> titles;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include "core/report/expect.hpp"
 #include "picture/figure/picture_file.hpp"
@@ -280,6 +281,32 @@ TEST(DrawPicture, GivesTheSameBytesForTheSameFigure) {
   const std::string pdf = draw_picture(four_cells(), PictureKind::pdf, small);
   EXPECT_THAT(pdf, testing::StartsWith("%PDF"));
   EXPECT_THAT(pdf, testing::Not(testing::HasSubstr("CreationDate")));
+}
+
+TEST(DrawPicture, IsLeftWhereAStopIsRequested) {
+  core::StopFlag stop;
+  stop.request();
+  for (const PictureKind kind : {PictureKind::png, PictureKind::svg, PictureKind::pdf}) {
+    EXPECT_THROW((void)draw_picture(four_cells(), kind, small, &stop), core::Interrupted);
+    EXPECT_THROW((void)draw_sheet({}, kind, small, &stop), core::Interrupted);
+  }
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "stopped_picture_test.png";
+  EXPECT_THROW(write_picture(four_cells(), path, small, &stop), core::Interrupted);
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+// The stop comes when all is drawn, while the library packs a picture of 144 million dots: seconds of work.
+TEST(DrawPicture, IsLeftWhileItIsPacked) {
+  core::StopFlag stop;
+  const PictureStyle large{12000, 12000};
+  std::thread later([&stop] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(700));
+    stop.request();
+  });
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_THROW((void)draw_picture(four_cells(), PictureKind::png, large, &stop), core::Interrupted);
+  later.join();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
 }
 
 TEST(WritePicture, KnowsKindsByTheEndingOfTheName) {

@@ -42,7 +42,7 @@ struct SurfaceCloser {
 using Surface = std::unique_ptr<cairo_surface_t, SurfaceCloser>;
 
 // An image of so many dots for each cell.
-Surface surface_of(const FigureImage& image, std::size_t across, std::size_t up) {
+Surface surface_of(const Canvas& canvas, const FigureImage& image, std::size_t across, std::size_t up) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(across * image.width),
                                              static_cast<int>(up * image.height)));
   if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
@@ -51,6 +51,7 @@ Surface surface_of(const FigureImage& image, std::size_t across, std::size_t up)
   unsigned char* const data = cairo_image_surface_get_data(surface.get());
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
   for (std::size_t row = 0; row < up * image.height; ++row) {
+    canvas.end_if_asked();
     auto* const line = reinterpret_cast<std::uint32_t*>(data + row * stride);
     for (std::size_t column = 0; column < across * image.width; ++column) {
       const raster::Rgb& cell = image.cells[row / up * image.width + column / across];
@@ -69,8 +70,8 @@ void draw_image(const Canvas& canvas, const FigureImage& whole, const std::optio
   const auto at_most = [&](double length_px) {
     return static_cast<std::size_t>(std::max(1.0, std::floor(std::abs(length_px) * canvas.dots_per_px())));
   };
-  const FigureImage image =
-      fitted(whole, bar, at_most(p.x.place(whole.x_last) - left), at_most(p.y.place(whole.y_last) - top));
+  const FigureImage image = fitted(whole, bar, at_most(p.x.place(whole.x_last) - left),
+                                   at_most(p.y.place(whole.y_last) - top), canvas.stop());
   const double per_column = (p.x.place(image.x_last) - left) / static_cast<double>(image.width);
   const double per_row = (p.y.place(image.y_last) - top) / static_cast<double>(image.height);
   if (per_column == 0.0 || per_row == 0.0) return;
@@ -82,7 +83,7 @@ void draw_image(const Canvas& canvas, const FigureImage& whole, const std::optio
   };
   const std::size_t across = dots(per_column);
   const std::size_t up = dots(per_row);
-  const Surface surface = surface_of(image, across, up);
+  const Surface surface = surface_of(canvas, image, across, up);
   const Within within(canvas, p.area);
   cairo_t* const cairo = canvas.cairo();
   cairo_translate(cairo, left, top);
@@ -162,8 +163,11 @@ void trace(const Canvas& canvas, const FigureCurve& curve, const PlacedPanel& p)
   constexpr double column_px = 0.5;
   const Area near{p.area.left - beside_px, p.area.top - beside_px, p.area.width + 2.0 * beside_px,
                   p.area.height + 2.0 * beside_px};
+  constexpr std::size_t points_at_once = 65536;  // Between two questions for a stop: a millisecond.
+  core::StopPoints stop(canvas.stop(), points_at_once);
   std::vector<Point> points;
   for (std::size_t i = 0; i <= curve.x.size(); ++i) {
+    stop.pass();
     if (i < curve.x.size()) {
       const Point here{p.x.place(curve.x[i]), p.y.place(curve.y[i])};
       if (std::isfinite(here.x) && std::isfinite(here.y)) {
@@ -193,6 +197,7 @@ void draw_bars(const Canvas& canvas, const FigureCurve& curve, const PlacedPanel
 
 void draw_curve(const Canvas& canvas, const FigureCurve& curve, const PlacedPanel& p) {
   constexpr double pen_px = 1.5;
+  canvas.end_if_asked();
   const Within within(canvas, p.area);
   cairo_t* const cairo = canvas.cairo();
   cairo_new_path(cairo);
@@ -341,7 +346,10 @@ void draw_panel(const Canvas& canvas, const FigurePanel& panel, const PlacedPane
   else
     draw_grid(canvas, p);
   for (const FigureCurve& curve : panel.curves) draw_curve(canvas, curve, p);
-  for (const FigureMark& mark : panel.marks) draw_mark(canvas, mark, p);
+  for (const FigureMark& mark : panel.marks) {
+    canvas.end_if_asked();
+    draw_mark(canvas, mark, p);
+  }
   draw_frame(canvas, p.area);
   draw_axis_across(canvas, p.x, p.area, false);
   draw_axis_upwards(canvas, p.y, p.area, p.area.left, false);

@@ -14,7 +14,8 @@ namespace {
 
 constexpr double rim_px = 3.0;  // about words
 constexpr double rim_opacity = 0.85;
-constexpr double disc_rim_part = 0.125;  // of the diameter
+constexpr double disc_rim_part = 0.125;    // of the diameter
+constexpr std::size_t marks_at_once = 64;  // Drawn between two questions for a stop: a millisecond.
 
 void use_colour(const Canvas& canvas, raster::Rgb rgb, double alpha = 1.0) {
   cairo_set_source_rgba(canvas.cairo(), rgb.red / 255.0, rgb.green / 255.0, rgb.blue / 255.0, alpha);
@@ -85,16 +86,24 @@ void paint_disc(const Canvas& canvas, const Sheet::Disc& disc) {
 
 }  // namespace
 
-std::string drawn_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style) {
-  Canvas canvas(kind, style, {});
+std::string drawn_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style, const core::StopFlag* stop) {
+  Canvas canvas(kind, style, {}, stop);
+  core::StopPoints points(stop, marks_at_once);
   paint_ground(canvas, sheet);
   if (sheet.image) paint_image(canvas, *sheet.image);
-  for (const Sheet::Line& line : sheet.lines) paint_line(canvas, line);
+  for (const Sheet::Line& line : sheet.lines) {
+    points.pass();
+    paint_line(canvas, line);
+  }
   cairo_set_dash(canvas.cairo(), nullptr, 0, 0.0);
-  for (const Sheet::Disc& disc : sheet.discs) paint_disc(canvas, disc);
+  for (const Sheet::Disc& disc : sheet.discs) {
+    points.pass();
+    paint_disc(canvas, disc);
+  }
   // All rims first: none covers another word.
   for (const bool rim : {true, false})
     for (const Sheet::Text& text : sheet.texts) {
+      points.pass();
       const Words words(canvas, text.text, text.bold);
       const double left = text.x - (text.centred ? 0.5 * words.width() : 0.0);
       use_colour(canvas, rim ? sheet.background : text.colour, rim ? rim_opacity : 1.0);

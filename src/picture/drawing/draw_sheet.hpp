@@ -7,6 +7,7 @@
 namespace sarsim::picture {
 
 /// See `draw_sheet` of picture_file.hpp.
-[[nodiscard]] std::string drawn_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style);
+[[nodiscard]] std::string drawn_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style,
+                                      const core::StopFlag* stop);
 
 }  // namespace sarsim::picture

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <unordered_map>
 
+#include "core/task/stop_points.hpp"
+
 namespace sarsim::picture {
 
 namespace {
@@ -49,7 +51,7 @@ std::size_t begin_of(std::size_t dot, std::size_t cells, std::size_t dots) { ret
 }  // namespace
 
 FigureImage fitted(const FigureImage& image, const std::optional<FigureColourBar>& bar, std::size_t columns,
-                   std::size_t rows) {
+                   std::size_t rows, const core::StopFlag* stop) {
   if (columns == 0 || rows == 0) throw std::invalid_argument("an image needs a dot at least");
   if (image.width <= columns && image.height <= rows) return image;
   FigureImage out{std::min(image.width, columns),
@@ -63,6 +65,7 @@ FigureImage fitted(const FigureImage& image, const std::optional<FigureColourBar
   Strengths strengths(bar);
   std::vector<double> strongest(out.width);
   for (std::size_t row = 0; row < out.height; ++row) {
+    core::end_if_asked(stop);
     const std::size_t first = begin_of(row, image.height, out.height);
     const std::size_t end = begin_of(row + 1, image.height, out.height);
     const std::size_t begun = out.cells.size();
@@ -72,7 +75,7 @@ FigureImage fitted(const FigureImage& image, const std::optional<FigureColourBar
           out.cells.push_back(image.cells[r * image.width + c]);
           strongest[column] = strengths.of(out.cells.back());
         }
-        for (const std::size_t stop = begin_of(column + 1, image.width, out.width); c < stop; ++c) {
+        for (const std::size_t behind = begin_of(column + 1, image.width, out.width); c < behind; ++c) {
           const raster::Rgb& cell = image.cells[r * image.width + c];
           const double strength = strengths.of(cell);
           if (strength <= strongest[column]) continue;

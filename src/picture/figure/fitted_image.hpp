@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "core/task/stop.hpp"
 #include "picture/figure/figure.hpp"
 
 namespace sarsim::picture {
@@ -12,7 +13,8 @@ namespace sarsim::picture {
 /// diverging map that furthest from zero; of a cyclic map no value is stronger than another. Colours that are not in
 /// the bar, and all without a bar, are equally weak. An image that has no more cells stays as it is.
 /// @param columns, rows  dots across and up, at least one each
+/// @param stop           asked before each row; a requested stop throws Interrupted
 [[nodiscard]] FigureImage fitted(const FigureImage& image, const std::optional<FigureColourBar>& bar,
-                                 std::size_t columns, std::size_t rows);
+                                 std::size_t columns, std::size_t rows, const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::picture

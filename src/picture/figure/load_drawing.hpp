@@ -10,9 +10,10 @@ namespace sarsim::picture {
 /// longer than many a command, and most commands draw nothing.
 struct DrawingModule {
   /// See `draw_picture`.
-  std::string (*draw)(const Figure& figure, PictureKind kind, const PictureStyle& style);
+  std::string (*draw)(const Figure& figure, PictureKind kind, const PictureStyle& style, const core::StopFlag* stop);
   /// See `draw_sheet`.
-  std::string (*draw_sheet)(const Sheet& sheet, PictureKind kind, const PictureStyle& style);
+  std::string (*draw_sheet)(const Sheet& sheet, PictureKind kind, const PictureStyle& style,
+                            const core::StopFlag* stop);
 };
 
 /// The module, which the first call loads and which then stays. May be called from many threads at once.

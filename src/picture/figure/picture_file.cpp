@@ -42,20 +42,21 @@ void expect_memory(PictureKind kind, const PictureStyle& style) {
 
 }  // namespace
 
-std::string draw_picture(const Figure& figure, PictureKind kind, const PictureStyle& style) {
+std::string draw_picture(const Figure& figure, PictureKind kind, const PictureStyle& style,
+                         const core::StopFlag* stop) {
   CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
   CORE_EXPECT(style.scale > 0.0);
   const auto& module = drawing_module();  // Takes its part of the memory first.
   expect_memory(kind, style);
-  return module.draw(figure, kind, style);
+  return module.draw(figure, kind, style, stop);
 }
 
-std::string draw_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style) {
+std::string draw_sheet(const Sheet& sheet, PictureKind kind, const PictureStyle& style, const core::StopFlag* stop) {
   CORE_EXPECT(style.width_px > 0 && style.height_px > 0);
   CORE_EXPECT(style.scale > 0.0);
   const auto& module = drawing_module();
   expect_memory(kind, style);
-  return module.draw_sheet(sheet, kind, style);
+  return module.draw_sheet(sheet, kind, style, stop);
 }
 
 namespace {
@@ -74,12 +75,14 @@ void write_bytes(const std::string& bytes, const std::filesystem::path& path) {
 
 }  // namespace
 
-void write_picture(const Figure& figure, const std::filesystem::path& path, const PictureStyle& style) {
-  write_bytes(draw_picture(figure, kind_by_name(path), style), path);
+void write_picture(const Figure& figure, const std::filesystem::path& path, const PictureStyle& style,
+                   const core::StopFlag* stop) {
+  write_bytes(draw_picture(figure, kind_by_name(path), style, stop), path);
 }
 
-void write_picture(const Sheet& sheet, const std::filesystem::path& path, const PictureStyle& style) {
-  write_bytes(draw_sheet(sheet, kind_by_name(path), style), path);
+void write_picture(const Sheet& sheet, const std::filesystem::path& path, const PictureStyle& style,
+                   const core::StopFlag* stop) {
+  write_bytes(draw_sheet(sheet, kind_by_name(path), style, stop), path);
 }
 
 }  // namespace sarsim::picture

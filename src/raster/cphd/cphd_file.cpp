@@ -139,7 +139,8 @@ void scaled(std::span<const std::byte> bytes, double amplitude, std::span<std::c
 
 }  // namespace
 
-std::shared_ptr<const CphdFile> CphdFile::open(core::InputFile input, core::Problems& problems) {
+std::shared_ptr<const CphdFile> CphdFile::open(core::InputFile input, core::Problems& problems,
+                                               const core::StopFlag* stop) {
   std::shared_ptr<CphdFile> opened(new CphdFile(std::move(input)));
   const core::InputFile& file = opened->file_;
   const auto header = read_block_header(file);
@@ -172,7 +173,7 @@ std::shared_ptr<const CphdFile> CphdFile::open(core::InputFile input, core::Prob
   check_sums(file, opened->description_, *pvp, *signal, problems);
   check_end(file, *header, problems);
   if (core::has_errors(problems)) return nullptr;
-  check_vectors(*opened, problems);
+  check_vectors(*opened, problems, stop);
   if (core::has_errors(problems)) return nullptr;
   return opened;
 }

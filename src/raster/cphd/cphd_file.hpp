@@ -10,6 +10,7 @@
 
 #include "core/os/input_file.hpp"
 #include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
 #include "raster/cphd/block_file.hpp"
 #include "raster/cphd/cphd_description.hpp"
 
@@ -21,8 +22,10 @@ namespace sarsim::raster {
 class CphdFile {
  public:
   /// Reads header and XML and compares all sizes with that of the file. Dialects of vendors are accepted with a remark.
+  /// Throws Interrupted where a stop is requested while the parameters of the vectors are looked through.
   /// @param[in,out] problems  gets errors, and then nothing is returned, or remarks
-  [[nodiscard]] static std::shared_ptr<const CphdFile> open(core::InputFile file, core::Problems& problems);
+  [[nodiscard]] static std::shared_ptr<const CphdFile> open(core::InputFile file, core::Problems& problems,
+                                                            const core::StopFlag* stop = nullptr);
 
   [[nodiscard]] const CphdDescription& description() const { return description_; }
   [[nodiscard]] const core::InputFile& file() const { return file_; }

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/task/stop_points.hpp"
 #include "radar/earth/earth_depth.hpp"
 #include "raster/table/file_problem.hpp"
 
@@ -179,10 +180,11 @@ class ChannelCheck {
  public:
   ChannelCheck(const CphdFile& file, std::size_t channel) : file_(file), number_(channel) {}
 
-  void run(core::Problems& problems) {
+  void run(core::Problems& problems, const core::StopFlag* stop) {
     constexpr std::size_t together = 4096;
     std::vector<V> vectors;
     for (std::size_t first = 0; first < channel().vectors; first += together) {
+      core::end_if_asked(stop);
       vectors.resize(std::min(together, channel().vectors - first));
       file_.read_vectors(number_, first, vectors);
       for (std::size_t i = 0; i < vectors.size(); ++i)
@@ -339,8 +341,8 @@ class ChannelCheck {
 
 }  // namespace
 
-void check_vectors(const CphdFile& file, core::Problems& problems) {
-  for (std::size_t i = 0; i < file.description().channels.size(); ++i) ChannelCheck(file, i).run(problems);
+void check_vectors(const CphdFile& file, core::Problems& problems, const core::StopFlag* stop) {
+  for (std::size_t i = 0; i < file.description().channels.size(); ++i) ChannelCheck(file, i).run(problems, stop);
 }
 
 }  // namespace sarsim::raster

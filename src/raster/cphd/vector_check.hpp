@@ -19,6 +19,7 @@ inline constexpr double max_cphd_sample = 1e28;
 /// tenth, velocities that contradict the positions, bands, swaths and flags that contradict the XML. Takes time linear
 /// in the vectors and constant memory.
 /// @param[in,out] problems  receives the findings
-void check_vectors(const CphdFile& file, core::Problems& problems);
+/// @param stop  asked now and then; a requested stop throws Interrupted
+void check_vectors(const CphdFile& file, core::Problems& problems, const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::raster

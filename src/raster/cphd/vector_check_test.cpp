@@ -39,6 +39,16 @@ struct Case {
   Change change;
 };
 
+TEST(CphdVectors, AreLeftWhereAStopIsRequested) {
+  const CphdScratch scratch("vectors_stopped");
+  const Opened opened = changed(scratch, [](PhaseVector&) {});
+  ASSERT_TRUE(opened.file) << opened.text();
+  core::StopFlag stop;
+  stop.request();
+  core::Problems problems;
+  EXPECT_THROW(check_vectors(*opened.file, problems, &stop), core::Interrupted);
+}
+
 TEST(CphdVectors, RefusesWhatNoCollectionHasByTheNameOfItsParameter) {
   const CphdScratch scratch("vectors_refused");
   const Case cases[] = {

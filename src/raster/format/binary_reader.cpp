@@ -114,7 +114,8 @@ core::Problems partial_problems(const core::InputFile& file, const RasterHints& 
 
 }  // namespace
 
-OpenedRaster open_binary(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_binary(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity,
+                         const core::StopFlag*) {
   core::Problems problems = integrity == Integrity::whole ? whole_problems(file, hints) : partial_problems(file, hints);
   if (core::has_errors(problems)) return {nullptr, std::move(problems)};
   const CountRange range{hints.bits};

@@ -78,9 +78,9 @@ class CphdRaster final : public Raster {
 
 }  // namespace
 
-OpenedRaster open_cphd(core::InputFile file, const Format&, const RasterHints&, Integrity) {
+OpenedRaster open_cphd(core::InputFile file, const Format&, const RasterHints&, Integrity, const core::StopFlag* stop) {
   OpenedRaster opened;
-  const auto cphd = CphdFile::open(std::move(file), opened.problems);
+  const auto cphd = CphdFile::open(std::move(file), opened.problems, stop);
   if (cphd) opened.raster = std::make_shared<CphdRaster>(cphd, cphd->description().reference_channel);
   return opened;
 }

@@ -132,7 +132,8 @@ StoredGrid grid_of(const RawLayout& layout) {
   return {layout.header_bytes, layout.width, layout.sample_bytes(), decoder_of(layout), layout.offset};
 }
 
-OpenedRaster open_custom(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_custom(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity,
+                         const core::StopFlag*) {
   CORE_EXPECT(hints.raw.has_value());
   const RawLayout& layout = hints.raw.value();
   OpenedRaster opened{nullptr, check_raw_layout(layout, file.path().string(), file.size())};

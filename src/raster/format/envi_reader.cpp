@@ -63,7 +63,7 @@ std::optional<StoredArray> axis_of(const EnviHeader& header, const std::string& 
 
 }  // namespace
 
-OpenedRaster open_envi(core::InputFile file, const Format&, const RasterHints&, Integrity) {
+OpenedRaster open_envi(core::InputFile file, const Format&, const RasterHints&, Integrity, const core::StopFlag*) {
   auto [image, problems] = EnviImage::open(file.path());
   if (!image) return {nullptr, std::move(problems)};
   RasterInfo info = info_of(file.path(), image->header());

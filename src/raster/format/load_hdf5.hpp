@@ -23,7 +23,8 @@ struct Hdf5Module {
   /// Makes the list of temporary files that of the program, see core::use_temporary_names.
   void (*use_temporary_names)(core::TemporaryNames& list);
   /// Opens a file of so many bytes for reading, see open_hdf5.
-  OpenedRaster (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints);
+  OpenedRaster (*open)(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints,
+                       const core::StopFlag* stop);
   /// Begins a file, see Hdf5Sink. The words are those of `scene::option_words`, which the module has not.
   std::unique_ptr<simulate::Sink> (*make_sink)(const std::filesystem::path& path, const simulate::Product& product,
                                                const FileAttributes& option_words, const Encoding& encoding,

@@ -117,7 +117,8 @@ NpyReading read_partial_npy(const core::InputFile& file, const NpyHeader& header
 
 }  // namespace
 
-OpenedRaster open_npy(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_npy(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity,
+                      const core::StopFlag*) {
   auto parsed = read_npy_header(file);
   if (auto* problem = std::get_if<core::Problem>(&parsed)) {
     problem->place.file = file.path().string();

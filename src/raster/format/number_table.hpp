@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
 
 namespace sarsim::raster {
 
@@ -15,6 +16,7 @@ struct NumberTableTaker {
   std::function<std::optional<core::Problem>(std::uint64_t rows, std::uint64_t columns)> begin;
   /// Called with whole rows in their order, one behind the other.
   std::function<void(std::uint64_t first_row, std::span<const double> numbers)> take;
+  const core::StopFlag* stop = nullptr;  ///< Asked before each of them; a requested stop throws Interrupted.
 };
 
 }  // namespace sarsim::raster

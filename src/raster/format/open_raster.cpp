@@ -142,10 +142,11 @@ OpenedRaster passed(OpenedRaster opened, const Format& format, const std::filesy
 
 }  // namespace
 
-OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path, const RasterHints& hints) {
+OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path, const RasterHints& hints,
+                         const core::StopFlag* stop) {
   if (const auto folder = folder_of(path))
     if (const Format* const format = format_of_folder(*folder); format != nullptr && hints.dataset.empty())
-      return passed(format->open_folder(*folder, *format, hints, integrity), *format, path, hints, integrity);
+      return passed(format->open_folder(*folder, *format, hints, integrity, stop), *format, path, hints, integrity);
   const bool whole = integrity == Integrity::whole;
   auto opened = core::InputFile::open(path);
   if (auto* problem = std::get_if<core::Problem>(&opened)) return {nullptr, {std::move(*problem)}};
@@ -162,7 +163,7 @@ OpenedRaster open_raster(Integrity integrity, const std::filesystem::path& path,
     return {nullptr,
             {file_problem(path.string(), fmt::format("a dataset is named, but {} has none", word_of(*format)),
                           fmt::format("{:.60}", hints.dataset), {}, "leave it out: it is for HDF5 files")}};
-  return passed(format->open(std::move(file), *format, hints, integrity), *format, path, hints, integrity);
+  return passed(format->open(std::move(file), *format, hints, integrity, stop), *format, path, hints, integrity);
 }
 
 }  // namespace sarsim::raster

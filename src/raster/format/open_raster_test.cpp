@@ -225,6 +225,24 @@ TEST(WholeFile, EmptyFilesAreProblems) {
   EXPECT_THAT(error_of("", hints_of(2, 8), "a.bin").message, HasSubstr("empty"));
 }
 
+// Whatever has to be read through asks before the first number.
+TEST(WholeFile, IsLeftWhereAStopIsRequested) {
+  const TestFolder folder;
+  core::StopFlag stop;
+  stop.request();
+  for (const char* name : {"a.txt", "a.csv"}) {
+    const fs::path path = put(folder / name, std::string_view(name) == "a.csv" ? "1,2\n-3,4\n" : "1 2\n-3 4\n");
+    for (const Integrity integrity : {Integrity::whole, Integrity::partial})
+      EXPECT_THROW((void)open_raster(integrity, path, {}, &stop), core::Interrupted) << name;
+  }
+  for (const auto format : {scene::FileFormat::hdf5, scene::FileFormat::zarr}) {
+    const fs::path path = folder / fmt::format("b{}", extension_of(format));
+    write_test_file(path, test_product(3, 2, 8), {format});
+    ASSERT_TRUE(open_raster(Integrity::whole, path).raster) << path;
+    EXPECT_THROW((void)open_raster(Integrity::whole, path, {}, &stop), core::Interrupted) << path;
+  }
+}
+
 TEST(WholeFile, ReadsAnyRowsOfALongText) {
   std::string text;
   for (int row = 0; row < 5000; ++row) text += fmt::format("{} {}\n{} 0\n\n", row, -row, row % 7);

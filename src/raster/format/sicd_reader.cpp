@@ -184,7 +184,8 @@ core::Problems remarks_on_length(const core::InputFile& file, const NitfFile& ni
 
 }  // namespace
 
-OpenedRaster open_sicd(core::InputFile file, const Format&, const RasterHints& hints, Integrity) {
+OpenedRaster open_sicd(core::InputFile file, const Format&, const RasterHints& hints, Integrity,
+                       const core::StopFlag*) {
   const std::string name = file.path().string();
   auto nitf = read_nitf(file);
   if (auto* problem = std::get_if<core::Problem>(&nitf)) return {nullptr, {std::move(*problem)}};

@@ -13,7 +13,7 @@
 
 #include "core/hash/sha512.hpp"
 #include "core/os/input_file.hpp"
-#include "core/task/stop.hpp"
+#include "core/task/stop_points.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
 #include "raster/format/format_reader.hpp"
@@ -66,7 +66,7 @@ std::optional<core::Problem> problem_of_checksum(const core::InputFile& data, co
   core::Sha512 sum;
   std::vector<std::byte> bytes(at_once);
   for (std::uint64_t at = 0; at < data.size(); at += at_once) {
-    if (stop != nullptr && stop->requested()) throw core::Interrupted();
+    core::end_if_asked(stop);
     const auto part =
         std::span(bytes).first(static_cast<std::size_t>(std::min<std::uint64_t>(at_once, data.size() - at)));
     data.read_all_at(at, part);
@@ -171,7 +171,8 @@ core::Problems contradiction_of_rates(const RasterInfo& info, const SigmfMeta& m
 
 }  // namespace
 
-OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity,
+                        const core::StopFlag* stop) {
   const auto files = sigmf_files(file.path());
   const auto refused = [](core::Problem problem) { return OpenedRaster{nullptr, {std::move(problem)}}; };
   auto read = read_meta(files.front());
@@ -184,7 +185,7 @@ OpenedRaster open_sigmf(core::InputFile file, const Format&, const RasterHints& 
   if (auto* problem = std::get_if<core::Problem>(&placed)) return refused(std::move(*problem));
   const bool whole = integrity == Integrity::whole;
   if (whole)
-    if (auto problem = problem_of_checksum(data, meta, nullptr)) return refused(std::move(*problem));
+    if (auto problem = problem_of_checksum(data, meta, stop)) return refused(std::move(*problem));
   std::filesystem::path unproved = whole || meta.sha512.empty() ? std::filesystem::path() : data.path();
   const auto& grid = std::get<StoredGrid>(placed);
   const std::uint64_t rows = sample_bytes_of(data, meta) / grid.row_bytes();

@@ -65,6 +65,17 @@ TEST(Sigmf, ReadsCapturesOfEqualLengthAsRows) {
   EXPECT_FALSE(opened.raster->axes());
 }
 
+// The sum of all samples is that of the metadata, or not: nobody knows before all are read.
+TEST(Sigmf, IsLeftWhereAStopIsRequested) {
+  const TestFolder folder;
+  const std::string meta = meta_without(
+      "\"core:datatype\"", fmt::format("\"core:sha512\": \"{}\", \"core:datatype\"", std::string(128, '0')));
+  EXPECT_THAT(problems_of(folder, meta, 36), HasSubstr("core:sha512"));
+  core::StopFlag stop;
+  stop.request();
+  EXPECT_THROW((void)open_raster(Integrity::whole, folder / "b.sigmf-meta", {}, &stop), core::Interrupted);
+}
+
 TEST(Sigmf, SaysWhatIsNotRead) {
   const TestFolder folder;
   EXPECT_THAT(problems_of(folder, foreign_meta, 35), HasSubstr("no whole number of rows"));

@@ -157,7 +157,7 @@ class SunPicture final : public Raster {
 
 }  // namespace
 
-OpenedRaster open_sun(core::InputFile file, const Format&, const RasterHints&, Integrity) {
+OpenedRaster open_sun(core::InputFile file, const Format&, const RasterHints&, Integrity, const core::StopFlag*) {
   auto read = read_sun_header(file);
   if (auto* problem = std::get_if<core::Problem>(&read)) return {nullptr, {std::move(*problem)}};
   const SunRasterHeader& header = std::get<SunRasterHeader>(read);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/task/stop_points.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/grid_raster.hpp"
 #include "raster/format/text_raster.hpp"
@@ -20,6 +21,7 @@ namespace {
 constexpr std::size_t max_reported_rows = 10;
 constexpr std::uint64_t index_spacing = 256;  // Bytes between remembered rows, so that the index stays small.
 constexpr std::size_t max_values_of_first_row = std::size_t{1} << 25;
+constexpr std::size_t numbers_at_once = std::size_t{1} << 16;  // Between two questions for a stop: a millisecond.
 
 // What one reading of the whole text tells.
 struct TextSurvey {
@@ -47,10 +49,14 @@ void list_uneven(TextSurvey& survey, const TextRow& row, bool last) {
     survey.problems.push_back(uneven_row(row, survey.rows, survey.values, last));
 }
 
-TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const TextLayout& layout) {
+TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const TextLayout& layout,
+                       core::StopPoints stop) {
   TextSurvey survey;
   TextIndex::Recorder recorder(*survey.index);
-  TextRowParser parser(scanner, layout, [&survey](const TextNumber& number) { survey.numbers.note(number); });
+  TextRowParser parser(scanner, layout, [&](const TextNumber& number) {
+    stop.pass();
+    survey.numbers.note(number);
+  });
   for (;;) {
     scanner.skip_white_space();
     const TextMark mark{scanner.offset(), scanner.line()};
@@ -100,7 +106,7 @@ std::optional<CountRange> find_offset(const TextSurvey& survey, const RasterHint
   return std::nullopt;
 }
 
-OpenedRaster open_whole_text(core::InputFile file, TextStyle style, const RasterHints& hints) {
+OpenedRaster open_whole_text(core::InputFile file, TextStyle style, const RasterHints& hints, core::StopPoints stop) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64)
     return {nullptr,
@@ -109,7 +115,7 @@ OpenedRaster open_whole_text(core::InputFile file, TextStyle style, const Raster
     return {nullptr, {file_problem(name, "the samples of a row are too many", fmt::format("{}", hints.columns))}};
   TextScanner scanner = scanner_at_samples(file, style);
   const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
-  TextSurvey survey = survey_text(file, std::move(scanner), layout);
+  TextSurvey survey = survey_text(file, std::move(scanner), layout, stop);
   OpenedRaster result{nullptr, std::move(survey.problems)};
   if (core::has_errors(result.problems)) return result;
   if (hints.rows > 0 && hints.rows != survey.rows)
@@ -140,13 +146,14 @@ struct FirstRow {
 
 struct TooLong {};
 
-FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout) {
+FirstRow read_first_row(const core::InputFile& file, const TextLayout& layout, core::StopPoints stop) {
   FirstRow first;
   TextScanner scanner = scanner_at_samples(file, layout.style);
   scanner.skip_white_space();
   first.begin = {scanner.offset(), scanner.line()};
   std::size_t values = 0;
   TextRowParser parser(scanner, layout, [&](const TextNumber& number) {
+    stop.pass();
     if (++values > max_values_of_first_row) throw TooLong();
     first.numbers.note(number);
   });
@@ -197,12 +204,12 @@ std::optional<core::Problem> first_row_problem(const std::string& name, const Fi
   return std::nullopt;
 }
 
-OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const RasterHints& hints) {
+OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const RasterHints& hints, core::StopPoints stop) {
   const std::string name = file.path().string();
   if (hints.bits < 0 || hints.bits > 64 || hints.columns > (std::size_t{1} << 60U))
     return {nullptr, {file_problem(name, "the samples of a row or the A/D bits are out of range")}};
   const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
-  const FirstRow first = read_first_row(file, layout);
+  const FirstRow first = read_first_row(file, layout, stop);
   if (auto problem = first_row_problem(name, first, layout)) return {nullptr, {std::move(*problem)}};
   core::Problems problems;
   TextSamples samples{layout, first.row.values, first.row.values % 2 != 0 ? 1U : 2U, {}};
@@ -216,11 +223,12 @@ OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const Rast
 
 }  // namespace
 
-OpenedRaster open_text(core::InputFile file, const Format& format, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_text(core::InputFile file, const Format& format, const RasterHints& hints, Integrity integrity,
+                       const core::StopFlag* stop) {
   if (format.text == TextStyle::commas)
     if (auto problem = problem_of_heading(file)) return {nullptr, {std::move(*problem)}};
   const auto open = integrity == Integrity::whole ? open_whole_text : open_growing_text;
-  return open(std::move(file), format.text, hints);
+  return open(std::move(file), format.text, hints, {stop, numbers_at_once});
 }
 
 }  // namespace sarsim::raster

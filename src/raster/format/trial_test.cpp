@@ -47,6 +47,21 @@ TEST(Trial, ARequestToEndIsNoCrash) {
   }
 }
 
+// The child would work on for 5 s of processor time.
+TEST(Trial, EndsWhenWhoeverBeganItNoLongerWantsIt) {
+  volatile bool never = false;
+  int questions = 0;
+  const core::TrialReport report = core::run_trial(
+      [&] {
+        while (!never) {
+        }
+        return std::string();
+      },
+      5, nullptr, [&questions] { return ++questions == 2; });
+  EXPECT_EQ(report.result, core::TrialResult::stopped);
+  EXPECT_EQ(questions, 2);
+}
+
 TEST(Trial, WhatIsIgnoredStaysIgnored) {
   const auto before = std::signal(SIGHUP, SIG_IGN);
   const core::TrialReport report = core::run_trial(

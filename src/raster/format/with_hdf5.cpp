@@ -96,12 +96,13 @@ void write_hdf5(core::RawFile& file, const std::filesystem::path& scratch, const
 
 }  // namespace
 
-OpenedRaster open_hdf5_file(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_hdf5_file(core::InputFile file, const Format&, const RasterHints& hints, Integrity integrity,
+                            const core::StopFlag* stop) {
   constexpr std::size_t longest_row = std::size_t{1} << 26;  // A whole row is read at a time: 1 GB.
   const std::filesystem::path path = file.path();
   RasterHints known = hints;
   if (integrity == Integrity::partial) known.rows = 0;
-  OpenedRaster opened = hdf5_module(path).open(path, file.size(), known);
+  OpenedRaster opened = hdf5_module(path).open(path, file.size(), known, stop);
   if (integrity == Integrity::partial && opened.raster && opened.raster->columns() > longest_row) {
     opened.problems.push_back(file_problem(path.string(), "the rows are too long to be shown",
                                            fmt::format("{} samples", opened.raster->columns()),

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include "core/os/input_file.hpp"
+#include "core/task/stop_points.hpp"
 #include "raster/format/format_reader.hpp"
 #include "raster/format/npy_array.hpp"
 #include "raster/format/zarr_metadata.hpp"
@@ -32,6 +33,7 @@ namespace {
 // More files than anybody looks through.
 constexpr std::uint64_t max_chunks = std::uint64_t{1} << 22U;
 constexpr std::size_t max_arrays = 1000;
+constexpr std::size_t chunks_at_once = 256;  // Looked for between two questions for a stop: a millisecond.
 
 std::uint64_t pieces_in(std::uint64_t size, std::uint64_t piece) { return size / piece + (size % piece > 0 ? 1 : 0); }
 
@@ -237,7 +239,8 @@ std::uint64_t entries_in(const fs::path& folder, std::uint64_t most) {
 }
 
 // Looks at every chunk; a problem where one has not its size.
-std::variant<Presence, core::Problem> look_through(const ChunkTable& table, const std::string& name) {
+std::variant<Presence, core::Problem> look_through(const ChunkTable& table, const std::string& name,
+                                                   core::StopPoints stop) {
   const auto chunks = checked_product(table.chunks_down(), table.chunks_across());
   if (!chunks || *chunks > max_chunks)
     return file_problem(name, "the array has more chunks than are read", {}, fmt::format("at most {}", max_chunks),
@@ -250,6 +253,7 @@ std::variant<Presence, core::Problem> look_through(const ChunkTable& table, cons
   const auto bytes = table.chunk_bytes();
   Presence presence;
   for (std::uint64_t i = 0; i < *chunks; ++i) {
+    stop.pass();
     const fs::path path = table.chunk_path(i / table.chunks_across(), i % table.chunks_across());
     std::error_code failure;
     const fs::file_status status = fs::symlink_status(path, failure);
@@ -288,7 +292,8 @@ struct ZarrAxis {
 };
 
 std::variant<std::monostate, ZarrAxis, core::Problem> axis_in(const fs::path& group, const std::string& name,
-                                                              const std::vector<std::uint64_t>& shape);
+                                                              const std::vector<std::uint64_t>& shape,
+                                                              const core::StopFlag* stop);
 
 std::vector<std::uint64_t> shape_of_axis(std::size_t length, std::size_t width) {
   return width == 1 ? std::vector<std::uint64_t>{length} : std::vector<std::uint64_t>{length, width};
@@ -324,7 +329,7 @@ class ZarrRaster final : public Raster {
   // Nothing where there is none; what is wrong with one was refused when the store was opened.
   static std::optional<std::vector<double>> read_numbers(const fs::path& group, const std::string& name,
                                                          std::size_t length, std::size_t width) {
-    const auto found = axis_in(group, name, shape_of_axis(length, width));
+    const auto found = axis_in(group, name, shape_of_axis(length, width), nullptr);
     const auto* const axis = std::get_if<ZarrAxis>(&found);
     if (axis == nullptr || (axis->presence.missing > 0 && !axis->table.has_fill())) return std::nullopt;
     std::vector<double> values = axis->stored();
@@ -393,7 +398,8 @@ std::variant<SampleMeaning, core::Problem> meaning_in(const fs::path& folder, co
 // An axis; nothing where the store has none of that name, and a problem where it has one that cannot be read: it has to
 // fit the samples, its unit its name, and it has to be there as a whole.
 std::variant<std::monostate, ZarrAxis, core::Problem> axis_in(const fs::path& group, const std::string& name,
-                                                              const std::vector<std::uint64_t>& shape) {
+                                                              const std::vector<std::uint64_t>& shape,
+                                                              const core::StopFlag* stop) {
   std::error_code ignored;
   const fs::path folder = group / name;
   if (!fs::exists(fs::symlink_status(folder, ignored))) return {};
@@ -408,7 +414,7 @@ std::variant<std::monostate, ZarrAxis, core::Problem> axis_in(const fs::path& gr
   auto reading = table_of(folder, array, false);
   if (auto* problem = std::get_if<core::Problem>(&reading)) return std::move(*problem);
   auto& table = std::get<ChunkTable>(reading);
-  auto presence = look_through(table, folder.string());
+  auto presence = look_through(table, folder.string(), {stop, chunks_at_once});
   if (auto* problem = std::get_if<core::Problem>(&presence)) return std::move(*problem);
   const auto attributes = read_zarr_attributes(folder / ".zattrs", true);
   if (const auto* problem = std::get_if<core::Problem>(&attributes)) return *problem;
@@ -432,14 +438,14 @@ core::Problem missing_chunks(const ChunkTable& array, const Presence& presence, 
 
 // What is wrong with the axes of a store: those that cannot be read, and warnings of those that are not whole.
 core::Problems problems_of_zarr_axes(const fs::path& group, std::uint64_t rows, std::uint64_t columns, bool own,
-                                     bool whole) {
+                                     bool whole, const core::StopFlag* stop) {
   core::Problems problems;
   const auto keep = [&](core::Problem problem, const std::string& name) {
     if (problem.place.file.empty()) problem.place.file = (group / name).string();
     problems.push_back(std::move(problem));
   };
   const auto judge = [&](const std::string& name, const std::vector<std::uint64_t>& shape) {
-    auto found = axis_in(group, name, shape);
+    auto found = axis_in(group, name, shape, stop);
     if (auto* problem = std::get_if<core::Problem>(&found)) keep(std::move(*problem), name);
     const auto* const axis = std::get_if<ZarrAxis>(&found);
     if (axis == nullptr) return;
@@ -503,7 +509,8 @@ std::variant<fs::path, core::Problem> samples_in(const fs::path& group) {
 
 }  // namespace
 
-OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints& hints, Integrity integrity) {
+OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints& hints, Integrity integrity,
+                       const core::StopFlag* stop) {
   std::error_code ignored;
   if (fs::exists(folder / "zarr.json", ignored))
     return refuse_store(folder, file_problem({}, "the store is of version 3 of Zarr", "zarr.json", "version 2",
@@ -527,7 +534,7 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   if (hints.rows > 0 && hints.rows != samples.rows())
     return refuse_store(folder, file_problem({}, "the array has another number of rows",
                                              fmt::format("{}", samples.rows()), fmt::format("{}", hints.rows)));
-  auto presence = look_through(samples, place.string());
+  auto presence = look_through(samples, place.string(), {stop, chunks_at_once});
   if (auto* problem = std::get_if<core::Problem>(&presence)) return refuse_store(folder, std::move(*problem));
   auto attributes = read_zarr_attributes(folder / ".zattrs");
   if (auto* problem = std::get_if<core::Problem>(&attributes)) return refuse_store(folder, std::move(*problem));
@@ -546,7 +553,7 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   const bool own = !attribute_of(info.attributes, "program_version").empty();
   const bool whole = integrity == Integrity::whole;
   core::Problems problems;
-  if (!alone) problems = problems_of_zarr_axes(folder, samples.rows(), samples.columns(), own, whole);
+  if (!alone) problems = problems_of_zarr_axes(folder, samples.rows(), samples.columns(), own, whole, stop);
   if (const Presence& there = std::get<Presence>(presence); there.missing > 0)
     problems.push_back(missing_chunks(samples, there, own, whole));
   if (core::has_errors(problems)) return {nullptr, std::move(problems)};
@@ -555,7 +562,7 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   return {std::move(raster), std::move(problems)};
 }
 
-OpenedRaster open_zarr_file(core::InputFile file, const Format&, const RasterHints&, Integrity) {
+OpenedRaster open_zarr_file(core::InputFile file, const Format&, const RasterHints&, Integrity, const core::StopFlag*) {
   return {nullptr,
           {file_problem(file.path().string(), "a Zarr store is a folder, and this is a file", {},
                         "a folder with .zgroup or .zarray", "unpack the store, or name the folder")}};

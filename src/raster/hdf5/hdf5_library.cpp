@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "core/task/stop_points.hpp"
+
 namespace sarsim::raster {
 
 namespace {
@@ -33,6 +35,14 @@ bool hdf5_lacked_memory() {
   bool lacked = false;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, find_lack, &lacked);
   return lacked;
+}
+
+core::TrialReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop) {
+  core::end_if_asked(stop);
+  core::TrialReport trial =
+      core::run_trial(work, hdf5_trial_s, &hdf5_lock(), [stop] { return stop != nullptr && stop->requested(); });
+  if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
+  return trial;
 }
 
 core::Problem too_much_hdf5_work() {

@@ -2,11 +2,14 @@
 
 #include <hdf5.h>
 
+#include <functional>
 #include <mutex>
 #include <string>
 #include <utility>
 
+#include "core/os/trial.hpp"
 #include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
 
 namespace sarsim::raster {
 
@@ -80,6 +83,11 @@ class Hdf5Handle {
 
 /// Processor time in seconds that a trial of a file may take (core/os/trial.hpp).
 inline constexpr unsigned hdf5_trial_s = 20;
+
+/// Tries in a child process what is about to be done with a file in this one. Throws Interrupted where a stop is
+/// requested meanwhile.
+/// @param stop  may be null: nobody asks
+[[nodiscard]] core::TrialReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop);
 
 /// The error for a file whose trial takes more; the file may be sound.
 [[nodiscard]] core::Problem too_much_hdf5_work();

@@ -10,8 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "core/os/trial.hpp"
-#include "core/task/stop.hpp"
+#include "core/task/stop_points.hpp"
 #include "raster/hdf5/hdf5_attributes.hpp"
 #include "raster/hdf5/hdf5_dataset.hpp"
 #include "raster/hdf5/hdf5_numbers.hpp"
@@ -96,10 +95,9 @@ std::string tried_points(const std::filesystem::path& path, std::uint64_t file_b
   return points_sound;
 }
 
-std::optional<core::Problem> trial_of_points(const std::filesystem::path& path, std::uint64_t file_bytes) {
-  const core::TrialReport trial =
-      core::run_trial([&] { return tried_points(path, file_bytes); }, hdf5_trial_s, &hdf5_lock());
-  if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
+std::optional<core::Problem> trial_of_points(const std::filesystem::path& path, std::uint64_t file_bytes,
+                                             const core::StopFlag* stop) {
+  const core::TrialReport trial = hdf5_trial([&] { return tried_points(path, file_bytes); }, stop);
   if (trial.result == core::TrialResult::passed && trial.text == points_sound) return std::nullopt;
   if (trial.result == core::TrialResult::too_much_work) return too_much_hdf5_work();
   const char* const what = trial.result == core::TrialResult::crashed ? "crashes on it" : "cannot read all of it";
@@ -110,7 +108,7 @@ std::optional<core::Problem> trial_of_points(const std::filesystem::path& path, 
 
 std::optional<core::Problem> read_hdf5_points(const std::filesystem::path& path, std::uint64_t file_bytes,
                                               const NumberTableTaker& taker) {
-  if (auto problem = trial_of_points(path, file_bytes)) return problem;
+  if (auto problem = trial_of_points(path, file_bytes, taker.stop)) return problem;
   const Hdf5Use use;
   const auto opened = open_points(path, file_bytes);
   if (const auto* problem = std::get_if<core::Problem>(&opened)) return *problem;
@@ -119,11 +117,14 @@ std::optional<core::Problem> read_hdf5_points(const std::filesystem::path& path,
   const std::uint64_t step = rows_at_once(dataset);
   try {
     for (std::uint64_t first = 0; first < dataset.shape[0]; first += step) {
+      core::end_if_asked(taker.stop);
       std::vector<double> points = points_of_rows(dataset, first, std::min(step, dataset.shape[0] - first));
       const AxisMeaning& meaning = std::get<PointsDataset>(opened).meaning;
       if (auto problem = problem_of_missing(meaning, points_name, points, first * dataset.shape[1])) return problem;
       taker.take(first, std::move(points));
     }
+  } catch (const core::Interrupted&) {
+    throw;
   } catch (const std::runtime_error& error) {
     return file_problem({}, "the file is damaged: the HDF5 library cannot read all of it", error.what());
   }

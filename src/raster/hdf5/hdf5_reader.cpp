@@ -517,13 +517,12 @@ std::string tried(const std::filesystem::path& path, std::uint64_t file_bytes, c
 
 }  // namespace
 
-OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints) {
+OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes, const RasterHints& hints,
+                       const core::StopFlag* stop) {
   // libhdf5 trusts what a file says of itself; a damaged one can make it crash, hang or ask for any amount of memory.
   // So a child process goes first, and this one opens only what the child could read.
   const std::uint64_t own_limit_bytes = core::own_memory_limit_bytes();
-  const core::TrialReport trial =
-      core::run_trial([&] { return tried(path, file_bytes, hints, own_limit_bytes); }, hdf5_trial_s, &hdf5_lock());
-  if (trial.result == core::TrialResult::stopped) throw core::Interrupted();
+  const core::TrialReport trial = hdf5_trial([&] { return tried(path, file_bytes, hints, own_limit_bytes); }, stop);
   if (trial.result == core::TrialResult::too_much_work) return refused(path.string(), too_much_hdf5_work());
   if (trial.result != core::TrialResult::passed)
     return refused(path.string(), file_problem({}, "the file is damaged: the HDF5 library crashes on it"));

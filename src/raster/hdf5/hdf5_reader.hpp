@@ -10,8 +10,8 @@ namespace sarsim::raster {
 /// `/Data/PulseNo_x_SampleNo_I&Q` of interleaved counts, parameters as attributes below `/Details`).
 ///
 /// Every size is held against the file's before anything is read; datasets in other files, over soft or external
-/// links, of other types or with unknown filters are problems.
+/// links, of other types or with unknown filters are problems. Throws Interrupted where a stop is requested meanwhile.
 [[nodiscard]] OpenedRaster open_hdf5(const std::filesystem::path& path, std::uint64_t file_bytes,
-                                     const RasterHints& hints);
+                                     const RasterHints& hints, const core::StopFlag* stop);
 
 }  // namespace sarsim::raster

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/task/stop.hpp"
 #include "raster/table/stored_array.hpp"
 #include "scene/model/format_values.hpp"
 #include "scene/model/scene.hpp"
@@ -68,12 +69,12 @@ struct Format {
   FormatPlaces places = {};
   /// The most bytes of a sample of so many A/D bits, where nothing else is asked for; exact but for text.
   double (*max_sample_bytes)(int bits) = nullptr;
-  /// Opens a file of it (raster/format/format_reader.hpp).
-  OpenedRaster (*open)(core::InputFile file, const Format& format, const RasterHints& hints,
-                       Integrity integrity) = nullptr;
+  /// Opens a file of it (raster/format/format_reader.hpp). What has to be looked through asks for a stop.
+  OpenedRaster (*open)(core::InputFile file, const Format& format, const RasterHints& hints, Integrity integrity,
+                       const core::StopFlag* stop) = nullptr;
   /// Opens a folder of it, where it is one.
   OpenedRaster (*open_folder)(const std::filesystem::path& folder, const Format& format, const RasterHints& hints,
-                              Integrity integrity) = nullptr;
+                              Integrity integrity, const core::StopFlag* stop) = nullptr;
   const FormatWriter* writer = nullptr;  ///< Null where no sink writes it.
   /// Where the arrays of a file of it stand; null where its numbers are no arrays.
   StoredArrays (*arrays)(const core::InputFile& file, const RasterHints& hints) = nullptr;

@@ -237,7 +237,7 @@ void write_references(const ReferencesRequest& request, const core::Observer& ob
   std::vector<raster::StoredArray> arrays = arrays_of(*raster, file, hints);
   const bool bare = arrays.front().dimensions.front() == "pulse";
   if (bare && !request.sample.script.empty()) {
-    const simulate::Plan plan = plan_of_file(request.input, request.sample.script);
+    const simulate::Plan plan = plan_of_file(request.input, request.sample.script, {}, observer.stop);
     if (plan.rows == raster->rows() && plan.columns == raster->columns()) add_axes(arrays, plan);
   }
   expect_free_outputs({request.output},

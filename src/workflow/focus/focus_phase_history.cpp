@@ -59,10 +59,11 @@ void expect_options_of_history(const FocusRequest& request) {
                         "name the output .img, .npy or .h5");
 }
 
-std::shared_ptr<const raster::CphdFile> opened_history(const std::string& path, core::Problems& problems) {
+std::shared_ptr<const raster::CphdFile> opened_history(const std::string& path, core::Problems& problems,
+                                                       const core::StopFlag* stop) {
   auto input = core::InputFile::open(path);
   if (auto* problem = std::get_if<core::Problem>(&input)) throw core::Refused({std::move(*problem)});
-  auto file = raster::CphdFile::open(std::move(std::get<core::InputFile>(input)), problems);
+  auto file = raster::CphdFile::open(std::move(std::get<core::InputFile>(input)), problems, stop);
   if (!file) throw core::Refused(core::ranked(std::move(problems)));
   return file;
 }
@@ -268,7 +269,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   report.files = outputs_of(request);
   report.algorithm = request.algorithm;
   report.grid = *request.grid;
-  const auto file = opened_history(request.input.path, report.problems);
+  const auto file = opened_history(request.input.path, report.problems, observer.stop);
   const raster::CphdDescription& d = file->description();
   const std::size_t channel = channel_named(*file, request.channel);
   if (request.sign && *request.sign == d.sign)

@@ -37,29 +37,31 @@ std::string seen_from(const fs::path& image, const std::string& path) {
 }
 
 // @param file  that the scene was read from
-std::optional<std::string> sum_of_scene(scene::ScriptReading reading, const std::string& file) {
+std::optional<std::string> sum_of_scene(scene::ScriptReading reading, const std::string& file,
+                                        const core::StopFlag* stop) {
+  const core::WorkControl control{core::thread_count(0), stop};
   if (core::has_errors(reading.problems)) return std::nullopt;
-  if (core::has_errors(read_files_of(reading.scene, fs::path(file).parent_path(), {core::thread_count(0)})))
-    return std::nullopt;
+  if (core::has_errors(read_files_of(reading.scene, fs::path(file).parent_path(), control))) return std::nullopt;
   return workflow::script_sum(reading.scene);
 }
 
 // Of the scene inside a recording.
-std::optional<std::string> scene_sum_in(const raster::Raster& recording, const std::string& file) {
+std::optional<std::string> scene_sum_in(const raster::Raster& recording, const std::string& file,
+                                        const core::StopFlag* stop) {
   const std::string text = raster::attribute_of(recording.info().attributes, "script");
   if (text.empty() || scene::language::includes_files(text)) return std::nullopt;
-  return sum_of_scene(scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path())), file);
+  return sum_of_scene(scene::read_scene_text(text, file, scene::disk_loader(fs::path(file).parent_path())), file, stop);
 }
 
 // Of the scene that the source describes or carries; nothing where that cannot be read.
 // @param recording  the source, where it is open already
-std::optional<std::string> checksum_of(const std::string& source, const std::string& script,
+std::optional<std::string> checksum_of(const std::string& source, const std::string& script, const core::StopFlag* stop,
                                        const raster::Raster* recording = nullptr) {
   const std::string& file = script.empty() ? source : script;
-  if (!script.empty() || holds_script(file)) return sum_of_scene(scene::read_scene_file(file), file);
-  if (recording != nullptr) return scene_sum_in(*recording, file);
-  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, file, {});
-  return opened.raster ? scene_sum_in(*opened.raster, file) : std::nullopt;
+  if (!script.empty() || holds_script(file)) return sum_of_scene(scene::read_scene_file(file), file, stop);
+  if (recording != nullptr) return scene_sum_in(*recording, file, stop);
+  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, file, {}, stop);
+  return opened.raster ? scene_sum_in(*opened.raster, file, stop) : std::nullopt;
 }
 
 // Of the samples of a recording; nothing of a script.
@@ -70,10 +72,12 @@ std::optional<std::string> sum_of_samples(const std::string& source, const std::
   if (!fs::exists(source, ignored) || holds_script(source)) return std::nullopt;
   SampleArguments samples;
   samples.script = script;
+  core::Observer alone;
+  alone.stop = stop;
   const raster::RasterHints hints = script.empty()
                                         ? raster::RasterHints{}
-                                        : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, {});
-  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints);
+                                        : hints_for(source, samples, static_cast<std::int64_t>(simulation) + 1, alone);
+  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, source, hints, stop);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   return samples_sum(*opened.raster, stop);
 }
@@ -154,8 +158,8 @@ std::string source_with_samples(const std::vector<FoundFile>& sources, const std
 
 // Of an image of an earlier version, which says only of which scene it is.
 std::string source_by_name(const std::string& file, const std::string& scene_sum, const std::string& script,
-                           const fs::path& image, core::Problems& problems) {
-  const auto now = scene_sum.empty() || !script.empty() ? std::nullopt : checksum_of(file, script);
+                           const fs::path& image, core::Problems& problems, const core::StopFlag* stop) {
+  const auto now = scene_sum.empty() || !script.empty() ? std::nullopt : checksum_of(file, script, stop);
   problems.push_back(now && *now != scene_sum
                          ? warning_of_scene(file, image)
                          : note_of(fmt::format("'{}' does not say which samples it was made from (images of earlier "
@@ -166,11 +170,11 @@ std::string source_by_name(const std::string& file, const std::string& scene_sum
 
 // The same of a scene; one that was edited where it was is taken with a warning.
 std::string scene_with_sum(const std::vector<FoundFile>& files, const std::string& sum, const std::string& path,
-                           const fs::path& image, core::Problems& problems) {
+                           const fs::path& image, core::Problems& problems, const core::StopFlag* stop) {
   if (sum.empty()) return files.front().path;
   bool known = false;
   for (const FoundFile& file : files) {
-    const auto now = checksum_of(file.path, {});
+    const auto now = checksum_of(file.path, {}, stop);
     known |= now.has_value();
     if (!now || *now != sum) continue;
     if (!file.same_place)
@@ -192,7 +196,7 @@ void add_way_back(raster::EnviHeader& header, const ImageOrigin& origin, const f
   header.fields.emplace_back("source from image", seen_from(image, origin.source));
   header.fields.emplace_back("script from image", seen_from(image, origin.script));
   header.fields.emplace_back("script checksum",
-                             checksum_of(origin.source, origin.script, origin.recording.get()).value_or(""));
+                             checksum_of(origin.source, origin.script, stop, origin.recording.get()).value_or(""));
   // Of a scene that is the source itself there are no samples.
   if (origin.recording != nullptr)
     header.fields.emplace_back("source checksum", samples_sum(*origin.recording, stop));
@@ -207,7 +211,7 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
   // A script alone: the source was a script, too, or carries its own.
   if (!script.empty() && origin.script.empty()) {
     way.source = script;
-    if (const auto now = scene_sum.empty() ? std::nullopt : checksum_of(script, {}); now && *now != scene_sum)
+    if (const auto now = scene_sum.empty() ? std::nullopt : checksum_of(script, {}, stop); now && *now != scene_sum)
       way.problems.push_back(
           note_of(fmt::format("the expected values are those of '{}', another scene than that which "
                               "'{}' was made from",
@@ -220,21 +224,21 @@ WayBack way_back(const raster::EnviHeader& header, const ImageOrigin& origin, co
   if (script.empty() && !origin.script.empty())
     way.script = scene_with_sum(
         expected(found(origin.script, header.field("script from image").value_or(""), image), origin.script, image),
-        scene_sum, origin.script, image, way.problems);
+        scene_sum, origin.script, image, way.problems, stop);
   if (holds_script(sources.front().path)) {
-    way.source = scene_with_sum(sources, scene_sum, origin.source, image, way.problems);
+    way.source = scene_with_sum(sources, scene_sum, origin.source, image, way.problems, stop);
     return way;
   }
   // A header that was edited, or copied by another program, may have the name alone.
   std::optional<std::string> sum = header.field("source checksum");
   if (sum && core::trimmed(*sum).empty()) sum.reset();
   if (!sum)
-    way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems);
+    way.source = source_by_name(sources.front().path, scene_sum, way.script, image, way.problems, stop);
   else
     way.source = source_with_samples(sources, *sum, way.script, origin, image, way.problems, stop);
   // The scene inside the recording may have been edited, too: then targets are expected elsewhere.
   if (sum && way.script.empty() && !scene_sum.empty())
-    if (const auto now = checksum_of(way.source, {}); now && *now != scene_sum)
+    if (const auto now = checksum_of(way.source, {}, stop); now && *now != scene_sum)
       way.problems.push_back(warning_of_scene(way.source, image));
   return way;
 }

@@ -157,7 +157,7 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
   } else {
     hints = hints_for(request.path, request.samples, request.simulation, observer);
   }
-  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, request.path, hints);
+  raster::OpenedRaster opened = raster::open_raster(raster::Integrity::partial, request.path, hints, observer.stop);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   observer.remarks(core::ranked(std::move(opened.problems)));
   opened.raster->wait_until_indexed(observer.stop);
@@ -174,7 +174,7 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
   if (!input.axes && !request.samples.script.empty()) {
-    const simulate::Plan plan = plan_of_file(request.path, request.samples.script, request.simulation);
+    const simulate::Plan plan = plan_of_file(request.path, request.samples.script, request.simulation, observer.stop);
     input.axes = axes_of(plan);
     input.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
   }

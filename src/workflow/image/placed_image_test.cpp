@@ -66,6 +66,17 @@ TEST_F(PlacedImageTest, PutsProfilesWhereTheTargetWasSeenFromOrWhen) {
   EXPECT_EQ(rows_of("1, x, 3", "0, 1"), (raster::ImagePlaces{"Profile", "", 1.0, 1.0}));
 }
 
+TEST_F(PlacedImageTest, IsLeftWhereAStopIsRequested) {
+  const fs::path text = fs::path(file_).replace_extension(".csv");
+  std::ofstream(text) << "1,2\n3,4\n";
+  core::StopFlag stop;
+  stop.request();
+  core::Observer observer;
+  observer.stop = &stop;
+  EXPECT_THROW((void)open_placed_image({text.string(), {}, {}}, observer), core::Interrupted);
+  fs::remove(text);
+}
+
 TEST_F(PlacedImageTest, NeedsNothingSaidWhereAHeaderSaysIt) {
   write({{"map", "ppi"}});
   PlacedImageRequest request{file_.string(), {}, {}};

@@ -15,6 +15,7 @@ std::optional<TableFault> read_hdf5_points(const core::InputFile& file, PointTab
   std::uint64_t columns = 0;
   std::optional<TableFault> phase;
   raster::NumberTableTaker taker;
+  taker.stop = control.stop;
   taker.begin = [&](std::uint64_t rows, std::uint64_t wide) -> std::optional<core::Problem> {
     if (wide < 3 || wide > 5)
       return core::problem_of(core::Severity::error, "the dataset /points is not a table of points",
@@ -26,7 +27,6 @@ std::optional<TableFault> read_hdf5_points(const core::InputFile& file, PointTab
     return std::nullopt;
   };
   taker.take = [&](std::uint64_t first, std::span<const double> numbers) {
-    if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
     auto at = static_cast<std::size_t>(first);
     for (std::size_t i = 0; i < numbers.size(); i += columns, ++at) {
       table.arrays.x_m[at] = numbers[i];

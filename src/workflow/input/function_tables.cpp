@@ -24,12 +24,12 @@ scene::DataFileReading read_hdf5_table(const scene::DataFileText& file, const sc
   std::size_t columns = 0;
   std::vector<double> numbers;
   raster::NumberTableTaker taker;
+  taker.stop = control.stop;
   taker.begin = [&](std::uint64_t, std::uint64_t wide) -> std::optional<core::Problem> {
     columns = static_cast<std::size_t>(wide);
     return std::nullopt;
   };
   taker.take = [&](std::uint64_t, std::span<const double> rows) {
-    if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
     numbers.insert(numbers.end(), rows.begin(), rows.end());
   };
   if (auto problem = raster::hdf5_module(file.path).read_points(file.path, file.text.size(), taker)) {

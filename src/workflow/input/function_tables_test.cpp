@@ -43,6 +43,18 @@ w("wide.h5", [[0] * 7] * 2)
   test::TestFolder folder_;
 };
 
+// A stop is no damage of the file.
+TEST_F(FunctionTables, AreLeftWhereAStopIsRequested) {
+  if (!write_tables()) GTEST_SKIP() << "no library of HDF5 for Python";
+  scene::Scene scene;
+  scene.radars.resize(1);
+  scene.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::user;
+  scene.radars[0].transmit_antenna.gain_db.file = "cuts.h5";
+  core::StopFlag stop;
+  stop.request();
+  EXPECT_THROW((void)read_function_tables(scene, folder_.path(), {1, &stop}), core::Interrupted);
+}
+
 TEST_F(FunctionTables, OfHdf5AreReadWithTheOtherFilesOfAScene) {
   if (!write_tables()) GTEST_SKIP() << "no library of HDF5 for Python";
   scene::Scene scene;

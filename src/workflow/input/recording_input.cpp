@@ -87,15 +87,15 @@ scene::Scene scene_of_script(const RecordingArguments& arguments, StoredRecordin
 }
 
 // Of a file that carries its script.
-scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& info, StoredRecording& recording) {
+scene::Scene scene_in_file(const std::string& path, const raster::RasterInfo& info, StoredRecording& recording,
+                           const core::WorkControl& control) {
   const auto script = std::ranges::find(info.attributes, "script", [](const auto& pair) { return pair.first; });
   if (script == info.attributes.end() || script->second.empty())
     throw core::Refused(fmt::format("'{}' does not say how it was recorded", path),
                         "give the script that wrote it with --script");
   scene::ScriptReading reading = read_carried_script(script->second, path);
   expect_sound(std::move(reading.problems));
-  core::Problems of_clouds =
-      without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), {core::thread_count(0)}));
+  core::Problems of_clouds = without_quotes(read_files_of(reading.scene, fs::path(path).parent_path(), control));
   expect_sound(of_clouds);
   recording.of_files = of_clouds;
   take(recording.problems, std::move(of_clouds));
@@ -129,8 +129,9 @@ struct OpenedFile {
                                   path));
 }
 
-OpenedFile opened(const std::string& path, const raster::RasterHints& hints, core::Problems& problems) {
-  raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints);
+OpenedFile opened(const std::string& path, const raster::RasterHints& hints, core::Problems& problems,
+                  const core::StopFlag* stop) {
+  raster::OpenedRaster result = raster::open_raster(raster::Integrity::whole, path, hints, stop);
   if (!result.raster) throw core::Refused(core::ranked(std::move(result.problems)));
   const raster::RasterInfo& info = result.raster->info();
   if (!raster::attribute_of(info.attributes, "image_plane").empty()) refuse_image(path, "field image_plane");
@@ -280,7 +281,8 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
 
 // What is in memory was decided with its plan.
 StoredRecording held_recording(const RecordingArguments& arguments, const Suits& suits,
-                               const std::function<core::Problems(const simulate::Plan&)>& problems_of) {
+                               const std::function<core::Problems(const simulate::Plan&)>& problems_of,
+                               const core::StopFlag* stop) {
   expect_no_overrides(arguments);
   if (!arguments.script.empty())
     throw core::Refused("--script is for files of samples", "a recording in memory has its scene with it");
@@ -290,7 +292,8 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
   recording.sources = input.sources;
   recording.of_files = input.of_files;
   recording.simulation = simulation_of_scene(recording.scene, arguments.path, arguments.simulation, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
+  recording.plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(recording.scene, recording.simulation, nullptr, simulate::Engine::reference, stop));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   const core::SampleRows<double>& rows = *arguments.held->rows;
@@ -394,7 +397,7 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
                                const std::function<core::Problems(const simulate::Plan&)>& problems_of,
                                const core::WorkControl& control) {
-  if (arguments.held) return held_recording(arguments, suits, problems_of);
+  if (arguments.held) return held_recording(arguments, suits, problems_of, control.stop);
   StoredRecording recording;
   recording.sources = {arguments.path};
   expect_no_image(arguments.path);
@@ -403,18 +406,19 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
     expect_no_overrides(arguments);
     raster::RasterHints hints;
     hints.dataset = arguments.dataset;
-    file = opened(arguments.path, hints, recording.problems);
+    file = opened(arguments.path, hints, recording.problems, control.stop);
   }
-  recording.scene = file.raster ? scene_in_file(arguments.path, file.raster->info(), recording)
+  recording.scene = file.raster ? scene_in_file(arguments.path, file.raster->info(), recording, control)
                                 : scene_of_script(arguments, recording, control);
   recording.simulation = simulation_of_file(recording.scene, arguments, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(simulate::make_plan(recording.scene, recording.simulation));
+  recording.plan = std::make_shared<const simulate::Plan>(
+      simulate::make_plan(recording.scene, recording.simulation, nullptr, simulate::Engine::reference, control.stop));
   take(recording.problems, problems_of(*recording.plan));
   expect_sound(recording.problems);
   if (!file.raster) {
     raster::RasterHints hints = hints_of(*recording.plan);
     hints.dataset = arguments.dataset;
-    file = opened(arguments.path, hints, recording.problems);
+    file = opened(arguments.path, hints, recording.problems, control.stop);
   }
   expect_shape(*file.raster, *recording.plan, arguments.path);
   Comparison(file, *recording.plan, recording.problems).run();

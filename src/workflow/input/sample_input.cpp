@@ -63,11 +63,14 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
 // The simulation that writes a file, with its plan.
 std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& path, const std::string& script,
                                                           const Choice& choice, const core::Observer& observer) {
-  const SceneInput input = read_scene(script, {}, Scrutiny::values);
+  const core::WorkControl control = observer.control(core::thread_count(0));
+  SceneInput input = read_scene(script, {}, Scrutiny::values, control);
   expect_usable(input);
   observer.remarks(input.of_files);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
-  return {input.scene.simulations[index], simulate::make_plan(input.scene, index)};
+  resolve_once(input, control);
+  return {input.scene.simulations[index],
+          simulate::make_plan(input.scene, index, input.resolved, simulate::Engine::reference, observer.stop)};
 }
 
 void take_script(raster::RasterHints& hints, const std::string& path, const std::string& script, const Choice& choice,
@@ -118,14 +121,16 @@ raster::RasterHints hints_for(const std::string& path, const SampleArguments& ar
   return hints_said(path, arguments, {true, simulation}, observer);
 }
 
-simulate::Plan plan_of_file(const std::string& path, const std::string& script,
-                            std::optional<std::int64_t> simulation) {
-  return recording_of(path, script, {true, simulation}, {}).second;
+simulate::Plan plan_of_file(const std::string& path, const std::string& script, std::optional<std::int64_t> simulation,
+                            const core::StopFlag* stop) {
+  core::Observer alone;
+  alone.stop = stop;
+  return recording_of(path, script, {true, simulation}, alone).second;
 }
 
 std::shared_ptr<const raster::Raster> open_samples(const std::string& path, const raster::RasterHints& hints,
                                                    const core::Observer& observer, raster::Integrity integrity) {
-  raster::OpenedRaster opened = raster::open_raster(integrity, path, hints);
+  raster::OpenedRaster opened = raster::open_raster(integrity, path, hints, observer.stop);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   observer.remarks(core::ranked(std::move(opened.problems)));
   return std::move(opened.raster);

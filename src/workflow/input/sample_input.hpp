@@ -32,9 +32,10 @@ struct SampleArguments {
                                             std::optional<std::int64_t> simulation, const core::Observer& observer);
 
 /// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
-/// core::Refused like `hints_for`.
+/// core::Refused like `hints_for`, and Interrupted where a stop is requested.
 [[nodiscard]] simulate::Plan plan_of_file(const std::string& path, const std::string& script,
-                                          std::optional<std::int64_t> simulation = {});
+                                          std::optional<std::int64_t> simulation = {},
+                                          const core::StopFlag* stop = nullptr);
 
 /// Opens a file of samples; the observer hears its warnings. Throws core::Refused for errors.
 [[nodiscard]] std::shared_ptr<const raster::Raster> open_samples(

@@ -265,7 +265,7 @@ SceneInput looked_at(scene::ScriptReading reading, const std::filesystem::path& 
   input.json = reading.json;
   input.names = std::move(reading.names);
   apply(overrides, input.scene);
-  core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene);
+  core::Problems of_tables = add_targets(tables_of(overrides, input.scene), input.scene, control.stop);
   if (core::has_errors(of_tables)) throw core::Refused(std::move(of_tables));
   append(reading.problems, std::move(of_tables));
   if (!overrides.settings.empty() && !core::has_errors(reading.problems))

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/os/input_file.hpp"
+#include "core/task/stop_points.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/edit/import_targets.hpp"
@@ -69,8 +70,8 @@ class TextWatch {
   std::size_t length_ = 0;  // Of this line so far.
 };
 
-core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
-  auto read = read_table_text(table.file, rules_of_targets);
+core::Problems add_table(const TargetTable& table, scene::Scene& scene, const core::StopFlag* stop) {
+  auto read = read_table_text(table.file, rules_of_targets, stop);
   if (auto* failure = std::get_if<core::Problem>(&read)) {
     std::error_code none;
     if (!std::filesystem::exists(table.file, none) && table.file.string().find('=') != std::string::npos)
@@ -78,7 +79,7 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
     return {std::move(*failure)};
   }
   scene::TargetImport import =
-      scene::import_targets(std::get<std::string>(read), platform_for(table, scene), scene.world);
+      scene::import_targets(std::get<std::string>(read), platform_for(table, scene), scene.world, stop);
   for (core::Problem& problem : import.problems) problem.place.file = table.file.string();
   if (import.targets.empty() && import.problems.empty()) {
     import.problems.push_back(core::problem_of(core::Severity::error, "the table holds no targets", {},
@@ -96,8 +97,8 @@ core::Problems add_table(const TargetTable& table, scene::Scene& scene) {
 
 }  // namespace
 
-std::variant<std::string, core::Problem> read_table_text(const std::filesystem::path& file,
-                                                         const TableFileRules& rules) {
+std::variant<std::string, core::Problem> read_table_text(const std::filesystem::path& file, const TableFileRules& rules,
+                                                         const core::StopFlag* stop) {
   auto opened = core::InputFile::open(file);
   if (auto* failure = std::get_if<core::Problem>(&opened)) return std::move(*failure);
   const core::InputFile& input = std::get<core::InputFile>(opened);
@@ -108,6 +109,7 @@ std::variant<std::string, core::Problem> read_table_text(const std::filesystem::
   TextWatch watch(rules);
   std::string text;
   while (text.size() < input.size()) {
+    core::end_if_asked(stop);
     const std::size_t begin = text.size();
     text.resize(std::min(static_cast<std::size_t>(input.size()), begin + piece_bytes));
     const std::span<char> piece = std::span(text).subspan(begin);
@@ -128,9 +130,10 @@ TargetTable target_table_of(const std::string& word, const scene::Scene& scene) 
   return {"", word};
 }
 
-core::Problems add_targets(const std::vector<TargetTable>& tables, scene::Scene& scene) {
+core::Problems add_targets(const std::vector<TargetTable>& tables, scene::Scene& scene, const core::StopFlag* stop) {
   core::Problems problems;
-  for (const TargetTable& table : tables) std::ranges::move(add_table(table, scene), std::back_inserter(problems));
+  for (const TargetTable& table : tables)
+    std::ranges::move(add_table(table, scene, stop), std::back_inserter(problems));
   return problems;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/report/problem.hpp"
+#include "core/task/stop.hpp"
 #include "scene/model/scene.hpp"
 
 namespace sarsim::workflow {
@@ -32,11 +33,15 @@ struct TableFileRules {
 
 /// The text of a table, or why there is none: the file cannot be read or is too large, has a byte that no text has
 /// (zero), or a line of more than `longest_table_line` bytes. The file is read no further than the first of these.
+/// A requested stop throws Interrupted.
 [[nodiscard]] std::variant<std::string, core::Problem> read_table_text(const std::filesystem::path& file,
-                                                                       const TableFileRules& rules);
+                                                                       const TableFileRules& rules,
+                                                                       const core::StopFlag* stop = nullptr);
 
 /// Adds the targets of tables (scene/edit/import_targets.hpp) behind those of the scene.
+/// A requested stop throws Interrupted.
 /// @returns what is wrong, with file and line; such lines add nothing
-[[nodiscard]] core::Problems add_targets(const std::vector<TargetTable>& tables, scene::Scene& scene);
+[[nodiscard]] core::Problems add_targets(const std::vector<TargetTable>& tables, scene::Scene& scene,
+                                         const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::workflow

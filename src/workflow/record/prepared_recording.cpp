@@ -25,21 +25,22 @@ scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
   return one;
 }
 
-RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes, bool counts) {
+RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes, bool counts, const core::StopFlag* stop) {
   const unsigned threads = core::thread_count(0);
-  const simulate::Cost cost = simulate::estimated_cost(plan, threads, known_machine());
+  const simulate::Cost cost = simulate::estimated_cost(plan, threads, known_machine(stop));
   return {plan.rows, plan.columns, bytes, cost.seconds * passes_of(plan.simulation, counts), cost.memory_bytes};
 }
 
 }  // namespace
 
 PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation, std::filesystem::path file,
-                                    raster::SinkOptions options) {
-  SceneInput input = take_scene(with_only(scene, simulation), {}, {}, Scrutiny::echoes);
+                                    raster::SinkOptions options, const core::StopFlag* stop) {
+  const core::WorkControl control{core::thread_count(0), stop};
+  SceneInput input = take_scene(with_only(scene, simulation), {}, {}, Scrutiny::echoes, control);
   expect_usable(input);
-  resolve_once(input, {});
+  resolve_once(input, control);
   PreparedRecording prepared{
-      .plan = simulate::make_plan(scene, simulation, input.resolved, simulate::Engine::automatic),
+      .plan = simulate::make_plan(scene, simulation, input.resolved, simulate::Engine::automatic, stop),
       .file = std::move(file),
       .options = options,
       .script = {},
@@ -50,7 +51,7 @@ PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simul
   if (raster::format_of(format).carries_script) prepared.script = scene::recorded_text(scene);
   const simulate::Product product = simulate::product_of(prepared.plan, prepared.script);
   prepared.estimate =
-      estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options), prepared.options.counts);
+      estimate_of(prepared.plan, raster::expected_bytes(product, prepared.options), prepared.options.counts, stop);
   return prepared;
 }
 

@@ -36,9 +36,11 @@ struct PreparedRecording {
 /// matter.
 /// @param simulation  position in the scene's list
 /// @param options     of the file; its format is that of the simulation
-/// @throws core::Refused with all errors of the scene
+/// @param stop        may be null: nobody asks
+/// @throws core::Refused with all errors of the scene; core::Interrupted
 [[nodiscard]] PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation,
-                                                  std::filesystem::path file, raster::SinkOptions options);
+                                                  std::filesystem::path file, raster::SinkOptions options,
+                                                  const core::StopFlag* stop = nullptr);
 
 /// Makes it, on all cores. The file appears when it is complete; stopped or failed, nothing is left behind. The scene's
 /// warnings are not in the report.

@@ -85,6 +85,12 @@ TEST_F(Record, PreparedIsLookedAtAndThenMadeAlike) {
   EXPECT_THROW((void)make_recording(prepared, {}), std::runtime_error) << "the file is there and may not be replaced";
 }
 
+TEST_F(Record, PreparesNothingWhereAStopIsRequested) {
+  core::StopFlag stop;
+  stop.request();
+  EXPECT_THROW((void)prepare_recording(*request_.scene, 0, folder_ / "prepared.bin", {}, &stop), core::Interrupted);
+}
+
 TEST_F(Record, PreparedHoldsWhatIsAskedForLikeARun) {
   scene::Scene scene = *request_.scene;
   scene.simulations[0].format = scene::FileFormat::npy;

@@ -181,7 +181,7 @@ class SweepRunner {
     const auto note = [this](const SweepRow& row) {
       if (row.done) journal_.add(row);
     };
-    const scene::Scene scene = plan_.sweep.scene(request_.scene, variation, none);
+    const scene::Scene scene = plan_.sweep.scene(request_.scene, variation, none, observer_.stop);
     if (!none.empty()) throw core::Refused(std::move(none));
     SweptScene swept{scene, {request_.script, {}, {}, request_.overrides, {}, request_.held}};
     plan_.sweep.add_to(swept.source.overrides, variation);

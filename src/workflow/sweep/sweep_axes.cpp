@@ -12,6 +12,7 @@
 
 #include "core/hash/fnv1a.hpp"
 #include "core/report/refused.hpp"
+#include "core/task/stop_points.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/schema/value_list.hpp"
@@ -395,8 +396,10 @@ std::string Sweep::file_name(const std::string& stem, const std::string& extensi
                      extension);
 }
 
-scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const {
-  scene::Scene scene = source_stamp_ == 0 ? base : read_anew(variation, problems);
+scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core::Problems& problems,
+                          const core::StopFlag* stop) const {
+  core::end_if_asked(stop);
+  scene::Scene scene = source_stamp_ == 0 ? base : read_anew(variation, problems, stop);
   if (!problems.empty()) return scene;
   const scene::PointsLoader load = scene::disk_points(folder_);
   for (std::size_t i = 0; i < axes_.size(); ++i) {
@@ -407,18 +410,18 @@ scene::Scene Sweep::scene(const scene::Scene& base, std::size_t variation, core:
   }
   if (!problems.empty()) return scene;
   // Warnings about files are those of the scene, said before the sweep.
-  problems = read_files_of(scene, folder_, {1});
+  problems = read_files_of(scene, folder_, {1, stop});
   std::erase_if(problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   return scene;
 }
 
 // The text says what follows from a name of [let].
-scene::Scene Sweep::read_anew(std::size_t variation, core::Problems& problems) const {
+scene::Scene Sweep::read_anew(std::size_t variation, core::Problems& problems, const core::StopFlag* stop) const {
   SceneOverrides overrides = source_.overrides;
   for (std::size_t i = 0; i < axes_.size(); ++i)
     if (axes_[i].let != nullptr) overrides.let.push_back(axes_[i].let_word(value_of(variation, i)));
   try {
-    SceneInput input = read_scene(source_.file, overrides, Scrutiny::reading, {1});
+    SceneInput input = read_scene(source_.file, overrides, Scrutiny::reading, {1, stop});
     std::erase_if(input.problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
     problems = std::move(input.problems);
     if (stamp_of(source_.files) != source_stamp_)

@@ -85,7 +85,9 @@ class Sweep {
   [[nodiscard]] std::string file_name(const std::string& stem, const std::string& extension,
                                       std::size_t variation) const;
   /// The scene with the values of a variation, and what they name read; where they cannot be set, `problems` says why.
-  [[nodiscard]] scene::Scene scene(const scene::Scene& base, std::size_t variation, core::Problems& problems) const;
+  /// A requested stop throws Interrupted.
+  [[nodiscard]] scene::Scene scene(const scene::Scene& base, std::size_t variation, core::Problems& problems,
+                                   const core::StopFlag* stop = nullptr) const;
   /// Of what a variation is made of besides the scene and the words of its values: the files that these name.
   [[nodiscard]] std::uint64_t stamp(std::size_t variation) const;
   /// The files that values name, and the table of values.
@@ -104,7 +106,8 @@ class Sweep {
  private:
   void read_axes(const scene::Scene& scene, const SweepValues& values, core::Problems& problems);
   void look_at_source();
-  [[nodiscard]] scene::Scene read_anew(std::size_t variation, core::Problems& problems) const;
+  [[nodiscard]] scene::Scene read_anew(std::size_t variation, core::Problems& problems,
+                                       const core::StopFlag* stop) const;
   void group_axes(bool paired);
   void draw(std::uint64_t seed, const SweepValues& values, core::Problems& problems);
   void set_size(core::Problems& problems);

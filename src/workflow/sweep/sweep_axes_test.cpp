@@ -61,6 +61,15 @@ TEST(SweepAxes, SetTheValuesOfAVariation) {
   EXPECT_EQ(scene.targets[1].position_m.x, 2000.0);
 }
 
+TEST(SweepAxes, MakeNoSceneWhereAStopIsRequested) {
+  const scene::Scene base = small_scene();
+  const Sweep sweep(base, {{"Radar1.bandwidth=10MHz,20MHz"}, false});
+  core::StopFlag stop;
+  stop.request();
+  core::Problems problems;
+  EXPECT_THROW((void)sweep.scene(base, 1, problems, &stop), core::Interrupted);
+}
+
 TEST(SweepAxes, SetInTheOrderInWhichTheyAreGiven) {
   const scene::Scene base = small_scene();
   const Sweep sweep(base, {{"Radar1.pulse=Barker", "Radar1.barker_code=13"}, false});

@@ -37,7 +37,7 @@ class Looker {
   core::Problems look(std::size_t variation, std::vector<ProductSize>& sizes) const {
     const core::WorkControl alone{1, stop_};
     core::Problems problems;
-    scene::Scene scene = work_.sweep.scene(work_.base, variation, problems);
+    scene::Scene scene = work_.sweep.scene(work_.base, variation, problems, stop_);
     if (!problems.empty()) return problems;
     scene.simulations = picked(scene.simulations, simulations_);
     scene.geometries = picked(scene.geometries, tables_);
