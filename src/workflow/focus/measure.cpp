@@ -313,9 +313,9 @@ std::optional<core::Problem> remark_on_edges(const signal::FocusedImage& image,
   if (near.empty()) return std::nullopt;
   return core::problem_of(
       core::Severity::warning,
-      fmt::format("{} of {} targets ({}) lie within {:g} widths of the edge of the image, beyond which their responses "
+      fmt::format("{} of {} targets ({}) lie within 1.5 widths of the edge of the image, beyond which their responses "
                   "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
-                  near.size(), targets.size(), target_list(near), reach),
+                  near.size(), targets.size(), target_list(near)),
       {}, {}, "record or focus a wider part");
 }
 
