@@ -205,7 +205,8 @@ static void files_are_warned_of(void) {
   remove("scenes_points.csv");
   sarsim_scene_free(scene);
   /* The file need not be there to be named. */
-  EXPECT_STATUS(sarsim_scene_read_text(text, strlen(text), "small.toml", NULL, &scene, &problems), SARSIM_OK, problems);
+  EXPECT(sarsim_scene_read_text(text, strlen(text), "small.toml", NULL, &scene, &problems) == SARSIM_OK);
+  sarsim_problems_free(problems);
   sarsim_scene_free(scene);
 }
 

@@ -17,8 +17,8 @@ core::Problem unusable_sample(const std::string& source, std::size_t row, std::s
                               const std::complex<double>& value) {
   const bool no_number = std::isnan(value.real()) || std::isnan(value.imag());
   return file_problem(source,
-                      fmt::format("row {}, sample {} (from 0) is {}", row, column,
-                                  no_number ? "not a number" : "too large to compute with"),
+                      no_number ? fmt::format("row {}, sample {} (from 0) is not a number", row, column)
+                                : fmt::format("row {}, sample {} (from 0) is too large to compute with", row, column),
                       fmt::format("{} + {}j V", value.real(), value.imag()),
                       fmt::format("finite numbers, up to {:g} V", largest_usable_v),
                       "set it to 0 or record again; sarsim info --statistics says how many such samples there are");

@@ -162,7 +162,9 @@ core::Problems remarks_on_header(const MeasuredImage& opened, const FocusInput& 
   const auto differ = [](double a, double b) { return std::abs(a - b) > share * std::abs(b); };
   // Images of phase histories have the speed of light of their standard and the middle of the band that was kept.
   if (opened.origin.anchor) return remarks;
-  if (differ(opened.image.light_speed_mps, waveform.light_speed_mps))
+  // That of 1998 differs by 1.4e-7, which turns phases.
+  constexpr double share_of_light = 1e-8;
+  if (std::abs(opened.image.light_speed_mps / waveform.light_speed_mps - 1.0) > share_of_light)
     remark("light speed mps", fmt::format("{} m/s", opened.image.light_speed_mps),
            fmt::format("{} m/s", waveform.light_speed_mps));
   if (is_of_turning_target(opened.origin)) return remarks;
@@ -311,9 +313,9 @@ std::optional<core::Problem> remark_on_edges(const signal::FocusedImage& image,
   if (near.empty()) return std::nullopt;
   return core::problem_of(
       core::Severity::warning,
-      fmt::format("{} of {} targets ({}) lie within {:g} widths of the edge of the image, beyond which their responses "
+      fmt::format("{} of {} targets ({}) lie within 1.5 widths of the edge of the image, beyond which their responses "
                   "are not known: amplitudes may be off by up to 1 dB, positions by an eighth of a width",
-                  near.size(), targets.size(), target_list(near), reach),
+                  near.size(), targets.size(), target_list(near)),
       {}, {}, "record or focus a wider part");
 }
 

@@ -159,15 +159,18 @@ void remark_on_swath(const std::vector<SarTarget>& targets, core::Problems& prob
   std::vector<std::size_t> outside, leaving;
   for (const SarTarget& target : targets)
     if (target.amplitude > 0.0 && !target.in_swath) (target.recorded ? leaving : outside).push_back(target.target);
-  const auto remark = [&](const std::vector<std::size_t>& some, const char* what) {
+  const auto remark = [&](const std::vector<std::size_t>& some, std::string message) {
     if (some.empty()) return;
     problems.push_back(
-        core::problem_of(core::Severity::warning,
-                         fmt::format("{} of {} targets ({}) {}", some.size(), targets.size(), target_list(some), what),
-                         {}, {}, "record a wider window of ranges"));
+        core::problem_of(core::Severity::warning, std::move(message), {}, {}, "record a wider window of ranges"));
   };
-  remark(outside, "are never within the recorded ranges: the image does not show them");
-  remark(leaving, "leave the recorded ranges for some pulses: their images are weaker and wider, or missing");
+  remark(outside,
+         fmt::format("{} of {} targets ({}) are never within the recorded ranges: the image does not show them",
+                     outside.size(), targets.size(), target_list(outside)));
+  remark(leaving,
+         fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images are weaker "
+                     "and wider, or missing",
+                     leaving.size(), targets.size(), target_list(leaving)));
 }
 
 void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems& problems) {
