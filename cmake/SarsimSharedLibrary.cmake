@@ -5,8 +5,6 @@ add_library(sarsim_shared SHARED $<TARGET_OBJECTS:sarsim_capi>)
 target_link_libraries(sarsim_shared PRIVATE sarsim_workflow)
 target_include_directories(sarsim_shared INTERFACE ${CMAKE_CURRENT_SOURCE_DIR}/capi)
 target_link_options(sarsim_shared PRIVATE LINKER:--version-script=${map} LINKER:--exclude-libs,ALL)
-# A thread may still give back what a stopped call had written when the caller is done with the library.
-target_link_options(sarsim_shared PRIVATE LINKER:-z,nodelete)
 if(NOT SARSIM_SANITIZE)
   target_link_options(sarsim_shared PRIVATE LINKER:-z,defs)
 endif()

@@ -147,30 +147,6 @@ TEST_F(Interruption, EndsWhatWaitsForAPipe) {
   }
 }
 
-// Who is ended at once, because nobody asks while a pipe is waited for, still answers.
-TEST_F(Interruption, AnswersInJsonHoweverItEnds) {
-  ASSERT_EQ(::mkfifo((folder_ / "pipe.scr").c_str(), 0600), 0);
-  Program program({"check", "pipe.scr", "--json"}, here());
-  std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  program.send(SIGINT);
-  const Finished end = program.finish(5.0);
-  EXPECT_EQ(end.status, 130);
-  EXPECT_THAT(end.out, HasSubstr("\"status\": \"interrupted\""));
-  EXPECT_TRUE(is_json(end.out, folder_));
-}
-
-// A library that draws and packs 144 million dots for seconds asks nobody.
-TEST_F(Interruption, EndsLargePictures) {
-  write_scene(SceneText());
-  Program program({"plot", "scene.scr", "--size", "12000", "12000", "-o", "picture.pdf"}, here());
-  std::this_thread::sleep_for(std::chrono::milliseconds(700));
-  const auto begin = std::chrono::steady_clock::now();
-  program.send(SIGINT);
-  EXPECT_EQ(program.finish(5.0).status, 130);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
-  EXPECT_THAT(entries("."), ElementsAre("scene.scr"));
-}
-
 TEST_F(Interruption, TwiceInAMomentLeavesNothingUnfinished) {
   write_long_scene();
   Program program({"run", "scene.scr"}, here());

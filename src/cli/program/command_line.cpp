@@ -19,13 +19,11 @@
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
-#include "cli/shell/end_process.hpp"
 #include "cli/shell/options.hpp"
 #include "cli/shell/report.hpp"
 #include "cli/shell/signals.hpp"
 #include "core/build/build.hpp"
 #include "core/build/version.hpp"
-#include "core/os/close_later.hpp"
 #include "core/os/standard_streams.hpp"
 #include "core/os/trial.hpp"
 #include "core/report/for_now.hpp"
@@ -283,18 +281,13 @@ bool asks_for_json(const std::vector<std::string>& words) {
 }
 
 // What a command that was to answer in JSON answers where it has not begun to.
-std::string failure_text(const char* status, const core::Problems& problems) {
+void write_failure(Streams& streams, const char* status, const core::Problems& problems) {
+  if (streams.written) return;
   core::JsonWriter json;
   json.begin_object().member("sarsim", core::program_version).member("status", status).key("problems");
   write_json(json, problems);
   json.end_object();
-  return json.text();
-}
-
-void write_failure(Streams& streams, const char* status, const core::Problems& problems) {
-  if (streams.written) return;
-  answer_is_given();
-  streams.out << failure_text(status, problems) << std::flush;
+  streams.out << json.text() << std::flush;
 }
 
 int guarded(Program& program, std::vector<std::string> words, Streams& streams) {
@@ -305,7 +298,6 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
     if (json) write_failure(streams, word_of(status), {core::problem_of(core::Severity::error, text, {}, {}, hint)});
     return status;
   };
-  if (json) answer_at_sudden_end(failure_text("interrupted", {}));
   try {
     const ExitStatus status = dispatch(program, std::move(words), streams);
     flush_out(streams);
@@ -357,10 +349,7 @@ int run_command_line(int argc, const char* const* argv, Streams streams) {
 int main_program(int argc, const char* const* argv) {
   core::reserve_standard_streams();
   const core::StopFlag& stop = handle_signals();
-  const int status = run_command_line(argc, argv, streams_of_process(stop));
-  work_is_over();
-  if (received_signal() != 0 && core::closes_later()) end_process(status);
-  return status;
+  return run_command_line(argc, argv, streams_of_process(stop));
 }
 
 int team_program(int argc, const char* const* argv, workflow::Team* team) {

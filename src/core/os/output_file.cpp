@@ -16,7 +16,6 @@
 
 #include <fmt/format.h>
 
-#include "core/os/close_later.hpp"
 #include "core/os/write_behind.hpp"
 
 namespace sarsim::core {
@@ -221,14 +220,10 @@ void OutputFile::publish() {
 }
 
 void OutputFile::discard() noexcept {
-  int descriptor = std::exchange(descriptor_, -1);
-  if (!direct_ && !working_path_.empty()) {
-    if (descriptor < 0) descriptor = ::open(working_path_.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
-    ::unlink(working_path_.c_str());
-  }
+  if (descriptor_ >= 0) ::close(std::exchange(descriptor_, -1));
+  if (!direct_ && !working_path_.empty()) ::unlink(working_path_.c_str());
   temporary_.forget();
   working_path_.clear();
-  if (descriptor >= 0) close_later(std::span(&descriptor, 1));
 }
 
 void sync_folder_of(const fs::path& path) noexcept {

@@ -86,7 +86,7 @@ OutputFolder::OutputFolder(fs::path path, bool replace, FolderTest ours)
 }
 
 OutputFolder::~OutputFolder() {
-  if (!working_path_.empty()) remove_folder_soon(working_path_);
+  if (!working_path_.empty()) remove_folder(working_path_);
 }
 
 void OutputFolder::commit() {

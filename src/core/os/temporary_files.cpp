@@ -8,14 +8,14 @@
 #include <atomic>
 #include <cerrno>
 #include <cstring>
-#include <new>
 #include <utility>
-#include <vector>
-
-#include "core/os/close_later.hpp"
-#include "core/os/temporary_names.hpp"
 
 namespace sarsim::core {
+
+struct TemporaryNames {
+  static constexpr std::size_t most = 256;
+  std::array<std::atomic<std::string*>, most> slots{};
+};
 
 namespace {
 
@@ -30,18 +30,11 @@ constexpr std::size_t entry_size_at = 16;
 constexpr std::size_t entry_name_at = 19;
 constexpr int deepest_folder = 8;
 
-// What becomes of the content of files whose names are removed: the system takes it back at once, or when they are
-// closed, by whoever has the list or by the end of the process.
-struct Removal {
-  bool keeps_open = false;
-  std::vector<int>* open = nullptr;
-};
-
-void remove_entry(int folder, const char* name, int depth, const Removal& removal) noexcept;
+void remove_entry(int folder, const char* name, int depth) noexcept;
 
 // Only with calls that a signal handler may make. Entries are removed while they are listed, which may hide others from
 // the list, so it is read until nothing is left of what can be removed.
-void empty_folder(int folder, int depth, const Removal& removal) noexcept {
+void empty_folder(int folder, int depth) noexcept {
   alignas(8) std::array<char, 4096> entries;
   for (bool any = true; any;) {
     any = false;
@@ -54,31 +47,17 @@ void empty_folder(int folder, int depth, const Removal& removal) noexcept {
         at += size;
         const char* const name = entry + entry_name_at;
         if (std::strcmp(name, ".") == 0 || std::strcmp(name, "..") == 0) continue;
-        remove_entry(folder, name, depth, removal);
+        remove_entry(folder, name, depth);
         any = any || ::faccessat(folder, name, F_OK, AT_SYMLINK_NOFOLLOW) != 0;
       }
   }
 }
 
-// Takes over a descriptor of a removed file; false where there is no room for it.
-bool keep(int descriptor, const Removal& removal) noexcept {
-  if (removal.open == nullptr) return true;
-  if (removal.open->size() == removal.open->capacity()) return false;
-  removal.open->push_back(descriptor);
-  return true;
-}
-
-// A file that is open keeps its content when its name goes, which takes no time then.
-void remove_entry(int folder, const char* name, int depth, const Removal& removal) noexcept {
-  const int open = removal.keeps_open ? ::openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC) : -1;
-  const bool removed = ::unlinkat(folder, name, 0) == 0;
-  const int error = errno;
-  if (open >= 0 && !(removed && keep(open, removal))) ::close(open);
-  if (removed) return;
-  if ((error != EISDIR && error != EPERM) || depth == 0) return;
+void remove_entry(int folder, const char* name, int depth) noexcept {
+  if (::unlinkat(folder, name, 0) == 0 || (errno != EISDIR && errno != EPERM) || depth == 0) return;
   const int inner = ::openat(folder, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (inner < 0) return;
-  empty_folder(inner, depth - 1, removal);
+  empty_folder(inner, depth - 1);
   ::close(inner);
   ::unlinkat(folder, name, AT_REMOVEDIR);
 }
@@ -119,25 +98,13 @@ void TemporaryName::forget() noexcept {
 }
 
 void remove_folder(const std::filesystem::path& folder) noexcept {
-  remove_entry(AT_FDCWD, folder.c_str(), deepest_folder, {});
-}
-
-void remove_folder_soon(const std::filesystem::path& folder) noexcept {
-  constexpr std::size_t max_open = 512;
-  std::vector<int> open;
-  try {
-    open.reserve(max_open);
-  } catch (const std::bad_alloc&) {
-    return remove_folder(folder);
-  }
-  remove_entry(AT_FDCWD, folder.c_str(), deepest_folder, {.keeps_open = true, .open = &open});
-  close_later(open);
+  remove_entry(AT_FDCWD, folder.c_str(), deepest_folder);
 }
 
 void remove_temporary_files() noexcept {
   for (std::atomic<std::string*>& slot : temporary_names().slots)
     if (const std::string* name = slot.exchange(nullptr); name != nullptr)
-      remove_entry(AT_FDCWD, name->c_str(), deepest_folder, {.keeps_open = true});
+      remove_entry(AT_FDCWD, name->c_str(), deepest_folder);
 }
 
 }  // namespace sarsim::core

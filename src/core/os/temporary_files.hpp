@@ -42,9 +42,6 @@ void use_temporary_names(TemporaryNames& list) noexcept;
 /// signal handler. What cannot be removed stays.
 void remove_folder(const std::filesystem::path& folder) noexcept;
 
-/// The same, but that it returns before the system has taken back what the files held (`close_later`).
-void remove_folder_soon(const std::filesystem::path& folder) noexcept;
-
 /// Removes the files and folders whose names are known to be temporary, at most 256 at a time. May be called by a
 /// signal handler, on any thread; the process has to end then.
 void remove_temporary_files() noexcept;
