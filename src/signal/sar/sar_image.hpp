@@ -44,6 +44,12 @@ struct ImagePlace {
   double range_m = 0.0;
 };
 
+/// Centre of a spectrum, cycles per metre.
+struct SpectrumCentre {
+  double azimuth_per_m = 0.0;
+  double range_per_m = 0.0;
+};
+
 /// A focused image, in baseband. The peak of a resting point target whose closest distance to the (straight) reference
 /// track is R0 has the phase -4 pi carrier_hz R0/light_speed_mps plus that of its reflectivity, in a ground grid too
 /// (what back projection sums to 0 is turned by that of the pixel), and the amplitude of its echoes: the weighted mean

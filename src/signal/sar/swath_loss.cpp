@@ -65,12 +65,27 @@ class SpectrumMaker {
     const double centroid_hz = frame_.unfolds ? stretch * frame_.options.doppler_centroid_hz : frame_.doppler_middle_hz;
     if (!(std::abs(doppler_hz - centroid_hz) <= 0.5 * frame_.prf_hz())) return false;
     const double sine = frame_.sine(doppler_hz);
-    if (!omega_k()) return std::abs(sine) < max_sine;
+    if (!omega_k()) return std::abs(sine) < max_sine && is_in_rows(range_m_ / std::sqrt(1.0 - sine * sine), hz);
     const double there = std::abs(sine) / stretch;
     if (!(there < max_sine)) return false;
     constexpr double spare = 1.1;
     const double from_reference_m = range_m_ - frame_.row_reference(doppler_hz).range_m;
     return std::abs(from_reference_m) / std::sqrt(1.0 - there * there) <= spare * 0.5 * row_m_;
+  }
+
+  // Range-Doppler and chirp scaling gather the echoes of a Doppler frequency where the carrier has it: those at an edge
+  // of the band lie beyond the recorded ranges where these are tight about echoes that squint. Rows of chirp scaling
+  // are circles with room at both ends, in which each frequency of the pulse has its time.
+  [[nodiscard]] bool is_in_rows(double range_m, double hz) const {
+    const SarWaveform& wave = frame_.waveform;
+    const double first_m = radar::range_of(frame_.first_delay_s, wave.light_speed_mps);
+    const double sample_m = radar::range_of(1.0 / wave.sample_rate_hz, wave.light_speed_mps);
+    const double place = (range_m - first_m) / sample_m;
+    const auto size = static_cast<double>(frame_.range_size);
+    if (frame_.options.method != FocusMethod::chirp_scaling) return place > -1.0 && place < size;
+    const double room = 0.5 * (size - static_cast<double>(frame_.samples));
+    const double dispersed = place + hz / wave.sample_rate_hz * dispersed_samples(wave);
+    return dispersed > -room && dispersed < size - room;
   }
 
   [[nodiscard]] SpectrumPhasor piece_of(double hz, double doppler_hz, double weight) const {

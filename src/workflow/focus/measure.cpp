@@ -237,34 +237,45 @@ bool is_within(const signal::FocusedImage& image, const signal::ImagePlace& plac
   return is_within(image.azimuth, place.azimuth_m) && is_within(image.range, place.range_m);
 }
 
+// An image whose spectrum is centred as that of a target is; without its values.
+signal::FocusedImage centred_for(const signal::FocusedImage& image, const TargetTheory& theory) {
+  signal::FocusedImage centred{image.frame, image.azimuth, image.range, image.carrier_hz, image.light_speed_mps, {}};
+  if (theory.centre) {
+    centred.azimuth.spectrum_centre_per_m = theory.centre->azimuth_per_m;
+    centred.range.spectrum_centre_per_m = theory.centre->range_per_m;
+  }
+  return centred;
+}
+
 // The peak near the target's place, unless noise alone may make one as large.
 void measure_target(const MeasuredImage& opened, const signal::ImageReader& reader, const MeasureRequest& request,
                     bool cuts, MeasuredTarget& target) {
   constexpr double noise_cells = 32.0;
   const TargetTheory& theory = target.theory;
+  const signal::FocusedImage image = centred_for(opened.image, theory);
   const auto null_m = [](const auto& figures) { return figures ? figures->null : 1.0; };
   // 0.886 over the bandwidth is the width of an even spectrum, and by little that of a window's noise.
   const auto cells = [&](const auto& figures) {
     return 2.0 * target.search_m / (figures ? figures->width / 0.886 : 1.0);
   };
-  target.noise_v = std::sqrt(signal::noise_power_near(
-      opened.image, reader, theory.place, noise_cells * null_m(theory.azimuth), noise_cells * null_m(theory.range)));
+  target.noise_v = std::sqrt(signal::noise_power_near(image, reader, theory.place, noise_cells * null_m(theory.azimuth),
+                                                      noise_cells * null_m(theory.range)));
   target.threshold = signal::peak_threshold(request.false_alarm, cells(theory.azimuth), cells(theory.range));
   std::optional<signal::PointResponse> peak =
-      signal::measure_point(opened.image, reader, theory.place, target.search_m, cuts ? &target.cuts : nullptr);
+      signal::measure_point(image, reader, theory.place, target.search_m, cuts ? &target.cuts : nullptr);
   if (!peak) return;
   target.peak_v = peak->amplitude;
   const double noise_w = target.noise_v * target.noise_v;
   const double peak_w = target.peak_v * target.peak_v;
   target.false_alarm_probability =
       noise_w > 0.0 ? signal::peak_false_alarm(peak_w / noise_w, cells(theory.azimuth), cells(theory.range)) : 0.0;
-  if (peak_w > target.threshold * noise_w) target.state = state_of(target, *peak, signal::response_axes(opened.image));
+  if (peak_w > target.threshold * noise_w) target.state = state_of(target, *peak, signal::response_axes(image));
   if (target.state == TargetState::not_found) {
     target.cuts = {};
     return;
   }
   // A response a little off its place is turned by the image's carrier on the way there, which its place says already.
-  peak->phase_rad = phase_at(opened.image, *peak, theory.place);
+  peak->phase_rad = phase_at(image, *peak, theory.place);
   (target.state == TargetState::found ? target.found : target.peak) = std::move(peak);
 }
 

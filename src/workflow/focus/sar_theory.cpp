@@ -394,14 +394,14 @@ class Theories {
     theory.place = looks_.place(middle, middle.doppler_hz);
     if (!(used.sum > 0.0)) {
       theory.unrecorded = true;
-      if (image_.ground) theory.place = lay_on_ground(number, shift_by_air(middle), theory.place);
+      if (image_.ground) theory.place = lay_on_ground(number, used, shift_by_air(middle), theory.place);
       return theory;
     }
     theory.amplitude = pulse_.kept(used.coherence) * used.sum /
                        sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
     signal::ImagePlace on_image = theory.place;
     const signal::ImagePlace shift = shift_by_air(middle);
-    if (image_.ground) on_image = lay_on_ground(number, shift, theory.place);
+    if (image_.ground) on_image = lay_on_ground(number, used, shift, theory.place);
     const std::complex<double> left = left_by_air(used, seen, theory.place, shift);
     theory.amplitude *= std::abs(left);
     theory.phase_rad = std::remainder(std::arg(left) - 2.0 * core::pi * turns_of(theory.place.range_m), 2.0 * core::pi);
@@ -410,10 +410,29 @@ class Theories {
     set_figures(CutLooks(used, seen, per_hz, image_, on_image), used, image_, pulse_,
                 options_.doppler_bandwidth_hz > 0.0 && weights_.domain() != Domain::time, theory);
     theory.place = on_image;
+    if (image_.ground) theory.centre = centre_on_ground(used, seen, per_hz, on_image);
     return theory;
   }
 
  private:
+  // What is left of the wave vector of the looks' middle besides that of closest approach, along the ground.
+  [[nodiscard]] signal::SpectrumCentre centre_on_ground(const UsedLooks& used, std::span<const SarLook> seen,
+                                                        double sine_per_hz, const signal::ImagePlace& on_image) const {
+    const signal::ImageFrame& grid = *image_.ground;
+    const core::Vec3& line = image_.slant->along;
+    double doppler_hz = 0.0;
+    for (std::size_t i = 0; i < used.numbers.size(); ++i)
+      doppler_hz += used.parts[i] / used.sum * seen[used.numbers[i]].doppler_hz;
+    const double sine = std::clamp(doppler_hz * sine_per_hz, -1.0, 1.0);
+    const core::Vec3 point_m =
+        grid.origin_m + on_image.azimuth_m * grid.along + on_image.range_m * grid.across - image_.slant->origin_m;
+    const core::Vec3 sight_m = point_m - core::dot(point_m, line) * line;
+    const double sight = core::norm(sight_m);
+    const core::Vec3 centre = doppler_hz / looks_.track().speed_mps * line +
+                              (sight > 0.0 ? turns_of(std::sqrt(1.0 - sine * sine) - 1.0) / sight : 0.0) * sight_m;
+    return {core::dot(centre, grid.along), core::dot(centre, grid.across)};
+  }
+
   [[nodiscard]] double turns_of(double range_m) const {
     return radar::turns_of(range_m, echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps);
   }
@@ -423,6 +442,35 @@ class Theories {
     if (look.late_m == 0.0) return {};
     const SarLook vacuum = look.in_vacuum();
     return minus(looks_.place(look, look.doppler_hz), looks_.place(vacuum, vacuum.doppler_hz));
+  }
+
+  // Whether the antenna is so far off the line that fits the track, as on a circle, that the line tells nothing.
+  [[nodiscard]] bool leaves_line(const UsedLooks& used, const core::Vec3& point_m) const {
+    constexpr double share = 0.05;  // of the distance
+    const signal::ImageFrame& line = *image_.slant;
+    return std::ranges::any_of(used.numbers, [&](std::size_t look) {
+      const core::Vec3 from_origin_m = image_.antennas_m[look] - line.origin_m;
+      const core::Vec3 off_m = from_origin_m - core::dot(from_origin_m, line.along) * line.along;
+      return core::norm(off_m) > share * core::norm(image_.antennas_m[look] - point_m);
+    });
+  }
+  // The mean of the places in the plane that are as far from each look's antenna and in its direction.
+  [[nodiscard]] signal::ImagePlace laid_by_looks(const UsedLooks& used, const core::Vec3& point_m,
+                                                 double above_m) const {
+    const signal::ImageFrame& grid = *image_.ground;
+    const core::Vec3 up = core::cross(grid.along, grid.across);
+    const core::Vec3 below_m = point_m - above_m * up;
+    core::Vec3 mean_m;
+    for (std::size_t i = 0; i < used.numbers.size(); ++i) {
+      const core::Vec3& antenna_m = image_.antennas_m[used.numbers[i]];
+      const double height_m = core::dot(antenna_m - below_m, up);
+      const core::Vec3 level_m = below_m - (antenna_m - height_m * up);
+      const double level = core::norm(level_m);
+      const core::Vec3 sight_m = point_m - antenna_m;
+      const double reach_m = std::sqrt(std::max(0.0, core::dot(sight_m, sight_m) - height_m * height_m));
+      mean_m = mean_m + used.parts[i] / used.sum * (level > 0.0 ? reach_m / level - 1.0 : 0.0) * level_m;
+    }
+    return signal::place_of(grid, below_m + mean_m);
   }
 
   // What the atmosphere makes of the sum of the looks besides moving the target: the carrier is ahead of the delay, and
@@ -449,8 +497,8 @@ class Theories {
   // else where the line has its distance.
   // @param shift          by the atmosphere, about the line
   // @param[in,out] slant  its place about the line
-  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, const signal::ImagePlace& shift,
-                                                 signal::ImagePlace& slant) const {
+  [[nodiscard]] signal::ImagePlace lay_on_ground(std::size_t number, const UsedLooks& used,
+                                                 const signal::ImagePlace& shift, signal::ImagePlace& slant) const {
     constexpr double in_plane_m = 1e-3;
     const signal::ImageFrame& grid = *image_.ground;
     const auto on_ground = [&](const signal::ImagePlace& place) {
@@ -462,7 +510,8 @@ class Theories {
     const double above_m = core::dot(*point_m - grid.origin_m, core::cross(grid.along, grid.across));
     const signal::ImagePlace is_at = signal::place_of(*image_.slant, *point_m);
     slant = plus(is_at, shift);
-    if (!(std::abs(above_m) < in_plane_m)) return on_ground(slant);
+    if (!(std::abs(above_m) < in_plane_m))
+      return leaves_line(used, *point_m) ? laid_by_looks(used, *point_m, above_m) : on_ground(slant);
     const signal::ImagePlace in_plane = signal::place_of(grid, *point_m);
     const bool moved = shift.azimuth_m != 0.0 || shift.range_m != 0.0;
     return moved ? plus(in_plane, minus(on_ground(slant), on_ground(is_at))) : in_plane;

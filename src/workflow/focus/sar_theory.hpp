@@ -33,6 +33,9 @@ struct TargetTheory {
   /// the bandwidth, azimuth where no first minimum is in it.
   std::optional<signal::ResponseFigures> range;
   std::optional<signal::ResponseFigures> azimuth;
+  /// Centre of its spectrum along both axes, cycles per metre. A ground grid's header has that of its middle, from
+  /// which it differs as the angle of incidence does. Nothing: that of the image.
+  std::optional<signal::SpectrumCentre> centre{};
 };
 
 /// How many targets theory and measurements list: all, but no points of clouds that have more than 4096 together.
