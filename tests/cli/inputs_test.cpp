@@ -154,6 +154,42 @@ TEST_F(Inputs, RecordingsWhoseProcessingIsNotThatOfTheirScriptAreRefused) {
                  "processing of the file is not that of its script");
 }
 
+// CPHD and CRSD are made of raw pulses.
+TEST_F(Inputs, RecordingsOfOtherProcessingBecomeNoPhaseHistory) {
+  write_text(folder_ / "small.toml", R"(format = "sarsim 2"
+[[platform]]
+name = "Plane"
+path = { type = "line", start = [0, -2500, 1500], velocity = [100, 0, 0] }
+[[target]]
+positions = [[0, 0, 0], [12, 9, 0]]
+[[radar]]
+name = "X"
+platform = "Plane"
+pulse = { type = "chirp", bandwidth = "60 MHz", width = "0.5 us" }
+repetition = "120 Hz"
+carrier = "9.6 GHz"
+power = "1 kW"
+[[recording]]
+radar = "X"
+file = "small.zarr"
+format = "zarr"
+sample_rate = "75 MHz"
+range = ["2850 m", "3000 m"]
+time = ["-0.6 s", "0.6 s"]
+)");
+  expect_done({"run", "small.toml", "--quiet"});
+  fs::remove(folder_ / "small.zarr/.zmetadata");
+  expect_done({"convert", "small.zarr", "sound.cphd", "--anchor", "-33.9,18.4,0", "--quiet"});
+  std::string attributes = text_of(folder_ / "small.zarr/.zattrs");
+  const std::string raw = "\"processing\": \"raw\"";
+  const std::size_t at = attributes.find(raw);
+  ASSERT_NE(at, std::string::npos) << attributes;
+  write_text(folder_ / "small.zarr/.zattrs", attributes.replace(at, raw.size(), "\"processing\": \"matched_filter\""));
+  expect_refusal({"convert", "small.zarr", "small.cphd", "--anchor", "-33.9,18.4,0"},
+                 "processing of the file is not that of its script");
+  EXPECT_FALSE(fs::exists(folder_ / "small.cphd"));
+}
+
 TEST_F(Inputs, WhatIsNoSceneIsNamedByEveryCommandThatReadsScenes) {
   write_text(folder_ / "a.yaml", "radar:\n  carrier: 9.6 GHz\n");
   write_text(folder_ / "b.scr", "x,y,z\n1,2,3\n4,5,6\n");
