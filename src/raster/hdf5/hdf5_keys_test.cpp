@@ -401,6 +401,11 @@ TEST_F(Hdf5Keys, LaterVersionsOfTheLayoutAreRefused) {
       say(file, "program_version", "99.0");
     });
     EXPECT_THAT(refusal(), HasSubstr("format_version of the file is not known")) << form;
+    write([&](hid_t file, hid_t) {
+      say_unreadable(file, "processing", form);
+      say(file, "program_version", "99.0");
+    });
+    EXPECT_THAT(refusal(), HasSubstr("processing of the file cannot be read")) << form;
   }
   write_version("1", true);
   EXPECT_TRUE(open().raster) << refusal();

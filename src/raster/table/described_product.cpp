@@ -116,15 +116,19 @@ std::optional<double> known_number(const FileAttributes& attributes, std::string
   return found == attributes.end() ? std::nullopt : core::parse_number(found->second);
 }
 
-// An attribute of that name in files of other programs is theirs: all of ours say which program wrote them.
-std::optional<core::Problem> problem_of_version(const ArrayAttributes& root) {
+// Attributes of these names in files of other programs are theirs: all of ours say which program wrote them.
+std::optional<core::Problem> problem_of_own_words(const ArrayAttributes& root) {
   if (attribute_of(root.known, "program_version").empty()) return std::nullopt;
   const auto unknown = [](std::string found) {
     return file_problem({}, "format_version of the file is not known", std::move(found),
                         core::format_number(format_version), "a newer version of sarsim wrote it");
   };
-  for (const auto& [name, found] : root.unreadable)
+  for (const auto& [name, found] : root.unreadable) {
     if (name == "format_version") return unknown(found);
+    if (name == "processing")
+      return file_problem({}, "processing of the file cannot be read", found, "raw, matched_filter or srp",
+                          "write it as one word");
+  }
   const std::string version = attribute_of(root.known, "format_version");
   if (version.empty() || core::parse_number(version) == format_version) return std::nullopt;
   return unknown(core::quoted_word(version));
@@ -137,7 +141,7 @@ DescribedProduct describe(const simulate::Product& product, const FileAttributes
 }
 
 std::optional<core::Problem> problem_of_root(const ArrayAttributes& root) {
-  if (auto problem = problem_of_version(root)) return problem;
+  if (auto problem = problem_of_own_words(root)) return problem;
   for (const auto& [name, found] : root.unreadable)
     if (name == "lsb_v" || name == "sample_rate_hz" || name == "bits")
       return file_problem({}, name + " of the file cannot be read", found, "a number", "write it as one number");
