@@ -108,6 +108,9 @@ TEST_F(Inputs, FactsOfAFileThatAreNotThoseOfItsScriptAreWarnedOf) {
   EXPECT_THAT(own.err, testing::Not(HasSubstr("is not that of its script")));
   change(folder_ / "sim.zarr/.zattrs", "\"sample_rate_hz\": 1", "\"sample_rate_hz\": 2");
   change(folder_ / "sim.zarr/.zattrs", "\"radar\": \"", "\"radar\": \"Another");
+  change(folder_ / "sim.zarr/.zattrs", "\"seed\": ", "\"seed\": 1");
+  change(folder_ / "sim.zarr/.zattrs", "\"profile\": \"", "\"profile\": \"un");
+  change(folder_ / "sim.zarr/.zattrs", "\"pulse\": \"", "\"pulse\": \"un");
   const fs::path places = folder_ / "sim.zarr/platform_position_m/0.0";
   std::string bytes = text_of(places);
   const double elsewhere = 1234.5;
@@ -117,9 +120,74 @@ TEST_F(Inputs, FactsOfAFileThatAreNotThoseOfItsScriptAreWarnedOf) {
   EXPECT_EQ(done.status, 0) << done.err;
   EXPECT_THAT(done.err, HasSubstr("sample_rate_hz of the file is not that of its script, which counts"));
   EXPECT_THAT(done.err, HasSubstr("sample_rate_hz of the file contradicts its slant_range_m"));
-  EXPECT_THAT(done.err, HasSubstr("radar of the file is not that of its script"));
+  for (const char* const fact : {"radar", "seed", "profile", "pulse"})
+    EXPECT_THAT(done.err, HasSubstr(std::string(fact) + " of the file is not that of its script, which counts"));
+  EXPECT_THAT(done.err, testing::Not(HasSubstr("cubic_ends of the file")));
   EXPECT_THAT(done.err, HasSubstr("the axis platform_position_m of the file is not that of its script"));
   EXPECT_THAT(done.err, HasSubstr("1234.5 for x at position 3"));
+}
+
+// It would be compressed twice, or not at all.
+TEST_F(Inputs, RecordingsWhoseProcessingIsNotThatOfTheirScriptAreRefused) {
+  write_scene({});
+  expect_done({"run", "scene.scr", "--format", "zarr", "--quiet"});
+  fs::remove(folder_ / "sim.zarr/.zmetadata");
+  const std::string sound = text_of(folder_ / "sim.zarr/.zattrs");
+  const std::string raw = "\"processing\": \"raw\"";
+  const std::size_t at = sound.find(raw);
+  ASSERT_NE(at, std::string::npos) << sound;
+  for (const std::string found : {"matched_filter", "srp", "RAW", "another"}) {
+    std::string changed = sound;
+    write_text(folder_ / "sim.zarr/.zattrs", changed.replace(at, raw.size(), "\"processing\": \"" + found + "\""));
+    const Finished refused = sarsim({"doppler", "sim.zarr", "--out", "m.img"});
+    EXPECT_EQ(refused.status, 2) << refused.err;
+    EXPECT_THAT(refused.err, AllOf(HasSubstr("processing of the file is not that of its script"), HasSubstr("sim.zarr"),
+                                   HasSubstr("found '" + found + "', expected raw"),
+                                   HasSubstr("give the scene that wrote it with --script")));
+    EXPECT_FALSE(fs::exists(folder_ / "m.img"));
+  }
+  write_text(folder_ / "sim.zarr/.zattrs", sound);
+  std::string other = SceneText{}.text();
+  other.replace(other.find(" RAW "), 5, " MATCHED_FILTER ");
+  write_text(folder_ / "other.scr", other);
+  expect_refusal({"doppler", "sim.zarr", "--script", "other.scr", "--out", "m.img"},
+                 "processing of the file is not that of its script");
+}
+
+// CPHD and CRSD are made of raw pulses.
+TEST_F(Inputs, RecordingsOfOtherProcessingBecomeNoPhaseHistory) {
+  write_text(folder_ / "small.toml", R"(format = "sarsim 2"
+[[platform]]
+name = "Plane"
+path = { type = "line", start = [0, -2500, 1500], velocity = [100, 0, 0] }
+[[target]]
+positions = [[0, 0, 0], [12, 9, 0]]
+[[radar]]
+name = "X"
+platform = "Plane"
+pulse = { type = "chirp", bandwidth = "60 MHz", width = "0.5 us" }
+repetition = "120 Hz"
+carrier = "9.6 GHz"
+power = "1 kW"
+[[recording]]
+radar = "X"
+file = "small.zarr"
+format = "zarr"
+sample_rate = "75 MHz"
+range = ["2850 m", "3000 m"]
+time = ["-0.6 s", "0.6 s"]
+)");
+  expect_done({"run", "small.toml", "--quiet"});
+  fs::remove(folder_ / "small.zarr/.zmetadata");
+  expect_done({"convert", "small.zarr", "sound.cphd", "--anchor", "-33.9,18.4,0", "--quiet"});
+  std::string attributes = text_of(folder_ / "small.zarr/.zattrs");
+  const std::string raw = "\"processing\": \"raw\"";
+  const std::size_t at = attributes.find(raw);
+  ASSERT_NE(at, std::string::npos) << attributes;
+  write_text(folder_ / "small.zarr/.zattrs", attributes.replace(at, raw.size(), "\"processing\": \"matched_filter\""));
+  expect_refusal({"convert", "small.zarr", "small.cphd", "--anchor", "-33.9,18.4,0"},
+                 "processing of the file is not that of its script");
+  EXPECT_FALSE(fs::exists(folder_ / "small.cphd"));
 }
 
 TEST_F(Inputs, WhatIsNoSceneIsNamedByEveryCommandThatReadsScenes) {

@@ -40,6 +40,29 @@ TEST(RasterGate, HintsThatContradictTheFileAreTold) {
   }
 }
 
+// What a later version writes may mean something else; HDF5 has a test of its own.
+TEST(RasterGate, LaterVersionsOfTheLayoutAreRefused) {
+  const TestFolder folder;
+  const auto problems = [&](const char* name, const char* attributes, const std::string& version) {
+    std::string text = contents(folder / attributes);
+    const std::string key = "format_version\": ";
+    const std::size_t at = text.find(key);
+    if (at == std::string::npos) return "no version in " + text;
+    put(folder / attributes, text.replace(at + key.size(), text.find(',', at) - at - key.size(), version));
+    return text_of(open_raster(Integrity::whole, folder / name).problems);
+  };
+  write_test_file(folder / "a.zarr", test_product(4, 3, 8), {.format = scene::FileFormat::zarr});
+  fs::remove(folder / "a.zarr/.zmetadata");
+  write_test_file(folder / "a.sigmf-meta", test_product(4, 3, 8), {.format = scene::FileFormat::sigmf});
+  for (const auto& [name, attributes] :
+       {std::pair("a.zarr", "a.zarr/.zattrs"), std::pair("a.sigmf-meta", "a.sigmf-meta")}) {
+    EXPECT_EQ(problems(name, attributes, "1"), "");
+    EXPECT_THAT(problems(name, attributes, "2"),
+                HasSubstr("error: format_version of the file is not known; found '2', expected 1"));
+    EXPECT_THAT(problems(name, attributes, "true"), HasSubstr("a newer version of sarsim wrote it")) << name;
+  }
+}
+
 // Columns of CSV are I and Q in turn.
 TEST(CsvHeadings, NamesOfOtherColumnsAreRefused) {
   const TestFolder folder;

@@ -542,7 +542,7 @@ OpenedRaster open_zarr(const fs::path& folder, const Format&, const RasterHints&
   info.path = folder;
   info.columns = static_cast<std::size_t>(samples.columns());
   auto& root = std::get<ArrayAttributes>(attributes);
-  if (auto problem = problem_of_unread_facts(root)) return refuse_store(folder, std::move(*problem));
+  if (auto problem = problem_of_root(root)) return refuse_store(folder, std::move(*problem));
   info.attributes = std::move(root.known);
   take_known_attributes(info);
   if (info.bits == 0 && hints.bits > 0) info.bits = hints.bits;

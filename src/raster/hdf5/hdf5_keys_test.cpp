@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
+
 #include "raster/format/data_test_support.hpp"
 #include "raster/hdf5/hdf5_library.hpp"
 
@@ -344,6 +346,71 @@ TEST_F(Hdf5Keys, PositionsThatCannotBeAreRefused) {
   });
   EXPECT_THAT(refusal(),
               HasSubstr("the axis platform_position_m has a value that cannot be; found '1e+300 at position 3"));
+}
+
+// Images may end before their axes do, recordings not.
+TEST_F(Hdf5Keys, PlacesOfRecordingsThatAreNoNumbersAreRefused) {
+  const double none = std::nan("");
+  const auto put_none = [&](hid_t file, const char* name, std::vector<double> values) {
+    values[1] = none;
+    const Hdf5Handle axis(H5Dopen2(file, name, H5P_DEFAULT), H5Dclose);
+    ASSERT_GE(H5Dwrite(axis.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), 0);
+  };
+  const auto refused = [&](const char* name) {
+    EXPECT_THAT(refusal(),
+                HasSubstr(fmt::format("the axis {} has a value that cannot be; found 'nan at position 1", name)));
+  };
+  for (const char* const name : {"pulse_time_s", "carrier_hz", "slant_range_m"}) {
+    write([&](hid_t file, hid_t) { put_none(file, name, {10.0, 11.0, 12.0}); });
+    refused(name);
+  }
+  const std::array poses{"platform_position_m", "platform_velocity_mps", "platform_rotation_rad"};
+  for (const char* const name : poses) {
+    write([&](hid_t file, hid_t) {
+      for (const char* const pose : poses) {
+        add(file, pose, H5T_IEEE_F64LE, {2, 3});
+        const Hdf5Handle axis(H5Dopen2(file, pose, H5P_DEFAULT), H5Dclose);
+        const std::array<double, 6> values{};
+        H5Dwrite(axis.get(), H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
+      }
+      put_none(file, name, std::vector<double>(6));
+    });
+    refused(name);
+  }
+  write([&](hid_t file, hid_t) {
+    add_axis(file, "azimuth_m", {0.0, 1.0});
+    put_none(file, "slant_range_m", {10.0, 11.0, 12.0});
+  });
+  EXPECT_TRUE(open().raster) << refusal();
+}
+
+// Files of other programs may have an attribute of that name.
+TEST_F(Hdf5Keys, LaterVersionsOfTheLayoutAreRefused) {
+  const auto write_version = [&](const std::string& version, bool own) {
+    write([&](hid_t file, hid_t) {
+      say(file, "format_version", version);
+      if (own) say(file, "program_version", "99.0");
+    });
+  };
+  write_version("2", true);
+  EXPECT_THAT(refusal(), HasSubstr("format_version of the file is not known; found '2', expected 1"));
+  EXPECT_THAT(refusal(), HasSubstr("a newer version of sarsim wrote it"));
+  for (int form = 0; form < unreadable_forms; ++form) {
+    write([&](hid_t file, hid_t) {
+      say_unreadable(file, "format_version", form);
+      say(file, "program_version", "99.0");
+    });
+    EXPECT_THAT(refusal(), HasSubstr("format_version of the file is not known")) << form;
+    write([&](hid_t file, hid_t) {
+      say_unreadable(file, "processing", form);
+      say(file, "program_version", "99.0");
+    });
+    EXPECT_THAT(refusal(), HasSubstr("processing of the file cannot be read")) << form;
+  }
+  write_version("1", true);
+  EXPECT_TRUE(open().raster) << refusal();
+  write_version("2", false);
+  EXPECT_TRUE(open().raster) << refusal();
 }
 
 TEST_F(Hdf5Keys, ComplexNumbersOfMatlabAreRead) {

@@ -442,7 +442,7 @@ OpenedRaster open_here(const std::filesystem::path& path, std::uint64_t file_byt
     return refused(name, file_problem({}, "the file has another number of rows", fmt::format("{}", samples.shape[0]),
                                       fmt::format("{}", hints.rows)));
   ArrayAttributes root = read_attributes(file.get(), file_bytes, false);
-  if (auto problem = problem_of_unread_facts(root)) return refused(name, std::move(*problem));
+  if (auto problem = problem_of_root(root)) return refused(name, std::move(*problem));
   info.attributes = old_layout ? read_details(file.get(), file_bytes) : std::move(root.known);
   old_layout ? take_old_attributes(info) : take_known_attributes(info);
   if (old_layout)

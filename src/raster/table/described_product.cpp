@@ -5,6 +5,7 @@
 #include "core/build/version.hpp"
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/table/axis_words.hpp"
 #include "raster/table/file_problem.hpp"
 #include "raster/table/pose_axes.hpp"
@@ -14,15 +15,6 @@ namespace sarsim::raster {
 namespace {
 
 constexpr std::int32_t format_version = 1;
-
-const char* word_of(scene::Processing processing) {
-  switch (processing) {
-    case scene::Processing::raw: return "raw";
-    case scene::Processing::matched_filter: return "matched_filter";
-    case scene::Processing::srp: return "srp";
-  }
-  return "raw";
-}
 
 void add_facts(Attributes& attributes, const simulate::Facts& facts) {
   for (const auto& [name, value] : facts) std::visit([&](const auto& v) { attributes.emplace_back(name, v); }, value);
@@ -37,7 +29,7 @@ Attributes root_attributes(const simulate::Product& product, const FileAttribute
   };
   put("script", product.script);
   put("radar", product.radar);
-  put("processing", std::string(word_of(product.processing)));
+  put("processing", attribute_word(product.processing));
   for (const auto& [name, word] : option_words) put(name, word);
   put("seed", product.options.seed);
   put("engine", product.engine);
@@ -124,13 +116,32 @@ std::optional<double> known_number(const FileAttributes& attributes, std::string
   return found == attributes.end() ? std::nullopt : core::parse_number(found->second);
 }
 
+// Attributes of these names in files of other programs are theirs: all of ours say which program wrote them.
+std::optional<core::Problem> problem_of_own_words(const ArrayAttributes& root) {
+  if (attribute_of(root.known, "program_version").empty()) return std::nullopt;
+  const auto unknown = [](std::string found) {
+    return file_problem({}, "format_version of the file is not known", std::move(found),
+                        core::format_number(format_version), "a newer version of sarsim wrote it");
+  };
+  for (const auto& [name, found] : root.unreadable) {
+    if (name == "format_version") return unknown(found);
+    if (name == "processing")
+      return file_problem({}, "processing of the file cannot be read", found, "raw, matched_filter or srp",
+                          "write it as one word");
+  }
+  const std::string version = attribute_of(root.known, "format_version");
+  if (version.empty() || core::parse_number(version) == format_version) return std::nullopt;
+  return unknown(core::quoted_word(version));
+}
+
 }  // namespace
 
 DescribedProduct describe(const simulate::Product& product, const FileAttributes& option_words, bool counts) {
   return Describer(product).describe(option_words, counts);
 }
 
-std::optional<core::Problem> problem_of_unread_facts(const ArrayAttributes& root) {
+std::optional<core::Problem> problem_of_root(const ArrayAttributes& root) {
+  if (auto problem = problem_of_own_words(root)) return problem;
   for (const auto& [name, found] : root.unreadable)
     if (name == "lsb_v" || name == "sample_rate_hz" || name == "bits")
       return file_problem({}, name + " of the file cannot be read", found, "a number", "write it as one number");

@@ -61,9 +61,10 @@ inline constexpr const char* map_name = "utm";
 [[nodiscard]] DescribedProduct describe(const simulate::Product& product, const FileAttributes& option_words,
                                         bool counts);
 
-/// What is wrong with attributes of the root of a file that cannot be read: one that says LSB, sampling rate or bits is
-/// refused by its name. A problem without a place.
-[[nodiscard]] std::optional<core::Problem> problem_of_unread_facts(const ArrayAttributes& root);
+/// What is wrong with the attributes of the root of a file: a `format_version` of ours that is not known, or one that
+/// cannot be read and says LSB, sampling rate, bits or, in files of ours, processing is refused by its name. A problem
+/// without a place.
+[[nodiscard]] std::optional<core::Problem> problem_of_root(const ArrayAttributes& root);
 
 /// Takes bits, LSB and sampling rate from the attributes of a file of this layout.
 void take_known_attributes(RasterInfo& info);

@@ -1,6 +1,7 @@
 #include "raster/table/product_attributes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <system_error>
 
@@ -11,15 +12,17 @@ namespace sarsim::raster {
 
 namespace {
 
-// One of the words that an attribute may have; false for another one.
-template <class Value>
-bool take_word(const std::string& word, std::initializer_list<std::pair<std::string_view, Value>> words, Value& value) {
-  for (const auto& [name, meant] : words) {
-    if (word != name) continue;
-    value = meant;
-    return true;
-  }
-  return false;
+constexpr std::array<std::pair<std::string_view, scene::Processing>, 3> processing_words{
+    {{"raw", scene::Processing::raw},
+     {"matched_filter", scene::Processing::matched_filter},
+     {"srp", scene::Processing::srp}}};
+
+bool take_processing(const std::string& text, scene::Processing& value) {
+  const auto* const found =
+      std::ranges::find_if(processing_words, [&](const auto& known) { return known.first == text; });
+  if (found == processing_words.end()) return false;
+  value = found->second;
+  return true;
 }
 
 bool take_text(std::string text, std::string& value) {
@@ -50,6 +53,12 @@ std::string attribute_of(const FileAttributes& attributes, std::string_view name
   return found == attributes.end() ? std::string() : found->second;
 }
 
+std::string attribute_word(scene::Processing processing) {
+  const auto* const found =
+      std::ranges::find_if(processing_words, [&](const auto& known) { return known.second == processing; });
+  return std::string((found == processing_words.end() ? processing_words.front() : *found).first);
+}
+
 void take_origin(const FileAttributes& attributes, simulate::Product& product) {
   scene::RunOptions& options = product.options;
   const auto take = [&](const char* name, const auto& taker) {
@@ -57,13 +66,7 @@ void take_origin(const FileAttributes& attributes, simulate::Product& product) {
   };
   take("radar", [&](const std::string& text) { return take_text(text, product.radar); });
   take("engine", [&](const std::string& text) { return take_text(text, product.engine); });
-  take("processing", [&](const std::string& text) {
-    return take_word(text,
-                     {{"raw", scene::Processing::raw},
-                      {"matched_filter", scene::Processing::matched_filter},
-                      {"srp", scene::Processing::srp}},
-                     product.processing);
-  });
+  take("processing", [&](const std::string& text) { return take_processing(text, product.processing); });
   for (const auto& [id, word] : scene::option_words(options))
     take(id.c_str(), [&](const std::string& text) { return scene::take_option_word(options, id, text); });
   take("seed", [&](const std::string& text) { return take_whole(text, options.seed); });

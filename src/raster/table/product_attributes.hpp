@@ -21,6 +21,9 @@ using FileAttributes = std::vector<std::pair<std::string, std::string>>;
   return std::ranges::find(product.unknown, name) == product.unknown.end();
 }
 
+/// The word of the attribute `processing`: raw, matched_filter or srp.
+[[nodiscard]] std::string attribute_word(scene::Processing processing);
+
 /// Gives a product what the attributes of a recording (docs/formats/samples.md) say of its origin: radar, processing,
 /// engine, profile, pulse, seed and tolerance. What is missing, or no such value, stays as it is and counts as unknown.
 void take_origin(const FileAttributes& attributes, simulate::Product& product);

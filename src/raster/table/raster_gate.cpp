@@ -92,15 +92,20 @@ class FactCheck {
              "at least 1e-37 V");
   }
 
-  // What is left empty by us is not a number: a part of an image that lies beyond its axis.
+  // Recordings have all of their axes. What we leave empty of an image is not a number: a part beyond its axis.
+  [[nodiscard]] bool is_recording() const {
+    return axes_->row_m.empty() && axes_->column_axis == "slant_range_m" &&
+           attribute_of(raster_.info().attributes, "image_plane").empty();
+  }
+
   void check_axis(const std::string& name, const std::vector<double>& values) {
-    const auto bad =
-        std::ranges::find_if(values, [](double value) { return std::abs(value) > largest_place; });  // False for NaN.
-    const bool none = !values.empty() && std::ranges::all_of(values, [](double value) { return std::isnan(value); });
-    if (bad == values.end() && !none) return;
-    const auto at = none ? std::ptrdiff_t{0} : bad - values.begin();
-    refuse(fmt::format("the axis {} has a value that cannot be", name),
-           fmt::format("{:g} at position {}", values[static_cast<std::size_t>(at)], at), "numbers up to 1e15");
+    const bool whole = is_recording() || std::ranges::all_of(values, [](double value) { return std::isnan(value); });
+    const auto bad = std::ranges::find_if(
+        values, [&](double value) { return std::abs(value) > largest_place || (whole && std::isnan(value)); });
+    if (bad == values.end()) return;
+    const auto at = bad - values.begin();
+    refuse(fmt::format("the axis {} has a value that cannot be", name), fmt::format("{:g} at position {}", *bad, at),
+           "numbers up to 1e15");
   }
 
   void check_poses(const std::vector<simulate::RowPose>& poses) {

@@ -116,7 +116,7 @@ class SigmfReader {
       else
         own.unreadable.emplace_back(name, shown_json(value));
     }
-    if (auto problem = problem_of_unread_facts(own); problem && !problem_) problem_ = std::move(problem);
+    if (auto problem = problem_of_root(own); problem && !problem_) problem_ = std::move(problem);
     meta_.attributes = std::move(own.known);
     meta_.columns = whole(global, "sarsim:samples_per_pulse").value_or(0);
     const SigmfJson& ranges = member(global, "sarsim:slant_range_m");

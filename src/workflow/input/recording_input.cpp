@@ -16,6 +16,7 @@
 #include "core/report/refused.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "core/text/quoted_word.hpp"
 #include "raster/format/envi.hpp"
 #include "raster/format/open_raster.hpp"
 #include "raster/table/formats.hpp"
@@ -27,6 +28,7 @@
 #include "scene/language/json_text.hpp"
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/sources.hpp"
+#include "scene/schema/option_words.hpp"
 #include "workflow/input/carried_problems.hpp"
 #include "workflow/input/motion_input.hpp"
 #include "workflow/input/output_names.hpp"
@@ -156,7 +158,8 @@ void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const 
 }
 
 // Compares what a file says of itself with its scene, which is what counts: a file that says something else was
-// changed, or is not of this scene. One rule for all of it: a warning that names it, once each.
+// changed, or is not of this scene. One rule for all of it: a warning that names it, once each; but other processing is
+// refused.
 class Comparison {
  public:
   Comparison(const OpenedFile& file, const simulate::Plan& plan, core::Problems& problems)
@@ -209,8 +212,26 @@ class Comparison {
     compare_fact("sample_rate_hz", info.sample_rate_hz, product_.sample_rate_hz);
     compare_fact("lsb_v", info.lsb_v, plan_.simulation.lsb_v);
     if (info.counts && info.bits > 0) compare_fact("bits", info.bits, plan_.simulation.bits);
-    const std::string radar = raster::attribute_of(info.attributes, "radar");
-    if (!radar.empty() && radar != product_.radar) remark("radar", radar, product_.radar);
+    expect_processing();
+    compare_word("radar", product_.radar);
+    for (const auto& [name, word] : scene::option_words(product_.options)) compare_word(name, word);
+    compare_word("seed", fmt::format("{}", product_.options.seed));
+  }
+  void compare_word(const std::string& name, const std::string& expected) {
+    const std::string found = raster::attribute_of(file_.info().attributes, name);
+    if (!found.empty() && found != expected) remark(name, found, expected);
+  }
+
+  // What is compressed would be compressed again, and raw echoes taken for pulses that are compressed.
+  void expect_processing() {
+    const std::string found = raster::attribute_of(file_.info().attributes, "processing");
+    const std::string expected = raster::attribute_word(product_.processing);
+    if (found.empty() || found == expected) return;
+    core::Problem problem =
+        core::problem_of(core::Severity::error, "processing of the file is not that of its script",
+                         core::quoted_word(found), expected, "give the scene that wrote it with --script");
+    problem.place.file = file_.info().path.string();
+    throw core::Refused({std::move(problem)});
   }
 
   // To a thousandth of a wavelength, which is what focusing needs, and what rounding leaves of large numbers.
