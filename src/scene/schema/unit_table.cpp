@@ -405,7 +405,7 @@ std::string broken_number(std::string_view text, std::string_view whole, std::st
   }
   if (begins_with_per_second(rest)) {
     const std::string_view number = whole.substr(0, number_length(whole));
-    return fmt::format("{} has 1/s for a unit; write {} Hz", quoted(text), number);
+    return fmt::format("{} has 1/s for a unit; write {} Hz", quoted(text), core::clipped(number));
   }
   if (core::is_digit(rest.front())) {
     std::string corrected(whole);
