@@ -287,7 +287,7 @@ std::optional<Explanation> explained_trade(const std::string& word) {
 // Whether the trade means another field by a word than those that `--set` calls so: "pri".
 bool means_another(std::string_view word, const std::vector<Found>& found) {
   const TradeWord* const meant = trade_word(word, {});
-  if (meant == nullptr || meant->law == TradeLaw::none || meant->law == TradeLaw::same) return false;
+  if (meant == nullptr || meant->law == TradeLaw::none || keeps_value(meant->law)) return false;
   return std::ranges::none_of(found, [&](const Found& one) { return one.name() == meant->field; });
 }
 

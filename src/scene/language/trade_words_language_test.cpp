@@ -161,6 +161,17 @@ TEST(TradeWordsOfTheLanguage, AreAnsweredBySettingThem) {
   EXPECT_THAT(said("Radar1.bandwith", "3 MHz"), HasSubstr("did you mean bandwidth?"));
 }
 
+TEST(TradeWordsOfTheLanguage, ChoicesThatAreSetAreNamedAsInFormat2) {
+  Scene scene;
+  scene.radars.emplace_back();
+  const auto said = [&](const char* name, const char* value) {
+    return set_named_field(scene, find_named_field(scene, name, value), value, {});
+  };
+  EXPECT_EQ(said("Radar1.repetition", "100Hz"), "'100Hz' is none of constant and list");
+  EXPECT_THAT(said("Radar1.pulse", "100Hz"), HasSubstr("chirp"));
+  EXPECT_EQ(said("Radar1.repetition", "constant"), "");
+}
+
 TEST(ExplanationSearch, PutsFieldsWhoseNameHasTheWordFirst) {
   const Explanation noise = explain("noise");
   ASSERT_FALSE(noise.lines.empty());

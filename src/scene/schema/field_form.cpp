@@ -130,12 +130,7 @@ ChoiceReading read_choice(const FieldSpec& spec, std::string_view text) {
   if (typed.empty()) return {0, fmt::format("nothing is chosen; expected {}", listed(choices, " or "))};
   if (alike.size() > 1)
     return {0, fmt::format("'{}' can mean {}; write more of it", core::clipped(typed), listed(alike, " or "))};
-  std::string failure = fmt::format("'{}' is none of {}", core::clipped(typed), listed(choices, " and "));
-  if (const TradeChoice* const of_trade = trade_choice(typed, spec.key))
-    failure += fmt::format("; {}", trade_advice(*of_trade));
-  else if (const std::string nearest = core::nearest_word(typed.substr(0, 60), choices); !nearest.empty())
-    failure += fmt::format("; did you mean {}?", nearest);
-  return {0, std::move(failure)};
+  return {0, none_of(spec, typed, choices)};
 }
 
 // "yes" and "no" and what means the same.
@@ -248,6 +243,16 @@ FieldKind form_kind(const FieldSpec& spec) {
 
 double& component(core::Vec3& vector, std::size_t part) {
   return part == 0 ? vector.x : part == 1 ? vector.y : vector.z;
+}
+
+std::string none_of(const FieldSpec& spec, std::string_view text, const std::vector<std::string>& choices) {
+  const std::string_view typed = core::trimmed(text);
+  std::string failure = fmt::format("'{}' is none of {}", core::clipped(typed), listed(choices, " and "));
+  if (const TradeChoice* const of_trade = trade_choice(typed, spec.key))
+    failure += fmt::format("; {}", trade_advice(*of_trade));
+  else if (const std::string nearest = core::nearest_word(typed.substr(0, 60), choices); !nearest.empty())
+    failure += fmt::format("; did you mean {}?", nearest);
+  return failure;
 }
 
 std::vector<std::string> shown_choices(const FieldSpec& spec) {

@@ -20,6 +20,10 @@ namespace sarsim::scene::field_forms {
 /// The names that a form shows for the values of a choice, which count from 0.
 [[nodiscard]] std::vector<std::string> shown_choices(const FieldSpec& spec);
 
+/// Says that a text is none of the choices, named as its reader knows them, and which may be meant.
+[[nodiscard]] std::string none_of(const FieldSpec& spec, std::string_view text,
+                                  const std::vector<std::string>& choices);
+
 /// The value of one of `form_fields` as text.
 [[nodiscard]] std::string form_text(const FieldSpec& spec, const FieldValue& value, std::size_t part);
 /// Whether two values are equal in what a form shows of them: of vectors, one component. Quicker than their texts, and

@@ -9,6 +9,7 @@
 
 #include "core/text/number_text.hpp"
 #include "scene/model/object_lists.hpp"
+#include "scene/schema/field_form.hpp"
 #include "scene/schema/function_table.hpp"
 #include "scene/schema/trade_words.hpp"
 
@@ -198,7 +199,7 @@ std::string_view kind_in_format_2(ObjectKind kind) {
 bool is_other_word(const Scene& scene, const NamedField& named, std::string_view name, std::string_view value) {
   const std::string_view last = name.substr(name.rfind('.') + 1);
   const TradeWord* const word = trade_word(last, kind_in_format_2(named.objects.front().kind));
-  if (word == nullptr || word->law == TradeLaw::same || word->law == TradeLaw::none) return false;
+  if (word == nullptr || keeps_value(word->law) || word->law == TradeLaw::none) return false;
   return starts_like_number(value) && !field_applies(object_of(scene, named.objects.front()), named.field->id);
 }
 
@@ -300,6 +301,26 @@ std::string_view choice_text(const NamedField& named, std::string_view text) {
   return choice == nullptr ? text : choice->shown;
 }
 
+// The words of format 2 for a choice, one for each value.
+std::vector<std::string> words_of_choice(const FieldSpec& spec) {
+  std::vector<std::string> words;
+  std::vector<int> values;
+  for (const Choice& choice : spec.choices) {
+    if (std::ranges::find(values, choice.value) != values.end()) continue;
+    words.push_back(type_word(choice));
+    values.push_back(choice.value);
+  }
+  return words;
+}
+
+// Why a value was refused: where forms would list what they show, in the words of format 2.
+std::string in_format_2(const NamedField& named, std::string_view text, std::string failure) {
+  const FieldSpec* const spec = named.field->spec;
+  if (failure.empty() || spec == nullptr || spec->type != FieldType::choice) return failure;
+  if (failure != field_forms::none_of(*spec, text, field_forms::shown_choices(*spec))) return failure;
+  return field_forms::none_of(*spec, text, words_of_choice(*spec));
+}
+
 }  // namespace
 
 NamedField find_named_field(const Scene& scene, std::string_view name, std::string_view value) {
@@ -349,16 +370,16 @@ std::string set_named_field(Scene& scene, const NamedField& named, std::string_v
   const std::string_view typed = choice_text(named, text);
   if (named.of_atmosphere) {
     if (!field_applies(scene.atmosphere, named.field->id)) return no_meaning(*named.field);
-    return set_field(scene.atmosphere, named.field->id, typed);
+    return in_format_2(named, text, set_field(scene.atmosphere, named.field->id, typed));
   }
-  if (named.objects.empty()) return set_field(scene.options, named.field->id, typed);
+  if (named.objects.empty()) return in_format_2(named, text, set_field(scene.options, named.field->id, typed));
   for (const ObjectId id : named.objects) {
     AnyObject object = object_of(scene, id);
     // `set_field` takes the value that is there, whether it means something or not.
     if (!field_applies(object, named.field->id)) return no_meaning(*named.field);
     std::string failure = named.field->kind == FieldKind::function ? set_function(object, *named.field, text, load)
                                                                    : set_field(object, named.field->id, typed);
-    if (!failure.empty()) return failure;
+    if (!failure.empty()) return in_format_2(named, text, std::move(failure));
     visit_list(scene, id.kind, [&](auto& list) {
       list.at(id.index) = std::get<std::remove_cvref_t<decltype(list.front())>>(std::move(object));
     });

@@ -98,6 +98,8 @@ TEST(Quantity, WrongTextsAreRefusedWithTheReasonAndTheRemedy) {
                          {"1,5 m", Quantity::length, "the decimal mark is the point: 1.5"},
                          {",5", Quantity::length, "the decimal mark is the point: 0.5"},
                          {"1,000,000", Quantity::length, "has commas"},
+                         {"100 1/s", Quantity::frequency, "has 1/s for a unit; write 100 Hz"},
+                         {"60 MS/s", Quantity::frequency, "did you mean 'MHz'?"},
                          {"1 000", Quantity::length, "has a blank within the number; write 1000"},
                          {"5 mw", Quantity::power, "write mW or MW"},
                          {"5 mHz", Quantity::frequency, "write MHz"},

@@ -101,6 +101,7 @@ double converted(TradeLaw law, double x, std::optional<double> carrier_hz) {
     case TradeLaw::negative: return -std::abs(x);
     case TradeLaw::aperture: return half_power_width * c / carrier_hz.value_or(0.0) / x * core::deg_per_rad;
     case TradeLaw::same:
+    case TradeLaw::same_with_unit:
     case TradeLaw::none: break;
   }
   return NAN;
@@ -149,6 +150,36 @@ std::string rounded_text(double value, Quantity quantity) {
   return quantity_text(digits.value_or(value), quantity);
 }
 
+// What stands in angle brackets in a line.
+std::string_view sample_in(std::string_view line) {
+  const std::size_t open = line.find('<');
+  const std::size_t close = line.find('>', open);
+  return close == std::string_view::npos ? std::string_view() : line.substr(open + 1, close - open - 1);
+}
+
+std::optional<Measured> measured(std::string_view text) {
+  const QuantityResult result = evaluate(text, Quantity::number, {});
+  return result.value ? Measured{*result.value, {}} : result.other;
+}
+
+// The value as a field takes it that takes the sample; empty where it does not.
+std::string taken_as(std::string_view sample, const std::string& value) {
+  const auto wanted = measured(sample);
+  if (!wanted || value.starts_with('[')) return value;
+  const auto found = measured(value);
+  if (!found) return {};
+  if (found->dimension.pure() || found->dimension == wanted->dimension) return value;
+  const bool level_of_area =
+      found->dimension == dimension_of(Quantity::ratio_db) && wanted->dimension == dimension_of(Quantity::area);
+  return level_of_area ? fmt::format("{} dBsm", core::format_number(found->value)) : std::string();
+}
+
+// Whether the line and the value agree in that the field holds a list.
+bool stands_alone(std::string_view line, std::string_view value) {
+  const bool list = line.find("[\"<") != std::string_view::npos || line.find("<[") != std::string_view::npos;
+  return !value.empty() && list == value.starts_with('[');
+}
+
 // The value as the field takes it; empty where that cannot be told.
 std::string value_of(const TradeWord& word, const TradeUse& use) {
   const std::string_view typed = core::trimmed(use.value);
@@ -157,7 +188,8 @@ std::string value_of(const TradeWord& word, const TradeUse& use) {
   const bool bare = number_length(typed) == typed.size();
   const std::string given =
       bare && of_name != nullptr ? fmt::format("{} {}", typed, of_name->unit) : std::string(typed);
-  if (word.law == TradeLaw::same) return given;
+  if (word.law == TradeLaw::same_with_unit && number_length(given) == given.size()) return {};
+  if (keeps_value(word.law)) return taken_as(sample_in(word.line), given);
   const auto kinds = std::ranges::find(law_kinds, word.law, &LawKinds::law);
   const QuantityResult result = evaluate(given, kinds->from, {});
   if (!result.value) return {};
@@ -246,10 +278,11 @@ std::string trade_advice(const TradeWord& word, const TradeUse& use) {
   const std::string value = value_of(word, use);
   const std::string_view kind = kind_of(word);
   const std::string_view table = table_of_word(word), path = path_of(word);
-  const bool alone = use.has_table && !value.empty() && !table.empty() && path != table;
-  std::string text =
-      alone ? fmt::format("write {} = \"{}\" in {}", path.substr(table.size() + 1), core::clipped(value), table)
-            : "write " + filled(word.line, core::clipped(value));
+  const bool alone = use.has_table && stands_alone(word.line, value) && !table.empty() && path != table;
+  const std::string_view quote = value.starts_with('[') ? "" : "\"";
+  std::string text = alone ? fmt::format("write {0} = {1}{2}{1} in {3}", path.substr(table.size() + 1), quote,
+                                         core::clipped(value), table)
+                           : "write " + filled(word.line, core::clipped(value));
   if (!kind.empty() && kind != use.kind)
     text += is_single_table(kind) ? fmt::format(" in [{}]", kind) : fmt::format(" in [[{}]]", kind);
   if (!word.note.empty()) text += fmt::format(" ({})", word.note);

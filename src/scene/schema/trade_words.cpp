@@ -8,6 +8,8 @@ using enum TradeLaw;
 
 constexpr std::string_view line_path =
     R"(path = { type = "line", start = [0, -10000, 3000], velocity = ["<100 m/s>", 0, 0] })";
+constexpr std::string_view route =
+    R"(path = { type = "waypoints", speed = "90 m/s", waypoints = [{ position = [0, 0, 3000] }, { position = [0, 9000, 3000] }] })";
 constexpr std::string_view moving_platform =
     "objects move with their platform: give it a [[platform]] with a path, and name that platform here";
 constexpr std::string_view no_polarisation =
@@ -50,11 +52,12 @@ constexpr TradeWord words[] = {
      "recording.time", none, times,
      "pulses sent from the start to the end are recorded: their number is about PRF times "
      "duration"},
-    {"cpi coherent_processing_interval dwell dwell_time integration_time coherent_integration_time observation_time "
+    {"cpi coherent_processing_interval", "", "recording.time", same_with_unit, times},
+    {"dwell dwell_time integration_time coherent_integration_time observation_time "
      "acquisition_time collection_time duration sim_time simulation_time run_time stop_time end_time t_end t_max "
      "aperture_time synthetic_aperture_time slow_time azimuth_time",
      "", "recording.time", same, times},
-    {"start_time t_start t0", "recording", "recording.time", none, times},
+    {"start_time time_start t_start t0 time_end time_stop", "recording", "recording.time", none, times},
     // Carrier.
     {"fc f0 f_c f_0 center_frequency centre_frequency center_freq centre_freq carrier_frequency carrier_freq "
      "operating_frequency rf_frequency radar_frequency tx_frequency transmit_frequency frequency freq rf "
@@ -101,6 +104,8 @@ constexpr TradeWord words[] = {
     // Pulse.
     {"bandwidth bw chirp_bandwidth pulse_bandwidth signal_bandwidth sweep_bandwidth tx_bandwidth rf_bandwidth b_w", "",
      "radar.pulse.bandwidth", same, chirp_of_bandwidth},
+    {"if_bandwidth receiver_bandwidth rx_bandwidth", "", "recording.sample_rate", none, sampled,
+     "complex samples hold a band as wide as their rate"},
     {"chirp_rate sweep_rate fm_rate chirp_slope sweep_slope slope kr k_r frequency_slope", "", "radar.pulse.bandwidth",
      none, chirp_of_bandwidth, "the bandwidth is the chirp rate times the pulse width; negative sweeps down"},
     {"pulse_width pulse_length pulse_duration pulse_len pulsewidth tau tp t_p chirp_duration chirp_length chirp_time "
@@ -381,8 +386,9 @@ constexpr TradeWord words[] = {
     {"path_points path_route path_positions", "platform", "platform.path.waypoints", none,
      R"(waypoints = [{ position = [0, 0, 3000] }, { position = [0, 10000, 3000] }])",
      "of type \"waypoints\"; type \"points\" has file, or x, y and z"},
-    {"trajectory route flight_path motion_path waypoints way_points positionwaypoints", "platform", "platform.path",
-     none, R"(path = { type = "points", file = "flight.txt" })"},
+    {"waypoints way_points", "platform", "platform.path.waypoints", none, route},
+    {"trajectory route flight_path motion_path positionwaypoints", "platform", "platform.path", none,
+     R"(path = { type = "points", file = "flight.txt" })"},
     {"trajectory flight_path flight_track waypoints way_points", "", "platform.path", none,
      R"(path = { type = "points", file = "flight.txt" })"},
     {"acceleration accel", "platform", "platform.path", none, R"(path = { type = "points", file = "flight.txt" })",
@@ -514,7 +520,8 @@ constexpr TradeChoice choices[] = {
     {"txt text", "format", "ascii"},
     {"sigmf_data sigmf_meta gnuradio", "format", "sigmf"},
     {"cphd crsd nitf sicd", "format", "", "sarsim convert SCENE OUT.cphd writes the standards"},
-    {"xarray netcdf nc", "format", "zarr"},
+    {"netcdf netcdf4 nc", "format", "hdf5", "xarray opens it with the engine h5netcdf"},
+    {"xarray", "format", "zarr"},
     {"lambertian lambert cos facet plate", "reflectivity", "directional"},
     {"constant point omni uniform", "reflectivity", "isotropic"},
     {"swerling swerling1 swerling0 swerling3", "reflectivity", "",

@@ -15,18 +15,24 @@ namespace sarsim::scene {
 /// Conversion from the value of such a word to that of the field.
 enum class TradeLaw {
   same,
-  reciprocal,    ///< 1/x: of a time, a frequency.
-  wavelength,    ///< c/x: of a length, a frequency.
-  cell,          ///< c/(2 x): of a length in range, a bandwidth or a sampling frequency.
-  noise_figure,  ///< 290 K 10^(x/10).
-  turn_period,   ///< 360 deg/x: of a time, a rate of turn.
-  off_nadir,     ///< x - 90 deg: of an angle from the nadir, an elevation.
-  negative,      ///< -x: of a depression, an elevation.
-  aperture,      ///< 0.886 wavelength/x: of the length of an antenna, a half-power width.
-  slant_range,   ///< c x/2: of a delay, a range.
-  turns,         ///< 360 deg x: of turns in a time, a rate of turn.
-  none,          ///< The value does not carry over.
+  same_with_unit,  ///< The same where it has a unit; a bare number counts something else.
+  reciprocal,      ///< 1/x: of a time, a frequency.
+  wavelength,      ///< c/x: of a length, a frequency.
+  cell,            ///< c/(2 x): of a length in range, a bandwidth or a sampling frequency.
+  noise_figure,    ///< 290 K 10^(x/10).
+  turn_period,     ///< 360 deg/x: of a time, a rate of turn.
+  off_nadir,       ///< x - 90 deg: of an angle from the nadir, an elevation.
+  negative,        ///< -x: of a depression, an elevation.
+  aperture,        ///< 0.886 wavelength/x: of the length of an antenna, a half-power width.
+  slant_range,     ///< c x/2: of a delay, a range.
+  turns,           ///< 360 deg x: of turns in a time, a rate of turn.
+  none,            ///< The value does not carry over.
 };
+
+/// Whether the value stays what it is.
+[[nodiscard]] constexpr bool keeps_value(TradeLaw law) {
+  return law == TradeLaw::same || law == TradeLaw::same_with_unit;
+}
 
 /// A word of the trade.
 struct TradeWord {

@@ -72,6 +72,16 @@ TEST(TradeWords, AreConvertedAsRadarPeopleMeanThem) {
       {{"antenna_length", "radar", "2 m", 5.3e9}, "azimuth_width = \"1.436 deg\""},
       {{"velocity", "target", "10 m/s", {}}, "objects move with their platform"},
       {{"velocity", "platform", "120 m/s", {}}, "velocity = [\"120 m/s\", 0, 0]"},
+      {{"velocity", "platform", "[60, 0, 0]", {}, true}, "write velocity = [60, 0, 0] in path"},
+      {{"velocity", "platform", "60 m/s", {}, true}, "velocity = [\"60 m/s\", 0, 0]"},
+      {{"sigma", "target", "-10 dB", {}}, "write rcs = \"-10 dBsm\""},
+      {{"sigma", "target", "3 m", {}}, "write rcs = \"10 m2\""},
+      {{"fs", "recording", "60 MS/s", {}}, "write sample_rate = \"100 MHz\""},
+      {{"cpi", "radar", "64", {}}, "write time = [\"0 s\", \"1 s\"] in [[recording]]"},
+      {{"cpi", "radar", "20 ms", {}}, "write time = [\"0 s\", \"20 ms\"] in [[recording]]"},
+      {{"time_start", "recording", "0", {}}, "write time = [\"0 s\", \"1 s\"]"},
+      {{"if_bandwidth", "radar", "10 MHz", {}}, "write sample_rate = \"100 MHz\" in [[recording]]"},
+      {{"waypoints", "platform", "[]", {}}, "write path = { type = \"waypoints\", speed ="},
       {{"seed", "radar", "3", {}}, "write seed = 3 in [options]"},
       {{"polarisation", "radar", "HH", {}}, "polarisation is not modelled"},
       {{"phase_noise", "radar", "", {}}, "not modelled"},
@@ -106,6 +116,8 @@ TEST(TradeWords, OfChoicesAndKindsAreFound) {
   EXPECT_EQ(trade_choice("linear_FM", "pulse")->word, "chirp");
   EXPECT_EQ(trade_choice("spotlight", "beam")->word, "spot");
   EXPECT_EQ(trade_choice("h5", "format")->word, "hdf5");
+  EXPECT_EQ(trade_choice("NetCDF", "format")->word, "hdf5");
+  EXPECT_EQ(trade_choice(".nc", "format")->word, "hdf5");
   ASSERT_NE(trade_header("Transmitter"), nullptr);
   EXPECT_EQ(trade_header("simulation")->header, "recording");
 }

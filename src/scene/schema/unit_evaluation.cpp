@@ -79,6 +79,7 @@ class Evaluation {
   [[nodiscard]] bool is_other_word(std::string_view word) const {
     return names_.contains(word) || function_named(word) != nullptr || constant_named(word) != nullptr;
   }
+  [[nodiscard]] std::size_t sampling_unit_length(std::string_view word) const;
   bool level_follows();
   [[nodiscard]] std::string quote(const Operand& part) const { return source_.quote(part.begin, part.end); }
 
@@ -144,7 +145,8 @@ Maybe Evaluation::fail_behind_operand() {
 
 // A comma, a point, or digits behind a blank follow a number.
 Maybe Evaluation::fail_in_number(std::size_t begin) {
-  const std::size_t end = std::min(text_.find_first_not_of("0123456789.,", at_), text_.size());
+  const bool per_second = begin < at_ && begins_with_per_second(text_.substr(at_));
+  const std::size_t end = per_second ? at_ + 3 : std::min(text_.find_first_not_of("0123456789.,", at_), text_.size());
   const std::string_view whole = text_.substr(begin, end - begin);
   std::string message = begin == at_ ? comma_failure(source_.typed(), "0" + std::string(whole))
                                      : broken_number(source_.typed(), whole, text_.substr(at_, end - at_));
@@ -356,8 +358,24 @@ Maybe Evaluation::number(bool negative) {
   return finite({{value.value_or(HUGE_VAL), {}}, begin, end, Operand::Form::number}, false);
 }
 
+// The length of a unit of samples per second, "MS/s" or "MSa/s", that begins with a word: not of milliseconds. Zero
+// where there is none.
+std::size_t Evaluation::sampling_unit_length(std::string_view word) const {
+  constexpr std::string_view per_second = "/s";
+  if (names_.contains(word) || !(word.ends_with("S") || word.ends_with("Sa"))) return 0;
+  const std::size_t slash = at_ + word.size();
+  if (word_at(text_, slash + 1) != "s" || !text_.substr(slash).starts_with(per_second)) return 0;
+  const std::size_t length = word.size() + per_second.size();
+  return unit_meant_by(text_.substr(at_, length)).empty() ? 0 : length;
+}
+
 Maybe Evaluation::number_with_unit(std::size_t begin, std::string_view digits, bool negative) {
   const std::string_view typed = unit_word();
+  if (const std::size_t length = sampling_unit_length(typed); length > 0) {
+    const std::string_view unit = text_.substr(at_, length);
+    return fail(at_, at_ + length, fmt::format("{} is not a known unit", quoted(unit)), {},
+                fmt::format("write {} {}", core::clipped(digits), unit_meant_by(unit)));
+  }
   UnitSearch search = unit_called(typed);
   if (search.unit != nullptr && search.unit->yields && names_.contains(typed)) search = {};
   if (search.unit == nullptr && !is_other_word(typed)) search = find_unit(typed, source_.typed());
@@ -395,6 +413,9 @@ Maybe Evaluation::fail_as_unit(std::size_t begin, std::string_view digits, std::
     return fail(begin, end, fmt::format("an operator is missing between {} and {}", quoted(digits), quoted(word)), {},
                 fmt::format("write {}*{}", core::clipped(digits), core::clipped(word)));
   if (!search.failure.empty()) return fail(at_, end, std::move(search.failure));
+  if (core::equal_ignoring_case(word, "bit") || core::equal_ignoring_case(word, "bits"))
+    return fail(at_, end, fmt::format("{} is not a known unit", quoted(word)), {},
+                fmt::format("write {}", core::clipped(digits)));
   return fail_unknown(word, at_, "unit", "a unit or an operator behind the number");
 }
 

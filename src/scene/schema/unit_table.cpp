@@ -189,6 +189,18 @@ constexpr UnitSpelling unit_spellings[] = {
     {"days", "day"},
     {"hertz", "Hz"},
     {"pps", "Hz"},
+    {"sps", "Hz"},
+    {"ksps", "kHz"},
+    {"Msps", "MHz"},
+    {"Gsps", "GHz"},
+    {"S/s", "Hz"},
+    {"kS/s", "kHz"},
+    {"MS/s", "MHz"},
+    {"GS/s", "GHz"},
+    {"Sa/s", "Hz"},
+    {"kSa/s", "kHz"},
+    {"MSa/s", "MHz"},
+    {"GSa/s", "GHz"},
     {"megahertz", "MHz"},
     {"gigahertz", "GHz"},
     {"degree", "deg"},
@@ -219,6 +231,8 @@ constexpr UnitSpelling unit_spellings[] = {
     {"decibel", "dB"},
     {"decibels", "dB"},
     {"dbic", "dBi"},
+    {"dbc", "dB"},
+    {"dbmw", "dBm"},
     {"sqm", "m2"},
     {"sm", "m2"},
     {"gee", "g"},
@@ -375,12 +389,23 @@ std::string quoted(std::string_view text) {
   return fmt::format("'{}...'", text.substr(0, end));
 }
 
+bool begins_with_per_second(std::string_view text) {
+  constexpr std::string_view unit = "1/s";
+  if (!text.starts_with(unit)) return false;
+  const char next = text.size() > unit.size() ? core::lower(text[unit.size()]) : ' ';
+  return !(next >= 'a' && next <= 'z') && !core::is_digit(next) && next != '_';
+}
+
 std::string broken_number(std::string_view text, std::string_view whole, std::string_view rest) {
   const bool digit_follows = rest.size() > 1 && core::is_digit(rest[1]);
   if (rest.front() == ',') {
     const std::size_t end = whole.find_first_not_of("+-0123456789.,eE");
     const std::string_view number = core::trimmed(whole.substr(0, end));
     return digit_follows ? comma_failure(text, number) : fmt::format("{} has a comma after the number", quoted(text));
+  }
+  if (begins_with_per_second(rest)) {
+    const std::string_view number = whole.substr(0, number_length(whole));
+    return fmt::format("{} has 1/s for a unit; write {} Hz", quoted(text), core::clipped(number));
   }
   if (core::is_digit(rest.front())) {
     std::string corrected(whole);

@@ -80,6 +80,8 @@ struct UnitSearch {
 /// 'text' in quotes and without blanks at its ends, cut where it is long.
 [[nodiscard]] std::string quoted(std::string_view text);
 
+/// Whether a text begins with "1/s", which is how some write Hz.
+[[nodiscard]] bool begins_with_per_second(std::string_view text);
 /// Why what stands behind a number is no unit, where it looks like a part of the number; empty where it does not.
 /// @param text   what is quoted
 /// @param whole  begins with the number
