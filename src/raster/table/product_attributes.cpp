@@ -1,7 +1,6 @@
 #include "raster/table/product_attributes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <system_error>
 
@@ -12,17 +11,10 @@ namespace sarsim::raster {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, scene::Processing>, 3> processing_words{
-    {{"raw", scene::Processing::raw},
-     {"matched_filter", scene::Processing::matched_filter},
-     {"srp", scene::Processing::srp}}};
-
 bool take_processing(const std::string& text, scene::Processing& value) {
-  const auto* const found =
-      std::ranges::find_if(processing_words, [&](const auto& known) { return known.first == text; });
-  if (found == processing_words.end()) return false;
-  value = found->second;
-  return true;
+  const auto found = processing_of(text);
+  if (found) value = *found;
+  return found.has_value();
 }
 
 bool take_text(std::string text, std::string& value) {
@@ -46,18 +38,6 @@ bool take_number(const std::string& text, double& value) {
 }
 
 }  // namespace
-
-std::string attribute_of(const FileAttributes& attributes, std::string_view name) {
-  const auto found =
-      std::ranges::find(attributes, name, [](const auto& pair) -> std::string_view { return pair.first; });
-  return found == attributes.end() ? std::string() : found->second;
-}
-
-std::string attribute_word(scene::Processing processing) {
-  const auto* const found =
-      std::ranges::find_if(processing_words, [&](const auto& known) { return known.second == processing; });
-  return std::string((found == processing_words.end() ? processing_words.front() : *found).first);
-}
 
 void take_origin(const FileAttributes& attributes, simulate::Product& product) {
   scene::RunOptions& options = product.options;

@@ -99,6 +99,38 @@ TEST(SquintedImage, MeasuresThePhaseOfTheTargetsPlace) {
   EXPECT_NEAR(target.amplitude_error_db(), 0.0, 0.1);
 }
 
+// From a steep flight the sine of the angle of incidence goes from 0.16 to 0.43: the spectra of the three points on the
+// ground are centred a cycle per metre apart.
+TEST(SquintedImage, MeasuresTargetsOfAGroundGridByTheirOwnSpectra) {
+  const test::TestFolder folder;
+  scene::Scene scene = squinted_scene();
+  scene.targets = sar_scene(1000.0, {{-300.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {600.0, 0.0, 0.0}}).targets;
+  scene.platforms[1] = simulate::moving(
+      "Plane", {-std::sqrt(9e6 - 2900.0 * 2900.0), -3000.0 * std::tan(core::pi / 9.0), 2900.0}, {0.0, 100.0, 0.0});
+  scene.simulations[0].range_end_m = 3500.0;
+  std::ofstream(folder / "sar.scr") << scene::write_script(scene);
+  FocusRequest request;
+  request.input.path = (folder / "sar.scr").string();
+  request.output = folder / "sar.img";
+  request.algorithm = FocusAlgorithm::back_projection;
+  request.grid = FocusGrid::ground;
+  request.ground_m = 0.0;
+  request.threads = 2;
+  static_cast<void>(focus(request, {}));
+  MeasureRequest measured;
+  measured.image = request.output;
+  measured.threads = 2;
+  const MeasureReport report = measure(measured, {});
+  ASSERT_EQ(report.targets.size(), 3U);
+  for (const MeasuredTarget& target : report.targets) {
+    ASSERT_TRUE(target.found) << target.theory.target;
+    EXPECT_NEAR(target.phase_error_rad(), 0.0, 0.02) << target.theory.target;
+    EXPECT_NEAR(target.amplitude_error_db(), 0.0, 0.1) << target.theory.target;
+    EXPECT_NEAR(target.found->place.azimuth_m, target.theory.place.azimuth_m, 0.02) << target.theory.target;
+    EXPECT_NEAR(target.found->place.range_m, target.theory.place.range_m, 0.1) << target.theory.target;
+  }
+}
+
 TEST(FocusGridSteps, StayThoseOfTheRecordingWhereTheyHoldTheSpectrum) {
   const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
   signal::FocusOptions options;
