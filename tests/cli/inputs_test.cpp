@@ -179,7 +179,7 @@ time = ["-0.6 s", "0.6 s"]
 )");
   expect_done({"run", "small.toml", "--quiet"});
   fs::remove(folder_ / "small.zarr/.zmetadata");
-  expect_done({"convert", "small.zarr", "sound.cphd", "--anchor", "-33.9,18.4,0", "--quiet"});
+  expect_done({"convert", "small.zarr", "sound.cphd", "--anchor", "-33.9,18.4,0"});
   std::string attributes = text_of(folder_ / "small.zarr/.zattrs");
   const std::string raw = "\"processing\": \"raw\"";
   const std::size_t at = attributes.find(raw);

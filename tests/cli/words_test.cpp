@@ -361,14 +361,6 @@ TEST_F(Words, PicturesAreRefusedWhereSamplesAreWritten) {
     expect_refusal({command, "scene.scr", "--out", "a.png"}, "is the name of a picture");
 }
 
-TEST_F(Words, FilesOfOtherProgramsAreRefusedAsConvertRefusesThem) {
-  write_scene({});
-  for (const char* command : {"focus", "doppler", "search", "profiles", "isar"}) {
-    expect_refusal({command, "scene.scr", "--out", "a.mat"}, "the extension of 'a.mat' names no format");
-    expect_refusal({command, "scene.scr", "--out", "a.nc"}, "name it a.h5: xarray opens it");
-  }
-}
-
 TEST_F(Words, TargetsComeFromTablesInEveryCommand) {
   write_scene({});
   write_text(folder_ / "points.csv", "x,y,z,rcs\n1100,0,0,2\n1200,0,5,3\n");

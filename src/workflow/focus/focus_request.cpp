@@ -48,10 +48,7 @@ void expect_outputs_to_be_free(const FocusRequest& request) {
   if (request.magnitude && (request.output.empty() || !is_envi(request.output)))
     throw core::Refused("--magnitude makes ENVI images", "name the output .img");
   const std::vector<fs::path> paths = outputs_of(request);
-  for (const fs::path& path : paths) {
-    expect_no_picture(path, "--out");
-    expect_no_foreign(path);
-  }
+  for (const fs::path& path : paths) expect_no_picture(path, "--out");
   std::vector<fs::path> named = named_sources(request.input);
   if (!request.navigation.empty()) named.emplace_back(request.navigation);
   expect_free_outputs(paths, {InputList::named(std::move(named)), request.force, "--out"});

@@ -12,7 +12,6 @@
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "raster/table/formats.hpp"
-#include "scene/schema/trade_words.hpp"
 #include "workflow/image/image_facts.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/image_writer.hpp"
@@ -106,16 +105,6 @@ void expect_no_picture(const fs::path& path, std::string_view option) {
           fmt::format("{} '{}' is the name of a picture, and an image is written as samples", option, path.string()),
           fmt::format("name it {0}; 'sarsim plot {0} -o {1}' then draws it",
                       fs::path(path).replace_extension(".img").string(), drawn_as(path).string()));
-}
-
-void expect_no_foreign(const fs::path& path) {
-  const std::string extension = path.extension().string();
-  if (extension.empty() || raster::format_from_path(path)) return;
-  const scene::TradeChoice* const meant = scene::trade_choice(extension, "format");
-  if (meant == nullptr || meant->word != raster::name_of(scene::FileFormat::hdf5)) return;
-  throw core::Refused(fmt::format("the extension of '{}' names no format", path.string()),
-                      fmt::format("name it {}{}", fs::path(path).replace_extension(".h5").string(),
-                                  meant->note.empty() ? "" : fmt::format(": {}", meant->note)));
 }
 
 bool is_sicd(const fs::path& path) { return raster::row_from_path(path) == &raster::sicd_format(); }

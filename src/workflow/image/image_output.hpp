@@ -19,9 +19,6 @@ namespace sarsim::workflow {
 /// message begins with `option`.
 void expect_no_picture(const std::filesystem::path& path, std::string_view option);
 
-/// Refuses the ending of a program's own files that are not written (.mat, .nc), which HDF5 takes the place of.
-void expect_no_foreign(const std::filesystem::path& path);
-
 /// Whether a path names a SICD file: .nitf, .ntf or .sicd.
 [[nodiscard]] bool is_sicd(const std::filesystem::path& path);
 

@@ -58,7 +58,6 @@ void PulseWork::expect_free_files(const InputList& sources) const {
   if (request_.image) {
     expect_no_picture(output(), "--out");
     expect_no_sicd(output(), "--out");
-    expect_no_foreign(output());
   }
   if (!request_.image && !options_.detect)
     throw core::Refused("--no-map with --cfar none leaves nothing to do", "leave out one of them");

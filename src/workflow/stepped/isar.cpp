@@ -44,7 +44,6 @@ IsarOptions isar_options(const IsarRequest& request) {
   options.autofocus = options.autofocus || options.motion == Motion::estimated;
   expect_no_picture(output_of(request), "--out");
   expect_no_sicd(output_of(request), "--out");
-  expect_no_foreign(output_of(request));
   if (request.magnitude && !is_envi(output_of(request)))
     throw core::Refused("--magnitude makes ENVI images", "name the output .img");
   return options;
