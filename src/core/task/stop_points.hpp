@@ -6,7 +6,7 @@
 
 namespace sarsim::core {
 
-/// Throws Interrupted where a stop has been requested; without a flag nobody can.
+/// Throws Interrupted where a stop has been requested; without a flag never.
 inline void end_if_asked(const StopFlag* stop) {
   if (stop != nullptr && stop->requested()) throw Interrupted();
 }
@@ -15,7 +15,7 @@ inline void end_if_asked(const StopFlag* stop) {
 /// and then whenever so much was done.
 class StopPoints {
  public:
-  /// @param stop   may be null: nobody asks
+  /// @param stop   null: cannot be stopped
   /// @param every  what is done between two questions, in whatever is counted, at least 1; some milliseconds of work
   StopPoints(const StopFlag* stop, std::size_t every) : stop_(stop), every_(every) {}
 

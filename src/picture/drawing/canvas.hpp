@@ -25,7 +25,7 @@ struct Area {
 /// What a picture is drawn on, in pixels of PictureStyle.
 class Canvas {
  public:
-  /// @param stop  may be null: nobody asks
+  /// @param stop  null: cannot be stopped
   /// @throws std::runtime_error where there is no room for so many dots
   Canvas(PictureKind kind, const PictureStyle& style, const std::string& title, const core::StopFlag* stop);
   Canvas(const Canvas&) = delete;

@@ -86,7 +86,7 @@ inline constexpr unsigned hdf5_trial_s = 20;
 
 /// Tries in a child process what is about to be done with a file in this one. Throws Interrupted where a stop is
 /// requested meanwhile.
-/// @param stop  may be null: nobody asks
+/// @param stop  null: cannot be stopped
 [[nodiscard]] core::TrialReport hdf5_trial(const std::function<std::string()>& work, const core::StopFlag* stop);
 
 /// The error for a file whose trial takes more; the file may be sound.

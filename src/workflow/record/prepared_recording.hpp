@@ -36,7 +36,7 @@ struct PreparedRecording {
 /// matter.
 /// @param simulation  position in the scene's list
 /// @param options     of the file; its format is that of the simulation
-/// @param stop        may be null: nobody asks
+/// @param stop        null: cannot be stopped
 /// @throws core::Refused with all errors of the scene; core::Interrupted
 [[nodiscard]] PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simulation,
                                                   std::filesystem::path file, raster::SinkOptions options,
