@@ -203,8 +203,7 @@ void add_curves(FigurePanel& panel, const ShownSamples& seen, const Extent& acro
 
 core::Problem remark_on(const NotFinite& samples, const raster::Raster& source) {
   core::Problem problem = core::problem_of(
-      core::Severity::warning,
-      fmt::format("{} of the samples that were looked at are not finite; nothing is drawn of them", samples.count),
+      core::Severity::warning, fmt::format("{} of the samples are not finite; nothing is drawn of them", samples.count),
       fmt::format("row {}, sample {} (from 0){}", samples.row, samples.column,
                   samples.count > 1 ? ", the first of them" : ""),
       "finite numbers", "sarsim info --statistics says how many such samples there are");

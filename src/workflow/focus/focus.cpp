@@ -18,6 +18,7 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/air_remarks.hpp"
 #include "workflow/focus/back_projection.hpp"
+#include "workflow/focus/edge_remark.hpp"
 #include "workflow/focus/flown_spectrum.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/focus_phase_history.hpp"
@@ -190,6 +191,7 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
       remarks_on_sar(*work.input.plan, work.input.echoes, kept, ghosts_in(request, work.input.echoes), control),
       std::back_inserter(problems));
   std::ranges::move(remarks_on_air(*work.input.plan), std::back_inserter(problems));
+  std::ranges::move(remarks_on_edges(*work.input.plan), std::back_inserter(problems));
   if (!in_time(request))
     std::ranges::move(remarks_on_swath_loss(*work.input.plan, work.input.echoes, work.options, control),
                       std::back_inserter(problems));
@@ -290,6 +292,7 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
   std::ranges::move(remarks_on_ghosts(plan, echoes, kept, ghosts_in(request, work.input.echoes), control),
                     std::back_inserter(problems));
   std::ranges::move(remarks_on_air(plan), std::back_inserter(problems));
+  std::ranges::move(remarks_on_edges(plan), std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
 

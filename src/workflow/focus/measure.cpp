@@ -18,6 +18,7 @@
 #include "scene/model/world_frame.hpp"
 #include "signal/measure/noise_floor.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/edge_remark.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
@@ -384,9 +385,10 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
     way.problems.push_back(*std::move(note));
   }
   expect_free_pictures(request, theories, named_sources(input_of(request, way, opened.origin)));
-  core::Problems movers = remarks_on_movers(*input.plan, input.echoes, {}, control);
-  observer.remarks(movers);
-  std::ranges::move(movers, std::back_inserter(way.problems));
+  core::Problems of_echoes = remarks_on_movers(*input.plan, input.echoes, {}, control);
+  std::ranges::move(remarks_on_edges(*input.plan), std::back_inserter(of_echoes));
+  observer.remarks(of_echoes);
+  std::ranges::move(of_echoes, std::back_inserter(way.problems));
   std::vector<MeasuredTarget> targets = measured_targets(opened, theories, request, control);
   if (auto edges = remark_on_edges(opened.image, targets)) {
     observer.remarks({*edges});

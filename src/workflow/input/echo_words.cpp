@@ -66,7 +66,7 @@ std::string echo_text(const scene::Scene& scene, const simulate::EchoSummary& su
   if (summary.sights.empty()) return scene.surfaces.empty() ? "" : begin + surfaces_left_out + "\n";
   const bool all = summary.sights.size() == summary.in_window;
   std::string text = begin + fmt::format("{} of {} targets in the window{}\n", summary.in_window, summary.targets,
-                                         all ? "" : fmt::format(", {} of them looked at", summary.sights.size()));
+                                         all ? "" : fmt::format(", {} of them examined", summary.sights.size()));
   if (!scene.surfaces.empty()) text += std::string("    ") + surfaces_left_out + "\n";
   const simulate::TargetSight& strongest = summary.strongest();
   const simulate::TargetSight& weakest = summary.weakest();
