@@ -4,8 +4,8 @@
     tests/bad_input/page.py [--check]     compares instead; exit status 1 where page and records disagree
 
 The records in said/ have each bad input with its message, word for word; make_table.py, mistakes.py and mistakes_format_2.py
-compare them with the program. The page has a row for each kind of message: what is wrong, and the message without its
-place, what was found and what was expected.
+compare them with the program. The page has a row for each kind of message that docs/guide/troubleshooting.md does not explain:
+what is wrong, and the message without its place, what was found and what was expected.
 """
 
 import pathlib
@@ -14,8 +14,10 @@ import sys
 
 SAID = pathlib.Path(__file__).resolve().parent / "said"
 GUIDE = pathlib.Path(__file__).resolve().parents[2] / "docs/guide/bad-input.md"
+TROUBLESHOOTING = GUIDE.with_name("troubleshooting.md")
 BEGIN, END = "<!-- made by tests/bad_input/page.py -->", "<!-- end of the tables -->"
 HEAD = ["| what is wrong | message |", "|---|---|"]
+SHORTEST = 12  # Shorter quotes fit too much.
 SEVERITY = re.compile(r"^(?:[^\s:]+(?::\d+:\d+)?: )?(?:sarsim: )?(error|warning|note): ")
 DETAILS = re.compile(r"; found '|[,;] expected ")
 
@@ -55,13 +57,25 @@ def shape(text):
     return re.sub(r"(?<=is a )\w+; the field takes .*|(?<=ends before ).*", "", text)
 
 
+def explained():
+    """A pattern that fits the messages of the page that explains them."""
+    patterns, in_table = [], False
+    for line in TROUBLESHOOTING.read_text(encoding="utf-8").splitlines():
+        in_table = line.startswith("|") and (in_table or line.startswith("| Message |"))
+        for quote in re.findall(r"`([^`]+)`", line.split(" | ")[0]) if in_table else []:
+            parts = [re.escape(part.strip()) for part in quote.split("...") if part.strip()]
+            if len("".join(parts)) >= SHORTEST:
+                patterns.append(".*".join(parts))
+    return re.compile("|".join(patterns))
+
+
 def as_cell(text):
     ticks = "``" if "`" in text else "`"
     return f"{ticks}{text}{ticks}"
 
 
 def tables():
-    lines, seen, inputs = [], set(), 0
+    lines, seen, inputs, known = [], set(), 0, explained()
     for name, title, wrong, said in RECORDS:
         lines += ["", f"## {title}"]
         last = None
@@ -74,11 +88,13 @@ def tables():
             if text == "nothing" or shape(text) in seen:
                 continue
             seen.add(shape(text))
+            if known.search(text):
+                continue
             if theme != last:
                 lines += ["", *([f"### {theme}", ""] if theme else []), *HEAD]
             last = theme
             lines.append(f"| {cells[wrong].removesuffix('.')} | {as_cell(text)} |")
-    return ["", f"{len(seen)} kinds of messages to {inputs} bad inputs that the tests try.", *lines, "", ""]
+    return ["", f"The tests try {inputs} bad inputs and get {len(seen)} kinds of messages.", *lines, "", ""]
 
 
 def parts():
