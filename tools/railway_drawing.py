@@ -48,8 +48,8 @@ are enough, five of a command), boxes with corners are values, with the unit in 
 separate values and mean nothing else. [The script language](script.md) says what the values mean and what their defaults are.
 
 This page and its pictures are made by `tools/railway`, which asks the program what may come next; a test does it again and
-compares. Below each picture is the same as text: `|` between alternatives, `[ ]` around what may be left out; then an example in
-the layout and with the comments of `sarsim format`.
+compares. Below each picture is the same as text: `|` between alternatives, `[ ]` around what may be left out. The scripts in
+[examples](../../examples) show the layout and the comments of `sarsim format`.
 """
 
 BLOCK_TEXT = """## User-defined functions
@@ -234,11 +234,10 @@ def block_picture():
 def page_and_pictures(commands):
     """The files of docs/formats, by their names; pictures are None where they cannot be drawn."""
     text, files = HEAD, {}
-    for word, (items, example) in commands.items():
+    for word, items in commands.items():
         tree = plain(items)
         lines = "\n".join(as_text(tree))
         text += f"\n## ${word}\n\n![${word}](diagrams/{word.lower()}.svg)\n\n```text\n${word}\n{lines}\n```\n"
-        text += f"\nAn example:\n\n```text\n{example}\n```\n"
         drawn_items = [] if railroad is None else [railroad.Terminal("$" + word), *[drawn(item) for item in tree]]
         files[f"diagrams/{word.lower()}.svg"] = picture(drawn_items)
     files["diagrams/block.svg"] = block_picture()

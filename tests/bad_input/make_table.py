@@ -1,27 +1,27 @@
 #!/usr/bin/env python3
-"""Writes the tables of docs/guide/bad-input.md from what sarsim says.
+"""Records what sarsim says to each bad input, word for word, and makes docs/guide/bad-input.md of it.
 
     SARSIM_PROGRAM=build/dev/src/sarsim tests/bad_input/make_table.py [--check]
 
-With --check nothing is written; exit status 1 where the guide and the program disagree. What depends on the machine,
-such as free room on a disk, is left out of the messages; rows of cases that this machine does not allow are kept.
+The record is said/cases.txt. With --check nothing is written; exit status 1 where the record and the program disagree. What
+depends on the machine, such as free room on a disk, is left out of the messages; rows of cases that this machine does not
+allow are kept.
 """
 
 import difflib
-import pathlib
 import re
 import sys
 
 import groups
 import interruptions
 import numeric_fields
+import page
 import scene_cases
 import script_cases
 import world_cases
 from harness import possible, program
 
-GUIDE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs/guide/bad-input.md"
-BEGIN, END = "<!-- tables: made by tests/bad_input/make_table.py -->", "<!-- end of the tables -->"
+RECORD = page.SAID / "cases.txt"
 RULE = "|---|---|---|---|"
 HEAD = ["| what is wrong | command, where not `sarsim run scene.scr` | exit status | what the user sees |", RULE]
 NUMBERS_HEAD = ["| command | numeric fields | bad values, each in a run of its own | for example |", RULE]
@@ -109,17 +109,16 @@ def all_tables(old):
 
 
 def main():
-    text = GUIDE.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    old, after = rest.split(END)
-    made = "\n".join(["", *all_tables(old.splitlines()), "", ""])
+    old = RECORD.read_text(encoding="utf-8")
+    made = "\n".join(all_tables(old.splitlines())) + "\n"
     if "--check" not in sys.argv[1:]:
-        GUIDE.write_text(before + BEGIN + made + END + after, encoding="utf-8")
+        RECORD.write_text(made, encoding="utf-8")
+        page.write()
         return 0
     if made == old:
         return 0
-    print("docs/guide/bad-input.md and the program disagree; tests/bad_input/make_table.py writes it anew:")
-    print("\n".join(difflib.unified_diff(old.splitlines(), made.splitlines(), "guide", "program", lineterm="")))
+    print(f"{RECORD.name} and the program disagree; tests/bad_input/make_table.py writes it anew:")
+    print("\n".join(difflib.unified_diff(old.splitlines(), made.splitlines(), "record", "program", lineterm="")))
     return 1
 
 

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Makes likely mistakes in a sound script and compares what sarsim says with the guide.
+"""Makes likely mistakes in a sound script and compares what sarsim says with the record of it.
 
     SARSIM_PROGRAM=build/dev/src/sarsim tests/bad_input/mistakes.py [--check]
 
-Without --check the table of docs/guide/bad-input.md is written. Each mistake must be reported in the words and with the exit
-status that are given here, whatever the table holds. Exit status 1 if it is not, or if the table differs.
+Without --check the record said/likely_mistakes.txt is written, and docs/guide/bad-input.md, which is made of it. Each mistake
+must be reported in the words and with the exit status that are given here, whatever the record says. Exit status 1 if it is
+not, or if the record differs.
 """
 
 import pathlib
@@ -13,11 +14,11 @@ import subprocess
 import sys
 import tempfile
 
+import page
 from base import spoiled
 from harness import program
 
-GUIDE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs/guide/bad-input.md"
-BEGIN, END = "<!-- mistakes: made by tests/bad_input/mistakes.py -->", "<!-- end of the mistakes -->"
+RECORD = page.SAID / "likely_mistakes.txt"
 
 # An aircraft passes two points on the ground at 8.5 km; S band, 100 MHz, 2 us.
 SCENE = """\
@@ -172,15 +173,14 @@ def rows():
 def main():
     lines, faults = rows()
     head = ["| | mistake | command | exit status | what the user sees |", "|---|---|---|---|---|"]
-    made = "\n".join(["", "", *head, *lines, "", ""])
-    text = GUIDE.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    old, after = rest.split(END)
+    made = "\n".join([*head, *lines, ""])
+    old = RECORD.read_text(encoding="utf-8")
     if "--check" not in sys.argv[1:]:
-        GUIDE.write_text(before + BEGIN + made + END + after, encoding="utf-8")
+        RECORD.write_text(made, encoding="utf-8")
+        page.write()
     elif made != old:
-        faults.append("docs/guide/bad-input.md and the program disagree; tests/bad_input/mistakes.py writes it anew")
-        faults += [line for line in lines if line not in old]
+        faults.append(f"{RECORD.name} and the program disagree; tests/bad_input/mistakes.py writes it anew")
+        faults += [line for line in lines if line not in old.splitlines()]
     print("\n".join(faults) or f"{len(MISTAKES)} mistakes, all of them reported")
     return 1 if faults else 0
 

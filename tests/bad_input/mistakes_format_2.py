@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""Makes likely mistakes in a sound scene in format 2 and compares what sarsim says with the guide.
+"""Makes likely mistakes in a sound scene in format 2 and compares what sarsim says with the record of it.
 
     SARSIM_PROGRAM=build/dev/src/sarsim tests/bad_input/mistakes_format_2.py [--check]
 
 The mistakes are those of format_2_cases.py, and those of the Earth and of motion below.
 
-Without --check the tables of docs/guide/bad-input-format-2.md are written. Each mistake must be reported in the words,
-at the place and with the exit status that are given with it, whatever the tables hold. Exit status 1 if one is
-not, or if the tables differ.
+Without --check the record said/format_2.txt is written, and docs/guide/bad-input.md, which is made of it. Each mistake must be
+reported in the words, at the place and with the exit status that are given with it, whatever the record says. Exit status 1
+if one is not, or if the record differs.
 """
 
 import difflib
@@ -18,13 +18,13 @@ import subprocess
 import sys
 import tempfile
 
+import page
 from base import spoiled
 from format_2_cases import CHECK, LINE, SCENE, THEMES, Mistake, instead, path
 from harness import program, split_mark
 from mistakes import as_cell, message_of
 
-GUIDE = pathlib.Path(__file__).resolve().parent.parent.parent / "docs/guide/bad-input-format-2.md"
-BEGIN, END = "<!-- mistakes: made by tests/bad_input/mistakes_format_2.py -->", "<!-- end of the mistakes -->"
+RECORD = page.SAID / "format_2.txt"
 HEAD = ["| | what is typed | what is wrong | exit status | what the user sees |", "|---|---|---|---|---|"]
 SCENE_FILE = "scene.toml"
 
@@ -522,14 +522,13 @@ def tables():
 
 def main():
     lines, faults = tables()
-    made = "\n".join(["", *lines, "", ""])
-    text = GUIDE.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    old, after = rest.split(END)
+    made = "\n".join([*lines, ""])
+    old = RECORD.read_text(encoding="utf-8")
     if "--check" not in sys.argv[1:]:
-        GUIDE.write_text(before + BEGIN + made + END + after, encoding="utf-8")
+        RECORD.write_text(made, encoding="utf-8")
+        page.write()
     elif made != old:
-        faults.append(f"{GUIDE.name} and the program disagree; tests/bad_input/mistakes_format_2.py writes it anew")
+        faults.append(f"{RECORD.name} and the program disagree; tests/bad_input/mistakes_format_2.py writes it anew")
         faults += [line for line in lines if line not in old.splitlines()]
     print("\n".join(faults) or f"{lines[0].removesuffix('.')}, all of them reported")
     return 1 if faults else 0
