@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "raster/cphd/cphd_file.hpp"
-#include "raster/format/raster_probe.hpp"
+#include "raster_probe.hpp"
 
 namespace {
 

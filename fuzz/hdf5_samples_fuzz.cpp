@@ -1,6 +1,6 @@
 // HDF5 files of samples.
 
-#include "raster/format/raster_probe.hpp"
+#include "raster_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   sarsim::raster::RasterHints hints;

@@ -1,6 +1,6 @@
 // Tables of points: NPY, HDF5 and text, told by their content.
 
-#include "raster/format/raster_probe.hpp"
+#include "raster_probe.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/limits.hpp"
 #include "workflow/input/cloud_input.hpp"

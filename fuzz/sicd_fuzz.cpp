@@ -3,8 +3,8 @@
 #include <cstring>
 #include <string_view>
 
-#include "raster/format/raster_probe.hpp"
 #include "raster/sicd/sicd.hpp"
+#include "raster_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size > 0 && data[0] == '<') {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <string>
 
-#include "raster/format/raster_probe.hpp"
+#include "raster_probe.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "raster/format/open_raster.hpp"
-#include "raster/format/raster_probe.hpp"
+#include "raster_probe.hpp"
 
 namespace {
 

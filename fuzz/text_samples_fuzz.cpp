@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "raster/format/raster_probe.hpp"
+#include "raster_probe.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using sarsim::scene::FileFormat;

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <string>
 
-#include "raster/format/raster_probe.hpp"
 #include "raster/format/zarr_metadata.hpp"
+#include "raster_probe.hpp"
 
 namespace {
 

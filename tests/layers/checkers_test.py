@@ -83,6 +83,13 @@ class Layers(unittest.TestCase):
         found = self.lines({"echo/a.cpp": "#include <hdf5.h>\n", "data/b.cpp": "#include <hdf5.h>\n"})
         self.assertEqual(found, ["echo/a.cpp:1: echo includes <hdf5.h> without hdf5 among its LIBS"])
 
+    def test_headers_of_the_system_belong_to_one_room(self):
+        cmake = "sarsim_folder(core ROOMS os text)\n"
+        include = "#include <sys/stat.h>\n"
+        files = {"core/os/a.cpp": include, "core/text/a_test.cpp": include, "core/text/b.cpp": "\n" + include}
+        found = self.lines(files, cmake)
+        self.assertEqual(found, ["core/text/b.cpp:2: <sys/stat.h> is a header of the system: include it in core/os"])
+
     def test_undeclared_folders_are_found(self):
         found = self.lines({"extra/a.cpp": "", "base/a.cpp": '#include "other/b.hpp"\n'})
         self.assertEqual(

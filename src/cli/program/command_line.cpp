@@ -14,8 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 
 #include "cli/command/commands.hpp"
@@ -334,7 +332,7 @@ int guarded(Program& program, std::vector<std::string> words, Streams& streams) 
 }
 
 Streams streams_of_process(const core::StopFlag& stop) {
-  return {std::cout, std::cerr, isatty(STDERR_FILENO) == 1, &stop, false, isatty(STDOUT_FILENO) == 1};
+  return {std::cout, std::cerr, core::errors_are_on_terminal(), &stop, false, core::output_is_terminal()};
 }
 
 }  // namespace

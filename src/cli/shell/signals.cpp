@@ -1,86 +1,22 @@
 #include "cli/shell/signals.hpp"
 
-#include <sys/time.h>
-#include <unistd.h>
-
-#include <atomic>
-#include <cerrno>
-#include <csignal>
-#include <string_view>
-
-#include "core/os/temporary_files.hpp"
+#include "core/os/stop_signals.hpp"
 
 namespace sarsim::cli {
 
 namespace {
 
 core::StopFlag stop_flag;
-std::atomic<int> signal_number{0};
-std::atomic<bool> ends_alone{true};
-static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may use lock-free atomics only");
-
-// How long work may take to notice a request, and to end once it has: what it keeps has to reach a slow disk.
-constexpr timeval to_notice{.tv_sec = 0, .tv_usec = 400'000};
-constexpr timeval to_end{.tv_sec = 10, .tv_usec = 0};
-
-void wait_for_the_end(timeval time) {
-  const itimerval once{.it_interval = {}, .it_value = time};
-  ::setitimer(ITIMER_REAL, &once, nullptr);
-}
-
-// What was due at the last signal; handlers do nothing but calls that are safe in them.
-extern "C" void on_alarm(int) {
-  static std::atomic<bool> waited_for_the_end{false};
-  if (stop_flag.noticed() && !waited_for_the_end.exchange(true)) {
-    wait_for_the_end(to_end);
-    return;
-  }
-  core::remove_temporary_files();
-  constexpr std::string_view text = "\nsarsim: interrupted\n";
-  const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
-  (void)written;  // Nobody is left to be told.
-  ::_exit(128 + signal_number.load(std::memory_order_relaxed));
-}
-
-extern "C" void on_signal(int number) {
-  const int error = errno;
-  if (signal_number.load(std::memory_order_relaxed) != 0) {
-    // A terminal that closes says so more than once: itself, and through its shell.
-    if (number == SIGHUP) return;
-    core::remove_temporary_files();
-    std::signal(number, SIG_DFL);
-    std::raise(number);
-    return;
-  }
-  signal_number.store(number, std::memory_order_relaxed);
-  stop_flag.request();
-  if (ends_alone.load(std::memory_order_relaxed)) wait_for_the_end(to_notice);
-  errno = error;
-}
-
-void install(int number, void (*handler)(int)) {
-  struct sigaction action = {};
-  action.sa_handler = handler;
-  sigemptyset(&action.sa_mask);
-  action.sa_flags = SA_RESTART;
-  sigaction(number, &action, nullptr);
-}
 
 }  // namespace
 
 const core::StopFlag& handle_signals(Company company) {
-  ends_alone = company == Company::alone;
-  install(SIGINT, on_signal);
-  install(SIGTERM, on_signal);
-  install(SIGALRM, on_alarm);
-  struct sigaction hangup = {};
-  // Who starts a command with nohup wants it to go on.
-  if (sigaction(SIGHUP, nullptr, &hangup) != 0 || hangup.sa_handler != SIG_IGN) install(SIGHUP, on_signal);
-  install(SIGPIPE, SIG_IGN);
-  install(SIGXFSZ, SIG_IGN);
+  core::install_stop_signals(
+      {.request = []() noexcept { stop_flag.request(); }, .noticed = []() noexcept { return stop_flag.noticed(); }},
+      company == Company::alone);
   return stop_flag;
 }
 
-int received_signal() { return signal_number.load(std::memory_order_relaxed); }
+int received_signal() { return core::received_signal(); }
 
 }  // namespace sarsim::cli

@@ -1,6 +1,7 @@
 #include "core/os/free_memory.hpp"
 
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <string>
@@ -17,6 +18,13 @@ std::optional<std::size_t> free_memory_bytes() {
     if (name == "MemAvailable:") return kilobytes * 1024;
   }
   return std::nullopt;
+}
+
+std::optional<std::uint64_t> machine_memory_bytes() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES);
+  const long bytes = ::sysconf(_SC_PAGESIZE);
+  if (pages <= 0 || bytes <= 0) return std::nullopt;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(bytes);
 }
 
 bool can_map(std::uint64_t bytes) noexcept {

@@ -16,4 +16,8 @@ void reserve_standard_streams() {
   }
 }
 
+bool output_is_terminal() { return ::isatty(STDOUT_FILENO) == 1; }
+
+bool errors_are_on_terminal() { return ::isatty(STDERR_FILENO) == 1; }
+
 }  // namespace sarsim::core

@@ -6,4 +6,9 @@ namespace sarsim::core {
 /// it. Reading and printing fail there as on a closed stream. Comes first in a program.
 void reserve_standard_streams();
 
+/// Whether standard output is a terminal.
+[[nodiscard]] bool output_is_terminal();
+/// Whether standard error is.
+[[nodiscard]] bool errors_are_on_terminal();
+
 }  // namespace sarsim::core

@@ -7,8 +7,6 @@
 #include <QPushButton>
 #include <QToolButton>
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <bit>
 #include <utility>
@@ -43,13 +41,6 @@ std::optional<picture::OverviewCache> cache_for(const raster::Raster& source, co
                                                           " " + std::to_string(source.info().bits));
 }
 
-// What tells a file from another one that has been given its name; nothing where there is none.
-std::optional<std::pair<dev_t, ino_t>> number_of(const std::filesystem::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
-  return std::pair(status.st_dev, status.st_ino);
-}
-
 unsigned coarser_log2(unsigned base, std::size_t samples) {
   unsigned log2 = base;
   while ((samples >> log2) > coarse_side) ++log2;
@@ -72,7 +63,7 @@ void ImageViewer::open(const std::filesystem::path& path, const raster::RasterHi
   }
   auto result = std::make_shared<raster::OpenedRaster>();
   // Asked for before the file is opened: one that is replaced meanwhile is opened once more.
-  file_number_ = number_of(path);
+  file_number_ = core::identity_of(path);
   disconnect(&opening_, nullptr, this, nullptr);
   connect(&opening_, &BackgroundJob::ended, this, [this, result](JobEnd end, const QString& failure) {
     if (std::exchange(open_again_, false)) {
@@ -249,7 +240,7 @@ void ImageViewer::look_at_file() {
   const bool follows = follow_file_->isChecked();
   if (failure || opening_.running()) return;  // A file that is gone can still be read where it is open.
   // What is open would never tell of another file that has taken the name, however large that is.
-  if (follows && number_of(path_) != file_number_) {
+  if (follows && core::identity_of(path_) != file_number_) {
     refresh();
     return;
   }

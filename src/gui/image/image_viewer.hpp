@@ -3,13 +3,12 @@
 #include <QTimer>
 #include <QWidget>
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "core/os/file_identity.hpp"
 #include "gui/common/background_job.hpp"
 #include "gui/image/image_part.hpp"
 #include "gui/image/image_plot.hpp"
@@ -160,7 +159,7 @@ class ImageViewer : public QWidget {
   std::size_t rows_ = 0;
   std::uintmax_t file_bytes_ = 0;
   std::filesystem::file_time_type file_time_;
-  std::optional<std::pair<dev_t, ino_t>> file_number_;  // of what is open
+  std::optional<core::FileIdentity> file_number_;  // of what is open
   PartLook look_;
   ImageView wanted_view_;  // as asked for; equal scales may show more
   bool look_set_ = false;

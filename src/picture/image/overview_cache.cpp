@@ -1,7 +1,5 @@
 #include "picture/image/overview_cache.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <exception>
@@ -14,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "core/os/file_identity.hpp"
 #include "scene/edit/text_file.hpp"
 
 namespace sarsim::picture {
@@ -49,10 +48,10 @@ std::optional<std::string> file_identity(const fs::path& path) {
   std::error_code error;
   const fs::path whole = fs::canonical(path, error);
   if (error) return std::nullopt;
-  struct stat status {};
-  if (::stat(whole.c_str(), &status) != 0) return std::nullopt;
-  return fmt::format("{}\n{}\n{}.{:09}\n{}", whole.string(), status.st_size, status.st_mtim.tv_sec,
-                     status.st_mtim.tv_nsec, status.st_ino);
+  const std::optional<core::FileStatus> status = core::file_status(whole);
+  if (!status) return std::nullopt;
+  return fmt::format("{}\n{}\n{}.{:09}\n{}", whole.string(), status->bytes, status->changed.seconds,
+                     status->changed.nanoseconds, status->identity.number);
 }
 
 OverviewCache::OverviewCache(fs::path folder, std::string identity, std::uint64_t max_bytes)

@@ -1,9 +1,5 @@
 #include "raster/format/envi.hpp"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -418,16 +414,10 @@ bool has_envi_header(const std::filesystem::path& data) {
   return reading.header && !misfit_of_array(data, *reading.header);
 }
 
-struct EnviImage::Closer {
-  explicit Closer(int file) : descriptor(file) {}
-  Closer(const Closer&) = delete;
-  Closer& operator=(const Closer&) = delete;
-  ~Closer() { ::close(descriptor); }
-  int descriptor;
-};
-
-EnviImage::EnviImage(EnviHeader header, std::filesystem::path data, int descriptor)
-    : header_(std::move(header)), data_(std::move(data)), file_(std::make_shared<const Closer>(descriptor)) {}
+EnviImage::EnviImage(EnviHeader header, std::filesystem::path data, core::InputFile file)
+    : header_(std::move(header)),
+      data_(std::move(data)),
+      file_(std::make_shared<const core::InputFile>(std::move(file))) {}
 
 // What to do with a file that is no image: a recording, as most formats are for, or a scene.
 std::string remedy_without_header(const std::filesystem::path& data) {
@@ -457,23 +447,22 @@ std::pair<std::optional<EnviImage>, core::Problems> EnviImage::open(const std::f
   if (!reading.header) return {std::nullopt, std::move(reading.problems)};
   const EnviHeader& header = *reading.header;
   if (auto misfit = misfit_of_array(data, header)) return {std::nullopt, {std::move(*misfit)}};
-  const int descriptor = ::open(data.c_str(), O_RDONLY | O_CLOEXEC);
-  struct stat status {};
-  if (descriptor < 0 || ::fstat(descriptor, &status) != 0)
-    throw std::system_error(errno, std::generic_category(), "cannot open '" + data.string() + "'");
-  EnviImage image(header, data, descriptor);
+  auto opened = core::InputFile::open(data);
+  if (auto* const problem = std::get_if<core::Problem>(&opened)) return {std::nullopt, {std::move(*problem)}};
+  auto& file = std::get<core::InputFile>(opened);
+  const std::uint64_t found = file.size();
   const auto bytes = checked_product(header.samples, header.lines, pixel_bytes(header.pixel));
-  if (!bytes || static_cast<std::uint64_t>(status.st_size) < *bytes + header.header_offset)
+  if (!bytes || found < *bytes + header.header_offset)
     return {std::nullopt,
-            {file_problem(data.string(), "the file is shorter than its header says", std::to_string(status.st_size),
+            {file_problem(data.string(), "the file is shorter than its header says", std::to_string(found),
                           bytes ? fmt::format("{} bytes", *bytes + header.header_offset) : std::string())}};
-  if (static_cast<std::uint64_t>(status.st_size) > *bytes + header.header_offset)
+  if (found > *bytes + header.header_offset)
     reading.problems.push_back(with_severity(
-        file_problem(data.string(), "the file is longer than its header says", fmt::format("{} bytes", status.st_size),
+        file_problem(data.string(), "the file is longer than its header says", fmt::format("{} bytes", found),
                      fmt::format("{} bytes", *bytes + header.header_offset),
                      "'lines', 'samples' or 'header offset' may be those of another file"),
         core::Severity::warning));
-  return {std::move(image), std::move(reading.problems)};
+  return {EnviImage(std::move(*reading.header), data, std::move(file)), std::move(reading.problems)};
 }
 
 void EnviImage::read(std::size_t line, std::size_t first, std::span<std::complex<float>> out) const {
@@ -481,16 +470,7 @@ void EnviImage::read(std::size_t line, std::size_t first, std::span<std::complex
   CORE_EXPECT(first + out.size() <= header_.samples);
   const std::size_t size = pixel_bytes(header_.pixel);
   std::vector<std::byte> bytes(out.size() * size);
-  std::size_t done = 0;
-  const std::size_t begin = header_.header_offset + (line * header_.samples + first) * size;
-  while (done < bytes.size()) {
-    const ssize_t count =
-        ::pread(file_->descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(begin + done));
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throw std::system_error(errno, std::generic_category(), "cannot read '" + data_.string() + "'");
-    if (count == 0) throw std::runtime_error("'" + data_.string() + "' has become shorter");
-    done += static_cast<std::size_t>(count);
-  }
+  file_->read_all_at(header_.header_offset + (line * header_.samples + first) * size, bytes);
   for (std::size_t i = 0; i < out.size(); ++i) {
     float part[2] = {0.0F, 0.0F};
     std::memcpy(part, bytes.data() + i * size, size);

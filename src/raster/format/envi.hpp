@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/os/input_file.hpp"
 #include "core/os/output_file.hpp"
 #include "core/report/problem.hpp"
 
@@ -95,12 +96,11 @@ class EnviImage {
   void read(std::size_t line, std::size_t first, std::span<std::complex<float>> out) const;
 
  private:
-  EnviImage(EnviHeader header, std::filesystem::path data, int descriptor);
+  EnviImage(EnviHeader header, std::filesystem::path data, core::InputFile file);
 
-  struct Closer;
   EnviHeader header_;
   std::filesystem::path data_;
-  std::shared_ptr<const Closer> file_;
+  std::shared_ptr<const core::InputFile> file_;
 };
 
 }  // namespace sarsim::raster

@@ -1,8 +1,5 @@
 #include "raster/parts/join_parts.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -14,8 +11,10 @@
 #include <fmt/format.h>
 
 #include "core/hash/checksum.hpp"
+#include "core/os/file_identity.hpp"
 #include "core/os/output_file.hpp"
 #include "core/os/output_folder.hpp"
+#include "core/os/process.hpp"
 #include "core/os/raw_file.hpp"
 #include "core/os/temporary_files.hpp"
 #include "raster/format/zarr_store.hpp"
@@ -301,28 +300,29 @@ void Joiner::publish(const fs::path& complete) const {
   }
 }
 
+std::string state_text(std::uint64_t bytes, const core::FileTime& changed) {
+  return fmt::format("{} bytes at {}.{:09d}", bytes, changed.seconds, changed.nanoseconds);
+}
+
 // Size and latest time of what a folder holds, without the times of its folders, which change with names.
 std::string state_of_folder(const fs::path& path) {
   std::uint64_t bytes = 0;
-  timespec latest{};
+  core::FileTime latest;
   std::error_code failure;
   for (fs::recursive_directory_iterator entry(path, failure), end; !failure && entry != end; entry.increment(failure)) {
-    struct stat status {};
-    if (::lstat(entry->path().c_str(), &status) != 0 || !S_ISREG(status.st_mode)) continue;
-    bytes += static_cast<std::uint64_t>(status.st_size);
-    latest = std::max(latest, status.st_mtim, [](const timespec& a, const timespec& b) {
-      return std::pair(a.tv_sec, a.tv_nsec) < std::pair(b.tv_sec, b.tv_nsec);
-    });
+    const std::optional<core::FileStatus> status = core::link_status(entry->path());
+    if (!status || !status->regular) continue;
+    bytes += status->bytes;
+    latest = std::max(latest, status->changed);
   }
-  return fmt::format("{} bytes at {}.{:09d}", bytes, latest.tv_sec, latest.tv_nsec);
+  return state_text(bytes, latest);
 }
 
 // Size and time of a file's content; both survive a change of its name.
 std::string state_of(const fs::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return {};
-  if (S_ISDIR(status.st_mode)) return state_of_folder(path);
-  return fmt::format("{} bytes at {}.{:09d}", status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec);
+  const std::optional<core::FileStatus> status = core::file_status(path);
+  if (!status) return {};
+  return status->folder ? state_of_folder(path) : state_text(status->bytes, status->changed);
 }
 
 void Joiner::write_receipt(const fs::path& complete, const Joined& joined) const {
@@ -357,7 +357,7 @@ void remove_emptied(const fs::path& folder) noexcept {
   std::error_code failure;
   const fs::path place = folder.filename().empty() ? folder.parent_path() : folder;
   fs::path rest = place.parent_path();
-  rest /= fmt::format(".{}.partial-{}", place.filename().string(), ::getpid());
+  rest /= fmt::format(".{}.partial-{}", place.filename().string(), core::process_id());
   const core::TemporaryName name(rest);
   const bool renamed = !fs::is_symlink(place, failure) && (fs::rename(place, rest, failure), !failure);
   const fs::path& now = renamed ? rest : place;

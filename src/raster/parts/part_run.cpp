@@ -1,8 +1,5 @@
 #include "raster/parts/part_run.hpp"
 
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -14,6 +11,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/process.hpp"
 #include "core/os/temporary_files.hpp"
 #include "core/report/for_now.hpp"
 #include "raster/table/file_problem.hpp"
@@ -24,11 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string maker_text() {
-  std::array<char, 256> host{};
-  ::gethostname(host.data(), host.size() - 1);
-  return fmt::format("{}, process {}", host.data(), ::getpid());
-}
+std::string maker_text() { return fmt::format("{}, process {}", core::host_name(), core::process_id()); }
 
 bool meet(simulate::RowRange a, simulate::RowRange b) {
   return a.count > 0 && b.count > 0 && a.first < b.end() && b.first < a.end();

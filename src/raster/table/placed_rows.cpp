@@ -1,11 +1,10 @@
 #include "raster/table/placed_rows.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <system_error>
 #include <utility>
 
+#include "core/os/file_identity.hpp"
 #include "core/os/output_file.hpp"
 
 namespace sarsim::raster {
@@ -14,8 +13,8 @@ namespace {
 
 // Number of a file or folder in its file system; 0 where there is none.
 std::uint64_t number_of(const std::filesystem::path& path) {
-  struct stat status {};
-  return ::stat(path.c_str(), &status) == 0 ? status.st_ino : 0;
+  const std::optional<core::FileIdentity> identity = core::identity_of(path);
+  return identity ? identity->number : 0;
 }
 
 }  // namespace

@@ -1,13 +1,9 @@
 #include "scene/edit/recovery.hpp"
 
-#include <signal.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <system_error>
 #include <utility>
@@ -15,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "core/hash/fnv1a.hpp"
+#include "core/os/process.hpp"
 #include "scene/edit/text_file.hpp"
 
 namespace sarsim::scene {
@@ -29,29 +26,6 @@ constexpr std::string_view part_mark = ".partial-";
 constexpr std::string_view earlier_part_beginning = ".sarsim-";
 constexpr std::string_view earlier_part_ending = ".part";
 constexpr std::string_view first_line = "Sarsim recovery copy 1\n";
-
-// When a process was started, in ticks since the system was (Linux, proc(5), field 22); 0 where that is not known. A
-// number is given to another process one day; the two together are not.
-std::uint64_t start_of(long process) {
-  std::ifstream stream(fmt::format("/proc/{}/stat", process));
-  std::string line;
-  std::getline(stream, line);
-  const std::size_t name_end = line.rfind(')');  // the name may hold anything, blanks too
-  if (name_end == std::string::npos) return 0;
-  std::size_t at = name_end + 1;
-  constexpr int fields_between = 20;
-  for (int i = 0; i < fields_between && at != std::string::npos; ++i) at = line.find(' ', at + (i > 0 ? 1 : 0));
-  if (at == std::string::npos) return 0;
-  std::uint64_t ticks = 0;
-  std::from_chars(line.data() + at + 1, line.data() + line.size(), ticks);
-  return ticks;
-}
-
-bool runs(long process, std::uint64_t start) {
-  if (process <= 0 || (::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH)) return false;
-  const std::uint64_t present = start_of(process);
-  return start == 0 || present == 0 || start == present;
-}
 
 // The next of numbers that are parted by one character, taken off the front of the line together with it.
 std::optional<std::uint64_t> take_number(std::string_view& line, char part = ' ') {
@@ -95,7 +69,7 @@ std::optional<Content> unpacked(std::string_view copy) {
 // The name of a copy holds the start as well: the next process of this number must not write over what this one left.
 // Where starts are not known, the present moment parts the two.
 std::string copy_name(long process, int number) {
-  std::uint64_t start = start_of(process);
+  std::uint64_t start = core::process_start(process);
   if (start == 0) start = static_cast<std::uint64_t>(std::chrono::system_clock::now().time_since_epoch().count());
   return number == 0 ? fmt::format("{}-{}{}", process, start, ending)
                      : fmt::format("{}-{}-{}{}", process, start, number, ending);
@@ -107,7 +81,7 @@ long owner_of(const fs::path& file) {
   const std::string whole = file.filename().string();
   std::string_view name = whole;
   const auto owner = take_number(name, '-');
-  if (!owner || *owner > static_cast<std::uint64_t>(std::numeric_limits<pid_t>::max())) return 0;
+  if (!owner || *owner > static_cast<std::uint64_t>(std::numeric_limits<int>::max())) return 0;
   if (take_number(name, '-')) static_cast<void>(take_number(name));
   return name == ending ? static_cast<long>(*owner) : 0;
 }
@@ -131,7 +105,7 @@ long writer_of(const fs::path& file) {
 void sweep(const fs::path& file) {
   constexpr auto longest_writing = std::chrono::minutes(1);
   const long writer = writer_of(file);
-  if (writer <= 0 || runs(writer, 0)) return;
+  if (writer <= 0 || core::is_running(writer, 0)) return;
   std::error_code gone;
   const auto written = fs::last_write_time(file, gone);
   if (!gone && fs::file_time_type::clock::now() - written > longest_writing) fs::remove(file, gone);
@@ -149,7 +123,7 @@ void Recovery::keep(const fs::path& document, const std::string& text) const {
     fs::permissions(folder, fs::perms::owner_all, error);  // scenes are nobody else's business
   else if (!fs::is_directory(folder))
     throw std::runtime_error(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-  write_text_file(file_, packed(start_of(owner_), document, text));
+  write_text_file(file_, packed(core::process_start(owner_), document, text));
 }
 
 void Recovery::forget() const {
@@ -168,7 +142,7 @@ std::vector<Recovery::Copy> Recovery::orphans(const fs::path& folder) {
     }
     const auto bytes = read_text_file(entry.path());
     auto content = bytes ? unpacked(*bytes) : std::nullopt;
-    if (!content || runs(owner, content->start)) continue;
+    if (!content || core::is_running(owner, content->start)) continue;
     std::error_code ignored;
     found.emplace_back(fs::last_write_time(entry.path(), ignored),
                        Copy{entry.path(), std::move(content->document), std::move(content->text)});

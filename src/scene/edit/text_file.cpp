@@ -1,8 +1,5 @@
 #include "scene/edit/text_file.hpp"
 
-#include <unistd.h>
-
-#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -12,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/os/output_file.hpp"
+#include "core/os/process.hpp"
 #include "scene/script/reader.hpp"
 
 namespace sarsim::scene {
@@ -41,7 +39,8 @@ std::optional<std::string> read_text_file(const fs::path& path) {
 void write_text_file(const fs::path& path, std::string_view text) try {
   std::error_code none;
   // Whoever may not write the file itself shall not replace it either.
-  if (fs::is_regular_file(path, none) && ::access(path.c_str(), W_OK) != 0) fail(path, errno);
+  if (fs::is_regular_file(path, none))
+    if (const std::error_code failure = core::write_failure(path)) fail(path, failure.value());
   core::OutputFile file(path, true);
   file.write(std::as_bytes(std::span(text)));
   file.commit();

@@ -1,11 +1,5 @@
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <atomic>
-#include <cerrno>
 #include <memory>
 #include <optional>
 #include <span>
@@ -14,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "core/os/input_file.hpp"
 #include "core/os/large_pages.hpp"
+#include "core/os/sequential_file.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/script/reader.hpp"
 
@@ -45,58 +41,6 @@ std::string refusal(const fs::path& path) {
 
 std::string too_large() { return fmt::format("is larger than {}", core::bytes_text(double{largest_script_bytes})); }
 
-std::string failure_text(int error) {
-  return std::error_code(error != 0 ? error : EIO, std::generic_category()).message();
-}
-
-// A file that is read from its begin to its end, whatever it is: the work that waits for a pipe can be stopped.
-class Stream {
- public:
-  // Without O_NONBLOCK the opening of a pipe would wait for somebody to write.
-  Stream(const fs::path& path, const core::StopFlag* stop)
-      : stop_(stop), descriptor_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {
-    if (descriptor_ < 0) failure_ = errno;
-  }
-  Stream(const Stream&) = delete;
-  Stream& operator=(const Stream&) = delete;
-  ~Stream() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-
-  // Bytes that were read; 0 at the end, and where there is a `failure`.
-  std::size_t read(std::span<char> bytes) {
-    while (failure_ == 0) {
-      if (stop_ != nullptr && stop_->requested()) throw core::Interrupted();
-      const ssize_t got = ::read(descriptor_, bytes.data(), bytes.size());
-      if (got > 0) return begun_ = true, static_cast<std::size_t>(got);
-      if (got < 0 && errno == EINTR) continue;
-      if (got < 0 && errno != EAGAIN) return failure_ = errno, 0;
-      // A pipe that nobody has opened yet to write into ends like one that somebody has left.
-      if (got == 0 && (begun_ || !waits())) return 0;
-      if (got < 0) static_cast<void>(waits());
-    }
-    return 0;
-  }
-  // Why it cannot be read, as errno has it; 0 for none.
-  [[nodiscard]] int failure() const { return failure_; }
-
- private:
-  // Waits a little for more; false where nothing more can come.
-  bool waits() const {
-    constexpr int patience_ms = 20;
-    pollfd wanted{.fd = descriptor_, .events = POLLIN, .revents = 0};
-    static_cast<void>(::poll(&wanted, 1, patience_ms));
-    struct stat status {};
-    const bool pipe = ::fstat(descriptor_, &status) == 0 && S_ISFIFO(status.st_mode);
-    return pipe && (wanted.revents & (POLLHUP | POLLERR)) == 0;
-  }
-
-  const core::StopFlag* stop_;
-  int descriptor_;
-  int failure_ = 0;
-  bool begun_ = false;
-};
-
 FileBytes read_bytes(const fs::path& path, const core::StopFlag* stop) {
   FileBytes bytes;
   bytes.failure = refusal(path);
@@ -104,7 +48,9 @@ FileBytes read_bytes(const fs::path& path, const core::StopFlag* stop) {
   std::error_code unknown_size;
   const std::uintmax_t size = fs::file_size(path, unknown_size);
   if (!unknown_size && size > largest_script_bytes) return {{}, too_large()};
-  Stream stream(path, stop);
+  core::SequentialFile stream(path, [stop] {
+    if (stop != nullptr && stop->requested()) throw core::Interrupted();
+  });
   constexpr std::size_t piece = std::size_t{1} << 20;
   if (!unknown_size) bytes.text.reserve(static_cast<std::size_t>(size));
   std::vector<char> buffer(piece);
@@ -112,35 +58,16 @@ FileBytes read_bytes(const fs::path& path, const core::StopFlag* stop) {
     bytes.text.append(buffer.data(), got);
     if (bytes.text.size() > largest_script_bytes) return {{}, too_large()};
   }
-  if (stream.failure() != 0) return {{}, failure_text(stream.failure())};
+  if (const std::error_code failure = stream.failure()) return {{}, failure.message()};
   return bytes;
 }
 
-// A file that all threads read at once, each at its own place, also where it is replaced meanwhile.
-class SharedFile {
- public:
-  explicit SharedFile(const fs::path& path) : descriptor_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
-  SharedFile(const SharedFile&) = delete;
-  SharedFile& operator=(const SharedFile&) = delete;
-  ~SharedFile() {
-    if (descriptor_ >= 0) close(descriptor_);
-  }
-
-  // Whether all bytes that were asked for could be had.
-  [[nodiscard]] bool read(std::size_t offset, std::span<char> bytes) const {
-    while (!bytes.empty()) {
-      const ssize_t count = pread(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return false;
-      offset += static_cast<std::size_t>(count);
-      bytes = bytes.subspan(static_cast<std::size_t>(count));
-    }
-    return true;
-  }
-
- private:
-  int descriptor_;
-};
+// Whether all bytes that were asked for could be had.
+bool reads_all(const core::InputFile& file, std::size_t offset, std::span<std::byte> bytes) try {
+  return file.read_at(offset, bytes) == bytes.size();
+} catch (const std::system_error&) {
+  return false;
+}
 
 struct LargeText {
   std::unique_ptr<char[]> bytes;  // NOLINT: not a vector, which would write to all of it first
@@ -157,10 +84,13 @@ std::optional<LargeText> read_large(const fs::path& path, const core::WorkContro
   if (failure || size < large || size > largest_script_bytes) return std::nullopt;
   LargeText text{std::make_unique_for_overwrite<char[]>(size), static_cast<std::size_t>(size)};  // NOLINT
   core::prefer_large_pages(text.bytes.get(), text.size);
-  const SharedFile file(path);
+  const auto opened = core::InputFile::open(path);
+  const auto* const file = std::get_if<core::InputFile>(&opened);
+  if (file == nullptr) return std::nullopt;
   std::atomic<bool> complete{true};
   core::parallel_ranges(text.size, range_bytes, control, [&](std::size_t begin, std::size_t end) {
-    if (!file.read(begin, {text.bytes.get() + begin, end - begin})) complete = false;
+    if (!reads_all(*file, begin, std::as_writable_bytes(std::span(text.bytes.get() + begin, end - begin))))
+      complete = false;
   });
   if (!complete) return std::nullopt;
   return text;

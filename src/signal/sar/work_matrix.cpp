@@ -1,11 +1,6 @@
 #include "signal/sar/work_matrix.hpp"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <system_error>
 
 #include "core/os/large_pages.hpp"
 #include "core/report/expect.hpp"
@@ -21,62 +16,31 @@ void WorkCounter::add(std::size_t done) {
     report_({std::min(sum, total_) / columns_, total_ / columns_, columns_});
 }
 
-// A file that vanishes with the process.
-struct WorkMatrix::File {
-  // Between two looks for a stop: a piece may be all of the memory.
-  static constexpr std::size_t max_bytes = std::size_t{4} << 20U;
-
-  int descriptor = -1;
-  std::filesystem::path folder;
-
-  explicit File(std::filesystem::path where) : folder(std::move(where)) {
-    if (folder.empty()) folder = std::filesystem::temp_directory_path();
-    std::string name = (folder / "sarsim-XXXXXX").string();
-    descriptor = ::mkstemp(name.data());
-    if (descriptor < 0) fail("make a temporary file in");
-    ::unlink(name.c_str());
-  }
-  File(const File&) = delete;
-  File& operator=(const File&) = delete;
-  ~File() { ::close(descriptor); }
-
-  [[noreturn]] void fail(const char* what) const {
-    throw std::system_error(errno, std::generic_category(),
-                            std::string("cannot ") + what + " '" + folder.string() + "'");
-  }
-  void reserve(std::size_t bytes) const {
-    int error = EINTR;
-    while (error == EINTR) error = ::posix_fallocate(descriptor, 0, static_cast<off_t>(bytes));
-    if (error == 0) return;
-    errno = error;
-    fail("make room for a temporary file in");
-  }
-  void read(std::size_t offset, std::span<std::byte> bytes, const core::StopFlag* stop) const {
-    while (!bytes.empty()) {
-      end_if_wanted(stop);
-      const std::size_t part = std::min(bytes.size(), max_bytes);
-      const ssize_t done = ::pread(descriptor, bytes.data(), part, static_cast<off_t>(offset));
-      if (done < 0 && errno == EINTR) continue;
-      if (done <= 0) fail("read a temporary file in");
-      offset += static_cast<std::size_t>(done);
-      bytes = bytes.subspan(static_cast<std::size_t>(done));
-    }
-  }
-  void write(std::size_t offset, std::span<const std::byte> bytes, const core::StopFlag* stop) const {
-    while (!bytes.empty()) {
-      end_if_wanted(stop);
-      const std::size_t part = std::min(bytes.size(), max_bytes);
-      const ssize_t done = ::pwrite(descriptor, bytes.data(), part, static_cast<off_t>(offset));
-      if (done < 0 && errno == EINTR) continue;
-      if (done == 0) errno = EIO;
-      if (done <= 0) fail("write a temporary file in");
-      offset += static_cast<std::size_t>(done);
-      bytes = bytes.subspan(static_cast<std::size_t>(done));
-    }
-  }
-};
-
 namespace {
+
+void end_if(const core::StopFlag* stop) {
+  if (stop != nullptr && stop->requested()) throw core::Interrupted();
+}
+
+void read_all(const core::ScratchFile& file, std::size_t offset, std::span<std::byte> bytes,
+              const core::StopFlag* stop) {
+  while (!bytes.empty()) {
+    end_if(stop);
+    const std::size_t done = file.read_some(offset, bytes);
+    offset += done;
+    bytes = bytes.subspan(done);
+  }
+}
+
+void write_all(const core::ScratchFile& file, std::size_t offset, std::span<const std::byte> bytes,
+               const core::StopFlag* stop) {
+  while (!bytes.empty()) {
+    end_if(stop);
+    const std::size_t done = file.write_some(offset, bytes);
+    offset += done;
+    bytes = bytes.subspan(done);
+  }
+}
 
 constexpr std::size_t copies_part = 8;  // of the memory, one over which columns are copied into
 
@@ -94,7 +58,7 @@ WorkMatrix::WorkMatrix(std::size_t rows, std::size_t columns, std::size_t memory
     core::prefer_large_pages(store_.data(), all * sizeof(Value));
     return;
   }
-  file_ = std::make_unique<File>(folder);
+  file_ = std::make_unique<core::ScratchFile>(folder);
   file_->reserve(all * sizeof(Value));
   // A piece holds at least a row and a column.
   piece_values_ = std::max({most / sizeof(Value), stride_, 2 * rows_});
@@ -141,12 +105,12 @@ void WorkMatrix::load(Piece& piece, const core::StopFlag* stop) {
   if (!file_) return;
   if (piece.columns == columns_ && piece.stride == stride_) {
     const auto bytes = std::as_writable_bytes(std::span(piece.values, piece.rows * stride_));
-    file_->read(piece.first_row * stride_ * sizeof(Value), bytes, stop);
+    read_all(*file_, piece.first_row * stride_ * sizeof(Value), bytes, stop);
     return;
   }
   for (std::size_t r = 0; r < piece.rows; ++r) {
     const auto bytes = std::as_writable_bytes(std::span(piece.values + r * piece.stride, piece.columns));
-    file_->read(((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes, stop);
+    read_all(*file_, ((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes, stop);
   }
 }
 
@@ -154,12 +118,12 @@ void WorkMatrix::store(const Piece& piece, const core::StopFlag* stop) {
   if (!file_) return;
   if (piece.columns == columns_ && piece.stride == stride_) {
     const auto bytes = std::as_bytes(std::span(piece.values, piece.rows * stride_));
-    file_->write(piece.first_row * stride_ * sizeof(Value), bytes, stop);
+    write_all(*file_, piece.first_row * stride_ * sizeof(Value), bytes, stop);
     return;
   }
   for (std::size_t r = 0; r < piece.rows; ++r) {
     const auto bytes = std::as_bytes(std::span(piece.values + r * piece.stride, piece.columns));
-    file_->write(((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes, stop);
+    write_all(*file_, ((piece.first_row + r) * stride_ + piece.first_column) * sizeof(Value), bytes, stop);
   }
 }
 
@@ -167,7 +131,7 @@ void WorkMatrix::read_row(std::size_t row, std::size_t first, std::span<Value> o
   CORE_EXPECT(row < rows_);
   CORE_EXPECT(first + out.size() <= columns_);
   if (file_) {
-    file_->read((row * stride_ + first) * sizeof(Value), std::as_writable_bytes(out), nullptr);
+    read_all(*file_, (row * stride_ + first) * sizeof(Value), std::as_writable_bytes(out), nullptr);
     return;
   }
   std::copy_n(store_.data() + row * stride_ + first, out.size(), out.data());

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "core/os/scratch_file.hpp"
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
 #include "signal/row/raw_samples.hpp"
@@ -84,7 +85,6 @@ class WorkMatrix {
     if (stop != nullptr && stop->requested()) throw core::Interrupted();
   }
 
-  struct File;
   // Some rows of the matrix and some columns of them: all of it where it is in memory.
   struct Piece {
     std::size_t first_row = 0, rows = 0;
@@ -103,7 +103,7 @@ class WorkMatrix {
   std::size_t memory_bytes_ = 0;
   std::size_t piece_values_ = 0;
   RawSamples store_;  // the matrix, or a piece of it
-  std::unique_ptr<File> file_;
+  std::unique_ptr<core::ScratchFile> file_;
 };
 
 // Implementation of the templates.

@@ -1,7 +1,5 @@
 #include "workflow/input/input_list.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -23,15 +21,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using FileId = std::pair<dev_t, ino_t>;
-
 // Of a regular file or a folder: nothing is lost of what is neither.
-std::optional<FileId> id_of(const fs::path& path, bool& folder) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0) return std::nullopt;
-  folder = S_ISDIR(status.st_mode);
-  if (!folder && !S_ISREG(status.st_mode)) return std::nullopt;
-  return FileId{status.st_dev, status.st_ino};
+std::optional<core::FileIdentity> id_of(const fs::path& path, bool& folder) {
+  const std::optional<core::FileStatus> status = core::file_status(path);
+  if (!status || !(status->folder || status->regular)) return std::nullopt;
+  folder = status->folder;
+  return status->identity;
 }
 
 // What is read together with a file: its header, or the other file of a pair.
@@ -54,7 +49,7 @@ std::vector<fs::path> companions_of(const fs::path& file) {
 class FolderSearch {
  public:
   // @param place  of the output
-  FolderSearch(FileId output, const fs::path& place) : output_(output), place_(place) {}
+  FolderSearch(core::FileIdentity output, const fs::path& place) : output_(output), place_(place) {}
 
   // Whether the file, or what is in the folder, is the output, or is in it by a link.
   bool finds_in(const fs::path& folder) {
@@ -72,9 +67,9 @@ class FolderSearch {
   }
 
  private:
-  FileId output_;
+  core::FileIdentity output_;
   const fs::path& place_;
-  std::set<FileId> met_;  // Links may lead around in circles.
+  std::set<core::FileIdentity> met_;  // Links may lead around in circles.
 };
 
 core::Problem harm(const fs::path& output, std::string message) {

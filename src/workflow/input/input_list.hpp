@@ -1,13 +1,12 @@
 #pragma once
 
-#include <sys/types.h>
-
 #include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "core/os/file_identity.hpp"
 #include "core/report/problem.hpp"
 
 namespace sarsim::workflow {
@@ -39,7 +38,7 @@ class InputList {
   [[nodiscard]] std::optional<core::Problem> harm_of(const std::filesystem::path& output, bool replaces) const;
 
  private:
-  using Identity = std::pair<dev_t, ino_t>;
+  using Identity = core::FileIdentity;
 
   struct Entry {
     std::filesystem::path place;  // Behind all links.

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 
-#include <unistd.h>
-
 #include <fmt/format.h>
 
+#include "core/os/free_memory.hpp"
 #include "core/report/refused.hpp"
 #include "core/task/clock.hpp"
 #include "core/text/number_text.hpp"
@@ -22,9 +21,8 @@ namespace {
 
 // What the machine has; without end where it does not say.
 double memory_bytes() {
-  const long pages = sysconf(_SC_PHYS_PAGES);
-  const long bytes = sysconf(_SC_PAGESIZE);
-  return pages > 0 && bytes > 0 ? static_cast<double>(pages) * static_cast<double>(bytes) : 0x1p62;
+  const std::optional<std::uint64_t> bytes = core::machine_memory_bytes();
+  return bytes ? static_cast<double>(*bytes) : 0x1p62;
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "workflow/sweep/sweep_files.hpp"
 
-#include <sys/stat.h>
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -11,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "core/os/file_identity.hpp"
 #include "core/os/input_file.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/counted.hpp"
@@ -24,17 +23,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-using FileIdentity = std::pair<dev_t, ino_t>;
-
 core::Problem problem_of_file(const fs::path& path, std::string message, std::string hint) {
   return core::problem_of(core::Severity::error, std::move(message), path.string(), {}, std::move(hint));
-}
-
-// The file that stands at a path, whatever its names; nothing for what is missing, and for what is no regular file.
-std::optional<FileIdentity> identity_of(const fs::path& path) {
-  struct stat status {};
-  if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
-  return FileIdentity{status.st_dev, status.st_ino};
 }
 
 // Whether an earlier sweep wrote a table, or nothing is lost with it.
@@ -95,7 +85,7 @@ class OutputWatch {
 
   // Another output that is the same file, where there is one.
   fs::path taken_by(const fs::path& path) {
-    const auto identity = identity_of(path);
+    const auto identity = core::identity_of_file(path);
     if (!identity) return {};
     const auto [known, is_new] = taken_.emplace(*identity, path);
     return is_new ? fs::path() : known->second;
@@ -110,7 +100,7 @@ class OutputWatch {
 
   const SweepRequest& request_;
   InputList sources_;
-  std::map<FileIdentity, fs::path> taken_;
+  std::map<core::FileIdentity, fs::path> taken_;
   core::Problems problems_;
   std::size_t more_ = 0;
 };
