@@ -48,7 +48,7 @@ std::optional<scene::FileFormat> output_format(const ConvertRequest& request, bo
 }
 
 // The description of the recording as far as its file gives it.
-simulate::Product product_of_file(const raster::Raster& file) {
+simulate::Product product_of_file(const raster::Raster& file, std::optional<raster::RasterAxes> axes) {
   const raster::RasterInfo& info = file.info();
   simulate::Product product;
   product.rows = file.rows();
@@ -60,7 +60,8 @@ simulate::Product product_of_file(const raster::Raster& file) {
   raster::take_origin(info.attributes, product);
   if (product.script.empty()) product.unknown.emplace_back("script");
   if (!info.sample_rate_hz) product.unknown.emplace_back("sample_rate_hz");
-  if (auto axes = file.axes()) {
+  if (!axes) axes = file.axes();
+  if (axes) {
     const auto shared = std::make_shared<const raster::RasterAxes>(std::move(*axes));
     product.row_time_s = [shared](std::size_t row) { return shared->row_time_s[row]; };
     product.row_carrier_hz = [shared](std::size_t row) { return shared->row_carrier_hz[row]; };
@@ -109,9 +110,9 @@ enum class Change { none, to_volts, to_counts };
 // Turns blocks of one file into those of another.
 class Conversion {
  public:
-  Conversion(const raster::Raster& file, const raster::RasterHints& hints, const ConvertRequest& request,
-             const core::Observer& observer)
-      : file_(file), product_(product_of_file(file)), request_(request), observer_(observer) {
+  Conversion(const raster::Raster& file, std::optional<raster::RasterAxes> axes, const raster::RasterHints& hints,
+             const ConvertRequest& request, const core::Observer& observer)
+      : file_(file), product_(product_of_file(file, std::move(axes))), request_(request), observer_(observer) {
     choose_converter(hints);
     const auto image = request.held ? std::nullopt : header_beside(request.input, file);
     const auto format = output_format(request, image.has_value());
@@ -317,9 +318,8 @@ ConvertReport convert(const ConvertRequest& request, const core::Observer& obser
     throw core::Refused("--simulation is a number in a script", "name it with --script");
   const raster::RasterHints hints =
       request.held ? raster::RasterHints() : hints_for(request.input, request.sample, request.simulation, observer);
-  const std::shared_ptr<const raster::Raster> file =
-      request.held ? request.held : open_samples(request.input, hints, observer);
-  Conversion conversion(*file, hints, request, observer);
+  SampleFile samples = request.held ? SampleFile{request.held, {}} : open_samples(request.input, hints, observer);
+  Conversion conversion(*samples.file, std::move(samples.axes), hints, request, observer);
   std::vector<std::filesystem::path> named{request.sample.script};
   if (!request.held) named.emplace_back(request.input);
   expect_free_outputs(conversion.outputs(), {InputList::named(std::move(named)), request.force, "OUT"});

@@ -227,7 +227,7 @@ ArrayCut cut_of_array(std::uint64_t rows, std::uint64_t row_bytes) {
 
 void write_references(const ReferencesRequest& request, const core::Observer& observer) {
   const raster::RasterHints hints = hints_for(request.input, request.sample, observer);
-  const std::shared_ptr<const raster::Raster> raster = open_samples(request.input, hints, observer);
+  const std::shared_ptr<const raster::Raster> raster = open_samples(request.input, hints, observer).file;
   if (raster->info().format->folder)
     throw core::Refused(
         fmt::format("--references: '{}' is a Zarr store, which readers of Zarr open as it is", request.input),

@@ -35,7 +35,7 @@ struct CopiedImage {
 CopiedImage opened_image(const ConvertRequest& request, const core::Observer& observer) {
   CopiedImage opened;
   const raster::RasterHints hints = hints_for(request.input, {}, {}, observer);
-  opened.file = open_samples(request.input, hints, observer);
+  opened.file = open_samples(request.input, hints, observer).file;
   auto header = header_beside(request.input, *opened.file);
   if (!header || !header->field("image plane"))
     throw core::Refused(fmt::format("'{}' is not a focused image, and a SICD file is one", request.input),

@@ -53,7 +53,8 @@ SampleFacts facts_of_samples(const std::string& path, const SampleArguments& sam
   const raster::RasterHints hints = hints_for(path, sample, observer);
   const bool growing = !statistics && is_long(path);
   SampleFacts facts;
-  facts.file = open_samples(path, hints, observer, growing ? raster::Integrity::partial : raster::Integrity::whole);
+  facts.file =
+      open_samples(path, hints, observer, growing ? raster::Integrity::partial : raster::Integrity::whole).file;
   if (facts.file->indexed() < 1.0)
     estimate_rows(facts);
   else

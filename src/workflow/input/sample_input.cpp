@@ -128,12 +128,12 @@ simulate::Plan plan_of_file(const std::string& path, const std::string& script, 
   return recording_of(path, script, {true, simulation}, alone).second;
 }
 
-std::shared_ptr<const raster::Raster> open_samples(const std::string& path, const raster::RasterHints& hints,
-                                                   const core::Observer& observer, raster::Integrity integrity) {
+SampleFile open_samples(const std::string& path, const raster::RasterHints& hints, const core::Observer& observer,
+                        raster::Integrity integrity) {
   raster::OpenedRaster opened = raster::open_raster(integrity, path, hints, observer.stop);
   if (!opened.raster) throw core::Refused(core::ranked(std::move(opened.problems)));
   observer.remarks(core::ranked(std::move(opened.problems)));
-  return std::move(opened.raster);
+  return {std::move(opened.raster), std::move(opened.axes)};
 }
 
 std::size_t rows_at_once(std::size_t columns) {

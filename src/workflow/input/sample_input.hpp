@@ -37,10 +37,16 @@ struct SampleArguments {
                                           std::optional<std::int64_t> simulation = {},
                                           const core::StopFlag* stop = nullptr);
 
+/// A file of samples that has no errors.
+struct SampleFile {
+  std::shared_ptr<const raster::Raster> file;
+  std::optional<raster::RasterAxes> axes;  ///< Where opening it has read them.
+};
+
 /// Opens a file of samples; the observer hears its warnings. Throws core::Refused for errors.
-[[nodiscard]] std::shared_ptr<const raster::Raster> open_samples(
-    const std::string& path, const raster::RasterHints& hints, const core::Observer& observer,
-    raster::Integrity integrity = raster::Integrity::whole);
+[[nodiscard]] SampleFile open_samples(const std::string& path, const raster::RasterHints& hints,
+                                      const core::Observer& observer,
+                                      raster::Integrity integrity = raster::Integrity::whole);
 
 /// Rows that are read and converted together: as many as make a few MB.
 [[nodiscard]] std::size_t rows_at_once(std::size_t columns);
