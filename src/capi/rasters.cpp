@@ -127,7 +127,7 @@ workflow::SampleArguments said_of(const char* const* options, std::size_t count)
 void write_raster(const sarsim_raster& known, workflow::ConvertRequest request, const core::Observer& observer,
                   core::Problems& found) {
   if (known.image && !request.to && !request.counts && !request.header) {
-    workflow::expect_no_picture(request.output, "the file");
+    workflow::expect_image_ending(request.output, "the file");
     workflow::InputList sources = workflow::InputList::named({known.path});
     if (known.image->input) sources.add(workflow::InputList::named(workflow::named_sources(*known.image->input)));
     workflow::expect_free_outputs(workflow::files_of_image(request.output), {sources, request.force, "the file"});

@@ -171,6 +171,14 @@ TEST_F(PartsOfScenes, WithRowsAtTheirPlacesAreMergedWhereNobodyCompletedThem) {
   ASSERT_EQ(merged.status, 0) << merged.err;
   expect_same_bytes("whole/sim.bin", "a/sim.bin");
   EXPECT_THAT(entries("a"), ElementsAre("sim.bin", "sim.bin.journal"));
+  // A merge that is repeated has nothing to do; of a file that was changed since nothing is known.
+  const std::vector<std::string> again{"merge", "a/sim.bin.parts", "b/sim.bin.parts", "--remove"};
+  const Finished repeated = sarsim(again);
+  EXPECT_EQ(repeated.status, 0) << repeated.err;
+  EXPECT_THAT(repeated.err, HasSubstr("complete already, and its parts are gone"));
+  EXPECT_EQ(sarsim({"merge", "a/sim.bin.parts", "-o", "other.bin", "--remove"}).status, 2);
+  write_text(folder_ / "a/sim.bin", "other");
+  EXPECT_EQ(sarsim(again).status, 2);
 }
 
 // As a process leaves them that is killed while it removes them.

@@ -3,6 +3,8 @@
 #include <ostream>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "cli/command/commands.hpp"
 #include "cli/command/shown_name.hpp"
 #include "cli/shell/options.hpp"
@@ -27,7 +29,7 @@ struct MergeArguments {
 std::string merge_json(const workflow::MergeReport& report) {
   core::JsonWriter json;
   json.begin_object().member("sarsim", core::program_version).key("products").begin_array();
-  cli::write_json(json, report.recording);
+  if (!report.done_before) cli::write_json(json, report.recording);
   json.end_array().end_object();
   return json.text();
 }
@@ -39,7 +41,10 @@ ExitStatus run_merge(const MergeArguments& arguments, Streams& streams) {
   Watch watch(streams, arguments.quiet);
   const workflow::MergeReport report = workflow::merge(request, watch.observer());
   watch.close();
-  if (!arguments.quiet) {
+  if (!arguments.quiet && report.done_before)
+    write_err(streams, fmt::format("{}: complete already, and its parts are gone: nothing to do\n",
+                                   shown_name(report.recording.file)));
+  if (!arguments.quiet && !report.done_before) {
     workflow::RecordingReport shown = report.recording;
     shown.file = shown_name(shown.file);
     write_err(streams, report_text(shown));

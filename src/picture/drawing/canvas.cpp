@@ -4,6 +4,7 @@
 #include <cairo-svg.h>
 
 #include <cmath>
+#include <new>
 #include <numbers>
 #include <stdexcept>
 
@@ -23,12 +24,13 @@ std::string valid(const std::string& text) {
   return result;
 }
 
+}  // namespace
+
 void expect_good(cairo_status_t status) {
+  if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
   if (status != CAIRO_STATUS_SUCCESS)
     throw std::runtime_error(fmt::format("the picture could not be drawn: {}", cairo_status_to_string(status)));
 }
-
-}  // namespace
 
 cairo_status_t Canvas::Output::append(void* output, const unsigned char* data, unsigned int length) {
   auto& [bytes, stop] = *static_cast<Output*>(output);

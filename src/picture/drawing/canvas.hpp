@@ -22,11 +22,14 @@ struct Area {
   [[nodiscard]] double bottom() const { return top + height; }
 };
 
+/// Throws where drawing failed: std::bad_alloc without memory, std::runtime_error with the cause otherwise.
+void expect_good(cairo_status_t status);
+
 /// What a picture is drawn on, in pixels of PictureStyle.
 class Canvas {
  public:
   /// @param stop  null: cannot be stopped
-  /// @throws std::runtime_error where there is no room for so many dots
+  /// @throws as `expect_good`, where there is no room for so many dots
   Canvas(PictureKind kind, const PictureStyle& style, const std::string& title, const core::StopFlag* stop);
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -45,8 +44,7 @@ using Surface = std::unique_ptr<cairo_surface_t, SurfaceCloser>;
 Surface surface_of(const Canvas& canvas, const FigureImage& image, std::size_t across, std::size_t up) {
   Surface surface(cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(across * image.width),
                                              static_cast<int>(up * image.height)));
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error("the picture could not be drawn: its image is too large");
+  expect_good(cairo_surface_status(surface.get()));
   cairo_surface_flush(surface.get());
   unsigned char* const data = cairo_image_surface_get_data(surface.get());
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <memory>
 #include <numbers>
-#include <stdexcept>
 
 #include "picture/drawing/canvas.hpp"
 
@@ -41,8 +40,7 @@ void paint_image(const Canvas& canvas, const Sheet::Image& image) {
   if (image.argb.empty()) return;
   const std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)> surface(
       cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height), cairo_surface_destroy);
-  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS)
-    throw std::runtime_error("the picture could not be drawn: there is no room for its solids");
+  expect_good(cairo_surface_status(surface.get()));
   unsigned char* const dots = cairo_image_surface_get_data(surface.get());
   const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
   const std::size_t row = static_cast<std::size_t>(image.width);

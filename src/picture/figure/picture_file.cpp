@@ -29,15 +29,17 @@ std::optional<PictureKind> picture_kind_of(const std::filesystem::path& path) {
 
 namespace {
 
-// The libraries that draw end the process where they get no memory for a thread or a font.
+// The libraries that draw end the process where they get no memory for a thread or a font, and each thread takes some
+// for its heap.
 void expect_memory(PictureKind kind, const PictureStyle& style) {
-  constexpr std::uint64_t of_libraries = std::uint64_t{80} << 20U;
+  constexpr std::uint64_t of_libraries = std::uint64_t{112} << 20U;
   constexpr double bytes_a_dot = 8.0;
   const double dots = style.width_px * style.scale * style.height_px * style.scale;
   const std::uint64_t of_dots = kind == PictureKind::png ? static_cast<std::uint64_t>(bytes_a_dot * dots) : 0;
   if (core::can_map(of_libraries + of_dots)) return;
-  throw std::runtime_error(fmt::format("no picture can be drawn: {} of memory cannot be had",
-                                       core::bytes_text(static_cast<double>(of_libraries + of_dots))));
+  throw std::runtime_error(
+      fmt::format("no picture can be drawn: {} of memory cannot be had; raise the limit (ulimit -v)",
+                  core::bytes_text(static_cast<double>(of_libraries + of_dots))));
 }
 
 }  // namespace

@@ -263,9 +263,8 @@ core::Vec3 unit(const core::Vec3& v) {
 
 // The origin is said twice; texts of latitudes have some digits less.
 void compare_origin(XmlReading& xml, xml_node scene, const core::Vec3& origin_m) {
-  constexpr double max_m = 4e9;
   constexpr double apart_m = 100.0;
-  if (!(core::norm(origin_m) <= max_m && core::norm(origin_m) > 0.0))
+  if (!(core::norm(origin_m) <= radar::farthest_place_m && core::norm(origin_m) > 0.0))
     return xml.error("IARP/ECF is no place", fmt::format("({:g}, {:g}, {:g})", origin_m.x, origin_m.y, origin_m.z),
                      "Earth-fixed metres, up to 4e9");
   if (const auto depth_m = radar::impossible_depth_m(origin_m))

@@ -20,9 +20,8 @@ namespace {
 
 using V = PhaseVector;
 
-// Beyond these there is no radar: a year, the distance of the Moon ten times, the speed of meteors, gamma rays.
+// Beyond these there is no radar: a year, the speed of meteors, gamma rays.
 constexpr double max_time_s = 3.2e7;
-constexpr double max_place_m = 4e9;
 constexpr double max_speed_mps = 1e5;
 constexpr double max_frequency_hz = 1e14;
 constexpr double max_delay_s = 100.0;
@@ -58,11 +57,11 @@ struct PlaceBounds {
 };
 
 constexpr PlaceBounds place_bounds[] = {
-    {"TxPos", &V::tx_m, max_place_m, "Earth-fixed metres, up to 4e9"},
+    {"TxPos", &V::tx_m, radar::farthest_place_m, "Earth-fixed metres, up to 4e9"},
     {"TxVel", &V::tx_mps, max_speed_mps, "up to 1e5 m/s"},
-    {"RcvPos", &V::rcv_m, max_place_m, "Earth-fixed metres, up to 4e9"},
+    {"RcvPos", &V::rcv_m, radar::farthest_place_m, "Earth-fixed metres, up to 4e9"},
     {"RcvVel", &V::rcv_mps, max_speed_mps, "up to 1e5 m/s"},
-    {"SRPPos", &V::srp_m, max_place_m, "Earth-fixed metres, up to 4e9"},
+    {"SRPPos", &V::srp_m, radar::farthest_place_m, "Earth-fixed metres, up to 4e9"},
 };
 
 std::string text_of(const core::Vec3& v) { return fmt::format("({:g}, {:g}, {:g})", v.x, v.y, v.z); }

@@ -70,12 +70,55 @@ TEST(CsvHeadings, NamesOfOtherColumnsAreRefused) {
     put(folder / "a.csv", heading + "\n1,2,3,4\n5,6,7,8\n");
     return text_of(open_raster(Integrity::whole, folder / "a.csv").problems);
   };
-  for (const char* const sound : {"I0,Q0,I1,Q1", "i,q,i,q", "re1,im1,re2,im2", "a,b,c,d", "quality,x,y,z"})
+  for (const char* const sound :
+       {"I0,Q0,I1,Q1", "i,q,i,q", "re1,im1,re2,im2", "I (V),Q (V),I (V),Q (V)", "I,Q", "I_0,Q_0,I_1,Q_1",
+        "\"I [0]\",\"Q [0]\",\"I [1]\",\"Q [1]\"", "I4_mV,Q4_mV,I5_mV,Q5_mV", "I [count],Q [count],I [count],Q [count]",
+        "# of Monday, noon", "#I,Q,I,Q"})
     EXPECT_EQ(problems(sound).find("error"), std::string::npos) << sound << problems(sound);
   EXPECT_THAT(problems("Q0,I0,Q1,I1"),
               HasSubstr("not those of I and Q in turn; found 'Q0 above column 1', expected I"));
   EXPECT_THAT(problems("I0,I1,Q0,Q1"), HasSubstr("found 'I1 above column 2', expected Q"));
   EXPECT_THAT(problems("Imag,Real,Imag,Real"), HasSubstr("expected I"));
+  for (const auto& [heading, says] : std::initializer_list<std::pair<const char*, const char*>>{
+           {"a,b,c,d", "found 'a above column 1', expected I"},
+           {"mag,phase,mag,phase", "found 'mag above column 1', expected I"},
+           {"# amplitude,phase [deg],amplitude,phase [deg]", "amplitudes and phases have to be converted"},
+           {"I1,Q1,I0,Q0", "number the samples in another order; found 'I0 above column 3', expected 2"},
+           {"I0,Q1,I1,Q2", "found 'Q1 above column 2', expected 0"},
+           {"I0,Q0,I,Q", "number some of the samples only"},
+           {"I [W],Q [W],I [W],Q [W]", "the unit of the samples is not known"},
+           {"I [V],Q [mV],I [V],Q [mV]", "the columns have different units"},
+           {"I,Q,I", "found '3 names', expected 4, one for each number"},
+           {"NA,NA,NA,NA", "text that is not a sample; found 'NA'"},
+           {"\"1\",\"2\",\"3\",\"4\"", "text that is not a sample"}})
+    EXPECT_THAT(problems(heading), HasSubstr(says)) << heading;
+}
+
+// A first row that is missing is no line of names: no pulse gets lost, of pictures neither.
+TEST(CsvHeadings, AreJudgedInPicturesToo) {
+  const TestFolder folder;
+  const auto problems = [&](const std::string& heading, const char* rows) {
+    return text_of(open_raster(Integrity::partial, put(folder / "a.csv", heading + rows)).problems);
+  };
+  EXPECT_THAT(problems("mag,phase", "\n1,2\n"), HasSubstr("not those of I and Q in turn"));
+  EXPECT_THAT(problems("t,I,Q", "\n1,2,3\n"), HasSubstr("found 't above column 1', expected I"));
+  EXPECT_THAT(problems("NA,NA,NA", "\n1,2,3\n"), HasSubstr("found 'NA'"));
+  EXPECT_EQ(problems("height,slope,shadow", "\n1,2,3\n").find("error"), std::string::npos);
+}
+
+TEST(CsvHeadings, UnitsAreFollowed) {
+  const TestFolder folder;
+  for (const Integrity integrity : {Integrity::whole, Integrity::partial}) {
+    const fs::path path = put(folder / "a.csv", "I [mV],Q [mV]\n1500,-250\n");
+    const OpenedRaster opened = open_raster(integrity, path);
+    ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+    EXPECT_EQ(text_of(opened.problems), "");  // No offset of a converter to be feared.
+    EXPECT_FALSE(opened.raster->info().counts);
+    opened.raster->wait_until_indexed(nullptr);
+    EXPECT_EQ(read_all_rows(*opened.raster), (std::vector<std::complex<double>>{{1.5, -0.25}}));
+    EXPECT_THAT(text_of(open_raster(integrity, path, {.bits = 8}).problems),
+                HasSubstr("the line of names says that the numbers are voltages"));
+  }
 }
 
 // Places of an image are said twice.

@@ -34,8 +34,8 @@ void expect_memory(const std::filesystem::path& wanted_for) {
 }  // namespace
 
 const Hdf5Module& hdf5_module(const std::filesystem::path& wanted_for) {
+  expect_memory(wanted_for);  // Before loading, too, which would say no more than that it failed.
   static const Hdf5Module& module = loaded(wanted_for);
-  expect_memory(wanted_for);
   return module;
 }
 

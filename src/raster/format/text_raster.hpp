@@ -29,11 +29,12 @@ struct TextSamples {
   std::size_t values = 0;            ///< Numbers of a row.
   std::size_t components = 2;        ///< Numbers of a sample.
   std::optional<CountRange> offset;  ///< Subtracted from whole numbers.
+  double factor = 1.0;               ///< By which numbers without an offset are multiplied: their unit in volts.
 
   /// The value of a number; "-0" of old programs is 0.
   template <class Real>
   [[nodiscard]] Real decoded(const TextNumber& number) const {
-    if (!offset || !number.whole) return nearest<Real>(number.value + 0.0);
+    if (!offset || !number.whole) return nearest<Real>(factor * number.value + 0.0);
     return static_cast<Real>(offset->without_offset(number.magnitude));
   }
   /// Whether a number is none of a converter whose offset is subtracted, which the first row alone made believe.

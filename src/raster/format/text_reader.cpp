@@ -12,6 +12,7 @@
 #include "raster/format/text_rows.hpp"
 #include "raster/format/text_start.hpp"
 #include "raster/table/count_range.hpp"
+#include "raster/table/csv_heading.hpp"
 #include "raster/table/file_problem.hpp"
 
 namespace sarsim::raster {
@@ -85,6 +86,21 @@ TextSurvey survey_text(const core::InputFile& file, TextScanner scanner, const T
   return survey;
 }
 
+CsvHeading heading_of(const core::InputFile& file, TextStyle style) {
+  const auto line = style == TextStyle::commas ? line_of_names(file) : std::nullopt;
+  return line ? csv_heading_of(*line) : CsvHeading{};
+}
+
+bool says_volts(const CsvHeading& heading) { return heading.unit && !heading.unit->counts; }
+
+// Numbers that a line of names calls volts have no offset of a converter.
+std::optional<core::Problem> problem_of_unit(const CsvHeading& heading, int bits, const std::string& name) {
+  if (bits == 0 || !says_volts(heading)) return std::nullopt;
+  return file_problem(name, "the line of names says that the numbers are voltages, and A/D bits are given",
+                      fmt::format("{} A/D bits", bits), "one of the two",
+                      "leave out the number of bits, or correct the unit in the line of names");
+}
+
 // CSV holds counts plus an offset, which only the number of bits tells.
 std::optional<CountRange> find_offset(const TextSurvey& survey, const RasterHints& hints, const std::string& name,
                                       core::Problems& problems) {
@@ -113,10 +129,13 @@ OpenedRaster open_whole_text(core::InputFile file, TextStyle style, const Raster
             {file_problem(name, "the number of A/D bits is out of range", fmt::format("{}", hints.bits), "1 to 64")}};
   if (hints.columns > std::numeric_limits<std::size_t>::max() / 2)
     return {nullptr, {file_problem(name, "the samples of a row are too many", fmt::format("{}", hints.columns))}};
+  const CsvHeading heading = heading_of(file, style);
+  if (auto problem = problem_of_unit(heading, hints.bits, name)) return {nullptr, {std::move(*problem)}};
   TextScanner scanner = scanner_at_samples(file, style);
   const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
   TextSurvey survey = survey_text(file, std::move(scanner), layout, stop);
   OpenedRaster result{nullptr, std::move(survey.problems)};
+  if (auto problem = problem_of_heading(heading, survey.values, name)) return {nullptr, {std::move(*problem)}};
   if (core::has_errors(result.problems)) return result;
   if (hints.rows > 0 && hints.rows != survey.rows)
     result.problems.push_back(file_problem(name, "the file has another number of rows", fmt::format("{}", survey.rows),
@@ -126,10 +145,13 @@ OpenedRaster open_whole_text(core::InputFile file, TextStyle style, const Raster
                                            fmt::format("{} samples", survey.values / 2),
                                            fmt::format("{} samples", hints.columns)));
   TextSamples samples{layout, survey.values, 2, {}};
-  if (style == TextStyle::commas) samples.offset = find_offset(survey, hints, name, result.problems);
+  if (says_volts(heading))
+    samples.factor = heading.unit->volts;
+  else if (style == TextStyle::commas)
+    samples.offset = find_offset(survey, hints, name, result.problems);
   if (core::has_errors(result.problems)) return result;
   RasterInfo info = info_of(file, survey.values / 2, hints);
-  info.counts = survey.numbers.whole;
+  info.counts = survey.numbers.whole && !says_volts(heading);
   info.bits = hints.bits;
   result.raster = make_whole_text(std::move(info), std::move(file), samples, std::move(survey.index));
   return result;
@@ -211,12 +233,20 @@ OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const Rast
   const TextLayout layout{style, style == TextStyle::commas ? 0 : hints.columns};
   const FirstRow first = read_first_row(file, layout, stop);
   if (auto problem = first_row_problem(name, first, layout)) return {nullptr, {std::move(*problem)}};
+  const CsvHeading heading = heading_of(file, style);
+  if (auto problem = problem_of_unit(heading, hints.bits, name)) return {nullptr, {std::move(*problem)}};
   core::Problems problems;
   TextSamples samples{layout, first.row.values, first.row.values % 2 != 0 ? 1U : 2U, {}};
-  if (samples.components == 2 && style == TextStyle::commas) samples.offset = offset_of(first, hints, name, problems);
+  // Columns of other names are a picture of real numbers where they cannot be pairs.
+  if (samples.components == 2 || heading.pairs)
+    if (auto problem = problem_of_heading(heading, samples.values, name)) return {nullptr, {std::move(*problem)}};
+  if (says_volts(heading))
+    samples.factor = heading.unit->volts;
+  else if (samples.components == 2 && style == TextStyle::commas)
+    samples.offset = offset_of(first, hints, name, problems);
   RasterInfo info = info_of(file, samples.values / samples.components, hints);
   if (samples.components == 1) info.value = ImageValue::real;
-  info.counts = first.numbers.whole && samples.components == 2;
+  info.counts = first.numbers.whole && samples.components == 2 && !says_volts(heading);
   info.bits = info.counts ? hints.bits : 0;
   return {make_growing_text(std::move(info), std::move(file), samples, first.begin, first.bytes), std::move(problems)};
 }
@@ -225,8 +255,6 @@ OpenedRaster open_growing_text(core::InputFile file, TextStyle style, const Rast
 
 OpenedRaster open_text(core::InputFile file, const Format& format, const RasterHints& hints, Integrity integrity,
                        const core::StopFlag* stop) {
-  if (format.text == TextStyle::commas)
-    if (auto problem = problem_of_heading(file)) return {nullptr, {std::move(*problem)}};
   const auto open = integrity == Integrity::whole ? open_whole_text : open_growing_text;
   return open(std::move(file), format.text, hints, {stop, numbers_at_once});
 }

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include <fmt/format.h>
-
 #include "core/text/letters.hpp"
-#include "raster/table/file_problem.hpp"
+#include "core/text/missing_word.hpp"
+#include "core/text/number_text.hpp"
 
 namespace sarsim::raster {
 
@@ -26,11 +24,12 @@ TextScanner scanner_at_start(const core::InputFile& file) {
   return {file, marked ? byte_order_mark.size() : 0U, 1};
 }
 
-// A value that is not finite: of samples, whose reader refuses it, and not of a line of names.
-bool is_not_finite(std::string_view token) {
-  if (token.starts_with('+') || token.starts_with('-')) token.remove_prefix(1);
-  const std::string word = core::lower_case(token);
-  return word == "nan" || word == "inf" || word == "infinity";
+// A value that is missing, not finite or in quotes: of samples, whose reader refuses it, and not of a line of names.
+bool is_no_sample(std::string_view token) {
+  const bool quoted =
+      token.size() >= 2 && (token.front() == '"' || token.front() == '\'') && token.ends_with(token.front());
+  if (quoted) token = core::trimmed(token.substr(1, token.size() - 2));
+  return (quoted && core::parse_number(token)) || core::is_missing_word(token);
 }
 
 bool is_name(const std::string& token) {
@@ -50,7 +49,7 @@ bool is_at_header(const TextScanner& scanner, const core::InputFile& file) {
       ahead.advance();
       continue;
     }
-    if (ahead.take_number(number, token) || is_not_finite(token) || (first && !is_name(token))) return false;
+    if (ahead.take_number(number, token) || is_no_sample(token) || (first && !is_name(token))) return false;
     first = false;
     ahead.skip_blanks();
   }
@@ -61,22 +60,6 @@ void skip_header(TextScanner& scanner, const core::InputFile& file) {
   scanner.skip_white_space();
   if (is_at_header(scanner, file)) scanner.skip_line();
 }
-
-// The name of a column without quotes, number and unit: "q" of "Q12 [V]".
-std::string bare_name(std::string_view field) {
-  const std::string word = core::lower_case(core::trimmed(field));
-  const std::size_t begin = std::min(word.find_first_not_of("\"'# "), word.size());
-  const auto is_letter = [](char c) { return c >= 'a' && c <= 'z'; };
-  const auto end = std::find_if_not(word.begin() + static_cast<std::ptrdiff_t>(begin), word.end(), is_letter);
-  return {word.begin() + static_cast<std::ptrdiff_t>(begin), end};
-}
-
-bool is_one_of(std::string_view word, std::initializer_list<std::string_view> words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
-bool names_i(std::string_view name) { return is_one_of(name, {"i", "re", "real", "inphase"}); }
-bool names_q(std::string_view name) { return is_one_of(name, {"q", "im", "imag", "imaginary", "quadrature"}); }
 
 }  // namespace
 
@@ -103,26 +86,16 @@ TextScanner scanner_at_samples(const core::InputFile& file, TextStyle style) {
   return scanner;
 }
 
-std::optional<core::Problem> problem_of_heading(const core::InputFile& file) {
+std::optional<std::string> line_of_names(const core::InputFile& file) {
   TextScanner scanner = scanner_at_start(file);
   scanner.skip_white_space();
   if (!is_at_header(scanner, file)) return std::nullopt;
-  constexpr std::size_t longest = std::size_t{1} << 16U;
-  std::string line(longest, '\0');
-  line.resize(file.read_at(scanner.offset(), std::as_writable_bytes(std::span(line))));
-  line.resize(std::min(line.find('\n'), line.size()));
-  std::string_view rest = line;
-  for (std::size_t column = 0; !rest.empty(); ++column) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    const std::string name = bare_name(rest.substr(0, comma));
-    const bool second = column % 2 == 1;
-    if (second ? names_i(name) : names_q(name))
-      return file_problem(file.path().string(), "the headings of the columns are not those of I and Q in turn",
-                          fmt::format("{:.40} above column {}", core::trimmed(rest.substr(0, comma)), column + 1),
-                          second ? "Q" : "I", "exchange the columns, or correct the headings");
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
+  std::string line;
+  for (int c = scanner.peek(); c != TextScanner::end && c != '\n'; c = scanner.peek()) {
+    line += static_cast<char>(c);
+    scanner.advance();
   }
-  return std::nullopt;
+  return line;
 }
 
 }  // namespace sarsim::raster

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/os/input_file.hpp"
-#include "core/report/problem.hpp"
 #include "raster/format/text_scanner.hpp"
 #include "raster/table/formats.hpp"
 
@@ -16,8 +16,8 @@ namespace sarsim::raster {
 /// A scanner where the samples of a text begin: behind a byte order mark and, in CSV, behind a header line.
 [[nodiscard]] TextScanner scanner_at_samples(const core::InputFile& file, TextStyle style);
 
-/// What is wrong with the names in the header line of CSV: columns are I and Q in turn, and names that say that Q comes
-/// first, or all I first, are those of other columns. Nothing where there is no such line, or its names are others.
-[[nodiscard]] std::optional<core::Problem> problem_of_heading(const core::InputFile& file);
+/// The header line of CSV, which `scanner_at_samples` skips: a first line that begins with a letter or '#' and none of
+/// whose fields is a number, a word for a missing one ("NA"), or a number in quotes. Nothing where there is none.
+[[nodiscard]] std::optional<std::string> line_of_names(const core::InputFile& file);
 
 }  // namespace sarsim::raster

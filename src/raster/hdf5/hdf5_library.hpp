@@ -2,6 +2,7 @@
 
 #include <hdf5.h>
 
+#include <cstdlib>
 #include <functional>
 #include <mutex>
 #include <string>
@@ -21,14 +22,17 @@ namespace sarsim::raster {
   return lock;
 }
 
-/// While it lives, no other thread is inside the HDF5 library and the library prints no errors. All calls into the
-/// library are made under one; they may be nested.
+/// While it lives, no other thread is inside the HDF5 library and the library prints no errors; neither does it at the
+/// end of the process. All calls into the library are made under one; they may be nested.
 class Hdf5Use {
  public:
   Hdf5Use() {
     if (uses_++ == 0) hdf5_lock().lock();
     H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    be_silent();
+    // At the end of the process the library closes what it still has open, and would say what it cannot close.
+    static const int at_end = std::atexit(be_silent);
+    static_cast<void>(at_end);
   }
   Hdf5Use(const Hdf5Use&) = delete;
   Hdf5Use& operator=(const Hdf5Use&) = delete;
@@ -38,6 +42,8 @@ class Hdf5Use {
   }
 
  private:
+  static void be_silent() { H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); }
+
   // Of this thread. A lock that counts by itself would not know its thread again in a child process.
   static inline thread_local unsigned uses_ = 0;
   H5E_auto2_t function_ = nullptr;

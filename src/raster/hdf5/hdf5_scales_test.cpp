@@ -105,6 +105,24 @@ class Scaled {
 
 const std::string scale_class("DIMENSION_SCALE", 16);  // With the zero at its end.
 
+// Of a list whose references lead nowhere the library cannot close itself; it says so nowhere.
+TEST(Hdf5Scales, ThatCannotBeFollowedLeaveTheLibrarySilentAtItsEnd) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const TestFolder folder;
+  write_test_file(folder / "a.h5", test_product(5, 7, 12), {scene::FileFormat::hdf5});
+  const std::string sound = contents(folder / "a.h5");
+  const std::size_t list = sound.find("DIMENSION_LIST");
+  ASSERT_NE(list, std::string::npos);
+  for (const std::size_t at : {64U, 67U, 75U, 79U}) {
+    std::string damaged = sound;
+    damaged[list + at] = '\xFF';
+    put(folder / "b.h5", damaged);
+    EXPECT_EXIT((static_cast<void>(open_raster(Integrity::whole, folder / "b.h5")), std::exit(0)),
+                testing::ExitedWithCode(0), testing::StrEq(""))
+        << at;
+  }
+}
+
 TEST(Hdf5Scales, TimesAndRangesNameTheDimensionsOfRecordings) {
   const TestFolder folder;
   write_test_file(folder / "a.h5", test_product(5, 7, 12), {scene::FileFormat::hdf5});

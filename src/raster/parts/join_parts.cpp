@@ -339,6 +339,19 @@ void Joiner::write_receipt(const fs::path& complete, const Joined& joined) const
   static_cast<void>(core::replace_file(receipt_of(task_.output), std::as_bytes(std::span(text))));
 }
 
+// What the receipt of a file says that was not changed since.
+std::optional<Journal> receipt_journal(const fs::path& output) {
+  std::error_code missing;
+  if (!fs::exists(receipt_of(output), missing)) return std::nullopt;
+  const auto read = read_journal(receipt_of(output));
+  const auto* journal = std::get_if<Journal>(&read);
+  if (journal == nullptr || journal->claims.size() != 1) return std::nullopt;
+  const Identity& identity = journal->head.identity;
+  const auto finished = std::ranges::find(identity, finished_name, &Identity::value_type::first);
+  if (finished == identity.end() || finished->second != state_of(output)) return std::nullopt;
+  return *journal;
+}
+
 void add_identity_problems(const std::vector<Journal>& journals, core::Problems& problems) {
   for (std::size_t i = 1; i < journals.size(); ++i) {
     const JournalHead& first = journals.front().head;
@@ -516,16 +529,13 @@ bool holds(const Journal& journal, const Claim& claim, const RowPlaces& places) 
 
 Joined join_parts(const JoinTask& task, const simulate::RunControl& control) { return Joiner(task, control).join(); }
 
+bool is_finished(const fs::path& output) { return receipt_journal(output).has_value(); }
+
 std::optional<Receipt> read_receipt(const fs::path& output, const StoredProduct& stored) {
-  std::error_code missing;
-  if (!fs::exists(receipt_of(output), missing)) return std::nullopt;
-  const auto read = read_journal(receipt_of(output));
-  const auto* journal = std::get_if<Journal>(&read);
-  if (journal == nullptr || journal->claims.size() != 1) return std::nullopt;
+  const std::optional<Journal> journal = receipt_journal(output);
+  if (!journal) return std::nullopt;
   Receipt receipt{journal->head.identity, {}};
-  const auto finished = std::ranges::find(receipt.identity, finished_name, &Identity::value_type::first);
-  if (finished == receipt.identity.end() || finished->second != state_of(output)) return std::nullopt;
-  receipt.identity.erase(finished);
+  std::erase_if(receipt.identity, [](const auto& one) { return one.first == finished_name; });
   const Claim& claim = journal->claims.front();
   const simulate::Product& product = stored.product;
   const double lsb_v =

@@ -89,6 +89,9 @@ struct Receipt {
   simulate::RunReport report;
 };
 
+/// Whether a recording is there that was finished, with its receipt, and was not changed since.
+[[nodiscard]] bool is_finished(const std::filesystem::path& output);
+
 /// The receipt of a finished recording; nothing where there is none or where the file was changed since.
 [[nodiscard]] std::optional<Receipt> read_receipt(const std::filesystem::path& output, const StoredProduct& product);
 

@@ -204,13 +204,13 @@ std::vector<std::pair<std::string, std::string>> facts_of(pugi::xml_node root) {
 
 // Where the image is, if it says so.
 void expect_reference_point(pugi::xml_node root) {
-  constexpr double max_m = 4e9;
   if (!element_at(root, "GeoData/SCP/ECF").first_child()) return;
   const core::Vec3 place_m{number_at(root, "GeoData/SCP/ECF/X", 0.0), number_at(root, "GeoData/SCP/ECF/Y", 0.0),
                            number_at(root, "GeoData/SCP/ECF/Z", 0.0)};
-  if (!(core::norm(place_m) <= max_m))
+  if (!(core::norm(place_m) <= radar::farthest_place_m))
     throw ElementFailure{"the element GeoData/SCP/ECF is far from the Earth",
-                         fmt::format("{:.6g} m from its centre", core::norm(place_m)), "up to 4e9 m"};
+                         fmt::format("{:.6g} m from its centre", core::norm(place_m)),
+                         fmt::format("up to {:g} m", radar::farthest_place_m)};
   if (const auto depth_m = radar::impossible_depth_m(place_m))
     throw ElementFailure{"the element GeoData/SCP/ECF lies inside the Earth",
                          fmt::format("{:.6g} m below the ellipsoid", *depth_m),

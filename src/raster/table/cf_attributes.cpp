@@ -238,10 +238,9 @@ double take_units(CfReader& reader, const std::string* units, bool integers, Sam
       reader.refuse("units", *units, "V, as the numbers are not whole", "multiply them by the LSB, or store integers");
     return 1.0;
   }
-  const auto unit = si_unit_of(word);
-  if (unit && unit->second == "V") {
+  if (const auto unit = unit_of_samples(word)) {
     meaning.counts = false;
-    return unit->first;
+    return unit->volts;
   }
   reader.refuse("units", core::quoted_word(*units), "V, mV, uV, nV or count",
                 "convert the samples to volts: complex amplitudes, not powers or decibels");
@@ -254,6 +253,14 @@ std::optional<std::pair<double, std::string_view>> si_unit_of(std::string_view w
   const auto found = std::ranges::find(unit_words, core::trimmed(word), &UnitWord::word);
   if (found == unit_words.end()) return std::nullopt;
   return std::pair{found->factor, found->si};
+}
+
+std::optional<SampleUnit> unit_of_samples(std::string_view word) {
+  word = core::trimmed(word);
+  if (is_count_word(word)) return SampleUnit{true, 1.0};
+  const auto unit = si_unit_of(word);
+  if (!unit || unit->second != "V") return std::nullopt;
+  return SampleUnit{false, unit->first};
 }
 
 std::variant<SampleMeaning, core::Problem> meaning_of_samples(const ArrayAttributes& attributes,

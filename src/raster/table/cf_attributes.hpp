@@ -23,6 +23,15 @@ struct NumberKind {
   bool has_sign = true;
 };
 
+/// A unit of samples.
+struct SampleUnit {
+  bool counts = false;  ///< Counts of the converter; otherwise multiples of a volt.
+  double volts = 1.0;   ///< How many volts it is; 1 for counts.
+};
+
+/// The unit of samples that a word means: V, mV, uV, nV, volts, count and the like; nothing for others.
+[[nodiscard]] std::optional<SampleUnit> unit_of_samples(std::string_view word);
+
 /// The attributes of the samples: how their numbers become samples, and whether these are counts.
 struct SampleMeaning {
   ValueRule rule;

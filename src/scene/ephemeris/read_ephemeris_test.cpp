@@ -118,12 +118,26 @@ TEST(ReadEphemeris, ReadsOneSatelliteOfAnSp3File) {
   EXPECT_EQ(states[0].position_m, (core::Vec3{1950200.216, -4143460.384, -5401629.616}));
   EXPECT_EQ(states[0].velocity_mps, first_velocity_mps);
   EXPECT_EQ(states[1].velocity_mps, (core::Vec3{549.176492, -5844.051702, 4790.699309}));
-  EXPECT_FALSE(states[2].velocity_mps);
+  EXPECT_TRUE(states[2].velocity_mps);
   const auto epoch_of = [](std::string_view cells) {
     return sound(replaced(sp3_text, "1 23  0  2.00000000", cells), "L51").segments[0].states[2].time;
   };
   EXPECT_EQ(epoch_of("1 23  0  2.12345678"), (radar::CivilTime{2024, 4, 1, 23, 0, 2, 0.12345678}));
   EXPECT_EQ(epoch_of("01 23 00 02"), (radar::CivilTime{2024, 4, 1, 23, 0, 2}));
+}
+
+// Velocities are used of all states or of none: that the others are not is said.
+TEST(ReadEphemeris, NamesStatesOfAnSp3FileWithoutAVelocity) {
+  const std::string_view last = "VL51   5188.029160 -57982.611070  48510.601890 999999.999999\n";
+  for (const char* const by : {"", "VL51      0.000000      0.000000      0.000000 999999.999999\n"}) {
+    const EphemerisReading reading = read_ephemeris(replaced(sp3_text, last, by), "o.sp3", {"L51"});
+    const core::Problem problem = only_problem(reading.problems);
+    EXPECT_EQ(problem.severity, core::Severity::warning);
+    EXPECT_EQ(problem.message, "states have no velocity: the velocities of the others are not used");
+    EXPECT_EQ(problem.found, "1 of 3 states, the first at 2024-04-01T23:00:02");
+    EXPECT_EQ(problem.place.line, 21U);
+    EXPECT_FALSE(reading.file.segments.at(0).states.at(2).velocity_mps);
+  }
 }
 
 TEST(ReadEphemeris, LeavesOutEpochsOfAnSp3FileWithoutAPosition) {

@@ -166,6 +166,19 @@ void StateCollector::report_velocities(const VelocityMismatch& mismatch, std::st
                                          other_unit ? "?" : ", and relative to the same axes?")});
 }
 
+// Velocities are used of all states or of none.
+void StateCollector::report_missing_velocities(const EphemerisSegment& segment, const std::string_view* at,
+                                               std::size_t given) {
+  const auto without = [](const EphemerisState& state) { return !state.velocity_mps; };
+  const auto first = std::ranges::find_if(segment.states, without) - segment.states.begin();
+  const std::size_t states = segment.states.size();
+  problems_.warning(at[first], {"states have no velocity: the velocities of the others are not used",
+                                fmt::format("{} of {} states, the first at {}", states - given, states,
+                                            time_text(segment.states[static_cast<std::size_t>(first)])),
+                                "a velocity with each state, or with none",
+                                "add the missing ones; without velocities the positions alone are interpolated"});
+}
+
 void StateCollector::report_gaps(const SampleSteps& steps, const EphemerisSegment& segment,
                                  const std::string_view* at) {
   gaps_ += steps.gaps.size();
@@ -203,7 +216,10 @@ void StateCollector::examine(std::size_t segment) {
     position_m.push_back(state.position_m);
     if (state.velocity_mps) velocity_mps.push_back(*state.velocity_mps);
   }
-  if (velocity_mps.size() != position_m.size()) velocity_mps.clear();
+  if (velocity_mps.size() != position_m.size()) {
+    if (!velocity_mps.empty()) report_missing_velocities(one, at, velocity_mps.size());
+    velocity_mps.clear();
+  }
   const StateFindings findings = examine_states({time_s, position_m, velocity_mps});
   if (usual_step_s_ == 0.0) usual_step_s_ = findings.steps.usual_s;
   if (findings.velocities && wrong_speed_ == 0) report_velocities(*findings.velocities, at[findings.velocities->worst]);

@@ -56,6 +56,7 @@ class StateCollector {
   void examine(std::size_t segment);
   void report_odd(const std::vector<OddState>& odd, const EphemerisSegment& segment, const std::string_view* at);
   void report_velocities(const VelocityMismatch& mismatch, std::string_view at);
+  void report_missing_velocities(const EphemerisSegment& segment, const std::string_view* at, std::size_t given);
   void report_gaps(const SampleSteps& steps, const EphemerisSegment& segment, const std::string_view* at);
   [[nodiscard]] std::string time_text(const EphemerisState& state) const;
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/text/letters.hpp"
+#include "core/text/missing_word.hpp"
 #include "core/text/number_text.hpp"
 #include "core/text/quoted_word.hpp"
 
@@ -140,7 +141,8 @@ std::vector<ColumnHeading> headings_of(const TableLine& line) {
 
 bool is_heading(const TableLine& line) {
   return std::ranges::none_of(line.cells, [](std::string_view cell) {
-    return !cell.empty() && std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+    const bool number = !cell.empty() && std::string_view("+-.0123456789").find(cell.front()) != std::string_view::npos;
+    return number || core::is_missing_word(cell);
   });
 }
 

@@ -33,7 +33,7 @@ struct ColumnHeading {
 };
 [[nodiscard]] std::vector<ColumnHeading> headings_of(const TableLine& line);
 
-/// True where no cell of the line is a number: a line of names.
+/// True where no cell of the line is a number or a word for a missing one ("NA"): a line of names.
 [[nodiscard]] bool is_heading(const TableLine& line);
 
 /// Reads a cell, in the unit of its column where it has none of its own.

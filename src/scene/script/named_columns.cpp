@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <span>
 #include <string_view>
 
 #include <fmt/format.h>
@@ -22,6 +23,8 @@ constexpr std::string_view angle_words = "angle angles theta phi alpha offset of
 constexpr std::string_view fraction_words = "fraction part place time t u x";
 constexpr std::string_view number_words = "pulse number index count no n i k x";
 constexpr std::string_view any_gain_words = "gain g value y";
+
+bool is_of_intervals(const FunctionBlock& block) { return block.list_key == "intervals"; }
 
 // The words for x, and for each of the values.
 struct AxisWords {
@@ -49,7 +52,8 @@ AxisWords words_of(const FunctionBlock& block) {
     case FunctionRole::elevation_cut: return {angle_words, {"azimuth az", "elevation el", {}}};
     case FunctionRole::list:
       return {number_words,
-              {"interval intervals pri pris period repetition frequency frequencies carrier f fc value y"}};
+              {is_of_intervals(block) ? "interval intervals pri pris period periods repetition value y"
+                                      : "frequency frequencies carrier carriers f fc value y"}};
   }
   return {};
 }
@@ -58,6 +62,56 @@ AxisWords words_of(const FunctionBlock& block) {
 constexpr std::array<std::string_view, 6> quantity_words{"time times epoch",        "latitude lat longitude lon lng",
                                                          "velocity speed vx vy vz", "range distance",
                                                          "azimuth elevation angle", "frequency freq"};
+
+// Words by which a column is another quantity than that of its axis, whatever else its name says, and what to do.
+struct OtherQuantity {
+  std::string_view words;
+  const char* hint;
+};
+
+constexpr OtherQuantity of_any_axis[] = {
+    {"phase phases arg argument", "Functions by points have no phase; a pulse has I and Q."},
+    {"velocity speed rate acceleration vx vy vz", "Write the quantity itself, not its rate."},
+    {"sin sine cos cosine tan", "Write the angle itself."}};
+constexpr OtherQuantity of_decibels[] = {
+    {"loss losses attenuation", "A loss is a negative gain in dB: change the signs and name the column gain."},
+    {"lin linear", "Write decibels: 10 log10 of a ratio of powers, 20 log10 of a ratio of voltages."}};
+constexpr OtherQuantity of_voltages[] = {{"power powers", "Write voltages, the roots of powers."},
+                                         {"loss losses attenuation", "Write what remains: 1 over the loss."}};
+constexpr OtherQuantity of_pulses[] = {
+    {"amplitude amplitudes magnitude mag envelope", "Write I and Q: the amplitude times cosine and sine of the phase."},
+    {"power powers", "Write voltages, the roots of powers."}};
+constexpr OtherQuantity of_places[] = {{"down d depth", "Change the signs and name the column up."},
+                                       {"south", "Change the signs and name the column north."},
+                                       {"west", "Change the signs and name the column east."}};
+constexpr OtherQuantity of_intervals[] = {
+    {"frequency frequencies prf prfs f hz", "Write intervals: 1 over the repetition frequency."}};
+constexpr OtherQuantity of_frequencies[] = {
+    {"wavelength wavelengths lambda", "Write frequencies: the speed of light over the wavelength."},
+    {"interval intervals pri pris prf prfs period repetition", "Write the carrier of each pulse."}};
+constexpr OtherQuantity of_incidence[] = {
+    {"grazing depression", "Write angles of incidence: 90 deg less the grazing angle."}};
+
+// Those of one axis of a block, beside those of any.
+std::span<const OtherQuantity> others_of(const FunctionBlock& block, std::size_t axis) {
+  switch (block.role) {
+    case FunctionRole::pulse: return axis == 0 ? std::span<const OtherQuantity>() : of_pulses;
+    case FunctionRole::pulse_envelope:
+    case FunctionRole::window:
+    case FunctionRole::stc: return axis == 0 ? std::span<const OtherQuantity>() : of_voltages;
+    case FunctionRole::reflectivity:
+      return axis == 0 ? std::span<const OtherQuantity>(of_incidence) : std::span<const OtherQuantity>(of_decibels);
+    case FunctionRole::azimuth_cut:
+    case FunctionRole::elevation_cut: return axis == 0 ? std::span<const OtherQuantity>() : of_decibels;
+    case FunctionRole::trajectory:
+    case FunctionRole::beam_target: return axis == 0 ? std::span<const OtherQuantity>() : of_places;
+    case FunctionRole::list:
+      if (axis == 0) return {};
+      return is_of_intervals(block) ? std::span<const OtherQuantity>(of_intervals)
+                                    : std::span<const OtherQuantity>(of_frequencies);
+    default: return {};
+  }
+}
 
 bool has_word(std::string_view words, std::string_view word) {
   if (word.empty()) return false;
@@ -86,6 +140,14 @@ bool means(const std::vector<std::string>& name, std::string_view words) {
   return std::ranges::any_of(name, [&](const std::string& word) { return has_word(words, core::lower_case(word)); });
 }
 
+// Whether one of the words is in a name that it is no word for.
+bool contradicts(const std::vector<std::string>& name, std::string_view words, std::string_view own) {
+  return std::ranges::any_of(name, [&](const std::string& word) {
+    const std::string small = core::lower_case(word);
+    return has_word(words, small) && !has_word(own, small);
+  });
+}
+
 const FunctionAxis& axis_number(const FunctionBlock& block, std::size_t axis) {
   return axis == 0 ? block.x : block.y[axis - 1];
 }
@@ -107,6 +169,7 @@ class ColumnNames {
     if (headings_.size() == axes_.size()) {
       find_meanings();
       if (two_of_pulse_) choose_pulse();
+      check_other_quantities();
       check_strangers();
       order();
     }
@@ -148,6 +211,18 @@ class ColumnNames {
     if (result_.pulse_has_x && !*result_.pulse_has_x) axes_ = {1, 2};
   }
 
+  // Names such as "gain_lin", which mean an axis and say that the numbers are not those of it.
+  void check_other_quantities() {
+    for (std::size_t i = 0; i < meanings_.size(); ++i) {
+      const std::size_t axis = meanings_[i].value_or(axes_[i]);
+      const std::vector<std::string> name = words_in(headings_[i].written);
+      for (const std::span<const OtherQuantity> others :
+           {others_of(block_, axis), std::span<const OtherQuantity>(of_any_axis)})
+        for (const OtherQuantity& other : others)
+          if (contradicts(name, other.words, words_for(axis))) refuse_name(i, axis_name(axis), other.hint);
+    }
+  }
+
   // Names that mean something that the column cannot be.
   void check_strangers() {
     for (std::size_t i = 0; i < meanings_.size(); ++i) {
@@ -157,9 +232,10 @@ class ColumnNames {
       const bool other =
           std::ranges::any_of(quantity_words, [&](std::string_view words) { return means(name, words); });
       if (several || !other) continue;
-      refuse(i, fmt::format("the name of column {} is not that of {}", i + 1, name_at(i)), std::string(name_at(i)),
-             both_cuts_ ? "An antenna of two columns has one gain for both cuts: name it gain, or add the other cut."
-                        : "Name the columns after what they are; the order is theirs then.");
+      refuse_name(i, name_at(i),
+                  both_cuts_
+                      ? "An antenna of two columns has one gain for both cuts: name it gain, or add the other cut."
+                      : "Name the columns after what they are; the order is theirs then.");
     }
   }
 
@@ -189,9 +265,10 @@ class ColumnNames {
     result_.units[i] = heading.unit;
     const std::vector<std::string> name = words_in(heading.written);
     const Quantity quantity = quantity_of(axis_number(block_, axes_[result_.places[i]]));
-    if (name.size() < 2 || quantity == Quantity::number) return;
-    const auto behind = read_quantity("1 " + name.back(), quantity).value;
-    if (!behind) return;
+    if (name.size() < 2) return;
+    const bool has_units = quantity != Quantity::number;
+    const auto behind = has_units ? read_quantity("1 " + name.back(), quantity).value : std::nullopt;
+    if (!behind) return check_other_unit(i, name.back());
     if (heading.unit.empty()) result_.units[i] = name.back();
     const auto brackets = read_quantity("1 " + result_.units[i], quantity).value;
     if (brackets && *brackets != *behind)
@@ -199,9 +276,19 @@ class ColumnNames {
              "Leave one of them out.");
   }
 
-  [[nodiscard]] std::string_view name_at(std::size_t i) const {
-    return both_cuts_ && axes_[i] == 1 ? std::string_view("the gain of both cuts") : axis_number(block_, axes_[i]).name;
+  // "rcs_dBsm" is no ratio in dB, and "weight_dB" no weight.
+  void check_other_unit(std::size_t i, const std::string& word) {
+    const std::size_t axis = axes_[result_.places[i]];
+    if (has_word(words_for(axis), core::lower_case(word)) || find_unit(word, word).unit == nullptr) return;
+    const std::string units = units_listed(quantity_of(axis_number(block_, axis)));
+    refuse(i, fmt::format("the unit behind the name of column {} is not that of {}", i + 1, axis_name(axis)),
+           units.empty() ? "a number without a unit" : units, "Convert the numbers, or correct the name.");
   }
+
+  [[nodiscard]] std::string_view axis_name(std::size_t axis) const {
+    return both_cuts_ && axis == 1 ? std::string_view("the gain of both cuts") : axis_number(block_, axis).name;
+  }
+  [[nodiscard]] std::string_view name_at(std::size_t i) const { return axis_name(axes_[i]); }
 
   [[nodiscard]] std::string listed() const {
     std::string text;
@@ -209,6 +296,9 @@ class ColumnNames {
     return text;
   }
 
+  void refuse_name(std::size_t column, std::string_view axis, const char* hint) {
+    refuse(column, fmt::format("the name of column {} is not that of {}", column + 1, axis), std::string(axis), hint);
+  }
   void refuse(std::size_t column, std::string message, std::string expected, std::string hint = {}) {
     if (result_.fault) return;
     const ColumnHeading& heading = headings_[column];

@@ -103,6 +103,22 @@ TEST(TableFile, SaysWhatIsWrongWithItsRows) {
       {"t,y [alpha bravo],x,z\n0,1,2,3\n", blocks::trajectory, "found 'alpha...'"},
       {"x,w\n0,1\n1,5 alpha bravo\n", blocks::window_gain, "'5...' has a unit, 'alpha...'"},
       {"angle,gain\n0,1e30\n", blocks::target_gain, "cannot be computed with"},
+      // Names of other quantities, even beside those of the axis.
+      {"angle,gain_lin\n0,1\n10,0.5\n", blocks::transmit_gain, "10 log10 of a ratio of powers"},
+      {"angle,loss [dB]\n0,0\n10,3\n", blocks::target_gain, "found 'loss [dB]', expected reflectivity"},
+      {"angle,phase\n0,0\n10,3\n", blocks::target_gain, "have no phase"},
+      {"grazing,gain\n0,0\n10,3\n", blocks::target_gain, "90 deg less the grazing angle"},
+      {"angle,rcs_dBsm\n0,0\n10,3\n", blocks::target_gain, "the unit behind the name of column 2"},
+      {"t,amplitude,phase\n0,1,0\n1,1,90\n", blocks::pulse_iq, "the name of column 2 is not that of I"},
+      {"fraction,power\n0,1\n1,1\n", blocks::envelope_gain, "Write voltages"},
+      {"fraction,weight_dB\n0,0\n1,-3\n", blocks::window_gain, "expected a number without a unit"},
+      {"t,x,y,down\n0,1,2,3\n1,1,2,3\n", blocks::trajectory, "name the column up"},
+      {"t,x_velocity,y,z\n0,1,2,3\n1,1,2,3\n", blocks::trajectory, "not its rate"},
+      {"prf\n1000\n1200\n", blocks::pri, "1 over the repetition frequency"},
+      {"frequency\n1000\n1200\n", blocks::pri, "1 over the repetition frequency"},
+      {"wavelength\n0.03\n0.031\n", blocks::carrier_list, "the speed of light over the wavelength"},
+      {"interval\n0.03\n0.031\n", blocks::carrier_list, "the name of column 1 is not that of frequency"},
+      {"NA,NA\n0,1\n1,1\n", blocks::window_gain, "'NA'"},
   };
   for (const Bad& row : rows)
     EXPECT_THAT(errors_of(read_data_file(row.text, "t.csv", row.block)), HasSubstr(row.says)) << row.text;

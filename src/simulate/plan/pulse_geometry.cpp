@@ -332,7 +332,7 @@ void PulseGeometry::expect_possible(std::string_view kind, std::size_t index, co
   const double light_mps = scene_->conventions.light_speed_mps;
   if (possible_echo(echo, light_mps)) return;
   core::Problem problem = problem_of_echo(kind, index, radar_->name, echo, light_mps);
-  problem.message += fmt::format(" (pulse {}, {:g} s)", pulse_, time_s_);
+  problem.message += text_of_pulse(pulse_, time_s_);
   throw ImpossibleEcho(std::move(problem));
 }
 

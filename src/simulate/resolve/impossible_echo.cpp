@@ -35,4 +35,8 @@ core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::str
   return problem;
 }
 
+std::string text_of_pulse(std::int64_t pulse, double time_s) {
+  return fmt::format(" (pulse {}, {:g} s)", pulse, time_s);
+}
+
 }  // namespace sarsim::simulate

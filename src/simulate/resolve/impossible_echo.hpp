@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -30,6 +32,9 @@ struct EchoExtremes {
 /// @param kind  "target" or "surface"
 [[nodiscard]] core::Problem problem_of_echo(std::string_view kind, std::size_t index, std::string_view radar,
                                             const EchoExtremes& echo, double light_speed_mps);
+
+/// " (pulse 12, 0.25 s)": which one it is, behind the message.
+[[nodiscard]] std::string text_of_pulse(std::int64_t pulse, double time_s);
 
 /// Thrown where a pulse meets an impossible echo that the survey of some pulses did not see.
 struct ImpossibleEcho : std::runtime_error {

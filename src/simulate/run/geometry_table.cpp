@@ -13,6 +13,7 @@
 
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
+#include "core/report/problem.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/world_frame.hpp"
@@ -121,7 +122,7 @@ void put_platform_heading(PieceWriter& out, int line, std::string_view what, std
                           const std::string& platform) {
   switch (line) {
     case 0: out.put("{:^32} ", what); return;
-    case 1: out.put("{:^32} ", fmt::format("({:.20})", platform)); return;
+    case 1: out.put("{:^32} ", fmt::format("({:.20})", core::printable(platform))); return;
     case 2:
       for (const char axis : {'X', 'Y', 'Z'}) out.put("{:^10} ", fmt::format("{} ({})", axis, unit));
       return;

@@ -131,6 +131,16 @@ TEST(GeometryTable, LongPlatformNamesKeepTheWidths) {
   for (const std::string& line : text_lines(scene, table_of(4))) EXPECT_EQ(line.size(), 10U + 2U * 33U);
 }
 
+// A terminal gets no orders from them; other programs get them as they are, as CSV.
+TEST(GeometryTable, ControlCharactersOfNamesAreEscapedInTextAlone) {
+  scene::Scene scene = moving_scene();
+  scene.platforms[1].name = "M\u009bA\u202eB\x7f";
+  for (scene::Target& target : scene.targets) target.platform = scene.platforms[1].name;
+  const std::string heading = text_lines(scene, table_of(geometry_position)).at(1);
+  EXPECT_NE(heading.find("(M\\u009bA\\u202eB\\x7f)"), std::string::npos) << heading;
+  EXPECT_EQ(csv_rows(scene, table_of(geometry_position)).at(0).at(12), scene.platforms[1].name + " x_m");
+}
+
 TEST(GeometryTable, NumbersAreRightJustifiedWithEightDigits) {
   const auto lines = text_lines(moving_scene(), table_of(geometry_time | geometry_frequency));
   EXPECT_EQ(lines[5], "        1        0.001          0.5 ");

@@ -320,7 +320,7 @@ class LimitRules {
       for (std::size_t k = i + 1; k < placed_.size(); ++k) {
         const double apart_m = std::abs(placed_[i].distance_m - placed_[k].distance_m);
         const double apart_hz = std::abs(placed_[i].doppler_hz - placed_[k].doppler_hz);
-        if (apart_m >= cell_m || apart_hz >= cell_hz) continue;
+        if (!(apart_m < cell_m && apart_hz < cell_hz)) continue;
         if (placed_[i].from_radar_m == placed_[k].from_radar_m && apart_hz == 0.0) continue;  // Reported as such.
         if (count++ > 0) continue;
         first = {placed_[i].target + 1, placed_[k].target + 1};

@@ -160,8 +160,12 @@ class Surveyor {
   bool check_echoes(const EchoSurvey& survey, const Plan& plan) {
     for (const std::size_t i : survey.totals.impossible) {
       if (!impossible_.insert(i).second) continue;
-      problems_.push_back(problem_of_echo("target", i, plan.radar.name, extremes_of(survey.targets[i]),
+      const auto met = std::ranges::find(survey.impossible, i, &ImpossiblePulse::target);
+      const bool at_pulse = met != survey.impossible.end();
+      problems_.push_back(problem_of_echo("target", i, plan.radar.name,
+                                          at_pulse ? met->echo : extremes_of(survey.targets[i]),
                                           plan.scene->conventions.light_speed_mps));
+      if (at_pulse) problems_.back().message += text_of_pulse(met->pulse, met->time_s);
     }
     return survey.totals.impossible.empty();
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -49,15 +50,24 @@ struct SurveyTotals {
   friend bool operator==(const SurveyTotals&, const SurveyTotals&) = default;
 };
 
+/// A pulse at which the echo of a target cannot be computed.
+struct ImpossiblePulse {
+  std::size_t target = 0;
+  std::int64_t pulse = 0;  ///< In the radar's schedule.
+  double time_s = 0.0;     ///< At which it is sent.
+  EchoExtremes echo;
+};
+
 /// A quick look at the echoes of a simulation: at most 64 of its pulses (3 where there are very many targets), all
 /// targets, and up to five passes of a rotating beam over each target. An estimate: what happens between the sampled
-/// pulses is not seen.
+/// pulses is not seen, but for a radar that comes to the place of a target.
 struct EchoSurvey {
   std::size_t pulses_sampled = 0;
   bool all_pulses = false;  ///< Every pulse was looked at.
   std::vector<TargetSurvey> targets;
   SurveyTotals totals;
-  double lowest_doppler_hz = 0.0;  ///< Over the echoes that touch the window.
+  std::vector<ImpossiblePulse> impossible;  ///< Where that is so at some pulses, by target (`impossible_pulses`).
+  double lowest_doppler_hz = 0.0;           ///< Over the echoes that touch the window.
   double highest_doppler_hz = 0.0;
   std::vector<bool> surface_faces_radar;  ///< Per surface: it shows its front in some sampled pulse.
   double largest_sum_v =
@@ -66,6 +76,9 @@ struct EchoSurvey {
 
 /// Farthest one-way range whose echo arrives before the next pulse leaves, at the shortest interval.
 [[nodiscard]] double unambiguous_range_m(const Plan& plan);
+
+/// A target nearer than this stands on the radar.
+inline constexpr double closest_echo_m = 1e-9;
 
 /// What decides whether the echo of a target can be computed.
 [[nodiscard]] EchoExtremes extremes_of(const TargetSurvey& target);

@@ -6,6 +6,7 @@
 #include "radar/path/path.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/behind_earth.hpp"
+#include "simulate/survey/meetings.hpp"
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/survey.hpp"
 
@@ -15,7 +16,6 @@ namespace {
 
 constexpr std::size_t max_pulses = 64;      // decisions: "at most 64 pulses x all targets, labelled as an estimate"
 constexpr std::size_t max_views = 400'000;  // targets times pulses: a look takes some hundredths of a second
-constexpr double closest_m = 1e-9;          // a target nearer than this stands on the radar
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // Targets that one thread looks at together, and pulses of which all poses are kept at once. They decide the order in
@@ -149,6 +149,11 @@ class Look {
     }
     add_up();
     take_band();
+    survey_.impossible = impossible_pulses(plan_, survey_, pulses, control_);
+    for (const ImpossiblePulse& met : survey_.impossible) survey_.totals.impossible.push_back(met.target);
+    std::ranges::sort(survey_.totals.impossible);
+    const auto twice = std::ranges::unique(survey_.totals.impossible);
+    survey_.totals.impossible.erase(twice.begin(), twice.end());
     return std::move(survey_);
   }
 
@@ -289,7 +294,8 @@ double unambiguous_range_m(const Plan& plan) {
 }
 
 EchoExtremes extremes_of(const TargetSurvey& target) {
-  return {target.nearest_m > closest_m ? target.nearest_m : 0.0, target.largest_speed_mps, target.largest_amplitude_v};
+  return {target.nearest_m > closest_echo_m ? target.nearest_m : 0.0, target.largest_speed_mps,
+          target.largest_amplitude_v};
 }
 
 EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control) {

@@ -310,6 +310,20 @@ TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
   EXPECT_EQ(survey.largest_sum_v, away.largest_amplitude_v);
 }
 
+// Pulse 101 of 200 is none of the 64 that are looked at.
+TEST(Survey, NamesThePulseAtWhichTheRadarMeetsATarget) {
+  scene::Scene scene = sound_scene();
+  scene.platforms.push_back(moving("Flight", {-1010, 0, 0}, {10000, 0, 0}));
+  scene.radars[0].platform = "Flight";
+  scene.targets = {target_on("Earth", {0, 0, 0}), target_on("Earth", {5, 300, 0})};
+  const core::Problems problems = survey(scene);
+  ASSERT_THAT(problems, ElementsAre(problem(core::Severity::error, "position_m", "stands at the position of radar")));
+  EXPECT_THAT(problems[0].message, HasSubstr("(pulse 101, 0.101 s)"));
+  EXPECT_EQ(problems[0].subject.index, 0U);
+  scene.targets = {target_on("Earth", {0, 1, 0})};
+  for (const core::Problem& found : survey(scene)) EXPECT_NE(found.severity, core::Severity::error) << found.message;
+}
+
 // 30 000 targets are several ranges; on two platforms, some of them jittered, some, if wanted, on the radar.
 scene::Scene wide_scene(bool with_impossible_targets) {
   scene::Scene scene = sound_scene();

@@ -160,6 +160,8 @@ CollectionGeometry::CollectionGeometry(const Collection& collection)
   const radar::Pose pose = track.at(plan.radar.repetition.send_time_s(middle), middle);
   middle_m_ = collection.reference.kind == ReferencePoint::Kind::given ? collection.reference.given_world_m
                                                                        : scene_middle_m(plan);
+  expect_possible_place(collection.earth.ecef_from_world(middle_m_), "the reference point");
+  expect_possible_place(collection.earth.ecef_from_world(pose.position_world_m), "the radar");
   antenna_m_ = pose.position_world_m;
   core::Vec3 along = pose.velocity_world_mps;
   if (collection.flat) along.z = 0.0;

@@ -218,6 +218,18 @@ signal::FocusedImage image_over(const raster::CphdDescription& d, const PhaseHis
   return image;
 }
 
+// One pulse tells ranges apart and no directions.
+void expect_several(std::size_t vectors, const raster::PhaseChannel& channel, const std::string& path) {
+  if (vectors > 1) return;
+  core::Problem problem =
+      core::problem_of(core::Severity::error,
+                       fmt::format("channel '{}' has a signal in one vector: one pulse makes no image", channel.id),
+                       fmt::format("{} of {} vectors", vectors, channel.vectors), "two vectors or more",
+                       "the image viewer and sarsim plot show the vector itself; --channel chooses another channel");
+  problem.place.file = path;
+  throw core::Refused({std::move(problem)});
+}
+
 signal::BackProjectionOptions weights_of(const FocusRequest& request) {
   signal::BackProjectionOptions back;
   if (request.range_window.kind != signal::SarWindow::Kind::rectangular)
@@ -280,6 +292,7 @@ FocusReport focus_phase_history(const FocusRequest& asked, const core::Observer&
   constexpr std::size_t max_looks = 1024;
   const std::vector<PhaseVector> vectors = rows.some_vectors(max_looks);
   if (vectors.empty()) throw core::Refused("no vector of the channel has a signal (SIGNAL is 0 in all of them)");
+  expect_several(vectors.size(), rows.channel(), request.input.path);
   std::vector<signal::TrackPoint> track;
   for (const PhaseVector& vector : vectors) track.push_back(rows.track_point(vector));
   const signal::ReferenceTrack line = signal::fitted_track(track);

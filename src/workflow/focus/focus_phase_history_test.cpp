@@ -5,6 +5,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "raster/cphd/cphd_test_support.hpp"
+#include "raster/format/open_raster.hpp"
 #include "support/test_folder.hpp"
 
 namespace sarsim::workflow::focus_phase_history_test {
@@ -125,6 +126,20 @@ class FocusCphd : public testing::Test {
   test::TestFolder folder_;
   FocusRequest request_;
 };
+
+// The file is sound and shown; that its image is empty would be the wrong cause.
+TEST_F(FocusCphd, OneVectorMakesNoImage) {
+  Ideal history = ideal();
+  history.d.channels[0].vectors = 1;
+  history.d.channels[0].reference = 0;
+  history.d.tx_time2_s = 0.0;
+  history.write(folder_ / "a.cphd");
+  const raster::OpenedRaster opened = raster::open_raster(raster::Integrity::whole, folder_ / "a.cphd");
+  ASSERT_TRUE(opened.raster);
+  EXPECT_EQ(opened.raster->rows(), 1U);
+  request_.input.path = (folder_ / "a.cphd").string();
+  EXPECT_THAT(refusal(), HasSubstr("one pulse makes no image; found '1 of 1 vectors', expected two vectors or more"));
+}
 
 TEST_F(FocusCphd, PutsTargetsAtTheirPlaces) {
   for (const raster::SignalEncodingName& entry : raster::signal_encodings) {

@@ -53,6 +53,7 @@ void expect_outputs_to_be_free(const FocusRequest& request) {
   if (!request.navigation.empty()) named.emplace_back(request.navigation);
   expect_free_outputs(paths, {InputList::named(std::move(named)), request.force, "--out"});
   for (const fs::path& path : paths) {
+    expect_image_ending(path, "--out");
     const fs::path folder = first_that_exists(path.parent_path());
     std::error_code ignored;
     if (!folder.empty() && !fs::is_directory(folder, ignored))

@@ -99,6 +99,38 @@ TEST_F(FocusWorkflow, WhatIsWrittenCanBeMeasuredAgainstTheory) {
   EXPECT_TRUE(target.picture.empty());
 }
 
+// About a sample that is no number neither peak nor noise mean anything: no target is "not found" by it.
+TEST_F(FocusWorkflow, AnImageWithoutSomeOfItsSamplesIsNotMeasured) {
+  request_.output = folder_ / "a.img";
+  const signal::FocusedImage image = signal::in_memory(focus(request_, {}).image);
+  const std::size_t columns = image.range.count;
+  const std::size_t row = image.azimuth.count / 2;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  std::fstream file(request_.output, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(static_cast<std::streamoff>(8 * (row * columns + columns / 2)));
+  file.write(reinterpret_cast<const char*>(&nan), sizeof(nan));
+  file.close();
+  try {
+    static_cast<void>(measure(of_image(), {}));
+    FAIL();
+  } catch (const core::Refused& refused) {
+    EXPECT_NE(refused.problems.at(0).message.find("not finite numbers"), std::string::npos);
+    EXPECT_EQ(refused.problems.at(0).found,
+              fmt::format("1, the first in row {}, column {} (from 0)", row, columns / 2));
+  }
+}
+
+TEST_F(FocusWorkflow, ImagesHaveTheEndingsOfTheirFormats) {
+  for (const char* const name : {"a.mat", "a.dat", "a.cphd", "a.ras", "a.foo"}) {
+    request_.output = folder_ / name;
+    EXPECT_THROW(static_cast<void>(focus(request_, {})), core::Refused) << name;
+    EXPECT_FALSE(fs::exists(request_.output));
+  }
+  request_.output = folder_ / "plain";  // ENVI
+  static_cast<void>(focus(request_, {}));
+  EXPECT_TRUE(fs::exists(folder_ / "plain.hdr"));
+}
+
 // The image says with which values it was made, so that `measure` compares with the target where it was.
 TEST_F(FocusWorkflow, AnImageOfOtherValuesIsMeasuredAgainstThem) {
   request_.output = folder_ / "a.img";

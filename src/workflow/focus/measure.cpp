@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <mutex>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -280,10 +282,43 @@ void measure_target(const MeasuredImage& opened, const signal::ImageReader& read
   (target.state == TargetState::found ? target.found : target.peak) = std::move(peak);
 }
 
+// Samples of an image that are no numbers, as far as they are read: a peak, noise and spectra about one mean nothing.
+class MissingSamples {
+ public:
+  // A reader that takes note of them.
+  signal::ImageReader watched(const signal::ImageReader& reader) {
+    return [this, reader](std::size_t row, std::size_t first, std::span<std::complex<float>> out) {
+      reader(row, first, out);
+      for (std::size_t i = 0; i < out.size(); ++i)
+        if (!std::isfinite(out[i].real()) || !std::isfinite(out[i].imag())) note(row, first + i);
+    };
+  }
+  void expect_none(const fs::path& image) const {
+    if (places_.empty()) return;
+    const auto [row, column] = *places_.begin();
+    throw core::Refused({core::problem_of(
+        core::Severity::error,
+        fmt::format("'{}' has samples near its targets that are not finite numbers", image.string()),
+        fmt::format("{}, the first in row {}, column {} (from 0)", places_.size(), row, column), "finite samples",
+        "'sarsim info --statistics' counts all of them; focus the recording again")});
+  }
+
+ private:
+  void note(std::size_t row, std::size_t column) {
+    const std::scoped_lock hold(lock_);
+    places_.emplace(row, column);
+  }
+
+  std::mutex lock_;
+  std::set<std::pair<std::size_t, std::size_t>> places_;
+};
+
 std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const std::vector<TargetTheory>& theories,
                                              const MeasureRequest& request, const core::WorkControl& control) {
   const bool cuts = request.cuts || !request.pictures.empty();
   std::vector<MeasuredTarget> targets(theories.size());
+  MissingSamples missing;
+  const signal::ImageReader reader = missing.watched(opened.reader);
   core::parallel_ranges(theories.size(), 1, control, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       targets[t].theory = theories[t];
@@ -297,9 +332,10 @@ std::vector<MeasuredTarget> measured_targets(const MeasuredImage& opened, const 
       if (!(theories[t].amplitude > 0.0) || !is_asked_for(request, theories[t])) continue;
       if (targets[t].outside) continue;
       targets[t].search_m = request.search_m.value_or(search_of(theories, theories[t]));
-      measure_target(opened, opened.reader, request, cuts, targets[t]);
+      measure_target(opened, reader, request, cuts, targets[t]);
     }
   });
+  missing.expect_none(request.image);
   std::erase_if(targets, [&](const MeasuredTarget& target) { return !is_asked_for(request, target.theory); });
   if (targets.empty())
     throw core::Refused(fmt::format("there is no target {}", request.target.value_or(0)),

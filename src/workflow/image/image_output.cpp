@@ -12,6 +12,7 @@
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "raster/table/formats.hpp"
+#include "scene/schema/trade_words.hpp"
 #include "workflow/image/image_facts.hpp"
 #include "workflow/image/image_script.hpp"
 #include "workflow/image/image_writer.hpp"
@@ -110,6 +111,22 @@ void expect_no_picture(const fs::path& path, std::string_view option) {
 bool is_sicd(const fs::path& path) { return raster::row_from_path(path) == &raster::sicd_format(); }
 
 bool is_envi(const fs::path& path) { return !raster::format_from_path(path) && !is_sicd(path); }
+
+void expect_image_ending(const fs::path& path, std::string_view option) {
+  expect_no_picture(path, option);
+  const std::string extension = path.extension().string();
+  if (extension.empty() || extension == ".hdr") return;  // Of headers the list of outputs says more.
+  const raster::Format* const row = raster::row_from_path(path);
+  if (row != nullptr && (row->recording || row == &raster::envi_format() || row == &raster::sicd_format())) return;
+  const scene::TradeChoice* const meant = scene::trade_choice(extension, "format");
+  const auto format = meant == nullptr ? std::nullopt : raster::format_from_name(meant->word);
+  const auto named = [&](std::string_view ending) { return fs::path(path).replace_extension(ending).string(); };
+  throw core::Refused(
+      fmt::format("{}: the extension of '{}' names no format of images", option, path.string()),
+      format ? fmt::format("name it {}{}{}", named(raster::extension_of(*format)), meant->note.empty() ? "" : ": ",
+                           meant->note)
+             : fmt::format("name it {} for ENVI, or end it with {}", named(".img"), raster::image_extensions()));
+}
 
 void expect_no_sicd(const fs::path& path, std::string_view option) {
   if (is_sicd(path))

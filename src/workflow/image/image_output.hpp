@@ -12,12 +12,16 @@
 
 namespace sarsim::workflow {
 
-/// Whether a path names an ENVI image: every extension that names no other format does.
+/// Whether a path names an ENVI image: every extension that names no other format does. New images have `.img` or none.
 [[nodiscard]] bool is_envi(const std::filesystem::path& path);
 
 /// Refuses the name of a picture (.png, .tif ...): an image is samples, and `sarsim plot` makes a picture of it. The
 /// message begins with `option`.
 void expect_no_picture(const std::filesystem::path& path, std::string_view option);
+
+/// Refuses the name of a new image whose ending is that of a picture (`expect_no_picture`) or of no image: the format
+/// is what the ending says, and a name without one is ENVI. The message begins with `option`.
+void expect_image_ending(const std::filesystem::path& path, std::string_view option);
 
 /// Whether a path names a SICD file: .nitf, .ntf or .sicd.
 [[nodiscard]] bool is_sicd(const std::filesystem::path& path);

@@ -1,6 +1,7 @@
 #include "workflow/input/earth_place.hpp"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -9,9 +10,33 @@
 #include "core/report/refused.hpp"
 #include "core/text/letters.hpp"
 #include "core/text/number_text.hpp"
+#include "radar/earth/earth_depth.hpp"
 #include "scene/model/world_frame.hpp"
 
 namespace sarsim::workflow {
+
+namespace {
+
+[[noreturn]] void refuse_place(std::string message, std::string found) {
+  throw core::Refused({core::problem_of(core::Severity::error, std::move(message), std::move(found),
+                                        fmt::format("at most {:g} m below the ellipsoid, up to {:g} m from the centre",
+                                                    -radar::deepest_place_m, radar::farthest_place_m),
+                                        "heights count in m, positive upwards")});
+}
+
+[[noreturn]] void refuse_deep(const std::string& what, double depth_m) {
+  refuse_place(what + " lies inside the Earth", fmt::format("{:.6g} m below the ellipsoid", depth_m));
+}
+
+// A place from a command line or from a file of ours.
+radar::Anchor possible(const radar::Anchor& anchor, const std::string& what) {
+  // Beyond the centre the depth of the position would be that from the other side.
+  if (anchor.origin.height_m < radar::deepest_place_m) refuse_deep(what, -anchor.origin.height_m);
+  expect_possible_place(radar::ecef_of(anchor.origin), what);
+  return anchor;
+}
+
+}  // namespace
 
 radar::Anchor anchor_from_text(const std::string& text, const std::string& option) {
   std::vector<double> numbers;
@@ -24,12 +49,19 @@ radar::Anchor anchor_from_text(const std::string& text, const std::string& optio
     if (end == text.size()) {
       if (numbers.size() < 3 || numbers.size() > 4) break;
       if (std::abs(numbers[0]) > 90.0 || std::abs(numbers[1]) > 360.0) break;
-      return {{core::rad_per_deg * numbers[0], core::rad_per_deg * numbers[1], numbers[2]},
-              numbers.size() == 4 ? core::rad_per_deg * numbers[3] : 0.0};
+      return possible({{core::rad_per_deg * numbers[0], core::rad_per_deg * numbers[1], numbers[2]},
+                       numbers.size() == 4 ? core::rad_per_deg * numbers[3] : 0.0},
+                      fmt::format("{} {}", option, text));
     }
   }
   throw core::Refused(fmt::format("{}: '{}' is not a place", option, text),
                       "give LATITUDE,LONGITUDE,HEIGHT[,HEADING] in degrees and metres, as -33.9,18.4,120");
+}
+
+void expect_possible_place(const core::Vec3& ecef_m, const std::string& what) {
+  if (const auto depth_m = radar::impossible_depth_m(ecef_m)) refuse_deep(what, *depth_m);
+  if (const double distance_m = core::norm(ecef_m); !(distance_m <= radar::farthest_place_m))
+    refuse_place(what + " is far from the Earth", fmt::format("{:.6g} m from its centre", distance_m));
 }
 
 std::string anchor_text(const radar::Anchor& anchor) {

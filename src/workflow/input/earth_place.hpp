@@ -25,6 +25,12 @@ inline constexpr const char* assumed_epoch = "2000-01-01T00:00:00Z";
 /// @param option  what the text was given with, for the message
 [[nodiscard]] radar::Anchor anchor_from_text(const std::string& text, const std::string& option);
 
+/// Throws core::Refused for an Earth-fixed place where nothing of a recording is: inside the Earth
+/// (`radar::impossible_depth_m`) or beyond `radar::farthest_place_m`. What reads such files refuses it by the same
+/// rule.
+/// @param what  names it: "--anchor 10,20,-7e5"
+void expect_possible_place(const core::Vec3& ecef_m, const std::string& what);
+
 /// An anchor as `anchor_from_text` reads it back, to the last bit of its degrees.
 [[nodiscard]] std::string anchor_text(const radar::Anchor& anchor);
 

@@ -22,6 +22,7 @@
 #include "workflow/input/function_tables.hpp"
 #include "workflow/input/motion_accuracy.hpp"
 #include "workflow/input/platform_path.hpp"
+#include "workflow/input/sample_gaps.hpp"
 #include "workflow/input/world_axes.hpp"
 
 namespace sarsim::workflow {
@@ -86,6 +87,10 @@ std::shared_ptr<const scene::ReadAttitude> attitude_of(const scene::Scene& scene
                                  usable_s(segment.usable.stop, times_s.back())};
     spans.push_back(usable);
     if (usable.first_s > needed.first_s || usable.last_s < needed.last_s) continue;
+    if (const auto gap = gap_within(times_s, needed))
+      return refuse(path_problem(fmt::format("the attitudes of {} have a gap", platform.attitude_file),
+                                 said_times(*gap, axes), "attitudes evenly spaced over the recordings",
+                                 no_way_over_gaps));
     auto read = std::make_shared<scene::ReadAttitude>();
     read->usable = usable;
     const auto turn = scene::largest_turn(samples, needed);

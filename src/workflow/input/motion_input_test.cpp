@@ -271,14 +271,16 @@ TEST(MotionInput, RefusesStatesBetweenWhichNothingIsKnown) {
                                            testing::EndsWith("none")));
 }
 
-scene::Scene with_attitudes(const std::filesystem::path& folder, double flip_from_s) {
+// @param gap  seconds whose attitudes are left out: the first and the one behind the last
+scene::Scene with_attitudes(const std::filesystem::path& folder, double flip_from_s, std::pair<int, int> gap = {0, 0}) {
   std::ofstream file(folder / "a.aem");
   file << "CCSDS_AEM_VERS = 1.0\nCREATION_DATE = 2024-04-02T00:00:00\nORIGINATOR = TEST\nMETA_START\nOBJECT_NAME = A\n"
           "OBJECT_ID = 1\nREF_FRAME_A = ITRF\nREF_FRAME_B = SC_BODY_1\nATTITUDE_DIR = A2B\nTIME_SYSTEM = UTC\n"
           "START_TIME = 2000-06-27T18:50:00\nSTOP_TIME = 2000-06-27T18:50:40\nATTITUDE_TYPE = QUATERNION\n"
           "QUATERNION_TYPE = LAST\nMETA_STOP\nDATA_START\n";
   for (int i = 0; i <= 40; ++i)
-    file << fmt::format("2000-06-27T18:50:{:02} {}\n", i, i < flip_from_s ? "0 0 0 1" : "1 0 0 0");
+    if (i < gap.first || i >= gap.second)
+      file << fmt::format("2000-06-27T18:50:{:02} {}\n", i, i < flip_from_s ? "0 0 0 1" : "1 0 0 0");
   file << "DATA_STOP\n";
   scene::Scene scene = earth_scene(-1.0, 1.0);
   scene.platforms[0].rotation_kind = scene::Platform::Rotation::quaternions;
@@ -299,6 +301,19 @@ TEST(MotionInput, RefusesAttitudesThatJump) {
   EXPECT_THAT(messages(read_motions(scene, own.path())),
               HasSubstr("warning: a.aem: an attitude beside the recordings"));
   EXPECT_TRUE(scene.platforms[0].read_attitude);
+}
+
+TEST(MotionInput, RefusesAttitudesWithAGapInTheRecordings) {
+  const test::TestFolder own;
+  // The recordings are from 18:50:19 to 18:50:21.
+  scene::Scene scene = with_attitudes(own.path(), 100, {18, 21});
+  EXPECT_THAT(messages(read_motions(scene, own.path())), HasSubstr("warning: "));
+  EXPECT_TRUE(scene.platforms[0].read_attitude);  // Of 4 steps.
+  scene = with_attitudes(own.path(), 100, {16, 22});
+  EXPECT_THAT(messages(read_motions(scene, own.path())), HasSubstr("error: the attitudes of a.aem have a gap"));
+  EXPECT_FALSE(scene.platforms[0].read_attitude);
+  scene = with_attitudes(own.path(), 100, {2, 10});
+  EXPECT_TRUE((static_cast<void>(read_motions(scene, own.path())), scene.platforms[0].read_attitude));
 }
 
 }  // namespace motion_input_test

@@ -31,7 +31,8 @@ class Namer {
  public:
   explicit Namer(const OutputRules& rules, core::Problems& problems) : rules_(rules), problems_(problems) {}
 
-  fs::path place(const std::string& name, const core::Subject& subject, bool recording) {
+  // @param format  of a recording; nothing for a table
+  fs::path place(const std::string& name, const core::Subject& subject, std::optional<scene::FileFormat> format) {
     const std::string base = base_name(name);
     if (base.empty() || base == "." || base == "..") {
       add(core::Severity::error, subject, "the output has no file name", name, "a name such as out.asc", "");
@@ -49,10 +50,11 @@ class Namer {
       }
     }
     path = (rules_.folder / path).lexically_normal();
-    if (recording && rules_.format) path.replace_extension(raster::extension_of(*rules_.format));
+    if (format && rules_.format) path.replace_extension(raster::extension_of(*rules_.format));
     // `check` has warned of names that are alike in the script.
     const bool told = !met_.insert(name.substr(name.find_last_of("/\\") + 1)).second;
-    return distinct(path, subject, told);
+    const auto written = format && rules_.format ? rules_.format : format;
+    return distinct(path, subject, told, written ? &raster::format_of(*written) : nullptr);
   }
 
  private:
@@ -66,11 +68,20 @@ class Namer {
         {severity, std::move(message), std::move(found), std::move(expected), std::move(hint), {}, subject, 1});
   }
 
-  fs::path distinct(const fs::path& path, const core::Subject& subject, bool told) {
+  // Takes all files that a product of this name becomes, unless one of them is that of another product.
+  bool take(const fs::path& path, const raster::Format* format) {
+    std::vector<fs::path> files = raster::files_of(format, path);
+    files.push_back(path);
+    if (std::ranges::any_of(files, [this](const fs::path& file) { return taken_.contains(file); })) return false;
+    taken_.insert(files.begin(), files.end());
+    return true;
+  }
+
+  fs::path distinct(const fs::path& path, const core::Subject& subject, bool told, const raster::Format* format) {
     fs::path result = path;
     // Where the last of this name found a free one, so that many of one name are not all tried again.
     int& number = numbers_.try_emplace(path.string(), 2).first->second;
-    for (; !taken_.insert(result).second; ++number)
+    for (; !take(result, format); ++number)
       result.replace_filename(fmt::format("{}-{}{}", path.stem().string(), number, path.extension().string()));
     if (result != path && !told)
       add(core::Severity::warning, subject,
@@ -139,9 +150,10 @@ OutputNames output_names(const scene::Scene& scene, const OutputRules& rules) {
   OutputNames names;
   Namer namer(rules, names.problems);
   for (std::size_t i = 0; i < scene.simulations.size(); ++i)
-    names.simulations.push_back(namer.place(scene.simulations[i].file, {"simulation", i, "file"}, true));
+    names.simulations.push_back(
+        namer.place(scene.simulations[i].file, {"simulation", i, "file"}, scene.simulations[i].format));
   for (std::size_t i = 0; i < scene.geometries.size(); ++i)
-    names.tables.push_back(namer.place(scene.geometries[i].file, {"geometry", i, "file"}, false));
+    names.tables.push_back(namer.place(scene.geometries[i].file, {"geometry", i, "file"}, std::nullopt));
   return names;
 }
 

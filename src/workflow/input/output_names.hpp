@@ -26,7 +26,8 @@ struct OutputNames {
 };
 
 /// Decides the files of all products of a scene. The base name after either kind of slash goes into the folder; of
-/// several products with one name the second becomes name-2.ext and so on, with a warning here where `check` has none:
+/// several products with one name, or with a file in common (`raster::files_of`: both files of a SigMF recording), the
+/// second becomes name-2.ext and so on, with a warning here where `check` has none:
 /// when a change of format or another product's number makes names alike. A name without a base name is an error; with
 /// `keep_paths` also one that leads out of the folder.
 [[nodiscard]] OutputNames output_names(const scene::Scene& scene, const OutputRules& rules);

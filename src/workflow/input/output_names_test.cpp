@@ -69,6 +69,21 @@ TEST(OutputNames, RepeatedNamesAreNumbered) {
   EXPECT_EQ(names.problems[0].subject, (core::Subject{"simulation", 2, "file"}));
 }
 
+// A format of several files claims the names of all of them.
+TEST(OutputNames, FilesThatBelongToAnotherProductAreNumberedWithAWarning) {
+  scene::Scene scene = scene_with({"t.sigmf-meta", "u.sigmf-data", "u.sigmf-meta"}, {"t.sigmf-data", "v.txt"});
+  for (scene::Simulation& simulation : scene.simulations) simulation.format = scene::FileFormat::sigmf;
+  const OutputNames names = output_names(scene, {});
+  EXPECT_EQ(names.simulations.at(0), "t.sigmf-meta");
+  EXPECT_EQ(names.simulations.at(2), "u-2.sigmf-meta");
+  EXPECT_EQ(names.tables.at(0), "t-2.sigmf-data");
+  EXPECT_EQ(names.tables.at(1), "v.txt");
+  ASSERT_EQ(names.problems.size(), 2U);
+  EXPECT_EQ(names.problems[0].subject, (core::Subject{"simulation", 2, "file"}));
+  EXPECT_EQ(names.problems[1].subject, (core::Subject{"geometry", 0, "file"}));
+  EXPECT_EQ(names.problems[1].severity, core::Severity::warning);
+}
+
 // Numbers go on where the last one of the name stopped; each trying all of them took minutes.
 TEST(OutputNames, ManyOfOneNameAreNumberedAtOnce) {
   const scene::Scene scene = scene_with(std::vector<std::string>(20000, "a.bin"));

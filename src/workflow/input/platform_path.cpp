@@ -20,6 +20,7 @@
 #include "scene/ephemeris/sample_accuracy.hpp"
 #include "scene/model/orbit.hpp"
 #include "scene/model/world_frame.hpp"
+#include "workflow/input/sample_gaps.hpp"
 
 namespace sarsim::workflow {
 
@@ -208,25 +209,13 @@ class PathMaker {
     path->description = std::move(description);
     if (const auto gap = gap_in(path->states->spans()))
       return refuse(path_problem(fmt::format("the states of {} have a gap", platform_.ephemeris_file), said(*gap),
-                                 "states evenly spaced over the recordings",
-                                 "nothing is interpolated over a gap of more than 4 times the usual spacing"));
+                                 "states evenly spaced over the recordings", no_way_over_gaps));
     if (needed_.last_s > needed_.first_s &&
         (path->usable.first_s > needed_.first_s || path->usable.last_s < needed_.last_s))
       return refuse(path_problem(fmt::format("{} does not cover the recordings", platform_.ephemeris_file),
                                  said(path->usable), said(needed_),
                                  "change the epoch or the times of the recordings, or take another file"));
     return path;
-  }
-
-  // Neighbours farther apart leave a gap between them.
-  static double largest_gap_s(const std::vector<double>& times_s) {
-    constexpr double usual_spacings = 4.0;
-    if (times_s.size() < 3) return std::numeric_limits<double>::infinity();
-    std::vector<double> spacings_s;
-    for (std::size_t i = 1; i < times_s.size(); ++i) spacings_s.push_back(times_s[i] - times_s[i - 1]);
-    const auto middle = spacings_s.begin() + static_cast<std::ptrdiff_t>(spacings_s.size() / 2);
-    std::ranges::nth_element(spacings_s, middle);
-    return usual_spacings * *middle;
   }
 
   // The first gap between spans that touches the times that are needed.

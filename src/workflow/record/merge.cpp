@@ -34,6 +34,11 @@ class Merger {
     task.output = output();
     task.replace = request_.force;
     for (const std::string& folder : request_.folders) expect_outside(task.output, folder);
+    if (is_done(task.output)) {
+      RecordingReport report;
+      report.file = task.output.string();
+      return {std::move(report), true};
+    }
     if (auto before = joined_before(task)) return {*std::move(before)};
     const std::vector<fs::path> folders(request_.folders.begin(), request_.folders.end());
     expect_free_outputs({task.output}, {folders, request_.force, "-o"});
@@ -112,6 +117,12 @@ class Merger {
     if (!fs::exists(folder / "lock")) return;
     doors_.push_back(opened(folder / "lock"));
     doors_.back().lock();
+  }
+
+  // A merge that is repeated after it ended has nothing left to join.
+  [[nodiscard]] bool is_done(const fs::path& output) const {
+    const auto gone = [](const std::string& folder) { return !fs::exists(fs::symlink_status(folder)); };
+    return std::ranges::all_of(request_.folders, gone) && raster::is_finished(output);
   }
 
   // A process that was killed after it gave the output its name has left parts whose rows are in the output now: all

@@ -21,6 +21,9 @@ struct MergeRequest {
 /// What a merge came to.
 struct MergeReport {
   RecordingReport recording;
+  /// The output was complete and its parts were gone: a merge before this one has done it. Then `recording` has no more
+  /// than the name of the file.
+  bool done_before = false;
 };
 
 /// Joins the parts of one recording, which may come from several folders, to its file: the bytes of a single run.

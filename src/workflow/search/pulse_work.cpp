@@ -54,7 +54,7 @@ std::vector<fs::path> PulseWork::files() const {
 void PulseWork::expect_free_files(const InputList& sources) const {
   const std::vector<fs::path> paths = files();
   if (request_.image) {
-    expect_no_picture(output(), "--out");
+    expect_image_ending(output(), "--out");
     expect_no_sicd(output(), "--out");
   }
   if (!request_.image && !options_.detect)

@@ -42,7 +42,7 @@ IsarOptions isar_options(const IsarRequest& request) {
   expect_speed(options.fastest_mps);
   if (options.oversampling == 0) throw core::Refused("--oversampling: a resolution cell needs a pixel", "1 or more");
   options.autofocus = options.autofocus || options.motion == Motion::estimated;
-  expect_no_picture(output_of(request), "--out");
+  expect_image_ending(output_of(request), "--out");
   expect_no_sicd(output_of(request), "--out");
   if (request.magnitude && !is_envi(output_of(request)))
     throw core::Refused("--magnitude makes ENVI images", "name the output .img");

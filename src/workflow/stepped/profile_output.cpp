@@ -160,7 +160,7 @@ KeptImage kept_profiles(const ProfileSeries& series, const ProfileOrigin& origin
 }
 
 std::vector<fs::path> files_of_profiles(const fs::path& path) {
-  workflow::expect_no_picture(path, "--out");
+  workflow::expect_image_ending(path, "--out");
   workflow::expect_no_sicd(path, "--out");
   if (!workflow::is_envi(path)) return {path};
   return {path, fs::path(path).replace_extension(".hdr")};
