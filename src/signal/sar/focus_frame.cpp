@@ -16,13 +16,45 @@ namespace {
 std::size_t padded_samples(const FocusFrame& frame) {
   switch (frame.options.method) {
     case FocusMethod::omega_k:
-      return static_cast<std::size_t>(std::ceil(frame.row_samples * 4.0 / 3.0)) + core::SincTable::taps;
+      return std::max(static_cast<std::size_t>(std::ceil(frame.row_samples * 4.0 / 3.0)), frame.range.count) +
+             core::SincTable::taps;
     case FocusMethod::chirp_scaling:
       return frame.samples + static_cast<std::size_t>(std::ceil(dispersed_samples(frame.waveform))) +
              core::SincTable::taps;
     case FocusMethod::range_doppler: break;
   }
   return frame.samples + 2 * core::SincTable::taps;
+}
+
+// Closest distances of points that the recorded ranges hold in some direction whose Doppler frequency the pulses tell.
+AxisInterval recordable_ranges(const FocusFrame& frame) {
+  const double c = frame.waveform.light_speed_mps;
+  const double near_m = radar::range_of(frame.first_delay_s, c);
+  const double far_m = near_m + radar::range_of(static_cast<double>(frame.samples) / frame.waveform.sample_rate_hz, c);
+  const double half_hz = 0.5 * frame.prf_hz();
+  const auto sine_at = [&](double way) {
+    return std::clamp(frame.sine(frame.options.doppler_centroid_hz + way * half_hz), -max_sine, max_sine);
+  };
+  const double low = sine_at(-1.0);
+  const double high = sine_at(1.0);
+  const double least = low < 0.0 && high > 0.0 ? 0.0 : std::min(std::abs(low), std::abs(high));
+  const double most = std::max(std::abs(low), std::abs(high));
+  return {near_m * std::sqrt(1.0 - most * most), far_m * std::sqrt(1.0 - least * least)};
+}
+
+// Adds columns so that the image covers an interval, as far as it can be recorded.
+void reach_ranges(FocusFrame& frame, const std::optional<AxisInterval>& wanted) {
+  if (!wanted || frame.options.method == FocusMethod::chirp_scaling) return;
+  const AxisInterval recordable = recordable_ranges(frame);
+  const double first_m = std::max({wanted->first_m, recordable.first_m, frame.range.step_m});
+  const double last_m = std::min(wanted->last_m, recordable.last_m);
+  if (!(first_m <= last_m)) return;
+  ImageAxis& axis = frame.range;
+  const double end = static_cast<double>(axis.count) - 1.0;
+  const double before = std::min(0.0, std::floor(axis.index_of(first_m)));
+  const double last = std::max(end, std::ceil(axis.index_of(last_m)));
+  axis.first_m = axis.at(before);
+  axis.count = static_cast<std::size_t>(last - before) + 1;
 }
 
 void set_range_axis(FocusFrame& frame) {
@@ -37,6 +69,8 @@ void set_range_axis(FocusFrame& frame) {
   frame.range.spectrum_centre_per_m = radar::turns_of(cosine - 1.0, frame.waveform.carrier_hz, c);
   frame.reference_range_m = frame.range.at(0.5 * static_cast<double>(frame.range.count));
   frame.range_middle_hz = frame.waveform.carrier_hz * (cosine - 1.0);
+  reach_ranges(frame, frame.options.range_reach);
+  reach_ranges(frame, frame.options.range_area);
 }
 
 // Pulses by which the beam's centre meets a target before (positive: the target lies ahead) its closest approach.
@@ -106,6 +140,7 @@ void set_azimuth_axis(FocusFrame& frame) {
   frame.first_row = static_cast<std::ptrdiff_t>(std::floor(std::min(near, far) - margin));
   frame.azimuth.count = frame.pulses + static_cast<std::size_t>(std::ceil(std::abs(far - near) + 2.0 * margin));
   frame.azimuth.step_m = frame.track.speed_mps * frame.track.interval_s;
+  if (frame.options.azimuth_reach) reach_area(frame, *frame.options.azimuth_reach);
   if (frame.options.azimuth_area) reach_area(frame, *frame.options.azimuth_area);
   frame.azimuth.first_m = frame.track.speed_mps * frame.track.time_s(static_cast<double>(frame.first_row));
   frame.azimuth.spectrum_centre_per_m = frame.options.doppler_centroid_hz / frame.track.speed_mps;
@@ -353,10 +388,11 @@ FocusFrame focus_frame(const EchoRows& echoes, const FocusOptions& options) {
   frame.options = options;
   if (echoes.azimuth_zero_m)
     frame.azimuth_zero_m = core::dot(*echoes.azimuth_zero_m - frame.track.origin_m, frame.track.along);
-  if (std::optional<AxisInterval>& area = frame.options.azimuth_area) {
-    area->first_m += frame.azimuth_zero_m;
-    area->last_m += frame.azimuth_zero_m;
-  }
+  for (std::optional<AxisInterval>* area : {&frame.options.azimuth_area, &frame.options.azimuth_reach})
+    if (*area) {
+      (*area)->first_m += frame.azimuth_zero_m;
+      (*area)->last_m += frame.azimuth_zero_m;
+    }
   frame.pulses = echoes.track.size();
   frame.samples = echoes.columns;
   frame.first_delay_s = echoes.first_delay_s;

@@ -37,9 +37,13 @@ struct FocusOptions {
                                             ///< apart for it, those of the image are closer. Nothing: unknown.
   std::optional<AxisInterval>
       azimuth_area{};                        ///< Rows to make; also beyond what the record's middle sees. Nothing: all.
-  std::optional<AxisInterval> range_area{};  ///< Columns to keep. Nothing: all.
-  std::size_t memory_bytes = 0;              ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
-  std::filesystem::path scratch_folder{};    ///< Where; empty: the system's for temporary files.
+  std::optional<AxisInterval> range_area{};  ///< Columns to make; also beyond what the beam's middle sees, as
+                                             ///< `range_reach`. Nothing: all.
+  /// Places that the image holds besides those that it has in any case, as far as echoes of them can be recorded; in
+  /// range not by chirp scaling, whose columns are the samples. Areas cut what is beyond them. Nothing: none.
+  std::optional<AxisInterval> azimuth_reach{}, range_reach{};
+  std::size_t memory_bytes = 0;            ///< For the matrix that is worked on; beyond it goes to disk. 0: no limit.
+  std::filesystem::path scratch_folder{};  ///< Where; empty: the system's for temporary files.
 };
 
 /// A focused image that need not be in memory.

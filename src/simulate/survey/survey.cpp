@@ -6,14 +6,17 @@
 
 #include <fmt/format.h>
 
+#include "core/maths/constants.hpp"
 #include "core/maths/window.hpp"
 #include "core/report/expect.hpp"
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "radar/receiver/converter.hpp"
 #include "scene/model/format_values.hpp"
+#include "scene/model/scene_index.hpp"
 #include "simulate/survey/ambiguity.hpp"
 #include "simulate/survey/beam_passes.hpp"
+#include "simulate/survey/beam_steps.hpp"
 #include "simulate/survey/limit_rules.hpp"
 #include "simulate/survey/noise_energy.hpp"
 #include "simulate/survey/pulse_motion.hpp"
@@ -53,6 +56,7 @@ class Surveyor {
     check_other_pulses(plan, survey, index_, scope_, problems_);
     check_pulse_motion(survey, plan, control);
     check_limits(plan, survey, index_, scope_, problems_);
+    check_beam_steps(plan);
     check_sights(survey, plan, control);
   }
 
@@ -83,6 +87,25 @@ class Surveyor {
                     left.phase_rad, left.target + 1, plan.radar.repetition.send_time_s(left.pulse)),
         "", fmt::format("below {:g} rad", noted_motion_rad),
         "shorten the pulse: this phase grows with the third power of its width");
+  }
+
+  // Neither targets nor clutter of a direction that the beam jumps over are in a recording.
+  void check_beam_steps(const Plan& plan) {
+    constexpr double min_unlit = 0.01;
+    const auto steps = beam_steps(plan);
+    if (!steps || steps->unlit_share < min_unlit) return;
+    const auto degrees = [](double angle_rad) { return fmt::format("{:.4g} deg", core::deg_per_rad * angle_rad); };
+    const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
+    add(core::Severity::warning, "radar",
+        fmt::format("the beam jumps farther than its width from pulse to pulse: {:.0f} % of the directions that it "
+                    "turns through are never illuminated",
+                    100.0 * steps->unlit_share),
+        fmt::format("a turn of {} from pulse to pulse, a beam of {}", degrees(steps->step_rad),
+                    degrees(steps->width_rad)),
+        fmt::format("at most {} from pulse to pulse", degrees(steps->width_rad)),
+        fmt::format("turn the beam more slowly, or raise the PRF to at least {}",
+                    core::with_prefix(prf_hz * steps->step_rad / steps->width_rad, "Hz", 4)));
+    problems_.back().subject = {"radar", scene::find_radar(scene_, simulation_.radar), "beam_rate"};
   }
 
   void add(core::Severity severity, const char* field, std::string message, std::string found, std::string expected,

@@ -35,14 +35,14 @@ void weigh_pulses(signal::SarEchoes& echoes, const signal::SarWindow& window) {
   }
 }
 
-// More columns where the antenna strays so far from its line that targets in the middle of its swath are nearer to the
-// line, or farther from it, than all recorded ranges.
+// More columns where the antenna strays so far from its line that targets with recorded echoes are nearer to the line,
+// or farther from it, than all recorded ranges.
 void reach_targets(signal::ImageAxis& range, const std::vector<SarTarget>& targets) {
   constexpr double margin = 32.0;
   double first = 0.0;
   double last = static_cast<double>(range.count) - 1.0;
   for (const SarTarget& target : targets) {
-    if (!(target.amplitude > 0.0) || !target.in_swath) continue;
+    if (!(target.amplitude > 0.0) || !target.recorded) continue;
     const double at = range.index_of(target.place.range_m);
     if (at < 0.0) first = std::min(first, std::floor(at - margin));
     if (at > static_cast<double>(range.count) - 1.0) last = std::max(last, std::ceil(at + margin));

@@ -23,6 +23,7 @@
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/focus_phase_history.hpp"
 #include "workflow/focus/image_collection.hpp"
+#include "workflow/focus/image_reach.hpp"
 #include "workflow/focus/method_choice.hpp"
 #include "workflow/focus/movers.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
@@ -153,6 +154,16 @@ std::optional<signal::ImageSpectrum> spectrum_of_image(const FocusRequest& reque
   return flown_spectrum(plan, echoes, {}, ground_of(request, plan), kept, control);
 }
 
+// The image holds what the recording has seen, where that is affordable.
+void reach_targets_of(const FocusRequest& request, FocusWork& work, const core::WorkControl& control) {
+  if (!moves(work.input.echoes)) return;
+  DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
+  if (!in_time(request) && kept.width_hz <= 0.0)
+    kept.width_hz = 1.0 / signal::fit_straight(work.input.echoes.track).interval_s;
+  work.to_show = targets_to_show(*work.input.plan, work.input.echoes, kept, control);
+  reach_targets(work.to_show, work.input.echoes, work.options);
+}
+
 // @param[in,out] request  its algorithm becomes the one that will be used
 FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkControl& control) {
   FocusWork work{.request = {}, .input = std::move(input), .options = options_of(request), .problems = {}};
@@ -162,11 +173,17 @@ FocusWork work_on(FocusInput input, FocusRequest& request, const core::WorkContr
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
   work.motion = wanted_motion(request, work.input.echoes, work.problems);
   expect_focusable(work.input, work.problems, work.motion);
-  if (!around) work.options.spectrum = spectrum_of_image(request, work, control);
+  if (!around) {
+    work.options.spectrum = spectrum_of_image(request, work, control);
+    reach_targets_of(request, work, control);
+  }
   const bool was_in_time = in_time(request);
   choose_method(request, work, control);
   work.problems = problems_of_echoes(request, work.input.echoes, work.options);
-  if (!around && in_time(request) != was_in_time) work.options.spectrum = spectrum_of_image(request, work, control);
+  if (!around && in_time(request) != was_in_time) {
+    work.options.spectrum = spectrum_of_image(request, work, control);
+    reach_targets_of(request, work, control);
+  }
   return work;
 }
 
@@ -198,14 +215,19 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   return core::ranked(std::move(problems));
 }
 
+signal::FocusedImage slant_axes(const FocusWork& work, const FocusRequest& request,
+                                const std::vector<SarTarget>& targets, const signal::FocusOptions& options) {
+  return in_time(request) ? back_projection_axes(work.input.echoes, targets, options)
+                          : signal::image_of(work.input.echoes, options);
+}
+
 // Axes and frame of the image of slant range that is to be made. Adds remarks on a grid that differs from that of the
 // recording.
 signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, const std::vector<SarTarget>& targets,
                                 const core::WorkControl& control) {
   if (around_scene(request, work.input.echoes)) return scene_grid_axes(work.input, request.ground_m, control);
   const auto axes_for = [&](const signal::FocusOptions& options) {
-    return in_time(request) ? back_projection_axes(work.input.echoes, targets, options)
-                            : signal::image_of(work.input.echoes, options);
+    return slant_axes(work, request, targets, options);
   };
   signal::FocusedImage axes = axes_for(work.options);
   expect_samples(axes);
@@ -222,6 +244,13 @@ signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, co
 void remark_on_movers(FocusWork& work, signal::FocusedImage axes, const core::WorkControl& control) {
   if (work.options.azimuth_area) signal::cut_axis(axes.azimuth, *work.options.azimuth_area);
   std::ranges::move(remarks_on_movers(*work.input.plan, work.input.echoes, axes, control),
+                    std::back_inserter(work.input.problems));
+}
+
+// @param axes  of slant range, or of the grid around a scene
+void remark_on_outside(FocusWork& work, const FocusRequest& request, const signal::FocusedImage& axes) {
+  if (around_scene(request, work.input.echoes)) return;
+  std::ranges::move(remarks_on_outside(work.to_show, axes, work.options, in_time(request)),
                     std::back_inserter(work.input.problems));
 }
 
@@ -288,6 +317,10 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
   if (work.options.spectrum)
     std::ranges::move(remarks_on_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
   std::ranges::move(remarks_on_movers(plan, echoes, std::nullopt, control), std::back_inserter(problems));
+  if (moves(echoes) && !around_scene(request, echoes))
+    std::ranges::move(remarks_on_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
+                                         work.options, in_time(request)),
+                      std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(remarks_on_ghosts(plan, echoes, kept, ghosts_in(request, work.input.echoes), control),
                     std::back_inserter(problems));
@@ -335,6 +368,7 @@ std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal:
 core::Problems remarks_on_image(FocusWork begun, FocusWork ended, const signal::FocusedImage& image,
                                 const core::WorkControl& control) {
   remark_on_movers(begun, image, control);
+  if (image.frame.plane == signal::ImagePlane::slant_range) remark_on_outside(begun, begun.request, image);
   ended.input.problems = std::move(begun.input.problems);
   return problems_of_work(ended, ended.request, control);
 }
@@ -350,7 +384,10 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
   const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
   if (request.autofocus || in_time(request)) look_at_targets();
   const signal::FocusedImage axes = image_axes(work, request, targets, control);
-  if (remarks == FocusRemarks::first) remark_on_movers(work, axes, control);
+  if (remarks == FocusRemarks::first) {
+    remark_on_movers(work, axes, control);
+    remark_on_outside(work, request, axes);
+  }
   if (request.autofocus) expect_autofocus(axes, work.input.echoes, targets, choice, work.options);
   if (work.motion != MotionOrder::none) {
     compensate_work(work, request, control, observer);

@@ -10,6 +10,7 @@
 #include "workflow/focus/autofocus.hpp"
 #include "workflow/focus/focus_input.hpp"
 #include "workflow/focus/focus_request.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_theory.hpp"
 #include "workflow/image/kept_image.hpp"
 #include "workflow/input/earth_place.hpp"
@@ -58,6 +59,7 @@ struct FocusWork {
   core::Problems problems;  ///< Of the echoes, for these options.
   MotionOrder motion = MotionOrder::none;
   double strays_m = 0.0;              ///< From the straight line, before compensation.
+  std::vector<SarTarget> to_show{};   ///< Targets that an image of slant range should show.
   std::optional<EarthPlace> place{};  ///< Where on the Earth a SICD image is.
 };
 

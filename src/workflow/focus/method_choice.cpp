@@ -143,7 +143,9 @@ class Chooser {
     }
     flight.on_grid = kind == TakenFlight::Kind::flown && !flies_along_a_line(work_.input.echoes);
     const double speed_mps = core::norm(line_.velocity_mps);
-    flight.carrier_per_m = work_.options.doppler_centroid_hz / speed_mps;
+    const signal::FocusedImage image = signal::image_of(work_.input.echoes, work_.options);
+    flight.carrier_per_m = image.azimuth.spectrum_centre_per_m;
+    flight.range_carrier_per_m = image.range.spectrum_centre_per_m;
     // In the frequency domain what lies beyond half the repetition frequency is taken for something else.
     double kept_hz = work_.options.doppler_bandwidth_hz;
     if (kind != TakenFlight::Kind::flown && !(kept_hz > 0.0)) kept_hz = 1.0 / fit.interval_s;

@@ -274,7 +274,8 @@ TEST_F(MethodChoice, MeasuresByBackProjectionPointsBelowTheLine) {
 }
 
 // A spotlight around the scene.
-std::string turn_text(double angle_rad, double radius_m, double prf_hz) {
+std::string turn_text(double angle_rad, double radius_m, double prf_hz,
+                      const std::string& targets = "[[0, 0, 0], [1.2, 0.7, 0], [-0.8, 1.4, 0]]") {
   constexpr double speed_mps = 100.0;
   const double half_s = 0.5 * radius_m * angle_rad / speed_mps;
   const double range_m = std::hypot(radius_m, 300.0);
@@ -284,7 +285,7 @@ name = "P"
 path = {{ type = "legs", start = [{:.9f}, {:.9f}, 300.0], heading = "{:.9f} deg", speed = "{} m/s", start_time = "{:.9f} s", legs = [{{ leg = "turn", angle = "{:.9f} deg", radius = "{} m" }}] }}
 rotation = {{ type = "look-at", point = [0, 0, 0] }}
 [[target]]
-positions = [[0, 0, 0], [1.2, 0.7, 0], [-0.8, 1.4, 0]]
+positions = {}
 [[radar]]
 name = "R"
 platform = "P"
@@ -302,7 +303,7 @@ time = ["{} s", "{} s"]
 )",
                      -radius_m * std::cos(0.5 * angle_rad), -radius_m * std::sin(0.5 * angle_rad),
                      -0.5 * angle_rad * core::deg_per_rad, speed_mps, -half_s, angle_rad * core::deg_per_rad, radius_m,
-                     prf_hz, range_m - 40.0, range_m + 40.0, -0.999 * half_s, 0.999 * half_s);
+                     targets, prf_hz, range_m - 40.0, range_m + 40.0, -0.999 * half_s, 0.999 * half_s);
 }
 
 TEST_F(MethodChoice, OfAFlightAroundTheSceneIsAGridOfGroundThatHoldsItsTargets) {
@@ -333,6 +334,38 @@ TEST_F(MethodChoice, OfAFlightAroundTheSceneIsAGridOfGroundThatHoldsItsTargets) 
       EXPECT_NEAR(std::abs(value), 1.0, 0.075) << degrees << " " << t;
       EXPECT_NEAR(std::arg(value), 0.0, 0.075) << degrees << " " << t;
     }
+  }
+}
+
+// A point above the plane of the grid is laid towards the antenna, by its height times that of the antenna over the
+// distance on the ground: from the middle of the arc 0.6 m for each metre.
+TEST_F(MethodChoice, OfAFlightAroundTheSceneLaysWhatIsAboveThePlaneTowardsTheAntenna) {
+  test::put(folder_ / "turn.toml",
+            turn_text(60.0 / core::deg_per_rad, 500.0, 60.0, "[[0, 0, 0], [1.2, 0.7, 0.2], [-0.8, 1.4, -0.15]]"));
+  request_.input.path = (folder_ / "turn.toml").string();
+  request_.output = folder_ / "turn.img";
+  request_.ground_m = 0.0;
+  request_.algorithm = FocusAlgorithm::back_projection;
+  request_.grid = FocusGrid::ground;
+  const FocusReport report = focus(request_, {});
+  ASSERT_EQ(report.grid, FocusGrid::ground);
+  const FocusInput input = open_focus_input(request_.input, {});
+  const signal::FocusedImage image = signal::in_memory(report.image);
+  const auto theories =
+      theory_on_image({*input.plan, input.echoes, report.options, true, false}, report.image.image, {});
+  const std::vector<core::Vec3> points_m{{0, 0, 0}, {1.2, 0.7, 0.2}, {-0.8, 1.4, -0.15}};
+  ASSERT_EQ(theories.size(), points_m.size());
+  for (std::size_t t = 0; t < points_m.size(); ++t) {
+    const signal::ImagePlace below = signal::place_of(report.image.image.frame, points_m[t]);
+    const double laid_m =
+        std::hypot(theories[t].place.azimuth_m - below.azimuth_m, theories[t].place.range_m - below.range_m);
+    EXPECT_NEAR(laid_m, std::abs(points_m[t].z) * 300.0 / 500.0, 0.02) << t;
+    // The peak that back-projection makes: from so many directions it stays above the point by up to what it is laid,
+    // as long as that is a part of the range cell.
+    const auto found = signal::measure_point(image, signal::reader_of(image), theories[t].place, 0.15);
+    ASSERT_TRUE(found) << t;
+    EXPECT_NEAR(found->place.azimuth_m, theories[t].place.azimuth_m, 0.15) << t;
+    EXPECT_NEAR(found->place.range_m, theories[t].place.range_m, 0.15) << t;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -218,11 +219,63 @@ std::optional<MotionResidual> residual_of(std::size_t target, KeptEchoes kept, c
   const std::vector<signal::SpectrumPhasor> phasors = phasors_of(echoes, turns_per_m);
   MotionResidual residual{.target = target, .rms_rad = line.rms_rad, .azimuth_m = place_of_peak(phasors, line)};
   residual.cell_m = line.cell_m;
+  residual.cells = line.cell_m > 0.0 ? std::abs(residual.azimuth_m) / line.cell_m : 0.0;
   const std::complex<double> peak = signal::phasor_sum(phasors, {residual.azimuth_m, 0.0});
   residual.amplitude = std::abs(peak) / kept.ideal;
   residual.phase_rad =
       std::remainder(std::arg(peak) - 2.0 * core::pi * flight.carrier_per_m * residual.azimuth_m, 2.0 * core::pi);
   return residual;
+}
+
+// Frequencies of the pulse, in parts of its band.
+constexpr int band_parts = 9;
+
+// The part of the plane of wave numbers that the echoes of a target fill, with the phases that are left there: those of
+// the carrier are corrected, those beside it follow where the echoes lie.
+std::vector<signal::SpectrumPhasor> phasors_of_band(std::span<const ResidualEcho> echoes,
+                                                    const signal::SarWaveform& wave, double turns_per_m) {
+  std::vector<signal::SpectrumPhasor> phasors;
+  phasors.reserve(echoes.size() * band_parts);
+  for (int k = 0; k < band_parts; ++k) {
+    const double beside = wave.bandwidth_hz / wave.carrier_hz * ((k + 0.5) / band_parts - 0.5);
+    for (const ResidualEcho& echo : echoes) {
+      const double sine = std::clamp(echo.cycles_per_m / turns_per_m, -1.0, 1.0);
+      phasors.push_back({.azimuth_per_m = (1.0 + beside) * echo.cycles_per_m,
+                         .range_per_m = turns_per_m * ((1.0 + beside) * std::sqrt(1.0 - sine * sine) - 1.0),
+                         .weight = echo.weight / band_parts,
+                         .turns = -turns_per_m * (echo.left_m + beside * echo.true_m)});
+    }
+  }
+  return phasors;
+}
+
+// A displacement in cells, along the line of sight in the middle of the echoes or across it, the larger.
+double cells_of(const signal::ImagePlace& moved, std::span<const ResidualEcho> echoes, const signal::SarWaveform& wave,
+                double turns_per_m) {
+  const auto angle = [&](const ResidualEcho& echo) {
+    return std::asin(std::clamp(echo.cycles_per_m / turns_per_m, -1.0, 1.0));
+  };
+  const auto [low, high] = std::ranges::minmax(echoes, {}, &ResidualEcho::cycles_per_m);
+  const double middle_rad = 0.5 * (angle(low) + angle(high));
+  const double along_m = moved.azimuth_m * std::sin(middle_rad) + moved.range_m * std::cos(middle_rad);
+  const double across_m = moved.azimuth_m * std::cos(middle_rad) - moved.range_m * std::sin(middle_rad);
+  const double band_per_m = turns_per_m * std::abs(wave.bandwidth_hz) / wave.carrier_hz;
+  return std::max(std::abs(along_m) * band_per_m, std::abs(across_m) * turns_per_m * (angle(high) - angle(low)));
+}
+
+// The same residual with its peak where it is in both coordinates; as it is where that leads to none.
+void place_in_plane(MotionResidual& residual, const KeptEchoes& kept, const signal::SarWaveform& wave,
+                    const TakenFlight& flight, double turns_per_m) {
+  const std::vector<signal::SpectrumPhasor> phasors = phasors_of_band(kept.echoes, wave, turns_per_m);
+  const auto peak = signal::phasor_peak(phasors, {residual.azimuth_m, 0.0});
+  if (!peak) return;
+  const std::complex<double> sum = signal::phasor_sum(phasors, *peak);
+  const double carried = flight.carrier_per_m * peak->azimuth_m + flight.range_carrier_per_m * peak->range_m;
+  residual.azimuth_m = peak->azimuth_m;
+  residual.range_m = peak->range_m;
+  residual.cells = cells_of(*peak, kept.echoes, wave, turns_per_m);
+  residual.amplitude = std::abs(sum) / kept.ideal;
+  residual.phase_rad = std::remainder(std::arg(sum) - 2.0 * core::pi * carried, 2.0 * core::pi);
 }
 
 }  // namespace
@@ -231,9 +284,8 @@ double MotionResidual::lost_db() const { return -core::amplitude_db(amplitude); 
 
 double excess_of(const std::optional<MotionResidual>& residual) {
   if (!residual) return 0.0;
-  const double moved = residual->cell_m > 0.0 ? std::abs(residual->azimuth_m) / residual->cell_m : 0.0;
   return std::max({std::abs(residual->phase_rad) / max_residual_rad, residual->lost_db() / max_residual_db,
-                   moved / max_residual_cells});
+                   residual->cells / max_residual_cells});
 }
 
 std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan, const signal::EchoRows& echoes,
@@ -243,13 +295,22 @@ std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan, 
   if (every == 0 || echoes.track.size() < 2) return std::nullopt;
   const ResidualsOfFlight residuals(echoes, flight);
   std::vector<std::optional<MotionResidual>> all((plan.scene->scatterers.size() + every - 1) / every);
+  std::vector<KeptEchoes> kept(all.size());
   each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const PulseSight> sights) {
-    all[target / every] =
-        residual_of(target, kept_echoes(sights, residuals, flight), echoes.waveform, flight, residuals.turns_per_m());
+    const std::size_t t = target / every;
+    kept[t] = kept_echoes(sights, residuals, flight);
+    all[t] = residual_of(target, kept[t], echoes.waveform, flight, residuals.turns_per_m());
   });
+  std::vector<std::size_t> worst_first;
+  for (std::size_t t = 0; t < all.size(); ++t)
+    if (all[t]) worst_first.push_back(t);
+  std::ranges::stable_sort(worst_first, std::greater<>(), [&](std::size_t t) { return excess_of(all[t]); });
+  constexpr std::size_t most = 4;
   std::optional<MotionResidual> worst;
-  for (const std::optional<MotionResidual>& residual : all)
-    if (residual && (!worst || excess_of(residual) > excess_of(worst))) worst = residual;
+  for (const std::size_t t : std::span(worst_first).first(std::min(most, worst_first.size()))) {
+    if (!flight.on_grid) place_in_plane(*all[t], kept[t], echoes.waveform, flight, residuals.turns_per_m());
+    if (!worst || excess_of(all[t]) > excess_of(worst)) worst = all[t];
+  }
   return worst;
 }
 
@@ -272,9 +333,9 @@ core::Problems remarks_on_residual(const std::optional<MotionResidual>& residual
   return {core::problem_of(
       core::Severity::warning,
       fmt::format("{} leaves {:.2g} rad rms in the echoes of target {}: its peak loses {:.2g} dB, its phase is wrong "
-                  "by {:.2g} rad, and it is displaced by {:.2g} m along the track",
+                  "by {:.2g} rad, and it is displaced by {:.2g} m along the track and {:.2g} m in range",
                   what, residual->rms_rad, residual->target + 1, std::max(residual->lost_db(), 0.0),
-                  residual->phase_rad, std::abs(residual->azimuth_m)),
+                  residual->phase_rad, std::abs(residual->azimuth_m), std::abs(residual->range_m)),
       {},
       fmt::format("up to {:.2f} rad, {:.1f} dB and {:.2f} of a resolution cell", max_residual_rad, max_residual_db,
                   max_residual_cells),

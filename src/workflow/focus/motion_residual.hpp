@@ -22,6 +22,7 @@ struct TakenFlight {
   signal::MotionCompensation how;  ///< The line and the scene; the squint is that of compensation.
   bool on_grid = false;            ///< Kind::flown: for points of a ground grid, vertically below or above the targets.
   double carrier_per_m = 0.0;      ///< Centre of the image's azimuth spectrum, cycles per metre.
+  double range_carrier_per_m = 0.0;            ///< The same of its range spectrum; of slant range.
   signal::SpectrumExtent kept{-1e300, 1e300};  ///< Of the azimuth spectrum, cycles per metre.
 };
 
@@ -32,7 +33,9 @@ struct MotionResidual {
   double amplitude = 1.0;  ///< Of its peak, relative to the ideal peak.
   double phase_rad = 0.0;  ///< Phase error of its peak, referred to its position by the image's carrier, in (-pi, pi].
   double azimuth_m = 0.0;  ///< Displacement of its peak.
+  double range_m = 0.0;    ///< The same in slant range; 0 where it is not searched for.
   double cell_m = 0.0;     ///< One over the width of its azimuth spectrum.
+  double cells = 0.0;      ///< The displacement in resolution cells, along the line of sight or across it.
 
   /// By how much the peak is lower than the ideal one.
   [[nodiscard]] double lost_db() const;
@@ -55,7 +58,9 @@ inline constexpr double max_residual_cells = 0.05;
 ///
 /// X is the point of level ground that the method assumes: under the squint angle at the target's distance from Q (for
 /// the first order, at that of the scene); for back-projection, at the target's azimuth and range. The peak is the
-/// maximum of the sum of the echoes with these phases.
+/// maximum along the track of the sum of the echoes with these phases; of the four worst targets in an image of slant
+/// range, the maximum in both coordinates of the sum over echoes and frequencies of the pulse: a wide aperture and a
+/// narrow band move it in range where that straightens the phases.
 /// @param echoes  their track as it was flown, and waveform; no rows are read
 /// @throw  Interrupted
 [[nodiscard]] std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan,

@@ -65,6 +65,9 @@ SarTarget target_of(const SarLooks& looks, std::size_t number, std::span<const S
   constexpr double unseen = 0.0005;
   std::tie(target.min_doppler_hz, target.max_doppler_hz) = extent_of(seen, unseen);
   constexpr double rounding = 1e-6;
+  double recorded = 0.0;
+  for (const SarLook& look : seen) recorded += look.amplitude * look.share;
+  target.kept = recorded / middle.amplitude;
   target.recorded = std::ranges::any_of(seen, [](const SarLook& look) { return look.amplitude * look.share > 0.0; });
   for (const SarLook& look : seen) {
     if (look.amplitude < 0.1 * strongest) continue;
@@ -155,34 +158,53 @@ void remark_on_wrapping(const SarLooks& looks, const std::vector<SarGhost>& ghos
       {}, {}, "send more pulses per second, or keep a smaller band with --doppler-bandwidth"));
 }
 
+// Some targets, and what of their echoes is not recorded.
+struct PartlyRecorded {
+  std::vector<std::size_t> numbers;
+  std::size_t worst = 0;
+  double kept = 1.0;  // the least
+
+  void add(const SarTarget& target) {
+    numbers.push_back(target.target);
+    if (numbers.size() > 1 && target.kept >= kept) return;
+    worst = target.target;
+    kept = target.kept;
+  }
+  [[nodiscard]] double lost_db() const { return std::max(0.0, -core::amplitude_db(std::max(kept, 1e-6))); }
+  [[nodiscard]] const char* among_others() const { return numbers.size() > 1 ? ", the most" : ""; }
+};
+
 void remark_on_swath(const std::vector<SarTarget>& targets, core::Problems& problems) {
-  std::vector<std::size_t> outside, leaving;
+  PartlyRecorded outside, leaving;
   for (const SarTarget& target : targets)
-    if (target.amplitude > 0.0 && !target.in_swath) (target.recorded ? leaving : outside).push_back(target.target);
-  const auto remark = [&](const std::vector<std::size_t>& some, std::string message) {
-    if (some.empty()) return;
+    if (target.amplitude > 0.0 && !target.in_swath) (target.recorded ? leaving : outside).add(target);
+  const auto remark = [&](const PartlyRecorded& some, std::string message) {
+    if (some.numbers.empty()) return;
     problems.push_back(
         core::problem_of(core::Severity::warning, std::move(message), {}, {}, "record a wider window of ranges"));
   };
   remark(outside,
          fmt::format("{} of {} targets ({}) are never within the recorded ranges: the image does not show them",
-                     outside.size(), targets.size(), target_list(outside)));
+                     outside.numbers.size(), targets.size(), target_list(outside.numbers)));
   remark(leaving,
          fmt::format("{} of {} targets ({}) leave the recorded ranges for some pulses: their images are weaker "
-                     "and wider, or missing",
-                     leaving.size(), targets.size(), target_list(leaving)));
+                     "and wider, or missing; the peak of target {} loses {:.2g} dB{}",
+                     leaving.numbers.size(), targets.size(), target_list(leaving.numbers), leaving.worst + 1,
+                     leaving.lost_db(), leaving.among_others()));
 }
 
 void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems& problems) {
-  std::vector<std::size_t> cut;
+  PartlyRecorded cut;
   for (const SarTarget& target : targets)
-    if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.push_back(target.target);
-  if (cut.empty()) return;
+    if (target.amplitude > 0.0 && target.in_swath && !target.whole) cut.add(target);
+  if (cut.numbers.empty()) return;
   problems.push_back(core::problem_of(
       core::Severity::warning,
       fmt::format("{} of {} targets ({}) lie within a pulse's length of the end of the raw recording, which holds "
-                  "only the beginning of their echoes: their images are weaker, and wider in range",
-                  cut.size(), targets.size(), target_list(cut)),
+                  "only the beginning of their echoes: their images are weaker, and wider in range; the peak of "
+                  "target {} loses {:.2g} dB{}",
+                  cut.numbers.size(), targets.size(), target_list(cut.numbers), cut.worst + 1, cut.lost_db(),
+                  cut.among_others()),
       {}, {}, "record farther, by half of c times the pulse width, or focus the script"));
 }
 
@@ -229,17 +251,17 @@ std::string target_list(const std::vector<std::size_t>& targets) {
 }
 
 std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                   const core::WorkControl& control) {
-  const SarLooks looks(plan, echoes);
+                                   const core::WorkControl& control, std::size_t max_looks) {
+  const SarLooks looks(plan, echoes, {}, max_looks);
   std::vector<SarTarget> targets(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) { targets[t] = target_of(looks, t, seen); });
   return targets;
 }
 
 std::vector<SarTarget> targets_from_line(const simulate::Plan& plan, signal::EchoRows echoes,
-                                         const core::WorkControl& control) {
+                                         const core::WorkControl& control, std::size_t max_looks) {
   echoes.compensated = true;
-  return sar_targets(plan, echoes, control);
+  return sar_targets(plan, echoes, control, max_looks);
 }
 
 std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,

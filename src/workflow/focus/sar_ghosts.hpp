@@ -40,20 +40,23 @@ struct SarTarget {
   double min_doppler_hz = 0.0;  ///< Among all pulses but those at either end that together hold a two-thousandth of
                                 ///< the amplitude: sidelobes of the antenna count.
   double max_doppler_hz = 0.0;
+  double kept = 1.0;      ///< Of the amplitude of its peak, what is recorded leaves, 0 to 1.
   bool in_swath = true;   ///< Inside the recorded ranges at every such pulse.
   bool recorded = false;  ///< Inside of them at one pulse at least.
   bool whole = true;      ///< And not so near to the end of a raw recording that the rest of its echo is missing.
 };
 
 /// All targets, as the geometry has them.
-/// @param echoes  their waveform, track and window; no rows are read
+/// @param echoes     their waveform, track and window; no rows are read
+/// @param max_looks  of more pulses, evenly spaced ones
 /// @throw  Interrupted
 [[nodiscard]] std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                                 const core::WorkControl& control = {});
+                                                 const core::WorkControl& control = {}, std::size_t max_looks = 2048);
 
 /// The same from the line that fits the track, which the frequencies of an image are about.
 [[nodiscard]] std::vector<SarTarget> targets_from_line(const simulate::Plan& plan, signal::EchoRows echoes,
-                                                       const core::WorkControl& control = {});
+                                                       const core::WorkControl& control = {},
+                                                       std::size_t max_looks = 2048);
 
 /// Ghosts of all targets in a Doppler band, by target and fold; those below a hundredth of their target left out. Where
 /// less is kept than the pulses sample, only what folds into it is there.

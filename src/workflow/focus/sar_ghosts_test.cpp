@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "workflow/focus/sar_test_scene.hpp"
 
 namespace sarsim::workflow {
@@ -129,7 +131,35 @@ TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
       << problems[0].message;
+  // 41 of 120 m of the echo are left.
+  EXPECT_NE(problems[0].message.find("; the peak of target 1 loses 9."), std::string::npos) << problems[0].message;
+  const double lost_db = -20.0 * std::log10(targets[0].kept);
+  const double whole = sar_targets(*plan, sar_recording(scene).second).at(0).amplitude;
+  const double found = focused_point(stored(scene).second, targets[0].place).amplitude;
+  EXPECT_NEAR(-20.0 * std::log10(found / whole), lost_db, 0.2);
   EXPECT_EQ(remarks(scene), "");
+}
+
+// Some pulses see a point beyond the window's end: its peak is that of the rest.
+TEST(RemarksOnSar, SayWhatIsLostOfTargetsThatLeaveTheRecordedRanges) {
+  scene::Scene scene;
+  std::vector<SarTarget> targets;
+  for (double x_m = 98.0; x_m < 102.0 && (targets.empty() || targets[1].kept > 0.8); x_m += 0.2) {
+    scene = sar_scene(600.0, {{}, {x_m, 0.0, 0.0}});
+    const auto [plan, rows] = sar_recording(scene);
+    targets = sar_targets(*plan, rows);
+  }
+  const signal::EchoRows rows = sar_recording(scene).second;
+  ASSERT_FALSE(targets[1].in_swath);
+  ASSERT_TRUE(targets[1].recorded);
+  EXPECT_EQ(targets[0].kept, 1.0);
+  const double found = focused_point(rows, targets[1].place).amplitude;
+  const double lost_db = -20.0 * std::log10(targets[1].kept);
+  EXPECT_GT(lost_db, 0.5);
+  EXPECT_NEAR(-20.0 * std::log10(found / targets[1].amplitude), lost_db, 0.1 + 0.2 * lost_db);
+  const std::string text = remarks(scene);
+  EXPECT_NE(text.find("1 of 2 targets (2) leave the recorded ranges for some pulses"), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("; the peak of target 2 loses {:.2g} dB", lost_db)), std::string::npos) << text;
 }
 
 TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {

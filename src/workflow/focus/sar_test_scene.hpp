@@ -2,6 +2,7 @@
 
 #include "signal/measure/image_quality.hpp"
 #include "simulate/plan/simulate_test_scene.hpp"
+#include "simulate/run/run.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
@@ -42,6 +43,16 @@ inline std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> sar_re
   scene.simulations[0] = recorded_for_sar(scene.simulations[0], window);
   const auto plan = shared_plan(scene);
   return {plan, sar_rows_of_scene(plan, window.columns)};
+}
+
+/// Rows of a recording that holds what the scene's plan makes.
+inline std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> stored(const scene::Scene& scene) {
+  const auto plan = shared_plan(scene);
+  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
+  return {plan,
+          sar_rows_of_recording(plan, core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(
+                                                               recording, &recording->samples),
+                                                           plan->rows, plan->columns))};
 }
 
 inline signal::PointResponse focused_point(const signal::EchoRows& rows, const signal::ImagePlace& place,

@@ -1,7 +1,6 @@
 #include "workflow/focus/sar_theory.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -17,6 +16,7 @@
 #include "signal/sar/sar_track.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_looks.hpp"
+#include "workflow/focus/tone_response.hpp"
 
 namespace sarsim::workflow {
 
@@ -76,58 +76,6 @@ class LookWeights {
   std::function<double(double)> weight_;
   Domain domain_;
 };
-
-struct Tone {
-  double per_m = 0.0;  // cycles
-  double amplitude = 0.0;
-};
-
-// The sum of tones at the places -half to half, a step apart. Each tone turns by as much from place to place; several
-// neighbouring places are made at once, since one needs the one before.
-std::vector<std::complex<double>> sum_of_tones(const std::vector<Tone>& tones, double zero_per_m, double step_m,
-                                               std::ptrdiff_t half) {
-  constexpr std::size_t lanes = 8;
-  const auto count = static_cast<std::size_t>(2 * half + 1);
-  const std::size_t blocks = (count + lanes - 1) / lanes;
-  std::vector<std::array<double, lanes>> real(blocks), imag(blocks);
-  for (const Tone& tone : tones) {
-    const double turn_rad = 2.0 * core::pi * (tone.per_m - zero_per_m) * step_m;
-    std::array<double, lanes> re, im;
-    for (std::size_t i = 0; i < lanes; ++i) {
-      const double phase_rad = turn_rad * (static_cast<double>(i) - static_cast<double>(half));
-      re[i] = tone.amplitude * std::cos(phase_rad);
-      im[i] = tone.amplitude * std::sin(phase_rad);
-    }
-    const double c = std::cos(turn_rad * lanes);
-    const double s = std::sin(turn_rad * lanes);
-    for (std::size_t b = 0; b < blocks; ++b)
-      for (std::size_t i = 0; i < lanes; ++i) {
-        real[b][i] += re[i];
-        imag[b][i] += im[i];
-        const double next = re[i] * c - im[i] * s;
-        im[i] = re[i] * s + im[i] * c;
-        re[i] = next;
-      }
-  }
-  std::vector<std::complex<double>> sum(count);
-  for (std::size_t n = 0; n < count; ++n) sum[n] = {real[n / lanes][n % lanes], imag[n / lanes][n % lanes]};
-  return sum;
-}
-
-std::optional<signal::ResponseFigures> figures_of_tones(const std::vector<Tone>& tones) {
-  constexpr double steps_per_cell = 48.0;
-  constexpr std::ptrdiff_t half = 1200;  // 25 cells
-  if (tones.empty()) return std::nullopt;
-  const auto [low, high] = std::ranges::minmax(tones, {}, &Tone::per_m);
-  if (!(high.per_m > low.per_m)) return std::nullopt;
-  const double step_m = 1.0 / ((high.per_m - low.per_m) * steps_per_cell);
-  const std::vector<std::complex<double>> response = sum_of_tones(tones, low.per_m, step_m, half);
-  auto figures = signal::figures_of(response, half);
-  if (!figures) return std::nullopt;
-  figures->width *= step_m;
-  figures->null *= step_m;
-  return figures;
-}
 
 // Sine of the angle by which the beam's middle looks ahead.
 double centroid_sine(const SarLooks& looks, const signal::FocusOptions& options, const signal::SarWaveform& waveform) {
@@ -399,16 +347,19 @@ class Theories {
     }
     theory.amplitude = pulse_.kept(used.coherence) * used.sum /
                        sum_of_weights(looks_, weights_, options_, echoes_.waveform, seen, theory.place.range_m);
+    const std::optional<TargetBlur> blur = blur_by_motion(number, used, seen, theory.place);
+    if (blur) theory.place.azimuth_m += blur->azimuth_m;
     signal::ImagePlace on_image = theory.place;
     const signal::ImagePlace shift = shift_by_air(middle);
     if (image_.ground) on_image = lay_on_ground(number, used, shift, theory.place);
-    const std::complex<double> left = left_by_air(used, seen, theory.place, shift);
+    const std::complex<double> left = blur ? blur->kept : left_by_air(used, seen, theory.place, shift);
     theory.amplitude *= std::abs(left);
     theory.phase_rad = std::remainder(std::arg(left) - 2.0 * core::pi * turns_of(theory.place.range_m), 2.0 * core::pi);
     const double per_hz =
         radar::range_of_cycle(echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps) / looks_.track().speed_mps;
     set_figures(CutLooks(used, seen, per_hz, image_, on_image), used, image_, pulse_,
                 options_.doppler_bandwidth_hz > 0.0 && weights_.domain() != Domain::time, theory);
+    if (blur) blur_figures(CutLooks(used, seen, per_hz, image_, on_image), *blur, theory);
     theory.place = on_image;
     if (image_.ground) theory.centre = centre_on_ground(used, seen, per_hz, on_image);
     return theory;
@@ -435,6 +386,34 @@ class Theories {
 
   [[nodiscard]] double turns_of(double range_m) const {
     return radar::turns_of(range_m, echoes_.waveform.carrier_hz, echoes_.waveform.light_speed_mps);
+  }
+
+  // What its own motion makes of a target's peak; nothing for one that rests, or behind an atmosphere.
+  [[nodiscard]] std::optional<TargetBlur> blur_by_motion(std::size_t number, const UsedLooks& used,
+                                                         std::span<const SarLook> seen,
+                                                         const signal::ImagePlace& place) const {
+    if (seen[used.middle].late_m != 0.0 || looks_.resting_place(number)) return std::nullopt;
+    const double speed_mps = looks_.track().speed_mps;
+    std::vector<BlurredLook> looks;
+    looks.reserve(used.numbers.size());
+    for (std::size_t i = 0; i < used.numbers.size(); ++i) {
+      const SarLook& look = seen[used.numbers[i]];
+      const double at_rest_m = std::hypot(place.range_m, place.azimuth_m - speed_mps * look.time_s);
+      looks.push_back({look.doppler_hz / speed_mps, used.parts[i], look.distance_m - at_rest_m});
+    }
+    return blur_of(looks, pulse_.band().carrier_per_m, pulse_.band().band_per_m);
+  }
+
+  // The responses of a target that moves: range is not predicted where its echoes walk through a quarter of a cell.
+  void blur_figures(const CutLooks& cuts, const TargetBlur& blur, TargetTheory& theory) const {
+    constexpr double max_walk_cells = 0.25;
+    const std::vector<signal::ApertureLook> azimuth = cuts.along(image_.axes.azimuth);
+    std::vector<Tone> tones;
+    tones.reserve(azimuth.size());
+    for (std::size_t i = 0; i < azimuth.size(); ++i)
+      tones.push_back({pulse_.band().carrier_per_m * azimuth[i].slope, blur.parts[i]});
+    theory.azimuth = figures_of_tones(tones);
+    if (blur.walk_m * pulse_.band().band_per_m > max_walk_cells) theory.range.reset();
   }
 
   // By how much the atmosphere moves a target, about the line.

@@ -13,8 +13,8 @@ namespace sarsim::workflow {
 /// What the image of a target is by theory.
 struct TargetTheory {
   std::size_t target = 0;  ///< Position in the scene's list, from 0.
-  /// By its distance and Doppler frequency: a moving target R u/v beside where it is, one behind an atmosphere, which
-  /// focusing does not correct, by its delay farther away.
+  /// By its distance and Doppler frequency: a moving target R u/v beside where it is, at the peak of its blurred
+  /// response; one behind an atmosphere, which focusing does not correct, by its delay farther away.
   signal::ImagePlace place{};
   /// Weighted mean of its echoes (docs/theory/focusing.md) over the pulses that are focused, where motion was
   /// compensated over the line; in a Doppler band over the time that sweeps it, of back projection over as much of that
@@ -25,12 +25,15 @@ struct TargetTheory {
   bool unrecorded = false;
   /// -4 pi f0 R0/c, R0 that of its place, and what an atmosphere leaves besides moving it, in (-pi, pi].
   double phase_rad = 0.0;
-  /// Widths and nulls in metres, along the cuts that `signal::measure_point` makes through the image: from the
-  /// part of the wave number plane filled by the pulses that see the target (signal/measure/aperture_response.hpp).
-  /// Where that is a rectangle, range is the chirp's autocorrelation under the window, and under the radar's where the
-  /// recording is compressed, and azimuth the sum over pulses of amplitude and weight times exp(2 pi j f x/V). Range is
-  /// nothing for other pulses, where echoes are not recorded whole, and where the sampling rate is below a sixteenth of
-  /// the bandwidth, azimuth where no first minimum is in it.
+  /// Of a target that moves the peak of the sum of its echoes, each with the phase by which its distance differs from
+  /// that of a point at rest in its place, is the amplitude, and its widths are those of that sum; none in range where
+  /// it walks through more than a quarter of a cell. Widths and nulls in metres, along the cuts that
+  /// `signal::measure_point` makes through the image: from the part of the wave number plane filled by the pulses that
+  /// see the target (signal/measure/aperture_response.hpp). Where that is a rectangle, range is the chirp's
+  /// autocorrelation under the window, and under the radar's where the recording is compressed, and azimuth the sum
+  /// over pulses of amplitude and weight times exp(2 pi j f x/V). Range is nothing for other pulses, where echoes are
+  /// not recorded whole, and where the sampling rate is below a sixteenth of the bandwidth, azimuth where no first
+  /// minimum is in it.
   std::optional<signal::ResponseFigures> range;
   std::optional<signal::ResponseFigures> azimuth;
   /// Centre of its spectrum along both axes, cycles per metre. A ground grid's header has that of its middle, from

@@ -92,16 +92,6 @@ TEST(TheoryOfTargets, FollowsTheDopplerBandThatIsKept) {
   expect_as_theory(sar_scene(600.0, {{3.0, 20.0, 0.0}}), {.doppler_bandwidth_hz = 150.0});
 }
 
-// Rows of a recording that holds what the scene's plan makes.
-std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> stored(const scene::Scene& scene) {
-  const auto plan = shared_plan(scene);
-  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
-  return {plan,
-          sar_rows_of_recording(plan, core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(
-                                                               recording, &recording->samples),
-                                                           plan->rows, plan->columns))};
-}
-
 // Whose matched filter multiplies amplitudes by half the time-bandwidth product.
 TEST(TheoryOfTargets, HasTheAmplitudeOfTheClassicProfile) {
   scene::Scene scene = sar_scene(600.0, {{}});

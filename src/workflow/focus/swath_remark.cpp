@@ -141,6 +141,8 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
     directions[t] = directions_of(looks, seen, echoes, options.doppler_centroid_hz);
     candidates[t] = candidate_of(looks, t, seen, directions[t]);
+    // What the image does not show it does not lose: `remarks_on_outside` tells of such targets.
+    candidates[t].in_swath = candidates[t].in_swath && losses.shows(candidates[t].range_m);
   });
   std::optional<MethodLoss> worst;
   for (const std::size_t i : likely_worst(candidates, losses)) {
@@ -151,7 +153,7 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
   constexpr double weakest = 0.03;  // What is seen through side lobes alone decides nothing.
   const double strongest = std::ranges::max(candidates, {}, &Candidate::amplitude).amplitude;
   for (const Candidate& candidate : candidates) {
-    if (!(candidate.amplitude >= weakest * strongest && candidate.told < worst->told)) continue;
+    if (!(candidate.in_swath && candidate.amplitude >= weakest * strongest && candidate.told < worst->told)) continue;
     worst->told = candidate.told;
     worst->min_told = candidate.target;
   }

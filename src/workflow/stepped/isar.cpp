@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <complex>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -89,7 +90,12 @@ class IsarRun {
     expect_free_outputs(outputs(), {input_.sources, request_.replace, "--out"});
     find_problems();
     IsarReport report;
-    for (std::size_t i = 0; i < firsts_.size(); ++i) report.images.push_back(made(i));
+    for (std::size_t i = 0; i < firsts_.size(); ++i) {
+      report.images.push_back(made(i));
+      const core::Problems& losses = report.images.back().image.losses;
+      observer_.remarks(losses);
+      std::ranges::copy(losses, std::back_inserter(input_.problems));
+    }
     report.source = request_.input.path;
     report.simulation = input_.simulation;
     report.algorithm = algorithm();

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/maths/constants.hpp"
+#include "core/maths/decibels.hpp"
 #include "radar/path/path.hpp"
 #include "signal/sar/autofocus.hpp"
 #include "signal/stepped/stepped_limits.hpp"
@@ -192,9 +193,42 @@ void find_points(IsarImage& made) {
   }
 }
 
+// Whether no other point as strong as a tenth of it is within two cells.
+bool stands_alone(const IsarImage& made, const HeldPoint& point) {
+  constexpr double cells = 2.0;
+  return std::ranges::none_of(made.points, [&](const HeldPoint& other) {
+    return other.target != point.target && other.amplitude > 0.1 * point.amplitude &&
+           std::abs(other.expected.azimuth_m - point.expected.azimuth_m) < cells * made.cross_range_resolution_m &&
+           std::abs(other.expected.range_m - point.expected.range_m) < cells * made.range_resolution_m;
+  });
+}
+
+// What the estimate of the motion leaves shows at the strongest point that was found, if it is one alone.
+void remark_on_loss(IsarImage& made) {
+  constexpr double max_db = 0.1;
+  const HeldPoint* strongest = nullptr;
+  for (const HeldPoint& point : made.points)
+    if (point.found && (strongest == nullptr || point.amplitude > strongest->amplitude)) strongest = &point;
+  if (strongest == nullptr || !(strongest->amplitude > 0.0) || !stands_alone(made, *strongest)) return;
+  const double lost_db = -core::amplitude_db(strongest->found->amplitude / strongest->amplitude);
+  if (!(lost_db > max_db)) return;
+  made.losses.push_back(core::problem_of(
+      core::Severity::warning,
+      fmt::format("the motion that was estimated leaves target {}, the strongest, {:.2g} dB below its echoes",
+                  strongest->target + 1, lost_db),
+      {}, fmt::format("at most {:g} dB", max_db), "use --motion scene, or fewer or more --bursts"));
+}
+
 signal::WindowFunction over_unit(const signal::SarWindow& window) {
   if (window.kind == signal::SarWindow::Kind::rectangular) return {};
   return [weight = signal::weight_of(window)](double x) { return weight(x - 0.5); };
+}
+
+// A window of few cells smooths the phase over much of the aperture: it sees little of a phase that bends slowly, such
+// as an acceleration that changes leaves, and each round corrects a small part of it.
+signal::AutofocusOptions autofocus_of(const IsarOptions& options) {
+  constexpr std::size_t cells = 8;
+  return {.rounds = 40, .enough_rad = 0.002, .min_window = cells * options.oversampling + 1};
 }
 
 std::vector<signal::PulseMotion> motion_for(const signal::ProfileMaker& maker, const signal::BurstEchoes& echoes,
@@ -230,10 +264,11 @@ IsarImage make_isar_image(const SteppedRows& rows, std::size_t first, std::size_
       options.algorithm == IsarOptions::Algorithm::back_projection
           ? signal::isar_back_projection(maker, all, plan.seen, plan.plane, plan.cross_range, control, progress)
           : signal::isar_range_doppler(maker, all, plan.plane, plan.cross_range, control, progress);
-  if (options.autofocus) made.image = signal::autofocus(made.image, {}, control).image;
+  if (options.autofocus) made.image = signal::autofocus(made.image, autofocus_of(options), control).image;
   set_amplitudes(made, rows, first, count);
   if (options.motion == IsarOptions::Motion::estimated) lay_upon_image(made);
   find_points(made);
+  if (options.motion == IsarOptions::Motion::estimated) remark_on_loss(made);
   return made;
 }
 

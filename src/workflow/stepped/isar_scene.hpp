@@ -57,6 +57,7 @@ struct IsarImage {
   double unambiguous_cross_range_m = 0.0;  ///< wavelength/2 over the turn from burst to burst.
   std::vector<HeldPoint> points;           ///< Of many targets in an image that was made the first `max_held_targets`.
   core::Problems problems;                 ///< What limits this image.
+  core::Problems losses;                   ///< What was lost of it, as its points show once it is made.
 };
 
 /// The directions, times and sizes of an image, without values; `problems` says what prevents it (errors) and

@@ -127,6 +127,26 @@ TEST(IsarImage, FindsTheMotionInTheEchoes) {
   }
 }
 
+// Autofocus straightens phases that bend slowly as well; what it leaves is said.
+TEST(IsarImage, KeepsALonePointWhoseMotionIsEstimated) {
+  for (const double ahead_mps : {13.5, -6.0}) {
+    scene::Scene scene = ship_scene(true);
+    scene.platforms[1] = simulate::moving("Ship", {0.0, 5000.0, 0.0}, {ahead_mps, 2.26, 0.0});
+    scene.platforms[1].rotation_rate = {core::Angle{}, core::Angle{}, core::Angle::from_deg(4.21)};
+    scene.targets = {simulate::target_on("Ship", {11.82, 5.76, 0.0}, 4.0)};
+    scene.simulations[0].time_end_s = 0.47;
+    const SteppedRows rows = rows_of(scene);
+    IsarOptions options = options_for(rows);
+    options.motion = IsarOptions::Motion::estimated;
+    options.fastest_mps = 40.0;
+    options.autofocus = true;
+    const IsarImage made = make_isar_image(rows, 0, rows.bursts, options, two);
+    ASSERT_TRUE(made.points.at(0).found);
+    EXPECT_NEAR(20.0 * std::log10(made.points[0].found->amplitude / made.points[0].amplitude), 0.0, 0.1) << ahead_mps;
+    EXPECT_EQ(text_of(made.losses), "");
+  }
+}
+
 TEST(IsarImage, HoldsTheFirstThousandTargetsAgainstIt) {
   scene::Scene scene = ship_scene(true);
   while (scene.targets.size() < 1100) scene.targets.push_back(simulate::target_on("Ship", {1.0, 1.0, 0.0}, 1e-6));
