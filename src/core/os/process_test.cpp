@@ -13,7 +13,9 @@ TEST(Process, IsKnownByItsNumberAndItsBeginning) {
   const std::uint64_t start = process_start(process_id());
   EXPECT_TRUE(is_running(process_id(), start));
   EXPECT_TRUE(is_running(process_id(), 0));
-  if (start != 0) EXPECT_FALSE(is_running(process_id(), start + 1));
+  if (start != 0) {
+    EXPECT_FALSE(is_running(process_id(), start + 1));
+  }
   EXPECT_FALSE(is_running(std::numeric_limits<int>::max(), 0));
   EXPECT_FALSE(host_name().empty());
 }
