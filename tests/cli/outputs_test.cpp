@@ -21,13 +21,13 @@ class Outputs : public CommandTest {
   }
 
   // A script whose target has its pattern in gain.dat.
-  void write_scene_with_data(const std::string& product) const {
+  void write_scene_with_data(const std::string& product, const std::string& data = "gain.dat") const {
     std::string text = SceneText{}.text();
     const std::string plain = "1 0 ISOTROPIC\n$RADAR";
-    text.replace(text.find(plain), plain.size(), "1 0 DIRECTIONAL 0 0 0 0 OTHER_GAIN LINEAR FILE gain.dat\n$RADAR");
+    text.replace(text.find(plain), plain.size(), "1 0 DIRECTIONAL 0 0 0 0 OTHER_GAIN LINEAR FILE " + data + "\n$RADAR");
     text.replace(text.find("sim.bin"), 7, product);
     write_text(folder_ / "scene.scr", text);
-    write_text(folder_ / "gain.dat", "2\n0 0\n90 -20\n");
+    write_text(folder_ / data, "2\n0 0\n90 -20\n");
   }
 
   void expect_kept(const char* file, const std::vector<std::string>& words) const {
@@ -76,11 +76,12 @@ TEST_F(Outputs, ForceNeverReplacesADataFileOfTheScript) {
   expect_kept("gain.dat", geometry);
   expect_kept("gain.dat", {"format", "scene.scr", "-o", "gain.dat", "--force"});
   expect_kept("gain.dat", {"plot", "scene.scr", "--kind", "pulse", "--csv", "gain.dat", "--force"});
-  expect_kept("gain.dat", {"doppler", "scene.scr", "--out", "gain.dat", "--force", "--quiet"});
   ASSERT_EQ(sarsim({"run", "scene.scr", "--quiet"}).status, 0);
   expect_kept("gain.dat", {"convert", "sim.bin", "gain.dat", "--to", "csv", "--script", "scene.scr", "--force"});
   expect_kept("gain.dat",
               {"doppler", "sim.bin", "--script", "scene.scr", "--detections", "gain.dat", "--force", "--quiet"});
+  write_scene_with_data("sim.bin", "gain.img");
+  expect_kept("gain.img", {"doppler", "scene.scr", "--out", "gain.img", "--force", "--quiet"});
 }
 
 TEST_F(Outputs, ForceNeverReplacesADataFileOfTheScriptInARecording) {
