@@ -108,6 +108,27 @@ function(sarsim_reuse_headers target from)
   endif()
 endfunction()
 
+# Foreign tests start programs of others or need packages from a network: `./test` leaves the label `foreign` out, `./test --all`
+# does not. Of a program of GoogleTest they are those whose suite is called ForeignProgram...: sarsim_discover_tests(NAME LABEL SECONDS).
+function(sarsim_discover_tests name label seconds)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 TEST_LIST tests_of_${name} PROPERTIES LABELS ${label} TIMEOUT ${seconds})
+  # The properties above can hold no list.
+  set(foreign_tests ${CMAKE_CURRENT_BINARY_DIR}/${name}_foreign.cmake)
+  file(CONFIGURE OUTPUT ${foreign_tests} @ONLY CONTENT [[
+foreach(test IN LISTS tests_of_@name@)
+  if(test MATCHES "(^|/)ForeignProgram")
+    set_tests_properties(${test} PROPERTIES LABELS "@label@;foreign")
+  endif()
+endforeach()
+]])
+  set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${foreign_tests})
+endfunction()
+
+# The same of tests that have their labels: sarsim_foreign(TEST...).
+function(sarsim_foreign)
+  set_property(TEST ${ARGN} APPEND PROPERTY LABELS foreign)
+endfunction()
+
 option(SARSIM_COVERAGE "Count which lines run, for gcov" OFF)
 if(SARSIM_COVERAGE)
   target_compile_options(sarsim_flags INTERFACE --coverage)
@@ -253,7 +274,7 @@ function(sarsim_folder name)
     sarsim_reuse_headers(${name}_test sarsim_headers_of_tests)
     sarsim_compile_quickly(${name}_test)
     sarsim_compile_together(${name}_test 16 ACROSS_ROOMS)
-    gtest_discover_tests(${name}_test PROPERTIES LABELS ${name} DISCOVERY_TIMEOUT 60)
+    sarsim_discover_tests(${name}_test ${name} 1500)
   endif()
   if(SARSIM_BENCH AND benches)
     add_executable(${name}_bench ${benches})
@@ -269,7 +290,7 @@ function(sarsim_test name)
   sarsim_reuse_headers(${name} sarsim_headers_of_tests)
   sarsim_compile_quickly(${name})
   sarsim_compile_together(${name} 16 ACROSS_ROOMS)
-  gtest_discover_tests(${name} PROPERTIES LABELS tests DISCOVERY_TIMEOUT 60 TIMEOUT 300)
+  sarsim_discover_tests(${name} tests 300)
 endfunction()
 
 # A test program that starts the built sarsim: sarsim_program_test(LABEL SECONDS sources...), of tests/LABEL.
@@ -284,5 +305,5 @@ function(sarsim_program_test label seconds)
   sarsim_compile_quickly(${name})
   sarsim_compile_together(${name} 16 ACROSS_ROOMS)
   add_dependencies(${name} sarsim)
-  gtest_discover_tests(${name} PROPERTIES LABELS ${label} TIMEOUT ${seconds} DISCOVERY_TIMEOUT 60)
+  sarsim_discover_tests(${name} ${label} ${seconds})
 endfunction()

@@ -9,6 +9,8 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -51,6 +53,10 @@ void redirect(int descriptor, const std::string& path) {
   _exit(127);
 }
 
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 void pause_briefly() { std::this_thread::sleep_for(std::chrono::milliseconds(2)); }
 
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
@@ -83,8 +89,37 @@ void Program::send(int signal) const { kill(process_, signal); }
 std::string Program::err() const { return text_of(err_path_); }
 
 bool Program::ended() {
-  if (!ended_) ended_ = waitpid(process_, &wait_status_, WNOHANG) == process_;
+  if (ended_) return true;
+  rusage usage{};
+  ended_ = wait4(process_, &wait_status_, WNOHANG, &usage) == process_;
+  if (ended_) processor_s_ = seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime);
   return ended_;
+}
+
+double Program::processor_s() const {
+  clockid_t clock{};
+  timespec now{};
+  if (clock_getcpuclockid(process_, &clock) != 0 || clock_gettime(clock, &now) != 0) return processor_s_;
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+bool Program::catches(int signal) const {
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  for (std::string word; status >> word;)
+    if (word == "SigCgt:") {
+      std::uint64_t caught = 0;
+      status >> std::hex >> caught;
+      return (caught >> (signal - 1) & 1U) != 0;
+    }
+  return false;
+}
+
+bool Program::wait_until_it_catches(int signal, double seconds) {
+  for (const double end_s = now_s() + seconds; now_s() < end_s; pause_briefly()) {
+    if (catches(signal)) return true;
+    if (ended()) return false;
+  }
+  return false;
 }
 
 bool Program::wait_for(const std::string& text, double seconds) {
@@ -100,6 +135,7 @@ Finished Program::finish(double seconds) {
   while (!ended() && now_s() < end_s) pause_briefly();
   Finished result;
   if (ended_) result.status = WIFEXITED(wait_status_) ? WEXITSTATUS(wait_status_) : -WTERMSIG(wait_status_);
+  result.processor_s = processor_s_;
   result.out = text_of(out_path_);
   result.err = text_of(err_path_);
   return result;

@@ -12,7 +12,8 @@ namespace sarsim::test {
 
 /// What a finished program left.
 struct Finished {
-  int status = -1;  ///< Exit status; -signal where one ended it.
+  int status = -1;           ///< Exit status; -signal where one ended it.
+  double processor_s = 0.0;  ///< What it took of processors, all its threads together.
   std::string out;
   std::string err;
 };
@@ -40,14 +41,20 @@ class Program {
   [[nodiscard]] std::string err() const;
   /// Waits until standard error holds a text; false after `seconds`, or where the program ends before.
   [[nodiscard]] bool wait_for(const std::string& text, double seconds);
+  /// Waits until the program has said what it does at a signal; false after `seconds`, or where it ends before.
+  [[nodiscard]] bool wait_until_it_catches(int signal, double seconds);
+  /// Processor seconds so far, of all threads of the running program.
+  [[nodiscard]] double processor_s() const;
   /// Waits for the end; status -1 where it does not end within `seconds`.
   Finished finish(double seconds = 60.0);
 
  private:
   [[nodiscard]] bool ended();
+  [[nodiscard]] bool catches(int signal) const;
 
   pid_t process_ = -1;
   int wait_status_ = 0;
+  double processor_s_ = 0.0;  // Of the ended program.
   bool ended_ = false;
   std::filesystem::path out_path_;
   std::filesystem::path err_path_;

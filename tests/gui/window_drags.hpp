@@ -11,8 +11,6 @@
 #include <QTest>
 #include <QWindow>
 
-#include <time.h>
-
 #include <algorithm>
 #include <functional>
 #include <memory>
@@ -28,6 +26,7 @@
 #include "gui/scene/scene_widget.hpp"
 #include "scene/edit/document.hpp"
 #include "scene/script/writer.hpp"
+#include "support/processor_time.hpp"
 
 /// Drags in the whole window, as a hand makes them, and the time until each is answered: for the benchmark and the
 /// test.
@@ -207,13 +206,6 @@ class WindowDrags {
     return times;
   }
 
-  // Of this thread.
-  static double busy_now_ms() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-  }
-
   AnswerTimes timed(int steps, const std::function<void(int)>& act) {
     AnswerTimes times;
     QElapsedTimer clock;
@@ -223,14 +215,14 @@ class WindowDrags {
     for (int i = 0; i < steps; ++i) {
       while (now_ms() < due_ms) QCoreApplication::processEvents(QEventLoop::AllEvents, 1);
       paints_->count = 0;
-      const double busy_ms = busy_now_ms();
+      const auto busy = ProcessorTime::of_this_thread();
       act(i);
       // Many targets are painted a few turns of the loop later.
       for (int turn = 0; turn < 10 && paints_->count == 0; ++turn) QCoreApplication::processEvents();
       if (paints_->count == 0)
         throw std::runtime_error("movement " + std::to_string(i) + " was not answered by a picture");
       times.ms.push_back(now_ms() - due_ms);
-      times.busy_ms.push_back(busy_now_ms() - busy_ms);
+      times.busy_ms.push_back(1e3 * busy.seconds());
       // A hand rests at times; then what was put off begins.
       due_ms = std::max(due_ms + (i % 20 == 19 ? rest_ms : interval_ms), now_ms());
     }

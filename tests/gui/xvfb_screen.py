@@ -194,7 +194,7 @@ def run_story(pictures, tell):
     """Runs tell(screen, home). Exit status: 0 it went well, 1 it failed, 77 what it needs is not installed."""
     missing = sorted({package for tool, package in TOOLS.items() if shutil.which(tool) is None})
     if missing:
-        print(f"skipped: this needs {', '.join(missing)}; tools/install-deps gui installs them")
+        print(f"skipped: this needs {', '.join(missing)}; tools/install-deps compare installs them")
         return 77
 
     def stop(number, _):

@@ -12,7 +12,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-LONGEST_S = 0.2  # for a user who waits for ./run check
+LONGEST_S = 0.2  # of a processor, for a user who waits for ./run check
 
 CMAKE = """#!/bin/sh
 echo "$@" >> "$CALLS"
@@ -44,6 +44,12 @@ class Checkout:
         done = subprocess.run([self.folder / "tools/build", *words], env=environment, capture_output=True, text=True, check=False)
         after = len(self.calls.read_text().splitlines()) if self.calls.exists() else 0
         return done.returncode, after - before
+
+
+def processor_s():
+    """Of the programs that were started and have ended."""
+    times = os.times()
+    return times.children_user + times.children_system
 
 
 def main():
@@ -81,9 +87,9 @@ def main():
         expect(checkout.build("release", "sarsim"), (1, 1), "a build that fails")
         pathlib.Path(f"{checkout.calls}.fail").unlink()
         expect(checkout.build("release", "sarsim"), (0, 2), "the build after it")
-        begin = time.monotonic()
+        before_s = processor_s()
         expect(checkout.build("--is-done", "release", "sarsim"), (0, 0), "in the end")
-        expect(time.monotonic() - begin < LONGEST_S, True, f"within {LONGEST_S} s")
+        expect(processor_s() - before_s < LONGEST_S, True, f"within {LONGEST_S} s")
         moved = checkout.folder.with_name(checkout.folder.name + "-moved")
         shutil.copytree(checkout.folder, moved)
         checkout.folder, checkout.calls = moved, moved / "calls"

@@ -111,13 +111,18 @@ def completion(prefix, _components):
 
 
 def manual_pages(prefix, components):
-    """Pages render without a warning, and that of the workbench names its options."""
+    """They are there, and that of the workbench names its options."""
+    expect(pages(prefix), "there are none")
     if "workbench" in components:
         told = run(prefix / "bin" / "sarsim-gui", "--help")
         page = text_of(next((prefix / "share/man/man1").glob("sarsim-gui.1*"))).replace("\\-", "-")
         options = set(re.findall(r"--[a-z][a-z-]*", told.stdout))
         expect(len(options) > 5, "no options were found", told)
         expect(all(option in page for option in options), f"options are missing: {[o for o in options if o not in page]}")
+
+
+def manual_pages_render(prefix, _components):
+    """Pages render without a warning."""
     if shutil.which("man") is None:
         skip("there is no man (Debian: man-db)")
     for page in pages(prefix):
@@ -143,6 +148,11 @@ def desktop(prefix, _components):
     expect(entry["MimeType"] == "".join(f"{kind};" for kind in types), f"{entry['MimeType']} is not {types}")
     for kind in root.iter(f"{MIME}icon"):
         expect(list(icons.glob(f"*/mimetypes/{kind.get('name')}.*")), f"no such icon: {kind.get('name')}")
+
+
+def desktop_is_valid(prefix, _components):
+    """The entry passes the validator of freedesktop.org."""
+    file = prefix / "share/applications/sarsim-gui.desktop"
     if shutil.which("desktop-file-validate") is None:
         skip("there is no desktop-file-validate (Debian: desktop-file-utils)")
     judged = run("desktop-file-validate", file)
@@ -150,11 +160,15 @@ def desktop(prefix, _components):
 
 
 def mime(prefix, _components):
-    """Examples are known as scripts by their name and by what stands in them."""
+    """Examples are known as scripts by what stands in them."""
     root = xml.etree.ElementTree.parse(prefix / "share/mime/packages/sarsim.xml").getroot()
     magic = [match.get("value").replace("\\n", "\n").encode() for match in root.iter(f"{MIME}match")]
     for script in (SOURCE / "examples").glob("*.scr"):
         expect(any(words in script.read_bytes()[:4096] for words in magic), f"{script.name} has no word of the type")
+
+
+def mime_is_valid(prefix, _components):
+    """The type is taken by the database, for names of scripts."""
     if shutil.which("update-mime-database") is None:
         skip("there is no update-mime-database (Debian: shared-mime-info)")
     made = run("update-mime-database", prefix / "share" / "mime")

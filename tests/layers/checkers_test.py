@@ -187,6 +187,14 @@ class Assertions(unittest.TestCase):
         )
         self.assertEqual((status, lines), (1, ["a_test.cpp:3: A.C asserts nothing"]))
 
+    def test_limits_to_the_clock_on_the_wall_are_found(self):
+        words = "a limit to the clock on the wall; expected one to processor time (tests/support/processor_time.hpp)"
+        for limit in ("EXPECT_LT(std::chrono::steady_clock::now() - begin,\n std::chrono::seconds(2));", "QVERIFY(timer.elapsed() < 300);"):
+            status, lines = check("check-assertions", {"a_test.cpp": f"TEST(A, B) {{\n  {limit}\n}}\n"})
+            self.assertEqual((status, lines), (1, [f"a_test.cpp:2: {words}"]))
+        sound = "TEST(A, B) {\n  EXPECT_LT(time.seconds(), 2.0);\n  QVERIFY(clock.elapsed() >= 200);\n  while (steady_clock::now() < end) f();\n}\n"
+        self.assertEqual(check("check-assertions", {"a_test.cpp": sound})[0], 0)
+
     def test_a_test_file_without_test_is_found(self):
         status, lines = check("check-assertions", {"a_test.cpp": "int f();\n"})
         self.assertEqual((status, lines), (1, ["a_test.cpp:1: holds no test"]))

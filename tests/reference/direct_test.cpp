@@ -14,8 +14,6 @@ namespace sarsim {
 namespace direct_test {
 
 using test::ascii_samples;
-using test::reference_folder;
-
 // Largest deviation of a run from a file of counts, over the file's largest magnitude. Nearest counts of 30 bits: a
 // deviation of one count is 2e-9, so the comparison in volts needs no rounding of its own.
 double deviation(const simulate::Recording& recording, const std::vector<std::complex<double>>& counts, double lsb_v) {
@@ -29,9 +27,8 @@ double deviation(const simulate::Recording& recording, const std::vector<std::co
 }
 
 TEST(DirectReference, ClassicProfileReproducesEveryCase) {
-  if (!test::have_reference_folder()) GTEST_SKIP() << "no reference folder at " << reference_folder();
   std::vector<std::filesystem::path> scripts;
-  for (const auto& entry : std::filesystem::directory_iterator(reference_folder() / "direct"))
+  for (const auto& entry : std::filesystem::directory_iterator(test::direct_reference_folder()))
     if (entry.path().extension() == ".scr") scripts.push_back(entry.path());
   std::ranges::sort(scripts);
   ASSERT_EQ(scripts.size(), 34u);

@@ -194,7 +194,7 @@ TEST_F(SweepResume, ControlCLeavesFinishedVariationsForTheNextTime) {
   Program program(words, start);
   ASSERT_TRUE(program.wait_for("sweep: 10 %", 60.0)) << program.err();
   program.send(SIGINT);
-  const Finished end = program.finish(5.0);
+  const Finished end = program.finish();
   EXPECT_EQ(end.status, 130) << end.err;
   EXPECT_THAT(end.err, HasSubstr("go on with --resume"));
   std::size_t whole = 0;

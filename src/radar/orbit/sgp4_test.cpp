@@ -101,7 +101,7 @@ TEST(Sgp4, AgreesWithThePublishedStates) {
 }
 
 // The whole set, of which `published_states` holds some, where Debian's python3-sgp4 has it.
-TEST(Sgp4, AgreesWithAllStatesOfTheVerificationSet) {
+TEST(ForeignProgramSgp4, HoldsAVerificationSetWithWhichOursAgrees) {
   const std::string folder = "/usr/lib/python3/dist-packages/sgp4/";
   std::ifstream elements(folder + "SGP4-VER.TLE");
   std::ifstream states(folder + "tcppver.out");

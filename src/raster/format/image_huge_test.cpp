@@ -5,11 +5,11 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <random>
 
 #include "raster/format/image_test_support.hpp"
 #include "raster/format/npy_header.hpp"
+#include "support/processor_time.hpp"
 
 namespace sarsim::raster {
 namespace image_huge_test {
@@ -19,10 +19,6 @@ using data_test::read;
 using data_test::sample_hints;
 using data_test::TestFolder;
 using data_test::text_of;
-
-double seconds_since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-}
 
 double resident_mb() {
   std::ifstream statm("/proc/self/statm");
@@ -49,12 +45,12 @@ class HugeFile : public testing::Test {
     return made;
   }
 
-  // Opens the file and reads windows of 1600 x 1000 at random places and spacings; seconds of a window on average.
+  // Reads windows of 1600 x 1000 at random places and spacings; processor seconds of a window on average.
   double window_seconds(const Raster& source) {
     std::mt19937_64 random(7);
     std::vector<std::complex<float>> samples(1600 * 1000);
     constexpr int windows = 12;
-    const auto begin = std::chrono::steady_clock::now();
+    const sarsim::test::ProcessorTime time;
     for (int i = 0; i < windows; ++i) {
       ImageWindow window{0, 1000, 0, 1600};
       window.row_step = 1 + random() % (source.rows() / 1001);
@@ -63,7 +59,7 @@ class HugeFile : public testing::Test {
       window.col0 = random() % (source.columns() - 1599 * window.col_step);
       source.read_draft(window, 0.02, samples, {2, nullptr});
     }
-    return seconds_since(begin) / windows;
+    return time.seconds() / windows;
   }
 
   TestFolder folder_;
@@ -75,14 +71,14 @@ TEST_F(HugeFile, OfBinaryOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
   const std::uint64_t row = 2 * columns;
   if (!make("", 3'000'000 * row + 2 * 1234, "\x85\x86")) GTEST_SKIP() << "the disk does not take files with holes";
   const double before = resident_mb();
-  const auto begin = std::chrono::steady_clock::now();
+  const sarsim::test::ProcessorTime time;
   const OpenedRaster opened = open_raster(Integrity::partial, path_, [&] {
     RasterHints hints = sample_hints(columns, 8);
     hints.format = scene::FileFormat::binary;
     return hints;
   }());
   ASSERT_TRUE(opened.raster) << text_of(opened.problems);
-  EXPECT_LT(seconds_since(begin), 1.0);
+  EXPECT_LT(time.seconds(), 1.0);
   EXPECT_EQ(opened.raster->rows(), bytes / row);
   EXPECT_EQ(read(*opened.raster, {2'999'999, 3, 1234, 1})[1], std::complex<float>(6, 7));
   const double average = window_seconds(*opened.raster);
@@ -100,10 +96,10 @@ TEST_F(HugeFile, OfNumpyOpensAtOnceAndIsReadAnywhereWithLittleMemory) {
   if (!make(header, header.size() + 8 * (columns * 99'999ULL + 49'999), mark))
     GTEST_SKIP() << "the disk does not take files with holes";
   const double before = resident_mb();
-  const auto begin = std::chrono::steady_clock::now();
+  const sarsim::test::ProcessorTime time;
   const OpenedRaster opened = open_raster(Integrity::partial, path_);
   ASSERT_TRUE(opened.raster) << text_of(opened.problems);
-  EXPECT_LT(seconds_since(begin), 1.0);
+  EXPECT_LT(time.seconds(), 1.0);
   EXPECT_EQ(opened.raster->rows(), rows);
   EXPECT_EQ(read(*opened.raster, {99'990, 10, 49'990, 10})[99], std::complex<float>(2.5F, 0.0F));
   const double average = window_seconds(*opened.raster);

@@ -8,20 +8,20 @@
 #include "raster/format/data_test_support.hpp"
 #include "raster/table/formats.hpp"
 #include "support/folders.hpp"
+#include "support/python.hpp"
 
-// Other people's software must read our files and find the same numbers. Skipped where the software is absent.
+// Other people's software must read our files and find the same numbers: NumPy and h5py, with which the tests run, and
+// what is foreign, skipped where it is absent.
 namespace sarsim::raster {
 namespace outside_software_test {
 
 using namespace data_test;
+using test::python;
 
 constexpr std::size_t rows = 5;
 constexpr std::size_t columns = 7;
 
 fs::path script(const char* name) { return test::source_folder() / "tests/data" / name; }
-
-// Debian's own interpreter first: another one in the search path may lack the modules.
-std::string python() { return fs::exists("/usr/bin/python3") ? "/usr/bin/python3" : "python3"; }
 
 bool runs(const std::string& command) { return std::system((command + " > /dev/null 2>&1").c_str()) == 0; }
 
@@ -67,18 +67,21 @@ struct Case {
   int bits;
 };
 
-class OutsideSoftware : public testing::TestWithParam<Case> {};
+const Case cases[] = {
+    {scene::FileFormat::ascii, "ascii", true, 12},   {scene::FileFormat::ascii, "ascii", true, 40},
+    {scene::FileFormat::csv, "csv", true, 12},       {scene::FileFormat::bracket, "bracket", true, 12},
+    {scene::FileFormat::binary, "binary", true, 8},  {scene::FileFormat::binary, "binary", true, 12},
+    {scene::FileFormat::binary, "binary", true, 40}, {scene::FileFormat::npy, "npy", false, 12}};
 
-INSTANTIATE_TEST_SUITE_P(Formats, OutsideSoftware,
-                         testing::Values(Case{scene::FileFormat::ascii, "ascii", true, 12},
-                                         Case{scene::FileFormat::ascii, "ascii", true, 40},
-                                         Case{scene::FileFormat::csv, "csv", true, 12},
-                                         Case{scene::FileFormat::bracket, "bracket", true, 12},
-                                         Case{scene::FileFormat::binary, "binary", true, 8},
-                                         Case{scene::FileFormat::binary, "binary", true, 12},
-                                         Case{scene::FileFormat::binary, "binary", true, 40},
-                                         Case{scene::FileFormat::npy, "npy", false, 12}),
-                         [](const auto& test) { return fmt::format("{}_{}", test.param.kind, test.param.bits); });
+std::string name_of_case(const testing::TestParamInfo<Case>& test) {
+  return fmt::format("{}_{}", test.param.kind, test.param.bits);
+}
+
+class OutsideSoftware : public testing::TestWithParam<Case> {};
+class ForeignProgramOctave : public testing::TestWithParam<Case> {};
+
+INSTANTIATE_TEST_SUITE_P(Formats, OutsideSoftware, testing::ValuesIn(cases), name_of_case);
+INSTANTIATE_TEST_SUITE_P(Formats, ForeignProgramOctave, testing::ValuesIn(cases), name_of_case);
 
 TEST_P(OutsideSoftware, NumpyFindsTheSameNumbers) {
   if (!runs(python() + " -c 'import numpy'")) GTEST_SKIP() << "python3 with numpy is not here";
@@ -95,14 +98,14 @@ std::string octave_on(const fs::path& path, const char* kind, int bits) {
       kind, path.string(), columns, bits, script("read_with_octave.m").string()));
 }
 
-TEST_P(OutsideSoftware, OctaveFindsTheSameNumbers) {
+TEST_P(ForeignProgramOctave, FindsTheSameNumbers) {
   if (!runs("command -v octave-cli")) GTEST_SKIP() << "octave-cli is not here";
   const TestFolder folder;
   const fs::path path = make(folder, GetParam().format, GetParam().counts, GetParam().bits);
   expect_samples(octave_on(path, GetParam().kind, GetParam().bits), GetParam().counts, GetParam().bits);
 }
 
-TEST(OutsideSoftwareOnHdf5, OctaveFindsTheSameNumbers) {
+TEST(ForeignProgramOctaveOnHdf5, FindsTheSameNumbers) {
   if (!runs("command -v octave-cli") || !runs("command -v h5dump")) GTEST_SKIP() << "octave-cli or h5dump is not here";
   const TestFolder folder;
   expect_samples(octave_on(make(folder, scene::FileFormat::hdf5, false, 12), "hdf5", 12), false, 12);
@@ -143,7 +146,7 @@ TEST(OutsideSoftwareOnHdf5, H5pyFindsTheSameNumbersAxesAndAttributes) {
   }
 }
 
-TEST(OutsideSoftwareOnHdf5, H5dumpReadsTheWholeFile) {
+TEST(ForeignProgramH5dump, ReadsTheWholeFile) {
   if (!runs("command -v h5dump")) GTEST_SKIP() << "h5dump is not here";
   const TestFolder folder;
   const fs::path path = make(folder, scene::FileFormat::hdf5, false, 12);

@@ -3,7 +3,7 @@
 #include "raster/format/data_test_support.hpp"
 #include "support/folders.hpp"
 
-// Reads what the programs of 1997 to 2015 wrote; the files are not part of the project.
+// Reads what the programs of 1997 to 2015 wrote; those of 1998 are part of the project, the others are not.
 namespace sarsim::raster {
 namespace reference_files_test {
 
@@ -19,26 +19,36 @@ struct Shape {
 
 class ReferenceFile : public testing::TestWithParam<Shape> {};
 
-INSTANTIATE_TEST_SUITE_P(
-    Old, ReferenceFile,
-    testing::Values(Shape{"original/examples/sim1.asc", 19, 146}, Shape{"original/helvin/sims1.asc", 1, 160},
-                    Shape{"original/helvin/sims2.asc", 5, 200},
-                    Shape{"original/helvin/exam1_sim2_first6pulses.asc", 6, 53},
-                    Shape{"original/linux/exam2.asc", 19, 146}, Shape{"original/linux/final.h5", 19, 146},
-                    Shape{"original/stc/sim3_third.asc", 1, 5003}, Shape{"direct/a2_mono_raw.asc", 2, 53},
-                    Shape{"direct/sar_c_band_receding.asc", 121, 500}, Shape{"direct/a4_search.asc", 201, 4}));
+INSTANTIATE_TEST_SUITE_P(Old, ReferenceFile,
+                         testing::Values(Shape{"original/examples/sim1.asc", 19, 146},
+                                         Shape{"original/helvin/sims1.asc", 1, 160},
+                                         Shape{"original/helvin/sims2.asc", 5, 200},
+                                         Shape{"original/helvin/exam1_sim2_first6pulses.asc", 6, 53},
+                                         Shape{"original/linux/exam2.asc", 19, 146},
+                                         Shape{"original/linux/final.h5", 19, 146},
+                                         Shape{"original/stc/sim3_third.asc", 1, 5003}));
+
+void expect_shape(const fs::path& path, const Shape& shape) {
+  const auto opened = open_raster(Integrity::whole, path);
+  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
+  EXPECT_TRUE(opened.problems.empty()) << text_of(opened.problems);
+  EXPECT_EQ(opened.raster->rows(), shape.rows);
+  EXPECT_EQ(opened.raster->info().columns, shape.columns);
+  EXPECT_TRUE(opened.raster->info().counts);
+  const auto samples = read_all_rows(*opened.raster);
+  EXPECT_TRUE(std::ranges::any_of(samples, [](const auto& sample) { return sample != 0.0; }));
+}
 
 TEST_P(ReferenceFile, HasItsShapeAndIsNotEmpty) {
   const fs::path path = reference_folder() / GetParam().file;
   if (!fs::exists(path)) GTEST_SKIP() << path << " is not here; SARSIM_REFERENCE names the folder";
-  const auto opened = open_raster(Integrity::whole, path);
-  ASSERT_TRUE(opened.raster) << text_of(opened.problems);
-  EXPECT_TRUE(opened.problems.empty()) << text_of(opened.problems);
-  EXPECT_EQ(opened.raster->rows(), GetParam().rows);
-  EXPECT_EQ(opened.raster->info().columns, GetParam().columns);
-  EXPECT_TRUE(opened.raster->info().counts);
-  const auto samples = read_all_rows(*opened.raster);
-  EXPECT_TRUE(std::ranges::any_of(samples, [](const auto& sample) { return sample != 0.0; }));
+  expect_shape(path, GetParam());
+}
+
+TEST(ReferenceFiles, OfTheProgramOf1998HaveTheirShapes) {
+  for (const Shape& shape :
+       {Shape{"a2_mono_raw.asc", 2, 53}, Shape{"sar_c_band_receding.asc", 121, 500}, Shape{"a4_search.asc", 201, 4}})
+    expect_shape(test::direct_reference_folder() / shape.file, shape);
 }
 
 TEST(ReferenceFiles, TheOldHdf5HoldsItsParameters) {

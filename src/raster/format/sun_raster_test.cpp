@@ -215,7 +215,7 @@ TEST(SunRaster, CutWhileOpenGivesAMessage) {
 }
 
 // Pictures by another program, converted with it and compared with its own plain PPM of the same pixels.
-class ImageMagick : public testing::Test {
+class ForeignProgramImageMagick : public testing::Test {
  protected:
   void SetUp() override {
     if (std::system("convert -version >/dev/null 2>&1") != 0) GTEST_SKIP() << "ImageMagick's convert is not installed";
@@ -248,14 +248,16 @@ class ImageMagick : public testing::Test {
   TestFolder folder_;
 };
 
-TEST_F(ImageMagick, TrueColourPicturesAreReadRight) { compare("-size 37x21 gradient:red-blue"); }
-TEST_F(ImageMagick, PalettePicturesAreReadRight) { compare("-size 37x21 gradient:red-blue -colors 7 -type Palette"); }
-TEST_F(ImageMagick, MonochromePicturesAreReadRight) {
+TEST_F(ForeignProgramImageMagick, TrueColourPicturesAreReadRight) { compare("-size 37x21 gradient:red-blue"); }
+TEST_F(ForeignProgramImageMagick, PalettePicturesAreReadRight) {
+  compare("-size 37x21 gradient:red-blue -colors 7 -type Palette");
+}
+TEST_F(ForeignProgramImageMagick, MonochromePicturesAreReadRight) {
   compare("-size 37x21 pattern:checkerboard -monochrome -type bilevel");
 }
-TEST_F(ImageMagick, GreyPicturesAreReadRight) { compare("-size 36x21 gradient: -type Grayscale"); }
+TEST_F(ForeignProgramImageMagick, GreyPicturesAreReadRight) { compare("-size 36x21 gradient: -type Grayscale"); }
 
-TEST_F(ImageMagick, ReadsWhatWeWrite) {
+TEST_F(ForeignProgramImageMagick, ReadsWhatWeWrite) {
   const std::string raster = (folder_ / "a.ras").string();
   const std::string plain = (folder_ / "a.ppm").string();
   const std::vector<Rgb> picture{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}, {10, 11, 12}, {13, 14, 15}, {255, 0, 128}};

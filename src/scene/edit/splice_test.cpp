@@ -252,7 +252,8 @@ TEST(FindCommands, PassesOverDollarsInCommentsAndWords) {
 
 std::vector<fs::path> all_scripts() {
   std::vector<fs::path> scripts;
-  for (const fs::path& folder : {sarsim::test::source_folder() / "examples", sarsim::test::reference_folder()}) {
+  for (const fs::path& folder : {sarsim::test::source_folder() / "examples", sarsim::test::direct_reference_folder(),
+                                 sarsim::test::reference_folder() / "original"}) {
     if (!fs::is_directory(folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
       const std::string ending = entry.path().extension().string();

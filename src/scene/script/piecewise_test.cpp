@@ -158,12 +158,7 @@ TEST(PiecewiseReading, IsTheSameForTheSeedsOfTheFuzzer) {
   for (const std::string& text : texts) expect_same(text);
 }
 
-TEST(PiecewiseReading, IsTheSameForTheReferenceScripts) {
-  const fs::path folder = sarsim::test::reference_folder();
-  if (!fs::is_directory(folder))
-    GTEST_SKIP() << "no reference scripts at " << folder << "; SARSIM_REFERENCE may name their folder";
-  const std::vector<std::string> texts = scripts_in(folder);
-  ASSERT_GE(texts.size(), 20U);
+void expect_same_in_many_cuttings(const std::vector<std::string>& texts) {
   std::string all;
   for (const std::string& text : texts) {
     const ScriptReading whole = read_whole(text);
@@ -172,6 +167,21 @@ TEST(PiecewiseReading, IsTheSameForTheReferenceScripts) {
     all += text;
   }
   expect_same(all);
+}
+
+TEST(PiecewiseReading, IsTheSameForTheReferenceScripts) {
+  const std::vector<std::string> texts = scripts_in(sarsim::test::direct_reference_folder());
+  ASSERT_EQ(texts.size(), 34U);
+  expect_same_in_many_cuttings(texts);
+}
+
+TEST(PiecewiseReading, IsTheSameForTheScriptsOfTheOriginalProgram) {
+  const fs::path folder = sarsim::test::reference_folder() / "original";
+  if (!fs::is_directory(folder))
+    GTEST_SKIP() << "no scripts at " << folder << "; SARSIM_REFERENCE may name the folder above";
+  const std::vector<std::string> texts = scripts_in(folder);
+  ASSERT_GE(texts.size(), 20U);
+  expect_same_in_many_cuttings(texts);
 }
 
 TEST(PiecewiseReading, IsTheSameForRandomScenes) {

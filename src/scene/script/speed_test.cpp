@@ -1,11 +1,11 @@
-// Reading must take time linear in the text: generous bounds that a quadratic step would break by far.
+// Reading must take processor time linear in the text: generous bounds that a quadratic step would break by far.
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <functional>
 
 #include "scene/script/reader.hpp"
+#include "support/processor_time.hpp"
 
 namespace sarsim::scene {
 
@@ -16,9 +16,9 @@ constexpr double allowed_seconds_for_20_mb = 20.0;
 constexpr std::size_t text_bytes = 20'000'000;
 
 double seconds_of(const std::function<void()>& work) {
-  const auto start = std::chrono::steady_clock::now();
+  const sarsim::test::ProcessorTime time;
   work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return time.seconds();
 }
 
 TEST(ReadingSpeed, IsLinearInTheNumberOfTargets) {

@@ -14,6 +14,7 @@
 #include "raster/format/npy_header.hpp"
 #include "scene/model/cloud_points.hpp"
 #include "scene/model/world_frame.hpp"
+#include "support/python.hpp"
 
 namespace sarsim::workflow {
 namespace cloud_input_test {
@@ -220,7 +221,7 @@ TEST_F(ReadClouds, TakeTheDatasetPointsOfHdf5Files) {
       "    with h5py.File('{0}/key%d.h5' % i, 'r+') as f: f['points'].attrs[k] = v\n",
       folder_.string());
   write("make.py", script);
-  if (std::system(fmt::format("python3 {0}/make.py > {0}/said 2>&1", folder_.string()).c_str()) != 0)
+  if (std::system(fmt::format("{1} {0}/make.py > {0}/said 2>&1", folder_.string(), test::python()).c_str()) != 0)
     GTEST_SKIP() << "no h5py";
   write_npy("double.npy", std::vector<double>{1.5, -2.0, 3.25, 4.0, -0.5, 1e6, 0.0, 0.25, 7.0, 8.0, 9.0, 0.0}, 4);
   const scene::Cloud first = read("double.npy");
