@@ -104,24 +104,24 @@ def scene(draw):
         start = (-radius * math.sin(abs(half)), -sign * radius * (1 - math.cos(half)), draw.height)
         heading = 90.0 - math.degrees(half)
         path = (
-            f'{{ type = "legs", start = [{start[0]!r}, {start[1]!r}, {start[2]!r}], heading = "{heading!r} deg", '
-            f'speed = "{draw.speed!r} m/s", start_time = "{-draw.duration / 2!r} s", '
-            f'legs = [{{ leg = "turn", angle = "{math.degrees(draw.turn)!r} deg", radius = "{radius!r} m" }}] }}'
+            f'{{ type = "legs", start = [{float(start[0])!r}, {float(start[1])!r}, {float(start[2])!r}], heading = "{float(heading)!r} deg", '
+            f'speed = "{float(draw.speed)!r} m/s", start_time = "{float(-draw.duration / 2)!r} s", '
+            f'legs = [{{ leg = "turn", angle = "{float(math.degrees(draw.turn))!r} deg", radius = "{float(radius)!r} m" }}] }}'
         )
     else:
         velocity = (draw.speed * math.cos(draw.climb), 0.0, draw.speed * math.sin(draw.climb))
-        path = f'{{ type = "line", start = [0.0, 0.0, {draw.height!r}], velocity = [{velocity[0]!r}, 0.0, {velocity[2]!r}] }}'
+        path = f'{{ type = "line", start = [0.0, 0.0, {float(draw.height)!r}], velocity = [{float(velocity[0])!r}, 0.0, {float(velocity[2])!r}] }}'
     sways = ", ".join(
-        f'{{ axis = "{a}", amplitude = "{m!r} m", frequency = "{f!r} Hz", phase = "{math.degrees(p)!r} deg" }}'
+        f'{{ axis = "{a}", amplitude = "{float(m)!r} m", frequency = "{float(f)!r} Hz", phase = "{float(math.degrees(p))!r} deg" }}'
         for a, m, f, p in draw.sways
     )
     x, y, z = draw.aim or draw.target
     elevation = math.degrees(math.atan2(z - draw.height, math.hypot(x, y)))
     azimuth = math.degrees(math.atan2(x, y))
     beam = (
-        f'{{ type = "spot", point = [{x!r}, {y!r}, {z!r}] }}'
+        f'{{ type = "spot", point = [{float(x)!r}, {float(y)!r}, {float(z)!r}] }}'
         if draw.spot
-        else f'{{ type = "fixed", elevation = "{elevation!r} deg", azimuth = "{azimuth!r} deg" }}'
+        else f'{{ type = "fixed", elevation = "{float(elevation)!r} deg", azimuth = "{float(azimuth)!r} deg" }}'
     )
     width = min(math.degrees(draw.beam), 40.0) if draw.spot else math.degrees(draw.beam)
     time = draw.duration / 2 * (1 + 1e-9)
@@ -134,24 +134,24 @@ name = "Plane"
 path = {path}
 {f"oscillations = [{sways}]" if sways else ""}
 [[target]]
-position = [{draw.target[0]!r}, {draw.target[1]!r}, {draw.target[2]!r}]
+position = [{float(draw.target[0])!r}, {float(draw.target[1])!r}, {float(draw.target[2])!r}]
 rcs = "100 m2"
 [[radar]]
 name = "Radar"
 platform = "Plane"
-pulse = {{ type = "chirp", bandwidth = "{draw.bandwidth!r} Hz", width = "{draw.pulse_width!r} s" }}
-repetition = "{draw.prf!r} Hz"
-carrier = "{draw.carrier!r} Hz"
+pulse = {{ type = "chirp", bandwidth = "{float(draw.bandwidth)!r} Hz", width = "{float(draw.pulse_width)!r} s" }}
+repetition = "{float(draw.prf)!r} Hz"
+carrier = "{float(draw.carrier)!r} Hz"
 power = "1 kW"
-antenna = {{ type = "sinx", elevation_width = "{max(width, 20.0)!r} deg", azimuth_width = "{width!r} deg" }}
+antenna = {{ type = "sinx", elevation_width = "{float(max(width, 20.0))!r} deg", azimuth_width = "{float(width)!r} deg" }}
 beam = {beam}
 [[recording]]
 radar = "Radar"
 file = "echoes.h5"
 format = "hdf5"
-range = ["{draw.near!r} m", "{draw.far!r} m"]
-time = ["{-time!r} s", "{time!r} s"]
-sample_rate = "{draw.sample_rate!r} Hz"
+range = ["{float(draw.near)!r} m", "{float(draw.far)!r} m"]
+time = ["{float(-time)!r} s", "{float(time)!r} s"]
+sample_rate = "{float(draw.sample_rate)!r} Hz"
 """
 
 
