@@ -22,7 +22,8 @@ def main():
     version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.split()[1]
     lines = made.stdout.splitlines()
     assert lines[0] == f"# Sarsim {version}", lines[0]
-    assert "### Added" in lines, "what is new is missing"
+    news = (TOOL.parent.parent / "CHANGELOG.md").read_text().split("\n## ")[1].splitlines()[1:]
+    assert len([line for line in news if line]) > 5 and set(news) <= set(lines), "what is new is missing"
     assert "Closed forms" in lines and "Numbers of the thesis" in lines, "the table is missing"
     assert any(line.endswith("statements hold") for line in lines), "the count of the table is missing"
     refused = notes("/bin/false")
