@@ -18,7 +18,7 @@ namespace {
 
 constexpr double min_lossless_product = 200.0;
 constexpr double max_code_samples = 4096.0;
-constexpr int beginnings = 32;  // of an echo, in a sampling interval
+constexpr int beginnings = 64;  // of an echo, in a sampling interval
 // In sampling intervals: of the peak from the true delay, steps of the search for it, edges of chips.
 constexpr double reach = 1.5;
 constexpr double coarse_step = 0.25;
@@ -104,6 +104,8 @@ SamplingLoss sampling_loss(const radar::Pulse& given, double sample_rate_hz) {
     loss.max_db = std::max(loss.max_db, -20.0 * std::log10(peak.value));
     loss.max_shift_s = std::max(loss.max_shift_s, std::abs(peak.at - true_index) / sample_rate_hz);
   }
+  // Between two beginnings the peak may be that much farther.
+  if (loss.max_shift_s > 0.0) loss.max_shift_s += 1.0 / (beginnings * sample_rate_hz);
   loss.mean_db = -20.0 * std::log10(sum / beginnings);
   return loss;
 }

@@ -156,12 +156,6 @@ PointLosses::PointLosses(const EchoRows& echoes, const FocusOptions& options)
 
 double PointLosses::middle_m() const { return frame_->reference_range_m; }
 
-bool PointLosses::shows(double range_m) const {
-  const ImageAxis& axis = frame_->range;
-  const double at = axis.index_of(range_m);
-  return at >= -0.5 && at <= static_cast<double>(axis.count) - 0.5;
-}
-
 SwathLoss PointLosses::of(double range_m, std::span<const SeenDirection> seen) const {
   const FocusFrame& frame = *frame_;
   const PointSpectrum spectrum = spectrum_of_point(frame, range_m, seen);

@@ -37,8 +37,6 @@ class PointLosses {
 
   /// Closest distance of the middle of the swath.
   [[nodiscard]] double middle_m() const;
-  /// Whether a closest distance is within the image's columns.
-  [[nodiscard]] bool shows(double range_m) const;
   /// @param range_m  closest distance
   /// @param seen     directions of the point (sines in (-1, 1)) and amplitudes of its echoes, for evenly spaced pulses,
   ///                 without the window over the pulses

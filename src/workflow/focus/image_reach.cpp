@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include <fmt/format.h>
@@ -28,9 +29,9 @@ double samples_with(const signal::ImageAxis& axis, const std::optional<signal::A
   return (std::max(end_of(axis), reach->last_m) - std::min(axis.first_m, reach->first_m)) / axis.step_m + 1.0;
 }
 
-void include(std::optional<signal::AxisInterval>& reach, const signal::ImageAxis& axis, double place_m) {
+void include(std::optional<signal::AxisInterval>& reach, const signal::ImageAxis& axis, double place_m,
+             double margin_m) {
   if (!(beyond(axis, place_m) > 0.0)) return;
-  const double margin_m = margin_samples * axis.step_m;
   if (!reach) reach = signal::AxisInterval{place_m - margin_m, place_m + margin_m};
   reach->first_m = std::min(reach->first_m, place_m - margin_m);
   reach->last_m = std::max(reach->last_m, place_m + margin_m);
@@ -41,13 +42,25 @@ std::string text_of_axis(double place_m, const signal::ImageAxis& axis, const ch
   return fmt::format("at {:.1f} m {}, the image covers {:.1f} to {:.1f} m", place_m, what, axis.first_m, end_of(axis));
 }
 
-std::string area_of(const signal::ImageAxis& axis, double least_m, double most_m) {
-  const double margin_m = margin_samples * axis.step_m;
+std::string area_of(const signal::ImageAxis& axis, double least_m, double most_m, double margin_m) {
   return fmt::format("{:.0f}:{:.0f}", std::floor(std::min(axis.first_m, least_m - margin_m)),
                      std::ceil(std::max(end_of(axis), most_m + margin_m)));
 }
 
+// What is shown of a response on either side, along the track and in range.
+double azimuth_margin_m(const signal::FocusedImage& image, const SarTarget& target) {
+  constexpr double widths = 4.0;
+  const double band_hz = target.highest_doppler_hz - target.lowest_doppler_hz;
+  const double width_m = band_hz > 0.0 ? image.frame.speed_mps / band_hz : 0.0;
+  return std::max(margin_samples * image.azimuth.step_m, widths * width_m);
+}
+double range_margin_m(const signal::FocusedImage& image) { return margin_samples * image.range.step_m; }
+
 }  // namespace
+
+bool shows(const signal::FocusedImage& image, const signal::ImagePlace& place) {
+  return !(beyond(image.azimuth, place.azimuth_m) > 0.0) && !(beyond(image.range, place.range_m) > 0.0);
+}
 
 std::vector<SarTarget> targets_to_show(const simulate::Plan& plan, const signal::EchoRows& echoes,
                                        const DopplerBand& kept, const core::WorkControl& control) {
@@ -78,18 +91,17 @@ void reach_targets(const std::vector<SarTarget>& targets, const signal::EchoRows
   const signal::FocusedImage image = signal::image_of(echoes, options);
   const double most = std::max(
       always_samples, max_times * static_cast<double>(image.azimuth.count) * static_cast<double>(image.range.count));
-  std::vector<signal::ImagePlace> outside;
-  for (const SarTarget& target : targets)
-    if (beyond(image.azimuth, target.place.azimuth_m) > 0.0 || beyond(image.range, target.place.range_m) > 0.0)
-      outside.push_back(target.place);
-  std::ranges::stable_sort(outside, {}, [&](const signal::ImagePlace& place) {
-    return beyond(image.azimuth, place.azimuth_m) + beyond(image.range, place.range_m);
+  std::vector<SarTarget> outside;
+  std::ranges::copy_if(targets, std::back_inserter(outside),
+                       [&](const SarTarget& target) { return !shows(image, target.place); });
+  std::ranges::stable_sort(outside, {}, [&](const SarTarget& target) {
+    return beyond(image.azimuth, target.place.azimuth_m) + beyond(image.range, target.place.range_m);
   });
-  for (const signal::ImagePlace& place : outside) {
+  for (const SarTarget& target : outside) {
     std::optional<signal::AxisInterval> azimuth = options.azimuth_reach;
     std::optional<signal::AxisInterval> range = options.range_reach;
-    if (!options.azimuth_area) include(azimuth, image.azimuth, place.azimuth_m);
-    if (!options.range_area) include(range, image.range, place.range_m);
+    if (!options.azimuth_area) include(azimuth, image.azimuth, target.place.azimuth_m, azimuth_margin_m(image, target));
+    if (!options.range_area) include(range, image.range, target.place.range_m, range_margin_m(image));
     if (samples_with(image.azimuth, azimuth) * samples_with(image.range, range) > most) break;
     options.azimuth_reach = azimuth;
     options.range_reach = range;
@@ -124,9 +136,13 @@ core::Problems remarks_on_outside(const std::vector<SarTarget>& targets, const s
   const auto [least_range, most_range] =
       std::ranges::minmax(outside, {}, [](const SarTarget& target) { return target.place.range_m; });
   if (std::ranges::any_of(outside, [&](const SarTarget& target) { return off_azimuth(target) > 0.0; }))
-    add(areas, " ", "--azimuth " + area_of(image.azimuth, least_azimuth.place.azimuth_m, most_azimuth.place.azimuth_m));
+    add(areas, " ",
+        "--azimuth " +
+            area_of(image.azimuth, least_azimuth.place.azimuth_m, most_azimuth.place.azimuth_m,
+                    std::max(azimuth_margin_m(image, least_azimuth), azimuth_margin_m(image, most_azimuth))));
   if (std::ranges::any_of(outside, [&](const SarTarget& target) { return off_range(target) > 0.0; }))
-    add(areas, " ", "--range " + area_of(image.range, least_range.place.range_m, most_range.place.range_m));
+    add(areas, " ",
+        "--range " + area_of(image.range, least_range.place.range_m, most_range.place.range_m, range_margin_m(image)));
   const bool scaled = !in_time && options.method == signal::FocusMethod::chirp_scaling;
   std::vector<std::size_t> numbers;
   for (const SarTarget& target : outside) numbers.push_back(target.target);

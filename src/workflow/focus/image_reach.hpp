@@ -22,6 +22,9 @@ namespace sarsim::workflow {
 void reach_targets(const std::vector<SarTarget>& targets, const signal::EchoRows& echoes,
                    signal::FocusOptions& options);
 
+/// Whether a place is within the axes of an image of slant range.
+[[nodiscard]] bool shows(const signal::FocusedImage& image, const signal::ImagePlace& place);
+
 /// A warning where targets lie outside of an image, with their places and what the image covers. Nothing is said of an
 /// axis whose area is given.
 /// @param image  of slant range; its axes

@@ -82,5 +82,29 @@ TEST(ImageReach, SaysWhichTargetsAnImageDoesNotShow) {
   EXPECT_FALSE(options.azimuth_reach);
 }
 
+// A point that lies along the track beyond the rows, and whose Doppler frequencies are partly aliased, is nothing that
+// the choice of a method could mend.
+TEST(ImageReach, OfRowsDecidesWhatAMethodLoses) {
+  const auto [plan, rows] = sar_recording(sar_scene(760.0, {{}, {0.0, 500.0, 0.0}}, 0.5));
+  signal::FocusOptions options;
+  const signal::FocusedImage image = signal::image_of(rows, options);
+  ASSERT_FALSE(shows(image, {500.0, 10198.0}));
+  EXPECT_LT(excess_of(worst_method_loss(*plan, rows, options)), 0.5);
+  options.azimuth_reach = signal::AxisInterval{-100.0, 600.0};
+  ASSERT_TRUE(shows(signal::image_of(rows, options), {500.0, 10198.0}));
+  EXPECT_GT(excess_of(worst_method_loss(*plan, rows, options)), 1.0);
+}
+
+// Side lobes of the response that an image was made longer for are in it.
+TEST(ImageReach, LeavesRoomForTheWholeResponse) {
+  const auto [plan, rows] = sar_recording(sar_scene(4000.0, {{}, {0.0, 700.0, 0.0}}, 0.1));
+  signal::FocusOptions options;
+  const auto targets = targets_to_show(*plan, rows, {0.0, 4000.0});
+  reach_targets(targets, rows, options);
+  const signal::FocusedImage image = signal::image_of(rows, options);
+  const double width_m = image.frame.speed_mps / (targets[1].highest_doppler_hz - targets[1].lowest_doppler_hz);
+  EXPECT_GT(image.azimuth.at(static_cast<double>(image.azimuth.count)), 700.0 + 3.0 * width_m);
+}
+
 }  // namespace image_reach_test
 }  // namespace sarsim::workflow

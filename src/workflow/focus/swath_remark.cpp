@@ -10,7 +10,9 @@
 
 #include "core/maths/decibels.hpp"
 #include "radar/path/path.hpp"
+#include "signal/sar/image_area.hpp"
 #include "signal/sar/sar_track.hpp"
+#include "workflow/focus/image_reach.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_looks.hpp"
 
@@ -25,7 +27,7 @@ constexpr double max_loss_rad = 0.02;
 // Where a target is, and between which sines of directions most of its echoes are.
 struct Candidate {
   std::size_t target = 0;
-  double range_m = 0.0;
+  signal::ImagePlace place{};
   double low_sine = 0.0;
   double high_sine = 0.0;
   bool in_swath = false;
@@ -70,7 +72,7 @@ Candidate candidate_of(const SarLooks& looks, std::size_t target, std::span<cons
     candidate.in_swath = true;
     candidate.low_sine = std::min(candidate.low_sine, directions[i].sine);
     candidate.high_sine = std::max(candidate.high_sine, directions[i].sine);
-    candidate.range_m = looks.place(seen[i], seen[i].doppler_hz).range_m;
+    candidate.place = looks.place(seen[i], seen[i].doppler_hz);
   }
   return candidate;
 }
@@ -84,10 +86,10 @@ std::vector<std::size_t> likely_worst(const std::vector<Candidate>& candidates, 
       if (candidates[i].in_swath && (!most || measure(candidates[i]) > measure(candidates[*most]))) most = i;
     if (most && std::ranges::find(likely, *most) == likely.end()) likely.push_back(*most);
   };
-  add_most([&](const Candidate& c) { return losses.left_turns(c.range_m, c.low_sine, c.high_sine); });
+  add_most([&](const Candidate& c) { return losses.left_turns(c.place.range_m, c.low_sine, c.high_sine); });
   add_most([](const Candidate& c) { return std::max(std::abs(c.low_sine), std::abs(c.high_sine)); });
-  add_most([](const Candidate& c) { return c.range_m; });
-  add_most([](const Candidate& c) { return -c.range_m; });
+  add_most([](const Candidate& c) { return c.place.range_m; });
+  add_most([](const Candidate& c) { return -c.place.range_m; });
   return likely;
 }
 
@@ -133,6 +135,8 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
   constexpr std::size_t max_looks = 129;
   const signal::PointLosses losses(echoes, options);
   if (plan.scene->scatterers.size() > max_examined_targets) return loss_at_edge(echoes, options, losses);
+  signal::FocusedImage image = signal::image_of(echoes, options);
+  if (options.azimuth_area) signal::cut_axis(image.azimuth, *options.azimuth_area);
   signal::EchoRows from_line = echoes;
   from_line.compensated = true;
   const SarLooks looks(plan, from_line, {}, max_looks);
@@ -142,11 +146,11 @@ std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const si
     directions[t] = directions_of(looks, seen, echoes, options.doppler_centroid_hz);
     candidates[t] = candidate_of(looks, t, seen, directions[t]);
     // What the image does not show it does not lose: `remarks_on_outside` tells of such targets.
-    candidates[t].in_swath = candidates[t].in_swath && losses.shows(candidates[t].range_m);
+    candidates[t].in_swath = candidates[t].in_swath && shows(image, candidates[t].place);
   });
   std::optional<MethodLoss> worst;
   for (const std::size_t i : likely_worst(candidates, losses)) {
-    const signal::SwathLoss loss = losses.of(candidates[i].range_m, directions[i]);
+    const signal::SwathLoss loss = losses.of(candidates[i].place.range_m, directions[i]);
     if (!worst || grade_of(loss) > grade_of(worst->loss)) worst = {candidates[i].target, losses.middle_m(), loss, 1.0};
   }
   if (!worst) return worst;
