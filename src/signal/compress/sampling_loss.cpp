@@ -16,9 +16,9 @@ namespace sarsim::signal {
 
 namespace {
 
-constexpr double min_lossless_product = 200.0;
+constexpr double min_lossless_product = 125.0;
 constexpr double max_code_samples = 4096.0;
-constexpr int beginnings = 64;  // of an echo, in a sampling interval
+constexpr int beginnings = 32;  // of an echo, in a sampling interval
 // In sampling intervals: of the peak from the true delay, steps of the search for it, edges of chips.
 constexpr double reach = 1.5;
 constexpr double coarse_step = 0.25;

@@ -13,8 +13,9 @@ struct SamplingLoss {
 };
 
 /// The loss against an echo that begins with a sample, which keeps its amplitude. Peaks are those of the band-limited
-/// continuation of the compressed samples. Zero for chirps of a time-bandwidth product of 200 and more, which lose at
-/// most 0.1 dB; a code is cut to its first chips, up to 4096 samples of them.
+/// continuation of the compressed samples. Zero for chirps of a time-bandwidth product of 125 and more, which lose at
+/// most 0.16 dB where the rate is 1.1 times the bandwidth (0.36 dB where it is the bandwidth); a code is cut to its
+/// first chips, up to 4096 samples of them.
 /// @param pulse           not confined to a band
 /// @param sample_rate_hz  of the raw samples, complex; positive
 [[nodiscard]] SamplingLoss sampling_loss(const radar::Pulse& pulse, double sample_rate_hz);
