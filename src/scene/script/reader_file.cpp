@@ -11,6 +11,7 @@
 #include "core/os/input_file.hpp"
 #include "core/os/large_pages.hpp"
 #include "core/os/sequential_file.hpp"
+#include "core/task/stop_points.hpp"
 #include "core/text/number_text.hpp"
 #include "scene/script/reader.hpp"
 
@@ -48,9 +49,7 @@ FileBytes read_bytes(const fs::path& path, const core::StopFlag* stop) {
   std::error_code unknown_size;
   const std::uintmax_t size = fs::file_size(path, unknown_size);
   if (!unknown_size && size > largest_script_bytes) return {{}, too_large()};
-  core::SequentialFile stream(path, [stop] {
-    if (stop != nullptr && stop->requested()) throw core::Interrupted();
-  });
+  core::SequentialFile stream(path, [stop] { core::end_if_asked(stop); });
   constexpr std::size_t piece = std::size_t{1} << 20;
   if (!unknown_size) bytes.text.reserve(static_cast<std::size_t>(size));
   std::vector<char> buffer(piece);

@@ -18,14 +18,10 @@ void WorkCounter::add(std::size_t done) {
 
 namespace {
 
-void end_if(const core::StopFlag* stop) {
-  if (stop != nullptr && stop->requested()) throw core::Interrupted();
-}
-
 void read_all(const core::ScratchFile& file, std::size_t offset, std::span<std::byte> bytes,
               const core::StopFlag* stop) {
   while (!bytes.empty()) {
-    end_if(stop);
+    core::end_if_asked(stop);
     const std::size_t done = file.read_some(offset, bytes);
     offset += done;
     bytes = bytes.subspan(done);
@@ -35,7 +31,7 @@ void read_all(const core::ScratchFile& file, std::size_t offset, std::span<std::
 void write_all(const core::ScratchFile& file, std::size_t offset, std::span<const std::byte> bytes,
                const core::StopFlag* stop) {
   while (!bytes.empty()) {
-    end_if(stop);
+    core::end_if_asked(stop);
     const std::size_t done = file.write_some(offset, bytes);
     offset += done;
     bytes = bytes.subspan(done);

@@ -14,6 +14,7 @@
 #include "core/os/scratch_file.hpp"
 #include "core/task/parallel.hpp"
 #include "core/task/progress.hpp"
+#include "core/task/stop_points.hpp"
 #include "signal/row/raw_samples.hpp"
 #include "signal/row/row_kernels.hpp"
 
@@ -81,10 +82,6 @@ class WorkMatrix {
   void read_row(std::size_t row, std::size_t first, std::span<Value> out) const;
 
  private:
-  static void end_if_wanted(const core::StopFlag* stop) {
-    if (stop != nullptr && stop->requested()) throw core::Interrupted();
-  }
-
   // Some rows of the matrix and some columns of them: all of it where it is in memory.
   struct Piece {
     std::size_t first_row = 0, rows = 0;
@@ -115,7 +112,7 @@ void WorkMatrix::each_row(std::size_t first, std::size_t last, const core::WorkC
     load(piece, control.stop);
     core::parallel_ranges(piece.rows, 4, control, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) {
-        end_if_wanted(control.stop);  // Rows may be long.
+        core::end_if_asked(control.stop);  // Rows may be long.
         body(piece.first_row + r, std::span(piece.values + r * piece.stride, columns_));
       }
       counter.add((end - begin) * columns_);
@@ -136,7 +133,7 @@ void WorkMatrix::each_column(std::size_t first, std::size_t last, const core::Wo
       const RawSamples copies((end - begin) * length);
       transpose(piece.values + begin, piece.stride, filled, end - begin, copies.data(), length);
       for (std::size_t c = 0; c < end - begin; ++c) {
-        end_if_wanted(control.stop);
+        core::end_if_asked(control.stop);
         const std::span column(copies.data() + c * length, rows_);
         std::fill(column.begin() + static_cast<std::ptrdiff_t>(filled), column.end(), Value());
         body(piece.first_column + begin + c, column);
