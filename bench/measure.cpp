@@ -28,20 +28,22 @@ using Row = std::vector<std::complex<double>>;
 double now_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 SampleSpan touched_by(const Plan& plan, const EchoBatch& echoes, std::size_t k) {
-  return touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k], plan.pulse.clock_of(echoes, k));
+  return touched_samples(plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid, echoes.delay_s[k],
+                         plan.acquisition.reception.pulse.clock_of(echoes, k));
 }
 
 // What a textbook's listing does: for every echo and sample one sine and one cosine in double precision.
 void textbook_row(const Plan& plan, double carrier_hz, const EchoBatch& echoes, Row& row) {
-  const double rate = plan.pulse.pulse.sweep_rate_hz_per_s();
-  const double width = plan.pulse.pulse.width_s;
+  const double rate = plan.acquisition.reception.pulse.pulse.sweep_rate_hz_per_s();
+  const double width = plan.acquisition.reception.pulse.pulse.width_s;
   for (std::size_t k = 0; k < echoes.size(); ++k) {
     const double tau = echoes.delay_s[k];
     const double a = echoes.amplitude_sqrt_w[k];
     const double doppler = echoes.doppler[k];
     const SampleSpan on = touched_by(plan, echoes, k);
     for (std::size_t n = on.begin; n < on.end; ++n) {
-      const double u = plan.raw_grid.time_s(n) - tau + plan.pulse.lead_s - 0.5 * width;
+      const double u =
+          plan.acquisition.reception.raw_grid.time_s(n) - tau + plan.acquisition.reception.pulse.lead_s - 0.5 * width;
       const double mod = 0.5 * rate * u * u;
       const double phase = 2.0 * pi * (mod - carrier_hz * tau - doppler * (carrier_hz * u + mod));
       row[n] += std::complex<double>(a * std::cos(phase), a * std::sin(phase));
@@ -53,14 +55,14 @@ void textbook_row(const Plan& plan, double carrier_hz, const EchoBatch& echoes, 
 double error_against_reference(const Plan& plan, const Plan& reference, std::size_t rows) {
   RowMaker fast(plan);
   RowMaker slow(reference);
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
   EchoBatch echoes;
-  Row a(plan.columns), b(plan.columns);
+  Row a(plan.acquisition.reception.columns), b(plan.acquisition.reception.columns);
   double worst = 0.0;
   for (std::size_t r = 0; r < rows; ++r) {
     fast.make_row(r, a);
     slow.make_row(r, b);
-    geometry.set_pulse(plan.first_pulse_of_row(r));
+    geometry.set_pulse(plan.acquisition.timing.first_pulse_of_row(r));
     geometry.echoes(echoes);
     double strength = 0.0;
     for (std::size_t k = 0; k < echoes.size(); ++k) {
@@ -69,7 +71,8 @@ double error_against_reference(const Plan& plan, const Plan& reference, std::siz
     }
     double error = 0.0;
     for (std::size_t n = 0; n < a.size(); ++n) error += std::norm(a[n] - b[n]);
-    const double samples = plan.pulse.pulse.width_s / plan.raw_grid.interval_s;
+    const double samples =
+        plan.acquisition.reception.pulse.pulse.width_s / plan.acquisition.reception.raw_grid.interval_s;
     if (strength > 0.0) worst = std::max(worst, std::sqrt(error / (strength * samples)));
   }
   return worst;
@@ -107,19 +110,19 @@ int main(int argc, char** argv) {
   const auto resolved = std::make_shared<const ResolvedScene>(resolve(reading.scene));
   const Plan plan = make_plan(reading.scene, 0, resolved, engine);
   const Plan reference = make_plan(reading.scene, 0, resolved, Engine::reference);
-  const std::size_t rows = std::min(plan.rows, wanted);
+  const std::size_t rows = std::min(plan.acquisition.timing.rows, wanted);
 
   const double error = error_against_reference(plan, reference, std::min<std::size_t>(rows, 2));
   RowMaker maker(plan);
-  Row row(plan.columns);
+  Row row(plan.acquisition.reception.columns);
   maker.make_row(0, row);
   const double seconds = best_of(7, [&] {
     for (std::size_t r = 0; r < rows; ++r) maker.make_row(r, row);
   });
 
-  PulseGeometry geometry(*plan.scene, plan.radar);
+  PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
   EchoBatch echoes;
-  geometry.set_pulse(plan.first_pulse_of_row(0));
+  geometry.set_pulse(plan.acquisition.timing.first_pulse_of_row(0));
   geometry.echoes(echoes);
   double touching = 0.0;
   double echo_samples = 0.0;
@@ -128,7 +131,7 @@ int main(int argc, char** argv) {
     touching += on.begin < on.end ? 1.0 : 0.0;
     echo_samples += static_cast<double>(on.end - on.begin);
   }
-  Row textbook(plan.raw_grid.count);
+  Row textbook(plan.acquisition.reception.raw_grid.count);
   // A part of the echoes is enough where there are many.
   EchoBatch part;
   const std::size_t stride = echoes.size() / 2000 + 1;

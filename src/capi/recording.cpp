@@ -36,12 +36,12 @@ simulate::RowRange range_of(uint64_t first, uint64_t count, std::size_t all, con
 template <class Real>
 void record(const sarsim_plan* plan, uint64_t first, uint64_t count, Real* samples, const sarsim_work* work) {
   const workflow::ScenePlan& planned = capi::given(plan, "plan").planned;
-  const simulate::RowRange rows = range_of(first, count, planned.plan.rows, "rows");
+  const simulate::RowRange rows = range_of(first, count, planned.plan.acquisition.timing.rows, "rows");
   const sarsim_work how = capi::work_of(work);
   if (rows.count == 0) return;
   // An array of complex numbers is one of pairs of numbers, and the reverse is what every compiler makes of it.
   auto* const memory = reinterpret_cast<std::complex<Real>*>(&capi::given(samples, "samples"));
-  workflow::record_rows(planned, rows, {memory, rows.count * planned.plan.columns}, how.threads,
+  workflow::record_rows(planned, rows, {memory, rows.count * planned.plan.acquisition.reception.columns}, how.threads,
                         capi::observer_of(how));
 }
 
@@ -86,9 +86,9 @@ sarsim_status sarsim_plan_new(const sarsim_scene* scene, size_t number, const sa
     const simulate::Plan& p = made->planned.plan;
     made->number = number;
     made->product = simulate::product_of(p, {});
-    made->processing = workflow::processing_word(p.simulation.processing);
-    made->format = workflow::format_word(p.simulation.format);
-    made->file = p.simulation.file;
+    made->processing = workflow::processing_word(p.acquisition.simulation.processing);
+    made->format = workflow::format_word(p.acquisition.simulation.format);
+    made->file = p.acquisition.simulation.file;
     made->engine = made->product.engine;
     found = made->planned.input.problems;
     result = made.release();
@@ -102,22 +102,23 @@ sarsim_status sarsim_plan_get_info(const sarsim_plan* plan, sarsim_plan_info* in
     const sarsim_plan& known = capi::given(plan, "sarsim_plan_get_info: plan");
     const simulate::Plan& p = known.planned.plan;
     const simulate::Cost cost = simulate::estimated_cost(p, core::thread_count(0));
-    const sarsim_plan_info told{.struct_size = sizeof(sarsim_plan_info),
-                                .rows = p.rows,
-                                .columns = p.columns,
-                                .sample_rate_hz = p.simulation.sample_rate_hz,
-                                .bits = p.simulation.bits,
-                                .lsb_v = p.simulation.lsb_v,
-                                .radar = p.radar.name.c_str(),
-                                .processing = known.processing.c_str(),
-                                .format = known.format.c_str(),
-                                .file = known.file.c_str(),
-                                .engine = known.engine.c_str(),
-                                .engine_reason = p.engine.reason.c_str(),
-                                .echoes = cost.echoes,
-                                .seconds = cost.seconds,
-                                .memory_bytes = cost.memory_bytes,
-                                .file_bytes = raster::expected_bytes(known.product, {.format = p.simulation.format})};
+    const sarsim_plan_info told{
+        .struct_size = sizeof(sarsim_plan_info),
+        .rows = p.acquisition.timing.rows,
+        .columns = p.acquisition.reception.columns,
+        .sample_rate_hz = p.acquisition.simulation.sample_rate_hz,
+        .bits = p.acquisition.simulation.bits,
+        .lsb_v = p.acquisition.simulation.lsb_v,
+        .radar = p.acquisition.link.name.c_str(),
+        .processing = known.processing.c_str(),
+        .format = known.format.c_str(),
+        .file = known.file.c_str(),
+        .engine = known.engine.c_str(),
+        .engine_reason = p.engine.reason.c_str(),
+        .echoes = cost.echoes,
+        .seconds = cost.seconds,
+        .memory_bytes = cost.memory_bytes,
+        .file_bytes = raster::expected_bytes(known.product, {.format = p.acquisition.simulation.format})};
     capi::fill(told, info, "sarsim_plan_get_info: info");
   });
 }
@@ -150,10 +151,10 @@ sarsim_status sarsim_record_rows(const sarsim_plan* plan, uint64_t first, uint64
                                  sarsim_rows rows, void* user, const sarsim_work* work, sarsim_problems** problems) {
   return capi::call(problems, [&](core::Problems&) {
     const workflow::ScenePlan& planned = capi::given(plan, "sarsim_record_rows: plan").planned;
-    const simulate::RowRange wanted = range_of(first, count, planned.plan.rows, "rows");
+    const simulate::RowRange wanted = range_of(first, count, planned.plan.acquisition.timing.rows, "rows");
     const sarsim_work how = capi::work_of(work);
     if (rows == nullptr) throw capi::BadArgument("sarsim_record_rows: rows is NULL");
-    const std::size_t columns = planned.plan.columns;
+    const std::size_t columns = planned.plan.acquisition.reception.columns;
     const std::size_t at_once =
         block > 0 ? static_cast<std::size_t>(std::min<uint64_t>(block, wanted.count)) : workflow::rows_at_once(columns);
     std::vector<std::complex<float>> samples(at_once * columns);

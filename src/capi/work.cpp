@@ -301,10 +301,10 @@ template <class Real>
 sarsim_source* source_of_memory(const sarsim_plan& plan, const Real* samples) {
   const workflow::ScenePlan& planned = plan.planned;
   const auto* const memory = reinterpret_cast<const std::complex<Real>*>(samples);
-  const std::size_t columns = planned.plan.columns;
+  const std::size_t columns = planned.plan.acquisition.reception.columns;
   const auto held = std::make_shared<workflow::HeldScene>();
   held->input = planned.input;
-  held->rows = core::SampleRows<double>{planned.plan.rows, columns,
+  held->rows = core::SampleRows<double>{planned.plan.acquisition.timing.rows, columns,
                                         [memory, columns](std::size_t row, std::span<std::complex<double>> out) {
                                           std::copy_n(memory + row * columns, columns, out.begin());
                                         }};

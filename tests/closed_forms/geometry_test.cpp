@@ -61,7 +61,7 @@ TEST(Delay, SolvesTheLightTimeEquationForEitherDirectionOfMotion) {
   for (const double speed_mps : {-3000.0, -50.0, 50.0, 3000.0}) {
     scene::Scene scene = moving_target({1000.0, 0.0, 0.0}, {speed_mps, 0.0, 0.0}, 1e9);
     const simulate::Plan plan = simulate::make_plan(scene, 0);
-    simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+    simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
     geometry.set_pulse(0);
     // The pulse reaches the target where it is then: out = (1000 + v out)/c, and comes back from there.
     double out_s = 0.0;
@@ -176,7 +176,7 @@ TEST(Doppler, OfASquintedLookIsTwoVSinOverLambda) {
   scene.radars[0].platform = "Craft";
   test::add_target(scene, {5000.0 * std::cos(squint_rad), 5000.0 * std::sin(squint_rad), 0.0});
   const simulate::Plan plan = simulate::make_plan(scene, 0);
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
   geometry.set_pulse(0);
   // The radar flies on until the echo is back: V^2 cos^2/c more, 2 f V^2/c^2 of Doppler shift abeam.
   const double flown_mps = std::pow(150.0 * std::cos(squint_rad), 2) / light_speed_mps;
@@ -190,7 +190,7 @@ TEST(Speed, OfATurningPlatformsPointIsTheArmTimesTheRate) {
   turning.rotation_rate[2] = core::Angle::from_deg(36.0);
   test::add_target(scene, {0.0, 20.0, 0.0}, 1.0, "Turning");
   const simulate::Plan plan = simulate::make_plan(scene, 0);
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
   geometry.set_pulse(0);
   // Positive rotation about z turns +y towards +x: away from the radar. The line of sight is 20 m off over 1 km.
   const double arm_rate_mps = 20.0 * 36.0 * core::pi / 180.0;

@@ -60,8 +60,8 @@ TEST(RangeProfile, LeavesIncompleteBurstsOut) {
   scene::Scene scene = stepped_scene(1000.0);
   test::set_pulses(scene, 5, 4 * steps + 7);
   const simulate::Plan plan = simulate::make_plan(scene, 0);
-  EXPECT_EQ(plan.rows, 1u);
-  EXPECT_EQ(plan.dropped_pulses, 4 * steps + 3 - 2 * steps);
+  EXPECT_EQ(plan.acquisition.timing.rows, 1u);
+  EXPECT_EQ(plan.acquisition.timing.dropped_pulses, 4 * steps + 3 - 2 * steps);
 }
 
 }  // namespace profile_test

@@ -108,7 +108,8 @@ TEST(Engines, MakeARowWhateverStoodInItsPlace) {
       const simulate::Plan plan = simulate::make_plan(
           scene_of(busy_scene("ISOTROPIC SAME FIXED -9 0 RECT", "NO_STC", processing, "")), 0, nullptr, engine);
       simulate::RowMaker maker(plan);
-      std::vector<std::complex<double>> clean(plan.columns), used(plan.columns, {7.0, -3.0});
+      std::vector<std::complex<double>> clean(plan.acquisition.reception.columns),
+          used(plan.acquisition.reception.columns, {7.0, -3.0});
       maker.make_row(1, clean);
       maker.make_row(1, used);
       EXPECT_EQ(clean, used) << simulate::name_of(engine) << processing;

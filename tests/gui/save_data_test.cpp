@@ -42,8 +42,8 @@ constexpr int patience_ms = 60'000;
 std::string run_by_hand(const scene::Scene& scene, std::size_t index, const fs::path& path,
                         raster::SinkOptions options = {.replace = true}) {
   const simulate::Plan plan = simulate::make_plan(scene, index, nullptr, simulate::Engine::automatic);
-  options.format = plan.simulation.format;
-  const bool with_script = plan.simulation.format == scene::FileFormat::hdf5;
+  options.format = plan.acquisition.simulation.format;
+  const bool with_script = plan.acquisition.simulation.format == scene::FileFormat::hdf5;
   const std::unique_ptr<simulate::Sink> sink = raster::make_sink(
       path, simulate::product_of(plan, with_script ? scene::write_script(scene) : std::string()), options);
   simulate::run(plan, simulate::resolved_lsb_v(plan, {}), *sink, {});

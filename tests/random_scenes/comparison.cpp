@@ -94,8 +94,9 @@ class Examiner {
     for (const simulate::Engine engine :
          {simulate::Engine::automatic, simulate::Engine::direct, simulate::Engine::spectral})
       guarded(std::string(simulate::name_of(engine)), [&] { compare_engine(index, engine, reference); });
-    if (reference.compressor) guarded("compression", [&] { compare_compression(index, reference); });
-    if (reference.profiler) guarded("profile", [&] { compare_profile(index, reference); });
+    if (reference.acquisition.reception.compressor)
+      guarded("compression", [&] { compare_compression(index, reference); });
+    if (reference.acquisition.reception.profiler) guarded("profile", [&] { compare_profile(index, reference); });
     constexpr std::array engines{simulate::Engine::automatic, simulate::Engine::direct, simulate::Engine::spectral,
                                  simulate::Engine::reference};
     guarded("division", [&] { compare_divisions(index, engines[choices_ % engines.size()]); });
@@ -105,7 +106,7 @@ class Examiner {
     const double tolerance = scene_.options.tolerance;
     const EngineErrors errors =
         compare_rows(simulate::make_plan(scene_, index, resolved_, engine), reference, tolerance);
-    result_.rows += reference.rows;
+    result_.rows += reference.acquisition.timing.rows;
     if (!errors.finite)
       find(fmt::format("{} not finite", simulate::name_of(engine)), "a sample is not a finite number");
     result_.worst_error = std::max(result_.worst_error, errors.worst_share);
@@ -121,11 +122,11 @@ class Examiner {
     scene::Simulation& simulation = scene.simulations[index];
     simulation.processing = scene::Processing::raw;
     simulate::Plan raw = simulate::make_plan(scene, index, resolved_, simulate::Engine::reference);
-    raw.raw_grid = plan.raw_grid;
-    raw.noise_first_sample = plan.noise_first_sample;
-    raw.stc_gain = plan.stc_gain;
-    raw.pulse = plan.pulse;
-    raw.columns = plan.raw_grid.count;
+    raw.acquisition.reception.raw_grid = plan.acquisition.reception.raw_grid;
+    raw.acquisition.reception.noise_first_sample = plan.acquisition.reception.noise_first_sample;
+    raw.acquisition.reception.stc_gain = plan.acquisition.reception.stc_gain;
+    raw.acquisition.reception.pulse = plan.acquisition.reception.pulse;
+    raw.acquisition.reception.columns = plan.acquisition.reception.raw_grid.count;
     return raw;
   }
 
@@ -140,9 +141,10 @@ class Examiner {
     const simulate::Plan raw = raw_plan(index, plan);
     simulate::RowMaker raw_rows(raw);
     simulate::RowMaker rows(plan);
-    const auto& taps = plan.compressor->filter().taps;
-    Row samples(raw.columns), expected(plan.columns), got(plan.columns);
-    for (std::size_t row = 0; row < plan.rows; ++row) {
+    const auto& taps = plan.acquisition.reception.compressor->filter().taps;
+    Row samples(raw.acquisition.reception.columns), expected(plan.acquisition.reception.columns),
+        got(plan.acquisition.reception.columns);
+    for (std::size_t row = 0; row < plan.acquisition.timing.rows; ++row) {
       raw_rows.make_row(row, samples);
       rows.make_row(row, got);
       double scale = 0.0;
@@ -152,7 +154,7 @@ class Examiner {
       for (std::size_t i = 0; i < expected.size(); ++i) {
         expected[i] = 0.0;
         for (std::size_t k = 0; k < taps.size(); ++k)
-          expected[i] += taps[k] * samples[plan.compressor->output_index()[i] + k];
+          expected[i] += taps[k] * samples[plan.acquisition.reception.compressor->output_index()[i] + k];
       }
       expect_close("compression", got, expected, scale * weight, row);
     }
@@ -162,21 +164,23 @@ class Examiner {
     const simulate::Plan raw = raw_plan(index, plan);
     simulate::RowMaker raw_rows(raw);
     simulate::RowMaker rows(plan);
-    const std::size_t gates = plan.raw_grid.count;
-    const auto per_step = static_cast<std::size_t>(plan.radar.carrier.pulses_per_step());
-    Row samples(gates), sums(plan.columns), expected(plan.columns), got(plan.columns);
-    for (std::size_t row = 0; row < plan.rows; ++row) {
-      const auto first = static_cast<std::size_t>(plan.first_pulse_of_row(row) - plan.pulses.first);
+    const std::size_t gates = plan.acquisition.reception.raw_grid.count;
+    const auto per_step = static_cast<std::size_t>(plan.acquisition.link.carrier.pulses_per_step());
+    Row samples(gates), sums(plan.acquisition.reception.columns), expected(plan.acquisition.reception.columns),
+        got(plan.acquisition.reception.columns);
+    for (std::size_t row = 0; row < plan.acquisition.timing.rows; ++row) {
+      const auto first = static_cast<std::size_t>(plan.acquisition.timing.first_pulse_of_row(row) -
+                                                  plan.acquisition.timing.pulses.first);
       std::ranges::fill(sums, std::complex<double>());
       double scale = 0.0;
-      for (std::size_t pulse = 0; pulse < static_cast<std::size_t>(plan.burst_pulses()); ++pulse) {
+      for (std::size_t pulse = 0; pulse < static_cast<std::size_t>(plan.acquisition.timing.row_pulses); ++pulse) {
         raw_rows.make_row(first + pulse, samples);
         for (std::size_t gate = 0; gate < gates; ++gate) {
           sums[pulse / per_step * gates + gate] += samples[gate] / static_cast<double>(per_step);
           scale = std::max(scale, std::abs(samples[gate]));
         }
       }
-      plan.profiler->profile(sums, expected);
+      plan.acquisition.reception.profiler->profile(sums, expected);
       rows.make_row(row, got);
       expect_close("profile", got, expected, scale, row);
     }
@@ -202,14 +206,15 @@ class Examiner {
     const double lsb_v = simulate::resolved_lsb_v(plan, one);
     if (simulate::resolved_lsb_v(plan, three) != lsb_v) find("threads", "another LSB with three threads");
     raster::SinkOptions options;
-    options.format = plan.simulation.format;
+    options.format = plan.acquisition.simulation.format;
     options.counts = choices_ / 4 % 2 == 0;
     const auto encoder = raster::make_discarding_sink(simulate::product_of(plan, text_), options);
-    const auto whole = bytes_of(plan, lsb_v, *encoder, {0, plan.rows}, 1);
-    if (bytes_of(plan, lsb_v, *encoder, {0, plan.rows}, 3) != whole) find("threads", "other bytes with three threads");
-    const std::size_t cut = choices_ / 8 % (plan.rows + 1);
+    const auto whole = bytes_of(plan, lsb_v, *encoder, {0, plan.acquisition.timing.rows}, 1);
+    if (bytes_of(plan, lsb_v, *encoder, {0, plan.acquisition.timing.rows}, 3) != whole)
+      find("threads", "other bytes with three threads");
+    const std::size_t cut = choices_ / 8 % (plan.acquisition.timing.rows + 1);
     auto divided = bytes_of(plan, lsb_v, *encoder, {0, cut}, 2);
-    const auto rest = bytes_of(plan, lsb_v, *encoder, {cut, plan.rows - cut}, 1);
+    const auto rest = bytes_of(plan, lsb_v, *encoder, {cut, plan.acquisition.timing.rows - cut}, 1);
     divided.insert(divided.end(), rest.begin(), rest.end());
     if (divided != whole) find("division", fmt::format("other bytes where divided at row {}", cut));
   }

@@ -23,7 +23,7 @@ double norm_of(const Row& row) {
 // ||p||^2 in samples, of the pulse before it is confined to a band. One that is shorter than a sample counts as one.
 double pulse_energy(const simulate::Plan& plan) {
   constexpr std::size_t points = 2000;
-  const radar::Pulse& pulse = plan.pulse.pulse;
+  const radar::Pulse& pulse = plan.acquisition.reception.pulse.pulse;
   double sum = 0.0;
   double largest = 0.0;
   for (std::size_t i = 0; i < points; ++i) {
@@ -32,7 +32,8 @@ double pulse_energy(const simulate::Plan& plan) {
     sum += power;
     largest = std::max(largest, power);
   }
-  return std::max(sum / static_cast<double>(points) * pulse.width_s / plan.raw_grid.interval_s, largest);
+  return std::max(sum / static_cast<double>(points) * pulse.width_s / plan.acquisition.reception.raw_grid.interval_s,
+                  largest);
 }
 
 // Largest magnitude of a filter's response.
@@ -65,13 +66,16 @@ double profile_gain(const signal::RangeProfiler& profiler) {
 class Allowance {
  public:
   Allowance(const simulate::Plan& plan, double tolerance)
-      : plan_(plan), tolerance_(tolerance), geometry_(*plan.scene, plan.radar), energy_(pulse_energy(plan)) {
+      : plan_(plan),
+        tolerance_(tolerance),
+        geometry_(*plan.acquisition.scene, plan.acquisition.link),
+        energy_(pulse_energy(plan)) {
     longer_.first_s -= margin * longer_.interval_s;
     longer_.count += 2 * margin;
-    if (plan.compressor) gain_ *= filter_gain(*plan.compressor);
-    if (plan.profiler) gain_ *= profile_gain(*plan.profiler);
-    double largest = plan.stc_gain.empty() ? 1.0 : 0.0;
-    for (const double gain : plan.stc_gain) largest = std::max(largest, std::abs(gain));
+    if (plan.acquisition.reception.compressor) gain_ *= filter_gain(*plan.acquisition.reception.compressor);
+    if (plan.acquisition.reception.profiler) gain_ *= profile_gain(*plan.acquisition.reception.profiler);
+    double largest = plan.acquisition.reception.stc_gain.empty() ? 1.0 : 0.0;
+    for (const double gain : plan.acquisition.reception.stc_gain) largest = std::max(largest, std::abs(gain));
     gain_ *= largest;
   }
 
@@ -79,11 +83,11 @@ class Allowance {
   [[nodiscard]] double gain() const { return gain_; }
 
   double of_row(std::size_t row) {
-    const std::int64_t first = plan_.first_pulse_of_row(row);
-    if (!plan_.profiler) return gain_ * of_pulse(first);
-    const std::int64_t per_step = plan_.radar.carrier.pulses_per_step();
+    const std::int64_t first = plan_.acquisition.timing.first_pulse_of_row(row);
+    if (!plan_.acquisition.reception.profiler) return gain_ * of_pulse(first);
+    const std::int64_t per_step = plan_.acquisition.link.carrier.pulses_per_step();
     double squares = 0.0;
-    for (std::int64_t step = 0; step < plan_.radar.carrier.steps(); ++step) {
+    for (std::int64_t step = 0; step < plan_.acquisition.link.carrier.steps(); ++step) {
       double sum = 0.0;
       for (std::int64_t p = 0; p < per_step; ++p) sum += of_pulse(first + step * per_step + p);
       squares += std::pow(sum / static_cast<double>(per_step), 2);
@@ -96,7 +100,8 @@ class Allowance {
   // ends just outside the row counts as well: an engine's error need not end where the echo does.
   double of_pulse(std::int64_t pulse) {
     double sum = of_echoes(pulse, pulse);
-    for (const simulate::OtherPulse& other : plan_.other_pulses.pulses) sum += of_echoes(pulse, pulse - other.back);
+    for (const simulate::OtherPulse& other : plan_.sources.other_pulses.pulses)
+      sum += of_echoes(pulse, pulse - other.back);
     return sum;
   }
 
@@ -104,12 +109,13 @@ class Allowance {
   double of_echoes(std::int64_t pulse, std::int64_t sent) {
     geometry_.set_pulse(sent);
     geometry_.echoes(echoes_);
-    const double since_s = plan_.radar.repetition.send_time_s(pulse) - geometry_.send_time_s();
+    const double since_s = plan_.acquisition.link.repetition.send_time_s(pulse) - geometry_.send_time_s();
     double squares = 0.0;
     double longest_s = 0.0;
     for (std::size_t k = 0; k < echoes_.size(); ++k) {
       const radar::SampleSpan on =
-          radar::touched_samples(plan_.pulse, longer_, echoes_.delay_s[k] - since_s, plan_.pulse.clock_of(echoes_, k));
+          radar::touched_samples(plan_.acquisition.reception.pulse, longer_, echoes_.delay_s[k] - since_s,
+                                 plan_.acquisition.reception.pulse.clock_of(echoes_, k));
       if (on.begin >= on.end) continue;
       squares += echoes_.amplitude_sqrt_w[k] * echoes_.amplitude_sqrt_w[k];
       longest_s = std::max(longest_s, std::abs(echoes_.delay_s[k]));
@@ -121,7 +127,7 @@ class Allowance {
   static constexpr std::size_t margin = 2;  // Samples.
 
   const simulate::Plan& plan_;
-  radar::SampleGrid longer_ = plan_.raw_grid;
+  radar::SampleGrid longer_ = plan_.acquisition.reception.raw_grid;
   double tolerance_;
   simulate::PulseGeometry geometry_;
   radar::EchoBatch echoes_;
@@ -143,10 +149,10 @@ EngineErrors compare_rows(const simulate::Plan& fast, const simulate::Plan& refe
   simulate::RowMaker fast_rows(fast);
   simulate::RowMaker plain_rows(reference);
   Allowance allowance(reference, tolerance);
-  Row got(fast.columns);
-  Row expected(reference.columns);
+  Row got(fast.acquisition.reception.columns);
+  Row expected(reference.acquisition.reception.columns);
   EngineErrors errors;
-  for (std::size_t row = 0; row < reference.rows; ++row) {
+  for (std::size_t row = 0; row < reference.acquisition.timing.rows; ++row) {
     fast_rows.make_row(row, got);
     plain_rows.make_row(row, expected);
     errors.finite = errors.finite && all_finite(got) && all_finite(expected);

@@ -94,21 +94,23 @@ constexpr double affordable_s = 10.0;
 void run_simulation(const scene::Scene& scene, std::size_t index) {
   const simulate::Plan plan = simulate::make_plan(scene, index);
   const double cost_s = simulate::estimated_cost(plan, 1).seconds_one_thread;
-  std::printf("  %6zu x %6zu, about %.2f s: ", plan.rows, plan.columns, cost_s);
+  std::printf("  %6zu x %6zu, about %.2f s: ", plan.acquisition.timing.rows, plan.acquisition.reception.columns,
+              cost_s);
   if (cost_s <= affordable_s) {
     test::DiscardingSink sink;
-    const simulate::RunReport report = simulate::run(plan, plan.simulation.lsb_v, sink, simulate::RunControl{});
+    const simulate::RunReport report =
+        simulate::run(plan, plan.acquisition.simulation.lsb_v, sink, simulate::RunControl{});
     EXPECT_TRUE(sink.finished());
-    EXPECT_EQ(sink.rows(), plan.rows);
+    EXPECT_EQ(sink.rows(), plan.acquisition.timing.rows);
     EXPECT_TRUE(std::isfinite(report.maximum_v));
     std::printf("all rows, %.2f s, maximum %g mV\n", report.seconds, 1e3 * report.maximum_v);
     return;
   }
   constexpr std::size_t looked_at = 32;
   simulate::RowMaker maker(plan);
-  std::vector<std::complex<double>> row(plan.columns);
+  std::vector<std::complex<double>> row(plan.acquisition.reception.columns);
   for (std::size_t i = 0; i < looked_at; ++i) {
-    maker.make_row(i * (plan.rows - 1) / (looked_at - 1), row);
+    maker.make_row(i * (plan.acquisition.timing.rows - 1) / (looked_at - 1), row);
     for (const auto& sample : row) ASSERT_TRUE(std::isfinite(sample.real()) && std::isfinite(sample.imag()));
   }
   std::printf("%zu rows\n", looked_at);

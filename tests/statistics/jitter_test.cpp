@@ -90,7 +90,7 @@ TEST(PositionJitter, DoesNotTouchTheSpeed) {
   scene::Target& target = add_target(scene, {1000.0, 0.0, 0.0});
   target.traits.edit().position_stddev_m = {1.0, 1.0, 1.0};
   const simulate::Plan plan = simulate::make_plan(scene, 0);
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
   for (int pulse = 0; pulse < 20; ++pulse) {
     geometry.set_pulse(pulse);
     EXPECT_EQ(geometry.view(0).speed_mps, 0.0);

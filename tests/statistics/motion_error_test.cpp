@@ -129,7 +129,7 @@ TEST(MotionErrors, MoveTheSpeedToo) {
   shaking.position_envelope.part = {triangle(0.02), core::SampledFunction{}, core::SampledFunction{}};
   scene.radars[0].prf_hz = 1e6;
   const simulate::Plan plan = simulate::make_plan(scene, 0);
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
   int moving = 0;
   for (std::int64_t pulse = 100; pulse < 100000; pulse += 9973) {
     geometry.set_pulse(pulse);

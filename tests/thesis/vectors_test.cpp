@@ -37,15 +37,15 @@ const std::string window = "5550 5870 -0.64 0.6399 8 0.12 1E-7 BIN RAW out.bin C
 
 TEST(ScriptVectors, MinimalScriptHas512PulsesOf256Samples) {
   const simulate::Plan plan = planned(script(constant_400, single, window));
-  EXPECT_EQ(plan.pulses.first, -256);
-  EXPECT_EQ(plan.pulses.last, 255);
-  EXPECT_EQ(plan.rows, 512u);
-  EXPECT_EQ(plan.columns, 256u);
+  EXPECT_EQ(plan.acquisition.timing.pulses.first, -256);
+  EXPECT_EQ(plan.acquisition.timing.pulses.last, 255);
+  EXPECT_EQ(plan.acquisition.timing.rows, 512u);
+  EXPECT_EQ(plan.acquisition.reception.columns, 256u);
 }
 
 TEST(ScriptVectors, IntervalsOf1And2And3MillisecondsWrapInBothDirections) {
   const simulate::Plan plan = planned(script("OTHER LIN INLINE 3 0 1e-3 1 2e-3 2 3e-3", single, window));
-  const auto time_ms = [&](int pulse) { return 1e3 * plan.radar.repetition.send_time_s(pulse); };
+  const auto time_ms = [&](int pulse) { return 1e3 * plan.acquisition.link.repetition.send_time_s(pulse); };
   EXPECT_DOUBLE_EQ(time_ms(0), 0.0);
   EXPECT_DOUBLE_EQ(time_ms(1), 1.0);
   EXPECT_DOUBLE_EQ(time_ms(2), 3.0);
@@ -57,18 +57,19 @@ TEST(ScriptVectors, SteppedCarrierRepeatsEachStepAndWraps) {
   const simulate::Plan plan = planned(script(constant_400, "STEPPED 1 0.1 3 2", window));
   const double expected_ghz[] = {1.2, 1.0, 1.0, 1.1, 1.1, 1.2, 1.2, 1.0};
   for (int pulse = -1; pulse <= 6; ++pulse)
-    EXPECT_DOUBLE_EQ(plan.radar.carrier.carrier_hz(pulse), 1e9 * expected_ghz[pulse + 1]) << pulse;
+    EXPECT_DOUBLE_EQ(plan.acquisition.link.carrier.carrier_hz(pulse), 1e9 * expected_ghz[pulse + 1]) << pulse;
 }
 
 TEST(ScriptVectors, ListedCarrierWrapsInBothDirections) {
   const simulate::Plan plan = planned(script(constant_400, "OTHER LIN INLINE 3 0 1 1 2 2 3", window));
-  EXPECT_DOUBLE_EQ(plan.radar.carrier.carrier_hz(-1), 3e9);
-  EXPECT_DOUBLE_EQ(plan.radar.carrier.carrier_hz(3), 1e9);
+  EXPECT_DOUBLE_EQ(plan.acquisition.link.carrier.carrier_hz(-1), 3e9);
+  EXPECT_DOUBLE_EQ(plan.acquisition.link.carrier.carrier_hz(3), 1e9);
 }
 
 TEST(ScriptVectors, BothEndsOfATimeWindowBelongToIt) {
   const auto pulses = [](const std::string& repetition, const std::string& times) {
-    return planned(script(repetition, single, "5550 5870 " + times + " 8 0.12 1E-7 BIN RAW out.bin CEN 1 1")).rows;
+    return planned(script(repetition, single, "5550 5870 " + times + " 8 0.12 1E-7 BIN RAW out.bin CEN 1 1"))
+        .acquisition.timing.rows;
   };
   EXPECT_EQ(pulses("CONST 400", "0 0.01"), 5u);                                 // 0, 2.5, 5, 7.5, 10 ms
   EXPECT_EQ(pulses("CONST 1000", "0 0.02"), 21u);                               // 0.02 * 1000 need not round to 20

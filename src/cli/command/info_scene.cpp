@@ -72,10 +72,11 @@ std::vector<Figure> figures_of(const simulate::Plan& plan, const simulate::Simul
   const auto microseconds = [](double v) { return core::with_prefix(v, "s"); };
   const auto volts = [](double v) { return fmt::format("{:.4g} V", v); };
   std::vector<Figure> f;
-  f.push_back(figure("pulses", "pulses", static_cast<double>(plan.pulses.count()),
-                     fmt::format("{} ({} to {})", plan.pulses.count(), plan.pulses.first, plan.pulses.last)));
-  f.push_back(figure("rows", "rows", static_cast<double>(plan.rows)));
-  f.push_back(figure("samples of a row", "columns", static_cast<double>(plan.columns)));
+  f.push_back(figure("pulses", "pulses", static_cast<double>(plan.acquisition.timing.pulses.count()),
+                     fmt::format("{} ({} to {})", plan.acquisition.timing.pulses.count(),
+                                 plan.acquisition.timing.pulses.first, plan.acquisition.timing.pulses.last)));
+  f.push_back(figure("rows", "rows", static_cast<double>(plan.acquisition.timing.rows)));
+  f.push_back(figure("samples of a row", "columns", static_cast<double>(plan.acquisition.reception.columns)));
   f.push_back(figure("file size", "bytes", size.bytes, core::bytes_text(size.bytes)));
   f.push_back(
       figure("expected time", "seconds", size.seconds,
@@ -215,12 +216,15 @@ class SceneInfo {
   }
 
   void add_simulation(std::size_t index, const simulate::Plan& plan) {
-    simulate::Plan looked_at = plan;
-    looked_at.scene = simulate::thinned(plan.scene, workflow::max_cloud_looks);
+    simulate::Acquisition looked_at = plan.acquisition;
+    looked_at.scene = simulate::thinned(looked_at.scene, workflow::max_cloud_looks);
     const simulate::EchoSurvey survey = simulate::survey_echoes(looked_at, control_);
-    const auto figures = figures_of(plan, simulate::simulation_figures(plan, survey), survey, false);
-    const scene::Simulation& simulation = plan.simulation;
-    json_.begin_object().member("number", index + 1).member("file", simulation.file).member("radar", plan.radar.name);
+    const auto figures = figures_of(plan, simulate::simulation_figures(plan.acquisition, survey), survey, false);
+    const scene::Simulation& simulation = plan.acquisition.simulation;
+    json_.begin_object()
+        .member("number", index + 1)
+        .member("file", simulation.file)
+        .member("radar", plan.acquisition.link.name);
     json_.member("format", workflow::format_word(simulation.format))
         .member("processing", workflow::processing_word(simulation.processing));
     json_.member("bits", simulation.bits).member("lsb_v", simulation.lsb_v);
@@ -229,7 +233,7 @@ class SceneInfo {
     cli::write_json(json_, figures);
     text_ += fmt::format("\nsimulation {}: {}, {}, {}, {} bits, radar {}\n", index + 1, simulation.file,
                          workflow::format_word(simulation.format), workflow::processing_word(simulation.processing),
-                         simulation.bits, plan.radar.name);
+                         simulation.bits, plan.acquisition.link.name);
     if (scene::epoch_of(scene_.world).instant)
       text_ += fmt::format("  {:<24} {} to {}\n", "time", time_text(scene_.world, simulation.time_start_s),
                            time_text(scene_.world, simulation.time_end_s));
@@ -240,7 +244,7 @@ class SceneInfo {
       text_ += workflow::echo_text(scene_, *summary);
       add_image(index, *summary);
     }
-    add_targets(plan, survey, summary != echoes_->end() && summary->directive);
+    add_targets(plan.acquisition, survey, summary != echoes_->end() && summary->directive);
     json_.end_object();
   }
 
@@ -265,18 +269,18 @@ class SceneInfo {
     json_.member("range_m", image->range_m).member("aperture_m", image->aperture_m).end_object();
   }
 
-  void add_targets(const simulate::Plan& plan, const simulate::EchoSurvey& survey, bool directive) {
+  void add_targets(const simulate::Acquisition& acquisition, const simulate::EchoSurvey& survey, bool directive) {
     // Of large clouds only some points were looked at, and nobody could tell which.
-    const bool whole = survey.targets.size() == plan.scene->scatterers.size();
-    const std::size_t listed = whole ? survey.targets.size() : plan.scene->scatterers.targets();
+    const bool whole = survey.targets.size() == acquisition.scene->scatterers.size();
+    const std::size_t listed = whole ? survey.targets.size() : acquisition.scene->scatterers.targets();
     const std::size_t count = arguments_.all ? listed : std::min(listed, max_names_listed);
     if (count > 0)
       text_ += survey.all_pulses ? "  targets\n"
                                  : fmt::format("  targets (estimated from {} of {} pulses)\n", survey.pulses_sampled,
-                                               plan.pulses.count());
+                                               acquisition.timing.pulses.count());
     std::vector<std::size_t> looked_at(std::min(count, max_looked_at));
     std::iota(looked_at.begin(), looked_at.end(), std::size_t{0});
-    const std::vector<simulate::TargetSight> sights = simulate::SightSurvey(plan, looked_at).look(control_);
+    const std::vector<simulate::TargetSight> sights = simulate::SightSurvey(acquisition, looked_at).look(control_);
     json_.key("targets").begin_array();
     for (std::size_t i = 0; i < count; ++i) {
       const simulate::TargetSight* sight = i < sights.size() ? &sights[i] : nullptr;

@@ -164,7 +164,7 @@ void take_angles(const PlotArguments& a, picture::AntennaLook& look) {
 Plotted of_radar(const PlotArguments& a, workflow::SceneInput& input, const core::StopFlag* stop) {
   const std::size_t number = chosen_radar(a, input.scene);
   workflow::resolve_once(input, {core::thread_count(0), stop});
-  const simulate::ResolvedRadar radar = simulate::resolve_radar(input.scene, *input.resolved, number);
+  const simulate::Link radar = simulate::resolve_radar(input.scene, *input.resolved, number);
   Plotted plotted;
   if (a.kind == PlotKind::sent) {
     plotted.figure = picture::sent_pulse_figure(radar.pulse, a.span_db.value_or(60.0));

@@ -36,8 +36,7 @@ bool sound(const scene::Scene& scene) {
   return !core::has_errors(scene::check(bare));
 }
 
-void suit_ranges(const simulate::ResolvedScene& resolved, const simulate::ResolvedRadar& radar,
-                 scene::Simulation& simulation) {
+void suit_ranges(const simulate::ResolvedScene& resolved, const simulate::Link& radar, scene::Simulation& simulation) {
   if (resolved.scatterers.empty()) return;
   simulate::PulseGeometry geometry(resolved, radar);
   const radar::PulseRange pulses = radar.repetition.pulses_in(simulation.time_start_s, simulation.time_end_s);
@@ -70,7 +69,7 @@ scene::Simulation suitable_simulation(const scene::Scene& scene, std::size_t rad
   if (!sound(scene)) return simulation;
   try {
     const simulate::ResolvedScene resolved = simulate::resolve(scene);
-    const simulate::ResolvedRadar seen = simulate::resolve_radar(scene, resolved, radar);
+    const simulate::Link seen = simulate::resolve_radar(scene, resolved, radar);
     const simulate::RadarFigures figures =
         simulate::radar_figures(seen, scene.radars[radar].power_w, resolved.conventions);
     simulation.sample_rate_hz = core::tidy(oversampling * figures.bandwidth_hz);

@@ -91,10 +91,10 @@ void RunJob::work(const core::StopFlag& stop, const BackgroundJob::Report& repor
   wait_for_leave(stop);
 
   const workflow::RecordingReport made = workflow::make_recording(
-      prepared, observer_of(stop, report, workflow::seeks_lsb(prepared.plan.simulation, request_.counts)));
+      prepared, observer_of(stop, report, workflow::seeks_lsb(prepared.plan.acquisition.simulation, request_.counts)));
   summary_.report = made.run;
   summary_.counts = made.counts;
-  summary_.simulation = prepared.plan.simulation;
+  summary_.simulation = prepared.plan.acquisition.simulation;
   summary_.file = request_.file;
   summary_.engine = QString::fromStdString(made.engine + " (" + made.engine_reason + ")");
   summary_.bytes = made.bytes.value_or(prepared.estimate.bytes);

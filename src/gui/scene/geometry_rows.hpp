@@ -53,7 +53,7 @@ class GeometryRows {
 
   GeometryChoice choice_;
   simulate::ResolvedScene resolved_;
-  simulate::ResolvedRadar radar_;
+  simulate::Link radar_;
   simulate::PulseGeometry geometry_;
   radar::PulseRange range_;
   std::size_t platforms_ = 0;

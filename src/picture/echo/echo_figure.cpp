@@ -25,7 +25,7 @@ constexpr raster::Rgb nothing{128, 128, 128};
 
 FigureAxis range_axis(const EchoMatrix& matrix) {
   const EchoView view = view_of(matrix.window());
-  const double delay_per_range = radar::delay_of(1.0, matrix.plan().scene->conventions.light_speed_mps);
+  const double delay_per_range = radar::delay_of(1.0, matrix.plan().acquisition.scene->conventions.light_speed_mps);
   return {"Slant range", "m", range_at(view, matrix.size(), -0.5),
           range_at(view, matrix.size(), static_cast<double>(matrix.size().width_px) - 0.5),
           FigureAxis::Twin{"Delay (there and back)", "s", delay_per_range}};

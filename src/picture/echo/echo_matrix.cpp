@@ -10,22 +10,20 @@ namespace {
 
 // Row of the recording that leaves nearest to a time.
 std::size_t nearest_row(const simulate::Plan& plan, double time_s) {
-  const radar::Repetition& repetition = plan.radar.repetition;
+  const radar::Repetition& repetition = plan.acquisition.link.repetition;
   const std::int64_t before = repetition.pulses_in(time_s, time_s).last;
-  std::int64_t pulse = std::clamp(before, plan.pulses.first, plan.pulses.last);
-  const std::int64_t after = std::clamp(before + 1, plan.pulses.first, plan.pulses.last);
+  std::int64_t pulse = std::clamp(before, plan.acquisition.timing.pulses.first, plan.acquisition.timing.pulses.last);
+  const std::int64_t after =
+      std::clamp(before + 1, plan.acquisition.timing.pulses.first, plan.acquisition.timing.pulses.last);
   if (std::abs(repetition.send_time_s(after) - time_s) < std::abs(repetition.send_time_s(pulse) - time_s))
     pulse = after;
-  if (plan.simulation.processing == scene::Processing::srp) pulse = radar::floor_divide(pulse, plan.burst_pulses());
-  const std::int64_t first =
-      plan.simulation.processing == scene::Processing::srp ? plan.first_burst : plan.pulses.first;
-  const std::int64_t last = static_cast<std::int64_t>(plan.rows) - 1;
-  return static_cast<std::size_t>(std::clamp<std::int64_t>(pulse - first, 0, last));
+  const std::int64_t last = static_cast<std::int64_t>(plan.acquisition.timing.rows) - 1;
+  return static_cast<std::size_t>(std::clamp<std::int64_t>(plan.acquisition.timing.row_of(pulse), 0, last));
 }
 
 // Column of the recording nearest to a range; ranges ascend.
 std::size_t nearest_column(const simulate::Plan& plan, double range_m) {
-  const std::vector<double>& ranges = plan.column_range_m;
+  const std::vector<double>& ranges = plan.acquisition.reception.column_range_m;
   const auto above = std::ranges::lower_bound(ranges, range_m);
   if (above == ranges.begin()) return 0;
   const auto column = static_cast<std::size_t>(above - ranges.begin());
@@ -70,7 +68,7 @@ std::vector<simulate::IndexSpan> spans_of(const std::vector<std::size_t>& elemen
 }  // namespace
 
 SamplePlaces place_samples(const simulate::Plan& plan, const PlotSize& size, PixelRule rule) {
-  const scene::Simulation& s = plan.simulation;
+  const scene::Simulation& s = plan.acquisition.simulation;
   const EchoView view{s.range_start_m, s.range_end_m, s.time_start_s, s.time_end_s};
   std::vector<std::size_t> rows(std::max<std::size_t>(size.height_px, 1));
   for (std::size_t y = 0; y < rows.size(); ++y)
@@ -78,7 +76,7 @@ SamplePlaces place_samples(const simulate::Plan& plan, const PlotSize& size, Pix
   std::vector<std::size_t> columns(std::max<std::size_t>(size.width_px, 1));
   for (std::size_t x = 0; x < columns.size(); ++x)
     columns[x] = s.processing == scene::Processing::srp
-                     ? x * plan.columns / columns.size()
+                     ? x * plan.acquisition.reception.columns / columns.size()
                      : nearest_column(plan, range_at(view, size, static_cast<double>(x)));
   // Where there are fewer than pixels every one is shown, however unevenly they lie.
   const auto all_of = [](std::size_t count, std::vector<std::size_t>& element) {
@@ -87,8 +85,8 @@ SamplePlaces place_samples(const simulate::Plan& plan, const PlotSize& size, Pix
   };
   Distinct row = distinct(rows);
   Distinct column = distinct(columns);
-  if (plan.rows < rows.size()) {
-    all_of(plan.rows, row.element);
+  if (plan.acquisition.timing.rows < rows.size()) {
+    all_of(plan.acquisition.timing.rows, row.element);
     row.of_pixel = rows;
   }
   SamplePlaces places;
@@ -96,8 +94,8 @@ SamplePlaces place_samples(const simulate::Plan& plan, const PlotSize& size, Pix
   const PixelRule across = s.processing == scene::Processing::raw ? rule : PixelRule::peak;
   places.selection.pick =
       across == PixelRule::peak ? simulate::SampleSelection::Pick::peak : simulate::SampleSelection::Pick::first;
-  places.selection.rows = spans_of(row.element, plan.rows, rule);
-  places.selection.columns = spans_of(column.element, plan.columns, across);
+  places.selection.rows = spans_of(row.element, plan.acquisition.timing.rows, rule);
+  places.selection.columns = spans_of(column.element, plan.acquisition.reception.columns, across);
   places.row = std::move(row.element);
   places.column = std::move(column.element);
   places.row_of_pixel = std::move(row.of_pixel);

@@ -75,10 +75,18 @@ class EchoMatrix {
   /// For each row the nearest one that is ready by now, itself where it is; empty where none is.
   [[nodiscard]] std::vector<std::size_t> nearest_ready() const;
 
-  [[nodiscard]] std::int64_t pulse(std::size_t row) const { return plan_->first_pulse_of_row(places_.row[row]); }
-  [[nodiscard]] double time_s(std::size_t row) const { return plan_->radar.repetition.send_time_s(pulse(row)); }
-  [[nodiscard]] double carrier_hz(std::size_t row) const { return plan_->radar.carrier.carrier_hz(pulse(row)); }
-  [[nodiscard]] double range_m(std::size_t column) const { return plan_->column_range_m[places_.column[column]]; }
+  [[nodiscard]] std::int64_t pulse(std::size_t row) const {
+    return plan_->acquisition.timing.first_pulse_of_row(places_.row[row]);
+  }
+  [[nodiscard]] double time_s(std::size_t row) const {
+    return plan_->acquisition.link.repetition.send_time_s(pulse(row));
+  }
+  [[nodiscard]] double carrier_hz(std::size_t row) const {
+    return plan_->acquisition.link.carrier.carrier_hz(pulse(row));
+  }
+  [[nodiscard]] double range_m(std::size_t column) const {
+    return plan_->acquisition.reception.column_range_m[places_.column[column]];
+  }
 
   /// For those who compute: all samples, and word, once for each row, that it is complete.
   [[nodiscard]] std::span<std::complex<double>> samples() { return samples_; }

@@ -187,7 +187,8 @@ void paint(const EchoMatrix& matrix, const EchoColours& colours, RowPlacing plac
 DrawAs drawn_as(const EchoWindow& how, const EchoMatrix& matrix) {
   constexpr std::size_t apart_px = 20;
   if (how.draw_as != DrawAs::automatic) return how.draw_as;
-  return matrix.size().height_px >= apart_px * matrix.plan().rows ? DrawAs::curves_per_pulse : DrawAs::pixels;
+  return matrix.size().height_px >= apart_px * matrix.plan().acquisition.timing.rows ? DrawAs::curves_per_pulse
+                                                                                     : DrawAs::pixels;
 }
 
 ColourBar colour_bar(const EchoColours& colours, std::size_t height_px, double tick_spacing_px) {

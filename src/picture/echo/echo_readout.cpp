@@ -31,7 +31,7 @@ std::optional<ReadOut> read_out(const EchoMatrix& matrix, const EchoColours& col
   out.column = matrix.places().column_of_pixel[*x];
   if (!matrix.ready(out.row)) return std::nullopt;
   out.range_m = matrix.range_m(out.column);
-  out.delay_s = radar::delay_of(out.range_m, matrix.plan().scene->conventions.light_speed_mps);
+  out.delay_s = radar::delay_of(out.range_m, matrix.plan().acquisition.scene->conventions.light_speed_mps);
   out.time_s = matrix.time_s(out.row);
   out.pulse = matrix.pulse(out.row);
   out.carrier_hz = matrix.carrier_hz(out.row);

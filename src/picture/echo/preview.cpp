@@ -81,7 +81,7 @@ ShownPlan plan_shown(const scene::Scene& scene, std::shared_ptr<const simulate::
   shown.problems = simulation_errors(small);
   if (!shown.problems.empty()) return shown;
   simulate::Plan plan = simulate::make_plan(small, 0, std::move(resolved), engine, stop);
-  if (plan.rows == 0) {
+  if (plan.acquisition.timing.rows == 0) {
     shown.problems.push_back(failure("no complete burst leaves within the azimuth window"));
     return shown;
   }
@@ -147,7 +147,7 @@ void Preview::compute(const PreviewRequest& request, std::uint64_t number, const
   ShownPlan shown;
   if (errors.empty() && prepared_->resolved) {
     if (request.show_all_targets) {
-      const simulate::ResolvedRadar seen_by = simulate::resolve_radar(*request.scene, *prepared_->resolved, radar);
+      const simulate::Link seen_by = simulate::resolve_radar(*request.scene, *prepared_->resolved, radar);
       const scene::Simulation& s = window.recording;
       const simulate::RangeExtent extent = simulate::target_ranges(
           *prepared_->resolved, seen_by, seen_by.repetition.pulses_in(s.time_start_s, s.time_end_s), &stop);

@@ -62,7 +62,7 @@ Difference difference(const EchoMatrix& matrix, const simulate::Plan& saved, std
   Difference d;
   for (std::size_t i = 0; i < matrix.rows(); ++i)
     for (std::size_t k = 0; k < matrix.columns(); ++k) {
-      const std::size_t row = matrix.places().row[i] * saved.columns;
+      const std::size_t row = matrix.places().row[i] * saved.acquisition.reception.columns;
       if (selection.pick == simulate::SampleSelection::Pick::peak && finer == 1) {
         const simulate::IndexSpan span = selection.columns[k];
         const double off = off_peak(matrix.row(i)[k], samples.subspan(row + span.begin, span.end - span.begin));
@@ -72,7 +72,7 @@ Difference difference(const EchoMatrix& matrix, const simulate::Plan& saved, std
       }
       if (matrix.places().column[k] % finer != 0) continue;
       const std::size_t column = matrix.places().column[k] / finer;
-      if (column >= saved.columns) continue;
+      if (column >= saved.acquisition.reception.columns) continue;
       d.largest = std::max(d.largest, std::abs(matrix.row(i)[k] - samples[row + column]) / recording.report.maximum_v);
       ++d.samples;
     }
@@ -130,8 +130,8 @@ TEST(Preview, BeyondTheGridStillShowsTheSamplesThatAreSaved) {
       const PreviewEvent event = shown(scene, window, {600, 40}, engine);
       ASSERT_EQ(event.kind, Kind::finished);
       const simulate::Plan saved = saved_plan(scene, simulation_of(window, 20e6), engine);
-      ASSERT_EQ(saved.columns, 240U);
-      ASSERT_EQ(event.matrix->plan().columns, 720U);
+      ASSERT_EQ(saved.acquisition.reception.columns, 240U);
+      ASSERT_EQ(event.matrix->plan().acquisition.reception.columns, 720U);
       const Difference d = difference(*event.matrix, saved, 3);
       EXPECT_GT(d.samples, 40U * 150U);
       EXPECT_LT(d.largest, 2.0 * scene.options.tolerance) << static_cast<int>(pulse);
@@ -179,7 +179,7 @@ TEST(Preview, ShowsOneSamplePerPixelWhereTheScreenSetsTheSampling) {
   window.sampling.kind = Sampling::Kind::screen;
   const PreviewEvent event = shown(simulate::flight_scene(), window, {333, 20});
   ASSERT_EQ(event.kind, Kind::finished);
-  EXPECT_EQ(event.matrix->plan().columns, 333U);
+  EXPECT_EQ(event.matrix->plan().acquisition.reception.columns, 333U);
   for (std::size_t x = 0; x < 333; ++x) {
     EXPECT_EQ(event.matrix->places().column_of_pixel[x], x);
     EXPECT_NEAR(event.matrix->range_m(x), range_at(view_of(window), {333, 20}, static_cast<double>(x)), 1e-6);
@@ -381,7 +381,7 @@ TEST(Preview, OfAVeryLongRowOfRawDataIsSampledByTheScreen) {
   window.sampling.rate_hz = 1e12;  // four million samples
   const PreviewEvent event = shown(simulate::flight_scene(), window, {64, 3});
   ASSERT_EQ(event.kind, Kind::finished);
-  EXPECT_EQ(event.matrix->plan().columns, 64U);
+  EXPECT_EQ(event.matrix->plan().acquisition.reception.columns, 64U);
 }
 
 TEST(PlanShown, HasVeryLongRowsWhereTheyAreToBeComputed) {
@@ -391,7 +391,7 @@ TEST(PlanShown, HasVeryLongRowsWhereTheyAreToBeComputed) {
   window.sampling.rate_hz = 5e11;
   const auto columns = [&](LongRows long_rows) {
     const ShownPlan shown = plan_shown(scene, resolved, window, {64, 3}, simulate::Engine::direct, long_rows);
-    return shown.plan ? shown.plan->columns : 0;
+    return shown.plan ? shown.plan->acquisition.reception.columns : 0;
   };
   EXPECT_EQ(columns(LongRows::by_screen), 64U);
   // 2 x 5e11 Hz x 600 m / c
@@ -415,10 +415,12 @@ TEST(SamplePlaces, AreThePulsesNearestInTimeAlsoForStaggeredIntervals) {
     for (std::size_t y = 0; y < height; ++y) {
       const double time = time_at({2100.0, 2700.0, -0.1, 0.1}, size, static_cast<double>(y));
       const auto off = [&](std::size_t row) {
-        return std::abs(plan.radar.repetition.send_time_s(plan.first_pulse_of_row(row)) - time);
+        return std::abs(plan.acquisition.link.repetition.send_time_s(plan.acquisition.timing.first_pulse_of_row(row)) -
+                        time);
       };
       const double shown_off = off(places.row[places.row_of_pixel[y]]);
-      for (std::size_t r = 0; r < plan.rows; ++r) EXPECT_LE(shown_off, off(r) + 1e-12) << y << " " << r;
+      for (std::size_t r = 0; r < plan.acquisition.timing.rows; ++r)
+        EXPECT_LE(shown_off, off(r) + 1e-12) << y << " " << r;
     }
   }
 }
@@ -448,8 +450,8 @@ TEST(SamplePlaces, OfPeaksHoldEverySampleOfTheRecordingOnce) {
     }
     EXPECT_EQ(next, count);
   };
-  covers(places.selection.rows, plan.rows);
-  covers(places.selection.columns, plan.columns);
+  covers(places.selection.rows, plan.acquisition.timing.rows);
+  covers(places.selection.columns, plan.acquisition.reception.columns);
   EXPECT_EQ(places.selection.pick, simulate::SampleSelection::Pick::peak);
   const auto nearest = [](const std::vector<std::size_t>& element, const std::vector<simulate::IndexSpan>& spans) {
     for (std::size_t i = 0; i < element.size(); ++i)
@@ -475,7 +477,7 @@ TEST(SamplePlaces, OfCompressedDataHoldEverySampleOfAPulse) {
     EXPECT_EQ(span.begin, next);
     next = span.end;
   }
-  EXPECT_EQ(next, plan.columns);
+  EXPECT_EQ(next, plan.acquisition.reception.columns);
   for (const simulate::IndexSpan& span : places.selection.rows) EXPECT_EQ(span.end, span.begin + 1);
 }
 

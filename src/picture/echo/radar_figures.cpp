@@ -93,15 +93,17 @@ void add_doppler_map(Figure& figure, const EchoBlock& block, const Cells& map, F
       FigureColourBar{"Below the largest", "dB", limits.low, limits.high, colours, ColourMapKind::sequential};
 }
 
-std::size_t row_sent_nearest(const simulate::Plan& plan, double time_s) {
-  const auto time_of = [&](std::size_t row) { return plan.radar.repetition.send_time_s(plan.first_pulse_of_row(row)); };
+std::size_t row_sent_nearest(const simulate::Acquisition& acquisition, double time_s) {
+  const auto time_of = [&](std::size_t row) {
+    return acquisition.link.repetition.send_time_s(acquisition.timing.first_pulse_of_row(row));
+  };
   std::size_t low = 0;
-  std::size_t high = plan.rows;
+  std::size_t high = acquisition.timing.rows;
   while (low < high) {
     const std::size_t middle = (low + high) / 2;
     (time_of(middle) < time_s ? low : high) = time_of(middle) < time_s ? middle + 1 : middle;
   }
-  if (low == plan.rows) return plan.rows - 1;
+  if (low == acquisition.timing.rows) return acquisition.timing.rows - 1;
   return low > 0 && time_s - time_of(low - 1) < time_of(low) - time_s ? low - 1 : low;
 }
 
@@ -123,22 +125,23 @@ std::string_view title_of(RadarView view) {
   return "Phase history";
 }
 
-RadarViewPlace place_of(const simulate::Plan& plan, const RadarViewChoice& choice) {
+RadarViewPlace place_of(const simulate::Acquisition& acquisition, const RadarViewChoice& choice) {
   RadarViewPlace place;
-  if (plan.rows == 0) return place;
-  place.row = row_sent_nearest(plan, choice.time_s);
+  if (acquisition.timing.rows == 0) return place;
+  place.row = row_sent_nearest(acquisition, choice.time_s);
   const auto distance = [&](double range_m) { return std::abs(range_m - choice.range_m); };
-  const auto nearest = std::ranges::min_element(plan.column_range_m, {}, distance);
-  place.column = static_cast<std::size_t>(nearest - plan.column_range_m.begin());
-  const std::size_t count = std::clamp<std::size_t>(choice.pulses, 1, plan.rows);
-  place.rows.begin = std::min(place.row - std::min(place.row, count / 2), plan.rows - count);
+  const auto nearest = std::ranges::min_element(acquisition.reception.column_range_m, {}, distance);
+  place.column = static_cast<std::size_t>(nearest - acquisition.reception.column_range_m.begin());
+  const std::size_t count = std::clamp<std::size_t>(choice.pulses, 1, acquisition.timing.rows);
+  place.rows.begin = std::min(place.row - std::min(place.row, count / 2), acquisition.timing.rows - count);
   place.rows.end = place.rows.begin + count;
   return place;
 }
 
 Figure radar_figure(const simulate::Plan& plan, const RadarViewChoice& choice, const core::WorkControl& control) {
-  const RadarViewPlace place = place_of(plan, choice);
-  const simulate::IndexSpan all_columns{0, plan.columns};
+  const simulate::Acquisition& acquisition = plan.acquisition;
+  const RadarViewPlace place = place_of(acquisition, choice);
+  const simulate::IndexSpan all_columns{0, acquisition.reception.columns};
   const bool one_pulse = choice.view == RadarView::spectrum;
   const bool one_range = choice.view == RadarView::phase_history || choice.view == RadarView::doppler_time;
   const simulate::IndexSpan rows = one_pulse ? simulate::IndexSpan{place.row, place.row + 1} : place.rows;

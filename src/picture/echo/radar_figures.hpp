@@ -48,7 +48,7 @@ struct RadarViewPlace {
   std::size_t column = 0;    ///< Nearest to its range.
   simulate::IndexSpan rows;  ///< As many as chosen about `row`, moved so that they are in the recording.
 };
-[[nodiscard]] RadarViewPlace place_of(const simulate::Plan& plan, const RadarViewChoice& choice);
+[[nodiscard]] RadarViewPlace place_of(const simulate::Acquisition& acquisition, const RadarViewChoice& choice);
 
 /// Computes the samples of a view and draws it as a figure; what is not as the view supposes is in its note.
 /// @throws Interrupted when stopped; std::runtime_error with what to do where it would take more than 2^25 samples

@@ -68,28 +68,29 @@ void add_moments(DopplerTime& history) {
 }  // namespace
 
 EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows, const core::WorkControl& control) {
-  return echo_block(plan, rows, {0, plan.columns}, control);
+  return echo_block(plan, rows, {0, plan.acquisition.reception.columns}, control);
 }
 
 EchoBlock echo_block(const simulate::Plan& plan, simulate::IndexSpan rows, simulate::IndexSpan columns,
                      const core::WorkControl& control) {
+  const simulate::Acquisition& acquisition = plan.acquisition;
   EchoBlock block;
-  const std::size_t end = std::min(rows.end, plan.rows);
+  const std::size_t end = std::min(rows.end, acquisition.timing.rows);
   const std::size_t begin = std::min(rows.begin, end);
   block.rows = end - begin;
-  const std::size_t last_column = std::min(columns.end, plan.columns);
+  const std::size_t last_column = std::min(columns.end, acquisition.reception.columns);
   const std::size_t first_column = std::min(columns.begin, last_column);
   block.columns = last_column - first_column;
-  block.range_m.assign(plan.column_range_m.begin() + static_cast<std::ptrdiff_t>(first_column),
-                       plan.column_range_m.begin() + static_cast<std::ptrdiff_t>(last_column));
-  block.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
-  block.light_speed_mps = plan.scene->conventions.light_speed_mps;
+  block.range_m.assign(acquisition.reception.column_range_m.begin() + static_cast<std::ptrdiff_t>(first_column),
+                       acquisition.reception.column_range_m.begin() + static_cast<std::ptrdiff_t>(last_column));
+  block.sample_rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
+  block.light_speed_mps = acquisition.light_speed_mps();
   simulate::SampleSelection selection;
   for (std::size_t r = begin; r < end; ++r) {
     selection.rows.push_back({r, r + 1});
-    const std::int64_t pulse = plan.first_pulse_of_row(r);
-    block.time_s.push_back(plan.radar.repetition.send_time_s(pulse));
-    block.carrier_hz.push_back(plan.radar.carrier.carrier_hz(pulse));
+    const std::int64_t pulse = acquisition.timing.first_pulse_of_row(r);
+    block.time_s.push_back(acquisition.link.repetition.send_time_s(pulse));
+    block.carrier_hz.push_back(acquisition.link.carrier.carrier_hz(pulse));
   }
   for (std::size_t c = first_column; c < last_column; ++c) selection.columns.push_back({c, c + 1});
   block.samples.resize(block.rows * block.columns);

@@ -54,9 +54,9 @@ TEST(EchoBlock, HoldsTheSamplesOfTheRecordingWithTheirAxes) {
   const EchoBlock block = echo_block(plan, {10, 1000}, {2, nullptr});
   ASSERT_EQ(block.rows, 54U);
   for (std::size_t i = 0; i < block.samples.size(); ++i)
-    ASSERT_EQ(block.samples[i], recording.samples[10 * plan.columns + i]);
+    ASSERT_EQ(block.samples[i], recording.samples[10 * plan.acquisition.reception.columns + i]);
   EXPECT_NEAR(block.time_s[0], 0.01, 1e-15);
-  EXPECT_EQ(block.range_m, plan.column_range_m);
+  EXPECT_EQ(block.range_m, plan.acquisition.reception.column_range_m);
   EXPECT_EQ(block.carrier_hz[5], 1e9);
   EXPECT_NEAR(block.sample_rate_hz, 100e6, 1e-3);
   EXPECT_EQ(echo_block(plan, {100, 200}).rows, 0U);

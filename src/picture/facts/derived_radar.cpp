@@ -118,7 +118,7 @@ void sighting_figures(Figures& figures, Sighting& s, double time_s, const std::s
   send_at(s.radar.radar, time_s);
   s.scene.radars.push_back(s.radar.radar);
   const simulate::ResolvedScene resolved = simulate::resolve(s.scene);
-  simulate::ResolvedRadar radar = simulate::resolve_radar(s.scene, resolved, 0);
+  simulate::Link radar = simulate::resolve_radar(s.scene, resolved, 0);
   if (std::abs(time_s) < 1e-200) time_s = 0.0;  // so that its reciprocal is a number
   if (time_s != 0.0) radar.repetition = radar::Repetition::constant(1.0 / std::abs(time_s));
   simulate::PulseGeometry geometry(resolved, radar);

@@ -127,7 +127,7 @@ void mark_half_powers(FigurePanel& panel, const std::vector<Cut>& cuts, const An
 
 }  // namespace
 
-Figure antenna_figure(const simulate::ResolvedRadar& radar, radar::PatternRule rule, const AntennaLook& look) {
+Figure antenna_figure(const simulate::Link& radar, radar::PatternRule rule, const AntennaLook& look) {
   std::vector<double> offset_deg;
   for (std::size_t i = 0; i < points; ++i)
     offset_deg.push_back(look.first_deg +

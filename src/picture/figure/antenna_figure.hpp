@@ -20,7 +20,6 @@ struct AntennaLook {
 /// half-power points are marked: the nearest offsets at which the power is half that in the middle, in the profile's
 /// reading of the pattern (decision 9).
 /// @throws std::invalid_argument for another quantity
-[[nodiscard]] Figure antenna_figure(const simulate::ResolvedRadar& radar, radar::PatternRule rule,
-                                    const AntennaLook& look);
+[[nodiscard]] Figure antenna_figure(const simulate::Link& radar, radar::PatternRule rule, const AntennaLook& look);
 
 }  // namespace sarsim::picture

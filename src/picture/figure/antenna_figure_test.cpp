@@ -11,8 +11,8 @@
 namespace sarsim::picture {
 namespace antenna_figure_test {
 
-simulate::ResolvedRadar radar_with(double azimuth_deg, double elevation_deg) {
-  simulate::ResolvedRadar radar;
+simulate::Link radar_with(double azimuth_deg, double elevation_deg) {
+  simulate::Link radar;
   radar.name = "Radar1";
   radar.transmit.kind = radar::AntennaPattern::Kind::sinx;
   radar.transmit.azimuth_beamwidth_rad = azimuth_deg * core::pi / 180.0;
@@ -81,7 +81,7 @@ TEST(AntennaFigure, InDecibelsEndsAtTheSpan) {
 }
 
 TEST(AntennaFigure, NamesBothAntennasWhereTheyDiffer) {
-  simulate::ResolvedRadar radar = radar_with(10.0, 10.0);
+  simulate::Link radar = radar_with(10.0, 10.0);
   radar.receive = radar_with(3.0, 5.0).transmit;
   const Figure figure = antenna_figure(radar, radar::PatternRule::amplitude, {});
   ASSERT_EQ(figure.panels[0].curves.size(), 3U);
@@ -91,7 +91,7 @@ TEST(AntennaFigure, NamesBothAntennasWhereTheyDiffer) {
 }
 
 TEST(AntennaFigure, OfAnIsotropicAntennaIsALineWithoutMarks) {
-  simulate::ResolvedRadar radar;
+  simulate::Link radar;
   const Figure figure = antenna_figure(radar, radar::PatternRule::amplitude, {});
   EXPECT_TRUE(figure.panels[0].marks.empty());
   for (const double gain : figure.panels[0].curves.at(0).y) EXPECT_EQ(gain, 1.0);

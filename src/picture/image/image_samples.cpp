@@ -83,9 +83,10 @@ FineLine fine_line(const raster::Raster& source, const raster::FocusedPlaces& fo
 
 SampleSource samples_of(std::shared_ptr<const simulate::Plan> plan, const core::StopFlag* stop) {
   SampleSource samples;
-  samples.column_place = plan->column_range_m;
-  for (std::size_t r = 0; r < plan->rows; ++r)
-    samples.row_place.push_back(plan->radar.repetition.send_time_s(plan->first_pulse_of_row(r)));
+  samples.column_place = plan->acquisition.reception.column_range_m;
+  for (std::size_t r = 0; r < plan->acquisition.timing.rows; ++r)
+    samples.row_place.push_back(
+        plan->acquisition.link.repetition.send_time_s(plan->acquisition.timing.first_pulse_of_row(r)));
   samples.read = [plan = std::move(plan), stop](simulate::IndexSpan rows, simulate::IndexSpan columns) {
     return echo_block(*plan, rows, columns, {core::thread_count(0), stop});
   };

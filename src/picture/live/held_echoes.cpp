@@ -6,7 +6,7 @@
 
 #include "core/report/refused.hpp"
 #include "scene/check/check.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/other_pulses.hpp"
 
 namespace sarsim::picture {
 
@@ -99,6 +99,12 @@ scene::Scene thinned_targets(const scene::Scene& scene, std::size_t simulation, 
   return some;
 }
 
+// Whether rows hold echoes of pulses other than their own.
+bool HeldEchoes::hears_others(const simulate::Acquisition& acquisition) {
+  return !simulate::asked_for(simulate::heard_pulses(acquisition), acquisition.scene->options.ambiguous_echoes)
+              .pulses.empty();
+}
+
 HeldEchoes::Opened HeldEchoes::opened(const scene::Scene& scene, std::size_t simulation,
                                       const core::WorkControl& control) {
   const auto resolved = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene, control));
@@ -124,7 +130,7 @@ void HeldEchoes::follow(std::shared_ptr<const scene::Scene> scene, std::size_t s
 }
 
 bool HeldEchoes::follows_cheaply(const scene::Scene& scene, std::size_t simulation) const {
-  return scene_ && simulation_ == simulation && input_.plan->other_pulses.pulses.empty() &&
+  return scene_ && simulation_ == simulation && !hears_others_ &&
          (scene_.get() == &scene || changed_targets(*scene_, scene, simulation, max_changed));
 }
 
@@ -145,6 +151,7 @@ void HeldEchoes::take_whole(const std::shared_ptr<const scene::Scene>& scene, st
   scene_ = scene;
   simulation_ = simulation;
   input_ = std::move(opened.input);
+  hears_others_ = hears_others(*input_.acquisition);
   rows_ = std::move(rows);
   plan_is_old_ = false;
   moving_.clear();
@@ -174,7 +181,7 @@ bool HeldEchoes::add(const scene::Scene& scene, const std::vector<std::size_t>& 
 
 bool HeldEchoes::take_changed(const std::shared_ptr<const scene::Scene>& scene, const std::vector<std::size_t>& changed,
                               const core::WorkControl& control) {
-  if (!input_.plan->other_pulses.pulses.empty()) return false;
+  if (hears_others_) return false;
   const bool same_hand = rest_ && std::ranges::includes(moving_, changed);
   if (!same_hand) {
     if (rests_ == max_rests) return false;
@@ -199,7 +206,7 @@ void HeldEchoes::renew_plan(const core::WorkControl& control) {
   workflow::FocusInput input = workflow::focus_input_of(small, 0, resolved);
   if (core::has_errors(input.problems)) throw core::Refused(core::ranked(std::move(input.problems)));
   // Which of them are heard depends on all targets.
-  if (!input.plan->other_pulses.pulses.empty()) {
+  if (hears_others(*input.acquisition)) {
     take_whole(std::shared_ptr<const scene::Scene>(scene_), simulation_, control);
     return;
   }

@@ -53,6 +53,7 @@ class HeldEchoes {
     workflow::FocusInput input;
     std::size_t targets = 0;
   };
+  [[nodiscard]] static bool hears_others(const simulate::Acquisition& acquisition);
   [[nodiscard]] static Opened opened(const scene::Scene& scene, std::size_t simulation,
                                      const core::WorkControl& control);
   void take_whole(const std::shared_ptr<const scene::Scene>& scene, std::size_t simulation,
@@ -65,6 +66,7 @@ class HeldEchoes {
   std::shared_ptr<const scene::Scene> scene_;  // null: nothing is held
   std::size_t simulation_ = 0;
   workflow::FocusInput input_;
+  bool hears_others_ = false;
   bool plan_is_old_ = false;
   std::shared_ptr<Rows> rows_;
   std::vector<std::size_t> moving_;  // targets that are left out of

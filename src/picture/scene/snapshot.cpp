@@ -366,7 +366,7 @@ void SnapshotMaker::Prepared::add_radars(const scene::Scene& scene, PlatformFind
   for (const auto& radar : scene.radars) drawn.radars.push_back(cleaned(radar));
   radars.clear();
   for (std::size_t i = 0; i < scene.radars.size(); ++i) {
-    simulate::ResolvedRadar r = simulate::resolve_radar(drawn, resolved, i);
+    simulate::Link r = simulate::resolve_radar(drawn, resolved, i);
     radars.push_back({scene.radars[i].name, platform_of(scene.radars[i].platform), std::move(r.beam),
                       beam_shape(r.transmit, resolved.conventions.pattern)});
     const auto recording = std::ranges::find(scene.simulations, scene.radars[i].name, &scene::Simulation::radar);

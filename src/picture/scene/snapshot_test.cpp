@@ -155,7 +155,7 @@ TEST(Snapshot, BeamsAndPosesAreThoseOfTheSimulationsPulses) {
   for (const scene::Profile profile : {scene::Profile::physical, scene::Profile::classic})
     for (const scene::Scene& scene : beam_scenes(profile)) {
       const simulate::ResolvedScene resolved = simulate::resolve(scene);
-      const simulate::ResolvedRadar radar = simulate::resolve_radar(scene, resolved, 0);
+      const simulate::Link radar = simulate::resolve_radar(scene, resolved, 0);
       simulate::PulseGeometry geometry(resolved, radar);
       const SnapshotMaker maker(scene);
       for (const std::int64_t pulse : {-7, 0, 3, 40}) {

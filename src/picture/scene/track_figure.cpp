@@ -105,7 +105,7 @@ void fit_map(FigurePanel& panel, double readable, double share_of_line) {
 // One radar's beam from time to time.
 class BeamOnGround {
  public:
-  BeamOnGround(const simulate::ResolvedScene& scene, const simulate::ResolvedRadar& radar, const SceneMap& map)
+  BeamOnGround(const simulate::ResolvedScene& scene, const simulate::Link& radar, const SceneMap& map)
       : scene_(scene), radar_(radar), map_(map) {}
 
   // Where the middle of the beam is.
@@ -141,7 +141,7 @@ class BeamOnGround {
   }
 
   const simulate::ResolvedScene& scene_;
-  const simulate::ResolvedRadar& radar_;
+  const simulate::Link& radar_;
   const SceneMap& map_;
 };
 
@@ -216,7 +216,7 @@ Figure track_figure(const scene::Scene& scene, const simulate::ResolvedScene& re
   for (std::size_t i = 0; i < scene.platforms.size(); ++i)
     if (!is_world(resolved.platforms[i].name)) add_path(figure, resolved.platforms[i], map, times, next_role());
   for (std::size_t i = 0; i < scene.radars.size(); ++i) {
-    const simulate::ResolvedRadar radar = simulate::resolve_radar(scene, resolved, i);
+    const simulate::Link radar = simulate::resolve_radar(scene, resolved, i);
     FigureCurve spots = spots_of({resolved, radar, map}, "beam of " + radar.name, Role::beam, times);
     if (!has_any(spots)) continue;
     spots.role = next_role();
@@ -231,7 +231,7 @@ Figure track_figure(const scene::Scene& scene, const simulate::ResolvedScene& re
 
 Figure footprint_figure(const scene::Scene& scene, const simulate::ResolvedScene& resolved, std::size_t radar,
                         const radar::TimeSpan& times) {
-  const simulate::ResolvedRadar seen = simulate::resolve_radar(scene, resolved, radar);
+  const simulate::Link seen = simulate::resolve_radar(scene, resolved, radar);
   if (seen.transmit.kind == radar::AntennaPattern::Kind::isotropic)
     throw core::Refused(fmt::format("the antenna of {} is isotropic and has no footprint", seen.name),
                         "give it a pattern");

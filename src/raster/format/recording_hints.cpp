@@ -44,7 +44,7 @@ std::optional<Shape> shape_of(const scene::Scene& scene, const scene::Simulation
   if (std::ranges::any_of(scene::check(alone), is_error)) return std::nullopt;
   const simulate::ResolvedScene resolved = simulate::resolve(alone);
   const double count = simulate::sample_count(simulation, resolved.conventions.light_speed_mps);
-  const simulate::ResolvedRadar seen_by = simulate::resolve_radar(alone, resolved, 0);
+  const simulate::Link seen_by = simulate::resolve_radar(alone, resolved, 0);
   const bool profiles = simulation.processing == scene::Processing::srp;
   const double columns = profiles ? count * seen_by.carrier.steps() : count;
   if (!(columns >= 1.0 && columns <= max_columns)) return std::nullopt;

@@ -33,7 +33,7 @@ struct Seen {
 
 Seen seen(const scene::Scene& scene) {
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(3);
   Seen all;
@@ -154,7 +154,7 @@ TEST(Air, OfAnIonosphereIsThatOfTheCarrierOfEachPulse) {
   const double vacuum_m = range_m(seen(scene).views[0]);
   scene.atmosphere.tec_units = 10.0;
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   for (const std::int64_t pulse : {0, 2, 4}) {
     geometry.set_pulse(pulse);

@@ -34,14 +34,15 @@ double scatterers_of(const ResolvedScene& scene) {
 
 // The share of the scatterers that show the radar a face: backs of surfaces cost next to nothing.
 double share_in_sight(const Plan& plan) {
-  const ResolvedScene& scene = *plan.scene;
+  const ResolvedScene& scene = *plan.acquisition.scene;
   const double all = scatterers_of(scene);
   if (scene.sheets.empty() || all <= 0.0) return 1.0;
   constexpr double shares[] = {0.0, 0.25, 0.5, 0.75, 1.0};
-  PulseGeometry geometry(scene, plan.radar);
+  PulseGeometry geometry(scene, plan.acquisition.link);
   double seen = static_cast<double>(scene.scatterers.size()) * std::size(shares);
   for (const double share : shares) {
-    geometry.set_pulse(plan.pulses.first + std::llround(share * static_cast<double>(plan.pulses.count() - 1)));
+    geometry.set_pulse(plan.acquisition.timing.pulses.first +
+                       std::llround(share * static_cast<double>(plan.acquisition.timing.pulses.count() - 1)));
     const radar::Pointing pointing = geometry.pointing();
     for (std::size_t i = 0; i < scene.sheets.size(); ++i)
       if (!scene.sheets[i].points_m.empty() && geometry.sheet_view(i, 0, pointing))
@@ -59,11 +60,12 @@ struct EngineWork {
 };
 
 EngineWork engine_work(const Plan& plan) {
-  const PulseCost cost(*plan.scene, plan.radar, plan.pulse, plan.raw_grid, plan.scene->options.tolerance);
+  const PulseCost cost(*plan.acquisition.scene, plan.acquisition.link, plan.acquisition.reception.pulse,
+                       plan.acquisition.reception.raw_grid, plan.acquisition.scene->options.tolerance);
   switch (plan.engine.engine) {
     case Engine::direct: return {cost.direct_ns(), 0.0, 0.0, direct_start_s};
     case Engine::spectral: {
-      const SpectralEstimate estimate = cost.spectral(plan.pulses);
+      const SpectralEstimate estimate = cost.spectral(plan.acquisition.timing.pulses);
       return {estimate.ns, static_cast<double>(estimate.cost.transform_size),
               static_cast<double>(estimate.cost.doppler_terms), spectral_start_s};
     }
@@ -85,11 +87,11 @@ double speed_of(const MachineSpeed& machine, Engine engine) {
 
 // What is not echoes: rows, noise, filters and conversion.
 double row_seconds(const Plan& plan, double echo_samples, const MachineSpeed& machine) {
-  const bool noisy = plan.noise_stddev_v > 0.0;
+  const bool noisy = plan.acquisition.reception.noise_stddev_v > 0.0;
   // A filter that is a factor of the echoes' spectra is paid for with their transforms.
-  const bool filtered = plan.compressor && (noisy || !plan.filters_spectra());
-  const auto samples = static_cast<double>(plan.raw_grid.count);
-  const double reached = noisy || plan.compressor ? samples : std::min(samples, echo_samples);
+  const bool filtered = plan.acquisition.reception.compressor && (noisy || !plan.filters_spectra());
+  const auto samples = static_cast<double>(plan.acquisition.reception.raw_grid.count);
+  const double reached = noisy || plan.acquisition.reception.compressor ? samples : std::min(samples, echo_samples);
   double seconds = machine.samples * (per_pulse_s + samples * per_sample_s + reached * per_reached_sample_s);
   if (noisy) seconds += machine.noise * samples * per_noise_sample_s;
   if (filtered) seconds += machine.compression * samples * per_compressed_sample_s;
@@ -99,11 +101,11 @@ double row_seconds(const Plan& plan, double echo_samples, const MachineSpeed& ma
 // One pulse on one core.
 // @param echo_samples  samples of all its echoes together
 double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_samples, const MachineSpeed& machine) {
-  const double heard = static_cast<double>(1 + plan.other_pulses.pulses.size());
+  const double heard = static_cast<double>(1 + plan.sources.other_pulses.pulses.size());
   const double sight_s = plan.engine.engine == Engine::reference
                              ? 0.0
-                             : per_sight_s * scatterers_of(*plan.scene) +
-                                   per_platform_s * static_cast<double>(plan.scene->platforms.size());
+                             : per_sight_s * scatterers_of(*plan.acquisition.scene) +
+                                   per_platform_s * static_cast<double>(plan.acquisition.scene->platforms.size());
   return speed_of(machine, plan.engine.engine) * heard * share_in_sight(plan) * (1e-9 * work.pulse_ns + sight_s) +
          row_seconds(plan, echo_samples, machine);
 }
@@ -124,7 +126,7 @@ double max_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   constexpr double transform_point = 52.0;
   constexpr double spectra_kept = 12.0;  // of pulses, each with half the points of their transforms, 8 bytes
   constexpr double max_spectra = 16e6;
-  const ResolvedScene& scene = *plan.scene;
+  const ResolvedScene& scene = *plan.acquisition.scene;
   const double all = scatterers_of(scene);
   const auto targets = static_cast<double>(scene.scatterers.targets());
   const double points = static_cast<double>(scene.scatterers.size()) - targets;
@@ -132,13 +134,14 @@ double max_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   const double checked = checked_target * targets + surveyed_target * std::min(all, max_surveyed) +
                          platform * static_cast<double>(scene.platforms.size());
   const double at_once = work.transforms > 0.0 ? std::min(all, static_cast<double>(points_at_once)) : all;
-  double of_thread = echo * at_once + sample * static_cast<double>(std::max(plan.raw_grid.count, plan.columns));
+  double of_thread = echo * at_once + sample * static_cast<double>(std::max(plan.acquisition.reception.raw_grid.count,
+                                                                            plan.acquisition.reception.columns));
   double computed = resolved_target * (targets + sheets);
   if (work.transforms > 0.0) {
     const double spectra = work.transforms > 1.0 ? spectra_kept * 4.0 * work.transforms * work.transform_points : 0.0;
     of_thread += transform_point * work.transform_points + std::min(spectra, max_spectra);
   }
-  if (work.transforms > 0.0 || plan.compressor) computed += transform_library;
+  if (work.transforms > 0.0 || plan.acquisition.reception.compressor) computed += transform_library;
   computed += threads * of_thread;
   return program + cloud_point * points + std::max(checked, computed);
 }
@@ -146,17 +149,20 @@ double max_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
 }  // namespace
 
 Cost estimated_cost(const Plan& plan, unsigned threads, const MachineSpeed& machine) {
-  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(plan.acquisition.scene != nullptr);
   CORE_EXPECT(threads > 0);
-  const double scatterers = scatterers_of(*plan.scene);
+  const double scatterers = scatterers_of(*plan.acquisition.scene);
   const double pulses =
-      static_cast<double>(plan.rows) * (plan.profiler ? static_cast<double>(plan.burst_pulses()) : 1.0);
-  const double pulse_samples = std::min((plan.pulse.last_s() - plan.pulse.first_s()) / plan.raw_grid.interval_s,
-                                        static_cast<double>(plan.raw_grid.count));
+      static_cast<double>(plan.acquisition.timing.rows) * static_cast<double>(plan.acquisition.timing.row_pulses);
+  const double pulse_samples =
+      std::min((plan.acquisition.reception.pulse.last_s() - plan.acquisition.reception.pulse.first_s()) /
+                   plan.acquisition.reception.raw_grid.interval_s,
+               static_cast<double>(plan.acquisition.reception.raw_grid.count));
   Cost cost;
-  cost.echoes = scatterers * pulses * static_cast<double>(1 + plan.other_pulses.pulses.size());
+  cost.echoes = scatterers * pulses * static_cast<double>(1 + plan.sources.other_pulses.pulses.size());
   cost.echo_samples = cost.echoes * pulse_samples;
-  cost.samples = static_cast<double>(plan.rows) * static_cast<double>(plan.columns);
+  cost.samples =
+      static_cast<double>(plan.acquisition.timing.rows) * static_cast<double>(plan.acquisition.reception.columns);
   const EngineWork work = engine_work(plan);
   const double computing_s = pulses * pulse_seconds(plan, work, cost.echo_samples / std::max(pulses, 1.0), machine);
   const bool crowded = work.transforms * work.transform_points > crowded_points;

@@ -50,7 +50,7 @@ struct DopplerRange {
 };
 
 // The widest range of 2v/c among the echoes of any of a few pulses, of at most a thousand scatterers each.
-DopplerRange widest_doppler(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses) {
+DopplerRange widest_doppler(const ResolvedScene& scene, const Link& radar, const radar::PulseRange& pulses) {
   constexpr std::size_t most = 1000;
   PulseGeometry geometry(scene, radar);
   const std::size_t stride = scene.scatterers.size() / most + 1;
@@ -87,7 +87,7 @@ double direct_ns_per_sample(const radar::EchoPulse& pulse, const radar::SampleGr
 
 }  // namespace
 
-PulseCost::PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::EchoPulse& pulse,
+PulseCost::PulseCost(const ResolvedScene& scene, const Link& radar, const radar::EchoPulse& pulse,
                      const radar::SampleGrid& grid, double tolerance)
     : scene_(scene),
       radar_(radar),

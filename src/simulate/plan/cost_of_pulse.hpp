@@ -19,8 +19,8 @@ class PulseCost {
  public:
   /// @param grid       of the raw samples
   /// @param tolerance  promised relative error, which decides between single and double precision
-  PulseCost(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::EchoPulse& pulse,
-            const radar::SampleGrid& grid, double tolerance);
+  PulseCost(const ResolvedScene& scene, const Link& radar, const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
+            double tolerance);
 
   /// Scatterers of the scene, whether the radar sees them or not.
   [[nodiscard]] double echoes() const { return echoes_; }
@@ -37,7 +37,7 @@ class PulseCost {
 
  private:
   const ResolvedScene& scene_;
-  const ResolvedRadar& radar_;
+  const Link& radar_;
   const radar::EchoPulse& pulse_;
   const radar::SampleGrid& grid_;
   double tolerance_;

@@ -30,21 +30,21 @@ std::optional<Engine> engine_from_name(std::string_view name) {
   return found->first;
 }
 
-EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
-                           const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
-                           const radar::PulseRange& pulses, double tolerance) {
-  CORE_EXPECT(grid.interval_s > 0.0);
+EngineChoice choose_engine(Engine wanted, const Acquisition& acquisition) {
+  const Reception& reception = acquisition.reception;
+  const double tolerance = acquisition.scene->options.tolerance;
+  CORE_EXPECT(reception.raw_grid.interval_s > 0.0);
   CORE_EXPECT(tolerance > 0.0);
-  CORE_EXPECT(pulses.count() > 0);
+  CORE_EXPECT(acquisition.timing.pulses.count() > 0);
   if (wanted != Engine::automatic) return {wanted, "asked for"};
   if (simd_level() == "scalar") return {Engine::reference, "this processor has no usable SIMD"};
-  const PulseCost cost(scene, radar, pulse, grid, tolerance);
+  const PulseCost cost(*acquisition.scene, acquisition.link, reception.pulse, reception.raw_grid, tolerance);
   const double direct_ns = cost.direct_ns();
   // Few echoes of short pulses: not worth asking what the transform would cost.
   if (direct_ns < 20e3)
     return {Engine::direct,
             fmt::format("{:.0f} echoes a pulse of {:.0f} samples are few", cost.echoes(), cost.samples())};
-  const SpectralEstimate spectral = cost.spectral(pulses);
+  const SpectralEstimate spectral = cost.spectral(acquisition.timing.pulses);
   constexpr std::size_t largest_transform = std::size_t{1} << 27U;
   const bool direct =
       spectral.cost.doppler_terms > 20 || spectral.cost.transform_size > largest_transform || direct_ns <= spectral.ns;

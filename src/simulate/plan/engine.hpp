@@ -4,9 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "radar/echo/echo_batch.hpp"
-#include "radar/echo/reference_kernel.hpp"
-#include "simulate/resolve/resolved.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -29,12 +27,9 @@ struct EngineChoice {
   std::string reason;
 };
 
-/// Decides for one simulation, from counts: echoes per pulse, samples of a pulse, hard edges, Doppler terms. The same
-/// on every machine.
+/// Decides for one simulation, from counts: echoes per pulse, samples of a pulse, hard edges, Doppler terms; a few
+/// pulses are examined for the span of Doppler. The same on every machine.
 /// @param wanted   Engine::automatic, or an engine, which is then taken as it is
-/// @param pulses   of the simulation; a few of them are looked at for the span of Doppler
-[[nodiscard]] EngineChoice choose_engine(Engine wanted, const ResolvedScene& scene, const ResolvedRadar& radar,
-                                         const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
-                                         const radar::PulseRange& pulses, double tolerance);
+[[nodiscard]] EngineChoice choose_engine(Engine wanted, const Acquisition& acquisition);
 
 }  // namespace sarsim::simulate

@@ -16,7 +16,7 @@ constexpr int pulses = 20'000;
 // Views of target `index` by the first `pulses` pulses.
 std::vector<ScattererView> views_of(const scene::Scene& scene, std::size_t index = 0, int count = pulses) {
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   std::vector<ScattererView> views;
   for (int p = 0; p < count; ++p) {

@@ -82,14 +82,16 @@ class LargestInRuns {
 // When the echoes of points arrive in rows, over a few looks.
 class Hearing {
  public:
-  Hearing(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::EchoPulse& pulse,
-          const radar::SampleGrid& grid, const radar::PulseRange& pulses, const core::StopFlag* stop)
-      : scene_(scene), radar_(radar), stop_(stop) {
+  Hearing(const Acquisition& acquisition, const core::StopFlag* stop)
+      : scene_(*acquisition.scene), radar_(acquisition.link), stop_(stop) {
+    const radar::EchoPulse& pulse = acquisition.reception.pulse;
+    const radar::SampleGrid& grid = acquisition.reception.raw_grid;
+    const radar::PulseRange& pulses = acquisition.timing.pulses;
     const double slack_s = share_of_flight * (pulse.last_s() - pulse.first_s()) + 2.0 * grid.interval_s;
     begin_s_ = grid.first_s - pulse.last_s() - slack_s;
     end_s_ = grid.time_s(grid.count) - pulse.first_s() + slack_s;
-    const std::int64_t most = point_count(scene) > many_scatterers ? looks_at_many : max_looks;
-    const auto kept = static_cast<std::int64_t>(max_poses / std::max<std::size_t>(scene.platforms.size(), 1));
+    const std::int64_t most = point_count(scene_) > many_scatterers ? looks_at_many : max_looks;
+    const auto kept = static_cast<std::int64_t>(max_poses / std::max<std::size_t>(scene_.platforms.size(), 1));
     const std::int64_t looks = std::min(pulses.count(), std::clamp(kept, min_looks, most));
     for (std::int64_t n = 0; n < looks; ++n) {
       const double share = looks > 1 ? static_cast<double>(n) / static_cast<double>(looks - 1) : 0.0;
@@ -220,7 +222,7 @@ class Hearing {
   };
 
   const ResolvedScene& scene_;
-  const ResolvedRadar& radar_;
+  const Link& radar_;
   const core::StopFlag* stop_;
   double begin_s_ = 0.0;  // delays in [begin, end] from a row's pulse are heard
   double end_s_ = 0.0;
@@ -239,12 +241,11 @@ class Hearing {
 
 }  // namespace
 
-OtherPulses heard_pulses(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::EchoPulse& pulse,
-                         const radar::SampleGrid& grid, const radar::PulseRange& pulses, const core::StopFlag* stop) {
-  CORE_EXPECT(grid.interval_s > 0.0);
-  CORE_EXPECT(pulses.count() > 0);
-  if (scene.conventions.reception == Conventions::Reception::own_pulse) return {};
-  return Hearing(scene, radar, pulse, grid, pulses, stop).heard();
+OtherPulses heard_pulses(const Acquisition& acquisition, const core::StopFlag* stop) {
+  CORE_EXPECT(acquisition.reception.raw_grid.interval_s > 0.0);
+  CORE_EXPECT(acquisition.timing.pulses.count() > 0);
+  if (acquisition.scene->conventions.reception == Conventions::Reception::own_pulse) return {};
+  return Hearing(acquisition, stop).heard();
 }
 
 OtherPulses asked_for(OtherPulses heard, scene::AmbiguousEchoes which) {

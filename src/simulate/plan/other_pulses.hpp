@@ -6,8 +6,7 @@
 #include "core/task/stop.hpp"
 #include "radar/echo/echo_batch.hpp"
 #include "radar/echo/reference_kernel.hpp"
-#include "radar/waveform/schedule.hpp"
-#include "simulate/resolve/resolved.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -36,12 +35,8 @@ inline constexpr std::int64_t max_pulses_away = 1000;
 /// are those of cross-section and range at these looks: a beam may meet its target between two of them. Empty where the
 /// conventions let a row hear its own pulse alone.
 ///
-/// @param pulse  of the simulation
-/// @param grid   times of a row's samples after its own pulse is sent
-/// @param stop   asked now and then; a requested stop throws Interrupted
-[[nodiscard]] OtherPulses heard_pulses(const ResolvedScene& scene, const ResolvedRadar& radar,
-                                       const radar::EchoPulse& pulse, const radar::SampleGrid& grid,
-                                       const radar::PulseRange& pulses, const core::StopFlag* stop = nullptr);
+/// @param stop  asked now and then; a requested stop throws Interrupted
+[[nodiscard]] OtherPulses heard_pulses(const Acquisition& acquisition, const core::StopFlag* stop = nullptr);
 
 /// Of them, near and farther, those that the scene's options ask for: all, none, or those above -60 dB.
 [[nodiscard]] OtherPulses asked_for(OtherPulses heard, scene::AmbiguousEchoes which);

@@ -47,7 +47,7 @@ scene::Scene second_time_around() {
 
 std::vector<std::int64_t> pulses_back(const scene::Scene& scene) {
   std::vector<std::int64_t> back;
-  for (const OtherPulse& other : make_plan(scene, 0).other_pulses.pulses) back.push_back(other.back);
+  for (const OtherPulse& other : make_plan(scene, 0).sources.other_pulses.pulses) back.push_back(other.back);
   return back;
 }
 
@@ -103,7 +103,7 @@ TEST(OtherPulses, CountFromMinusSixtyDecibels) {
     scene.options.ambiguous_echoes = scene::AmbiguousEchoes::strong;
     EXPECT_EQ(pulses_back(scene).size(), db > -60.0 ? 1u : 0u) << db;
     scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
-    const std::vector<OtherPulse> all = make_plan(scene, 0).other_pulses.pulses;
+    const std::vector<OtherPulse> all = make_plan(scene, 0).sources.other_pulses.pulses;
     ASSERT_EQ(all.size(), 1u);
     EXPECT_NEAR(20.0 * std::log10(all[0].strength), db, 1e-3);
   }
@@ -209,7 +209,7 @@ TEST(OtherPulses, FarTooManyAreSaid) {
   scene.radars[0].pulse_width_s = 1e-7;
   scene.simulations[0].time_end_s = 0.0;
   scene.targets[0].position_m.y = 100e3;  // 3336 pulses
-  EXPECT_EQ(make_plan(scene, 0).other_pulses.farther, 1.0);
+  EXPECT_EQ(make_plan(scene, 0).sources.other_pulses.farther, 1.0);
 }
 
 TEST(OtherPulses, FarTooManyAreSaidOnlyWhereTheyMayBeHeard) {
@@ -225,9 +225,9 @@ TEST(OtherPulses, FarTooManyAreSaidOnlyWhereTheyMayBeHeard) {
   scene.targets[0].rcs_m2 = 1.0;
   scene.targets[1].position_m = {0.0, 101e3, 0.0};  // 3336 pulses, -80 dB
   scene.targets[1].rcs_m2 = 1.0;
-  EXPECT_EQ(make_plan(scene, 0).other_pulses.farther, 0.0);
+  EXPECT_EQ(make_plan(scene, 0).sources.other_pulses.farther, 0.0);
   scene.options.ambiguous_echoes = scene::AmbiguousEchoes::all;
-  EXPECT_NEAR(make_plan(scene, 0).other_pulses.farther, 1e-4, 1e-8);
+  EXPECT_NEAR(make_plan(scene, 0).sources.other_pulses.farther, 1e-4, 1e-8);
 }
 
 // Pulses leave at 0 and, a millisecond or 1000 samples, later; 10 samples each, noise included.
@@ -242,9 +242,9 @@ TEST(OtherPulses, TakeNoLongerWhereManyHearMany) {
   const sarsim::test::ProcessorTime time;
   const Plan plan = make_plan(scene, 0);
   EXPECT_LT(time.seconds(), 10.0);
-  ASSERT_EQ(plan.other_pulses.pulses.size(), 2 * static_cast<std::size_t>(max_pulses_away));
+  ASSERT_EQ(plan.sources.other_pulses.pulses.size(), 2 * static_cast<std::size_t>(max_pulses_away));
   // The strongest, with 1e4 m2 at 203 km, is one of all that each of them may have sent.
-  for (const OtherPulse& other : plan.other_pulses.pulses) ASSERT_EQ(other.strength, 1.0) << other.back;
+  for (const OtherPulse& other : plan.sources.other_pulses.pulses) ASSERT_EQ(other.strength, 1.0) << other.back;
 }
 
 TEST(Eclipsing, BlanksSamplesWhileTheRadarSends) {
@@ -273,7 +273,7 @@ TEST(KeepHeard, KeepsTheColumnsOfEachEcho) {
     echoes.add((k % 2 == 0 ? 50e3 : 500e3) * 2.0 / c + 1e-6 * k, 1.0 + k, radar::PulseClock{1e-6 * k, 1e-3 * k});
     echoes.ahead_turns.push_back(0.1 * k);
   }
-  keep_heard(echoes, 0.0, plan.pulse, plan.raw_grid);
+  keep_heard(echoes, 0.0, plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid);
   ASSERT_TRUE(echoes.is_whole());
   ASSERT_EQ(echoes.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {

@@ -40,14 +40,15 @@ TEST(Plan, PhysicalSamplesAreTheSamplingIntervalApart) {
   for (const scene::Processing processing : {scene::Processing::raw, scene::Processing::matched_filter}) {
     scene.simulations[0].processing = processing;
     const Plan plan = make_plan(scene, 0);
-    EXPECT_EQ(plan.raw_grid.interval_s, 1.0 / 4e6);
-    EXPECT_EQ(plan.raw_grid.first_s, 600.0 / c);
-    ASSERT_EQ(plan.columns, 45u);
-    ASSERT_EQ(plan.column_range_m.size(), 45u);
+    EXPECT_EQ(plan.acquisition.reception.raw_grid.interval_s, 1.0 / 4e6);
+    EXPECT_EQ(plan.acquisition.reception.raw_grid.first_s, 600.0 / c);
+    ASSERT_EQ(plan.acquisition.reception.columns, 45u);
+    ASSERT_EQ(plan.acquisition.reception.column_range_m.size(), 45u);
     for (std::size_t i = 0; i < 45; ++i)
-      EXPECT_NEAR(plan.column_range_m[i], 300.0 + static_cast<double>(i) * c / 8e6, 2e3 * 4.0 * epsilon);
+      EXPECT_NEAR(plan.acquisition.reception.column_range_m[i], 300.0 + static_cast<double>(i) * c / 8e6,
+                  2e3 * 4.0 * epsilon);
   }
-  EXPECT_EQ(make_plan(scene, 0).raw_grid.count, 45u + 19u);  // 20 taps
+  EXPECT_EQ(make_plan(scene, 0).acquisition.reception.raw_grid.count, 45u + 19u);  // 20 taps
 }
 
 // Less than a cycle of sweep leaves the band of a pulse of that length.
@@ -55,7 +56,9 @@ TEST(Plan, ChirpsOfNoBandwidthKeepTheBandOfAnUnmodulatedPulse) {
   scene::Scene scene = one_target_scene();
   scene.options.pulse = scene::PulseDefinition::band_limited;
   scene.simulations[0].oversampling = 2.0;
-  const auto half_band_hz = [&] { return make_plan(scene, 0).pulse.band_limited.value().half_band_hz(); };
+  const auto half_band_hz = [&] {
+    return make_plan(scene, 0).acquisition.reception.pulse.band_limited.value().half_band_hz();
+  };
   const double plain_hz = half_band_hz();
   EXPECT_EQ(plain_hz, 0.5 / scene.radars[0].pulse_width_s);
   scene.radars[0].pulse = scene::Radar::Pulse::chirp;
@@ -69,9 +72,11 @@ TEST(Plan, ClassicRawSamplesDivideTheWindow) {
   scene::Scene scene = one_target_scene();
   scene.options.profile = scene::Profile::classic;
   const Plan plan = make_plan(scene, 0);
-  EXPECT_NEAR(plan.raw_grid.interval_s, 4000.0 / core::classic_light_speed_mps / 53.0, 1e-6 * 4.0 * epsilon);
+  EXPECT_NEAR(plan.acquisition.reception.raw_grid.interval_s, 4000.0 / core::classic_light_speed_mps / 53.0,
+              1e-6 * 4.0 * epsilon);
   for (std::size_t i = 0; i < 53; ++i)
-    EXPECT_NEAR(plan.column_range_m[i], static_cast<double>(i) * 2000.0 / 53.0, 2e3 * 8.0 * epsilon);
+    EXPECT_NEAR(plan.acquisition.reception.column_range_m[i], static_cast<double>(i) * 2000.0 / 53.0,
+                2e3 * 8.0 * epsilon);
 }
 
 // The compressed sample i of the 1998 program is the raw one trunc(i F): the axis tells where that one lies. A window
@@ -85,8 +90,8 @@ TEST(Plan, ClassicCompressedColumnsTellWhereTheirSamplesWereTaken) {
     const Plan plan = make_plan(scene, 0);
     const double exact = 8e6 * end_m / core::classic_light_speed_mps;
     const double ratio = exact / std::floor(exact + 0.5);
-    for (std::size_t i = 0; i < plan.columns; ++i)
-      EXPECT_NEAR(plan.column_range_m[i],
+    for (std::size_t i = 0; i < plan.acquisition.reception.columns; ++i)
+      EXPECT_NEAR(plan.acquisition.reception.column_range_m[i],
                   std::floor(static_cast<double>(i) * ratio + 1e-9) * core::classic_light_speed_mps / 8e6,
                   2e3 * 8.0 * epsilon);
   }
@@ -96,11 +101,11 @@ TEST(Plan, CompressionBeginsHalfAPulseEarlierForCentre) {
   scene::Scene scene = one_target_scene();
   scene.simulations[0].range_start_m = 900.0;
   scene.simulations[0].processing = scene::Processing::matched_filter;
-  const double begin_s = make_plan(scene, 0).raw_grid.first_s;
-  const auto peak = [&] { return make_plan(scene, 0).column_range_m; };
+  const double begin_s = make_plan(scene, 0).acquisition.reception.raw_grid.first_s;
+  const auto peak = [&] { return make_plan(scene, 0).acquisition.reception.column_range_m; };
   const auto begin_axis = peak();
   scene.simulations[0].pulse_position = scene::Simulation::PulsePosition::centre;
-  EXPECT_NEAR(make_plan(scene, 0).raw_grid.first_s, begin_s - 2.5e-6, 1e-5 * epsilon);
+  EXPECT_NEAR(make_plan(scene, 0).acquisition.reception.raw_grid.first_s, begin_s - 2.5e-6, 1e-5 * epsilon);
   EXPECT_EQ(peak(), begin_axis);
 }
 
@@ -143,8 +148,10 @@ TEST(Plan, SyntheticProfilesHaveARowForEachCompleteBurst) {
     scene.simulations[0].time_start_s = first * 1e-3;
     scene.simulations[0].time_end_s = last * 1e-3;
     const Plan plan = make_plan(scene, 0);
-    EXPECT_EQ(plan.dropped_pulses, last - first + 1 - 24 * static_cast<int>(plan.rows));
-    return std::pair(plan.rows, plan.rows > 0 ? plan.first_pulse_of_row(0) : 0);
+    EXPECT_EQ(plan.acquisition.timing.dropped_pulses,
+              last - first + 1 - 24 * static_cast<int>(plan.acquisition.timing.rows));
+    return std::pair(plan.acquisition.timing.rows,
+                     plan.acquisition.timing.rows > 0 ? plan.acquisition.timing.first_pulse_of_row(0) : 0);
   };
   EXPECT_EQ(rows(0, 23), (std::pair<std::size_t, std::int64_t>(1, 0)));
   EXPECT_EQ(rows(0, 22).first, 0u);
@@ -156,11 +163,11 @@ TEST(Plan, SyntheticProfilesHaveARowForEachCompleteBurst) {
 
 TEST(Plan, SyntheticProfileColumnsAreTheBinsOfTheGates) {
   const Plan plan = make_plan(stepped_scene(), 0);
-  ASSERT_EQ(plan.columns, 3u * 8u);
+  ASSERT_EQ(plan.acquisition.reception.columns, 3u * 8u);
   const double bin_m = c / (2.0 * 8 * 2e6);
-  EXPECT_NEAR(plan.column_range_m[0], 1090.0, 1e-9);
-  EXPECT_NEAR(plan.column_range_m[3], 1090.0 + 3.0 * bin_m, 1e-9);
-  EXPECT_NEAR(plan.column_range_m[8 + 5], 1090.0 + c / 8e6 + 5.0 * bin_m, 1e-9);
+  EXPECT_NEAR(plan.acquisition.reception.column_range_m[0], 1090.0, 1e-9);
+  EXPECT_NEAR(plan.acquisition.reception.column_range_m[3], 1090.0 + 3.0 * bin_m, 1e-9);
+  EXPECT_NEAR(plan.acquisition.reception.column_range_m[8 + 5], 1090.0 + c / 8e6 + 5.0 * bin_m, 1e-9);
 }
 
 // CENTRE: the gate hears targets on both sides of it. The target stands 2 bins beyond the first gate.
@@ -182,14 +189,17 @@ TEST(Plan, SyntheticProfilePeakHasTheTargetsPlaceAmplitudeAndPhase) {
 TEST(Plan, NoiseIsKtTimesTheSamplingRateInAllOrKtbInEachPart) {
   scene::Scene scene = one_target_scene();
   scene.radars[0].noise_temperature_k = 290.0;
-  EXPECT_NEAR(make_plan(scene, 0).noise_stddev_v, std::sqrt(1.380649e-23 * 290.0 * 4e6 / 2.0), 1e-8 * 4.0 * epsilon);
+  EXPECT_NEAR(make_plan(scene, 0).acquisition.reception.noise_stddev_v, std::sqrt(1.380649e-23 * 290.0 * 4e6 / 2.0),
+              1e-8 * 4.0 * epsilon);
   scene.options.profile = scene::Profile::classic;
-  EXPECT_NEAR(make_plan(scene, 0).noise_stddev_v, std::sqrt(1.38e-23 * 290.0 / 5e-6), 1e-8 * 4.0 * epsilon);
+  EXPECT_NEAR(make_plan(scene, 0).acquisition.reception.noise_stddev_v, std::sqrt(1.38e-23 * 290.0 / 5e-6),
+              1e-8 * 4.0 * epsilon);
   scene.radars[0].pulse = scene::Radar::Pulse::chirp;
   scene.radars[0].bandwidth_hz = -3e6;
-  EXPECT_NEAR(make_plan(scene, 0).noise_stddev_v, std::sqrt(1.38e-23 * 290.0 * 3e6), 1e-8 * 4.0 * epsilon);
+  EXPECT_NEAR(make_plan(scene, 0).acquisition.reception.noise_stddev_v, std::sqrt(1.38e-23 * 290.0 * 3e6),
+              1e-8 * 4.0 * epsilon);
   scene.radars[0].noise_temperature_k = 0.0;
-  EXPECT_EQ(make_plan(scene, 0).noise_stddev_v, 0.0);
+  EXPECT_EQ(make_plan(scene, 0).acquisition.reception.noise_stddev_v, 0.0);
 }
 
 // |noise|^2 is exponentially distributed: its deviation is its mean.
@@ -232,11 +242,12 @@ TEST(Plan, PhysicalStcComesBeforeCompression) {
   scene.simulations[0].processing = scene::Processing::matched_filter;
   scene.simulations[0].range_start_m = 500.0;
   const Plan plan = make_plan(scene, 0);
-  ASSERT_EQ(plan.stc_gain.size(), plan.raw_grid.count);
-  EXPECT_NEAR(plan.stc_gain[0], 250e3, 250e3 * 8.0 * epsilon);
-  EXPECT_NEAR(std::sqrt(plan.stc_gain.back()), 500.0 + static_cast<double>(plan.raw_grid.count - 1) * c / 8e6, 1e-9);
+  ASSERT_EQ(plan.acquisition.reception.stc_gain.size(), plan.acquisition.reception.raw_grid.count);
+  EXPECT_NEAR(plan.acquisition.reception.stc_gain[0], 250e3, 250e3 * 8.0 * epsilon);
+  EXPECT_NEAR(std::sqrt(plan.acquisition.reception.stc_gain.back()),
+              500.0 + static_cast<double>(plan.acquisition.reception.raw_grid.count - 1) * c / 8e6, 1e-9);
   scene.options.profile = scene::Profile::classic;
-  EXPECT_TRUE(make_plan(scene, 0).stc_gain.empty());
+  EXPECT_TRUE(make_plan(scene, 0).acquisition.reception.stc_gain.empty());
 }
 
 TEST(Plan, RefusesEmptyWindowsAndUnknownRadars) {

@@ -98,7 +98,7 @@ radar::CurveTables reflectivity_tables(const ResolvedScene& scene) {
   return radar::tabulate(curves, curve_error_db(scene));
 }
 
-radar::AntennaSight antenna_sight(const ResolvedScene& scene, const ResolvedRadar& radar) {
+radar::AntennaSight antenna_sight(const ResolvedScene& scene, const Link& radar) {
   radar::AntennaSight antenna;
   if (scene.conventions.pointing == radar::PointingRule::added_angles)
     antenna.offsets = radar::AntennaSight::Offsets::world_angles;
@@ -167,7 +167,7 @@ void add_scatterers(const ResolvedScene& scene, std::size_t begin, std::size_t e
 
 }  // namespace
 
-PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar, const core::StopFlag* stop) {
+PointGroups group_points(const ResolvedScene& scene, const Link& radar, const core::StopFlag* stop) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(std::ranges::all_of(scene.scatterers.platforms(),
                                   [&](std::uint32_t platform) { return platform < scene.platforms.size(); }));

@@ -35,7 +35,7 @@ struct PointGroups {
 /// group by itself, which shares the cloud's arrays. User-defined curves are tabulated so that all of them together
 /// put an error of less than an eighth of the scene's tolerance on any amplitude, relative to that amplitude.
 /// @param stop  asked now and then; a requested stop throws Interrupted
-[[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const ResolvedRadar& radar,
+[[nodiscard]] PointGroups group_points(const ResolvedScene& scene, const Link& radar,
                                        const core::StopFlag* stop = nullptr);
 
 /// Points whose echoes are worked on at a time: what they take stays in the caches, and no memory grows with the scene.

@@ -61,7 +61,7 @@ TEST(FastEchoes, AllocateNothingFromTheSecondPulseOn) {
   antenna.pattern = scene::Antenna::Pattern::user;
   antenna.gain_db.part = {lines({{0.0, 0.0}, {180.0, -20.0}}), lines({{0.0, 0.0}, {180.0, -20.0}})};
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   const PointGroups groups = group_points(resolved, radar);
   PulseGeometry geometry(resolved, radar);
   radar::EchoBatch echoes;

@@ -76,7 +76,7 @@ struct Echoes {
   std::size_t points = 0;
 };
 
-Echoes echoes_of(const ResolvedScene& resolved, const ResolvedRadar& radar, std::int64_t pulse) {
+Echoes echoes_of(const ResolvedScene& resolved, const Link& radar, std::int64_t pulse) {
   PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(pulse);
   Echoes echoes;
@@ -100,7 +100,7 @@ struct Echo {
 TEST(CertainEchoes, OfRunsAreThoseOfAllPointsTakenApart) {
   const scene::Scene scene = mixed_scene();
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(3);
   const PointGroups groups = group_points(resolved, radar);
@@ -387,7 +387,7 @@ TEST(FastEchoes, OfASurfaceThroughTheRadarLeaveOutThePointAtTheRadar) {
 // What PulseGeometry::echoes and fast_echoes say about a scene.
 std::array<std::string, 2> complaints(const scene::Scene& scene) {
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(0);
   const PointGroups groups = group_points(resolved, radar);
@@ -425,7 +425,7 @@ TEST(FastEchoes, OfCurvesThatAreNotFiniteAreLookedUpOneByOne) {
   antenna.gain_db.part[1] = lines({{0.0, 0.0}, {100.0, 0.0}, {170.0, -1e308}, {170.1, -1.7e308}});
   scene.radars[0].transmit_antenna = antenna;
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   EXPECT_FALSE(group_points(resolved, radar).sound());
   const Echoes echoes = echoes_of(resolved, radar, 1);
   EXPECT_EQ(echoes.fast.amplitude_sqrt_w, echoes.plain.amplitude_sqrt_w);

@@ -30,7 +30,7 @@ double turning_of(const core::Mat3& m) {
 }
 
 // Of amplitudes; one antenna for both ways is looked at once.
-double two_way_gain(const ResolvedRadar& radar, radar::PatternRule rule, const radar::Pointing& pointing,
+double two_way_gain(const Link& radar, radar::PatternRule rule, const radar::Pointing& pointing,
                     const core::Vec3& look_m) {
   using Kind = radar::AntennaPattern::Kind;
   const radar::AntennaPattern& out = radar.transmit;
@@ -47,7 +47,7 @@ double two_way_gain(const ResolvedRadar& radar, radar::PatternRule rule, const r
 
 }  // namespace
 
-PulseGeometry::PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar)
+PulseGeometry::PulseGeometry(const ResolvedScene& scene, const Link& radar)
     : scene_(&scene), radar_(&radar), platforms_(reflecting_platforms(scene)), reflecting_(platforms_.size()) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   CORE_EXPECT(scene.conventions.light_speed_mps > 0.0);

@@ -30,7 +30,7 @@ struct ScattererView {
 class PulseGeometry {
  public:
   /// Keeps references; both must outlive it.
-  PulseGeometry(const ResolvedScene& scene, const ResolvedRadar& radar);
+  PulseGeometry(const ResolvedScene& scene, const Link& radar);
 
   /// Moves to a pulse: poses, pointing, carrier.
   void set_pulse(std::int64_t pulse);
@@ -92,7 +92,7 @@ class PulseGeometry {
   void add_sheet(std::size_t index, const radar::Pointing& pointing, radar::EchoBatch& echoes) const;
 
   const ResolvedScene* scene_;
-  const ResolvedRadar* radar_;
+  const Link* radar_;
   // Only platforms that are seen have a slot: a scene of many radars makes as many of these.
   std::vector<std::uint32_t> slot_of_;    // of each platform of the scene
   std::vector<std::uint32_t> platforms_;  // of each slot: those that reflect, then the radar's if it is none of them

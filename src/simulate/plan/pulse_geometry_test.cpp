@@ -21,7 +21,7 @@ class Sky {
  public:
   explicit Sky(const scene::Scene& scene)
       : scene_(std::make_unique<ResolvedScene>(resolve(scene))),
-        radar_(std::make_unique<ResolvedRadar>(resolve_radar(scene, *scene_, 0))),
+        radar_(std::make_unique<Link>(resolve_radar(scene, *scene_, 0))),
         geometry_(*scene_, *radar_) {}
 
   ScattererView view(std::int64_t pulse, std::size_t target = 0) {
@@ -32,7 +32,7 @@ class Sky {
 
  private:
   std::unique_ptr<ResolvedScene> scene_;
-  std::unique_ptr<ResolvedRadar> radar_;
+  std::unique_ptr<Link> radar_;
   PulseGeometry geometry_;
 };
 
@@ -42,7 +42,7 @@ core::Vec3 place_of(const ResolvedPlatform& platform, const core::Vec3& point_m,
 }
 
 // Two-way delay of what leaves at `sent_s`, by iteration of the light-time equation on the tracks themselves.
-double iterated_delay(const ResolvedScene& scene, const ResolvedRadar& radar, double sent_s) {
+double iterated_delay(const ResolvedScene& scene, const Link& radar, double sent_s) {
   const Scatterer& target = scene.scatterers.front();
   const core::Vec3 from_m = place_of(scene.platforms[radar.platform], {}, sent_s);
   double out_s = 0.0;
@@ -64,7 +64,7 @@ void expect_flight_solves_the_light_time_equation(scene::Scene scene) {
   scene.radars[0].prf_hz = 1.0 / h;
   scene.options.tolerance = 1e-12;  // so that bends count
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   Sky sky(scene);
   for (const std::int64_t pulse : {-7000, -1234, 5, 3210, 9000}) {
     const ScattererView now = sky.view(pulse);

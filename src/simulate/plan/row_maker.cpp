@@ -9,28 +9,34 @@
 
 namespace sarsim::simulate {
 
-RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.scene, plan.radar) {
-  CORE_EXPECT(plan.scene != nullptr);
-  CORE_EXPECT(plan.stc_gain.empty() || plan.stc_gain.size() == plan.raw_grid.count);
-  if (plan.compressor) scratch_.resize(plan.compressor->scratch_size());
-  if (plan.profiler) scratch_.resize(plan.columns);
-  const double tolerance = plan.scene->options.tolerance;
-  if (plan.engine.engine == Engine::direct) direct_.emplace(plan.pulse, plan.raw_grid, tolerance);
+RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.acquisition.scene, plan.acquisition.link) {
+  CORE_EXPECT(plan.acquisition.scene != nullptr);
+  CORE_EXPECT(plan.acquisition.reception.stc_gain.empty() ||
+              plan.acquisition.reception.stc_gain.size() == plan.acquisition.reception.raw_grid.count);
+  if (plan.acquisition.reception.compressor) scratch_.resize(plan.acquisition.reception.compressor->scratch_size());
+  if (plan.acquisition.reception.profiler) scratch_.resize(plan.acquisition.reception.columns);
+  const double tolerance = plan.acquisition.scene->options.tolerance;
+  if (plan.engine.engine == Engine::direct)
+    direct_.emplace(plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid, tolerance);
   if (plan.engine.engine != Engine::spectral) return;
   radar::RowFilter filter;
-  if (plan.filters_spectra()) filter = {plan.compressor->filter().taps, plan.compressor->output_index()};
-  spectral_.emplace(plan.pulse, plan.raw_grid, tolerance, filter);
+  if (plan.filters_spectra())
+    filter = {plan.acquisition.reception.compressor->filter().taps,
+              plan.acquisition.reception.compressor->output_index()};
+  spectral_.emplace(plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid, tolerance, filter);
 }
 
 radar::SampleSpan RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out,
                                      const radar::SampleSpan& stale) {
-  CORE_EXPECT(row < plan_->rows);
-  CORE_EXPECT(out.size() == plan_->columns);
+  CORE_EXPECT(row < plan_->acquisition.timing.rows);
+  CORE_EXPECT(out.size() == plan_->acquisition.reception.columns);
   CORE_EXPECT(stale.begin <= stale.end && stale.end <= out.size());
   const Plan& plan = *plan_;
-  switch (plan.simulation.processing) {
-    case scene::Processing::raw: return make_raw(plan.first_pulse_of_row(row), out, stale);
-    case scene::Processing::matched_filter: make_compressed(plan.first_pulse_of_row(row), out); break;
+  switch (plan.acquisition.simulation.processing) {
+    case scene::Processing::raw: return make_raw(plan.acquisition.timing.first_pulse_of_row(row), out, stale);
+    case scene::Processing::matched_filter:
+      make_compressed(plan.acquisition.timing.first_pulse_of_row(row), out);
+      break;
     case scene::Processing::srp: make_profile(row, out); break;
   }
   return {0, out.size()};
@@ -38,17 +44,17 @@ radar::SampleSpan RowMaker::make_row(std::size_t row, std::span<std::complex<dou
 
 void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double>> out) {
   const Plan& plan = *plan_;
-  raw_.resize(plan.raw_grid.count);
+  raw_.resize(plan.acquisition.reception.raw_grid.count);
   if (!plan.filters_spectra()) {
     raw_filled_ = make_raw(pulse, raw_, raw_filled_);
-    plan.compressor->compress(raw_, out, scratch_);
+    plan.acquisition.reception.compressor->compress(raw_, out, scratch_);
     return;
   }
   std::ranges::fill(out, std::complex<double>());
-  if (plan.noise_stddev_v > 0.0) {
+  if (plan.acquisition.reception.noise_stddev_v > 0.0) {
     std::ranges::fill(raw_, std::complex<double>());
     add_receiver_noise(pulse, raw_);
-    plan.compressor->compress(raw_, out, scratch_);
+    plan.acquisition.reception.compressor->compress(raw_, out, scratch_);
   }
   geometry_.set_pulse(pulse);
   if (take_in_parts({})) spectral_->finish_filtered(out);
@@ -61,21 +67,22 @@ radar::SampleSpan RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<
   geometry_.set_pulse(pulse);
   radar::SampleSpan filled = add_pulse(raw, {});
   filled = filled.with(add_other_pulses(pulse, raw));
-  if (plan.noise_stddev_v > 0.0) {
+  if (plan.acquisition.reception.noise_stddev_v > 0.0) {
     add_receiver_noise(pulse, raw);
     filled = {0, raw.size()};
   }
-  if (plan.scene->options.eclipsing == scene::Eclipsing::blanked) blank_while_sending(pulse, raw);
-  if (!plan.stc_gain.empty())
-    for (std::size_t i = filled.begin; i < filled.end; ++i) raw[i] *= plan.stc_gain[i];
+  if (plan.acquisition.scene->options.eclipsing == scene::Eclipsing::blanked) blank_while_sending(pulse, raw);
+  if (!plan.acquisition.reception.stc_gain.empty())
+    for (std::size_t i = filled.begin; i < filled.end; ++i) raw[i] *= plan.acquisition.reception.stc_gain[i];
   return filled;
 }
 
 void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<double>> raw) const {
   const Plan& plan = *plan_;
-  const core::RandomStream stream(plan.scene->options.seed, core::RandomKind::receiver_noise,
-                                  core::name_key(plan.radar.name));
-  radar::add_noise(raw, plan.noise_stddev_v, stream, pulse, plan.noise_first_sample);
+  const core::RandomStream stream(plan.acquisition.scene->options.seed, core::RandomKind::receiver_noise,
+                                  core::name_key(plan.acquisition.link.name));
+  radar::add_noise(raw, plan.acquisition.reception.noise_stddev_v, stream, pulse,
+                   plan.acquisition.reception.noise_first_sample);
 }
 
 // The echoes of the geometry's pulse: all of them, or those heard in a row whose pulse left so much later.
@@ -83,17 +90,18 @@ void RowMaker::take_echoes(std::optional<double> since_s) {
   if (plan_->engine.engine == Engine::reference)
     geometry_.echoes(echoes_);
   else
-    fast_echoes(*plan_->points, geometry_, echoes_);
+    fast_echoes(*plan_->sources.points, geometry_, echoes_);
   keep_heard(since_s);
 }
 
 void RowMaker::keep_heard(std::optional<double> since_s) {
-  if (since_s) simulate::keep_heard(echoes_, *since_s, plan_->pulse, plan_->raw_grid);
+  if (since_s)
+    simulate::keep_heard(echoes_, *since_s, plan_->acquisition.reception.pulse, plan_->acquisition.reception.raw_grid);
 }
 
 // The same, given to the spectral kernel part by part. Returns whether there are any.
 bool RowMaker::take_in_parts(std::optional<double> since_s) {
-  const PointGroups& points = *plan_->points;
+  const PointGroups& points = *plan_->sources.points;
   bool any = false;
   for (std::size_t from = 0; from < points.count; from += points_at_once) {
     const radar::PointSpan run{from, std::min(from + points_at_once, points.count)};
@@ -124,7 +132,8 @@ radar::SampleSpan RowMaker::add_pulse(std::span<std::complex<double>> raw, std::
   take_echoes(since_s);
   if (echoes_.size() == 0) return {};
   if (direct_) return direct_->add(raw, geometry_.carrier_hz(), echoes_);
-  radar::add_echoes(raw, plan.raw_grid, plan.pulse, geometry_.carrier_hz(), echoes_);
+  radar::add_echoes(raw, plan.acquisition.reception.raw_grid, plan.acquisition.reception.pulse, geometry_.carrier_hz(),
+                    echoes_);
   return {0, raw.size()};
 }
 
@@ -134,11 +143,11 @@ radar::SampleSpan RowMaker::add_pulse(std::span<std::complex<double>> raw, std::
 radar::SampleSpan RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw) {
   const Plan& plan = *plan_;
   radar::SampleSpan filled;
-  const double sent_s = plan.radar.repetition.send_time_s(pulse);
-  const double carrier_hz = plan.radar.carrier.carrier_hz(pulse);
-  for (const OtherPulse& other : plan.other_pulses.pulses) {
-    const double beat_hz = plan.radar.carrier.carrier_hz(pulse - other.back) - carrier_hz;
-    if (std::abs(beat_hz) > plan.simulation.sample_rate_hz) continue;
+  const double sent_s = plan.acquisition.link.repetition.send_time_s(pulse);
+  const double carrier_hz = plan.acquisition.link.carrier.carrier_hz(pulse);
+  for (const OtherPulse& other : plan.sources.other_pulses.pulses) {
+    const double beat_hz = plan.acquisition.link.carrier.carrier_hz(pulse - other.back) - carrier_hz;
+    if (std::abs(beat_hz) > plan.acquisition.reception.sample_rate_hz) continue;
     geometry_.set_pulse(pulse - other.back);
     const double since_s = sent_s - geometry_.send_time_s();
     other_.resize(raw.size());
@@ -148,7 +157,9 @@ radar::SampleSpan RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::
     for (std::size_t i = on.begin; i < on.end; ++i) {
       std::complex<double> sample = turn * other_[i];
       other_[i] = 0.0;
-      if (beat_hz != 0.0) sample *= core::turned_exactly(beat_hz * plan.pulse.from_middle_s(plan.raw_grid.time_s(i)));
+      if (beat_hz != 0.0)
+        sample *= core::turned_exactly(
+            beat_hz * plan.acquisition.reception.pulse.from_middle_s(plan.acquisition.reception.raw_grid.time_s(i)));
       raw[i] += sample;
     }
   }
@@ -158,14 +169,14 @@ radar::SampleSpan RowMaker::add_other_pulses(std::int64_t pulse, std::span<std::
 // By the edge rule of the ideal pulse.
 void RowMaker::blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const {
   const Plan& plan = *plan_;
-  const radar::Repetition& repetition = plan.radar.repetition;
-  const radar::SampleGrid& grid = plan.raw_grid;
-  const double width_s = plan.radar.pulse.width_s;
+  const radar::Repetition& repetition = plan.acquisition.link.repetition;
+  const radar::SampleGrid& grid = plan.acquisition.reception.raw_grid;
+  const double width_s = plan.acquisition.link.pulse.width_s;
   const double sent_s = repetition.send_time_s(pulse);
-  const double begin_s = sent_s + plan.pulse.from_middle_s(grid.time_s(0));
-  const double end_s = sent_s + plan.pulse.from_middle_s(grid.time_s(grid.count));
+  const double begin_s = sent_s + plan.acquisition.reception.pulse.from_middle_s(grid.time_s(0));
+  const double end_s = sent_s + plan.acquisition.reception.pulse.from_middle_s(grid.time_s(grid.count));
   const radar::PulseRange sending = repetition.pulses_in(begin_s - width_s, end_s + width_s);
-  radar::EchoPulse sent = plan.pulse;
+  radar::EchoPulse sent = plan.acquisition.reception.pulse;
   sent.band_limited.reset();
   for (std::int64_t m = sending.first; m <= sending.last; ++m) {
     const radar::SampleSpan on = radar::touched_samples(sent, grid, repetition.send_time_s(m) - sent_s, {});
@@ -175,18 +186,18 @@ void RowMaker::blank_while_sending(std::int64_t pulse, std::span<std::complex<do
 
 void RowMaker::make_profile(std::size_t row, std::span<std::complex<double>> out) {
   const Plan& plan = *plan_;
-  const auto steps = static_cast<std::size_t>(plan.radar.carrier.steps());
-  const int per_step = plan.radar.carrier.pulses_per_step();
-  const std::size_t gates = plan.raw_grid.count;
+  const auto steps = static_cast<std::size_t>(plan.acquisition.link.carrier.steps());
+  const int per_step = plan.acquisition.link.carrier.pulses_per_step();
+  const std::size_t gates = plan.acquisition.reception.raw_grid.count;
   raw_.resize(gates);
   std::ranges::fill(scratch_, std::complex<double>());
-  std::int64_t pulse = plan.first_pulse_of_row(row);
+  std::int64_t pulse = plan.acquisition.timing.first_pulse_of_row(row);
   for (std::size_t n = 0; n < steps; ++n)
     for (int p = 0; p < per_step; ++p, ++pulse) {
       raw_filled_ = make_raw(pulse, raw_, raw_filled_);
       for (std::size_t g = 0; g < gates; ++g) scratch_[n * gates + g] += raw_[g] / static_cast<double>(per_step);
     }
-  plan.profiler->profile(scratch_, out);
+  plan.acquisition.reception.profiler->profile(scratch_, out);
 }
 
 }  // namespace sarsim::simulate

@@ -20,7 +20,7 @@ class RowMaker {
   /// Keeps a reference to the plan.
   explicit RowMaker(const Plan& plan);
 
-  /// @param[out] out  plan.columns samples in volts
+  /// @param[out] out  plan.acquisition.reception.columns samples in volts
   void make_row(std::size_t row, std::span<std::complex<double>> out) { make_row(row, out, {0, out.size()}); }
   /// The same where most of `out` is 0 already, as in a row that is used again.
   /// @param stale  samples outside of which `out` is 0

@@ -31,11 +31,11 @@ void expect_rows_again_and_again(const scene::Scene& scene, Engine engine, bool 
   const Plan plan = make_plan(scene, 0, nullptr, engine);
   RowMaker maker(plan);
   RowMaker fresh_maker(plan);
-  Row row(plan.columns);
+  Row row(plan.acquisition.reception.columns);
   radar::SampleSpan filled;
-  for (std::size_t r = 0; r < plan.rows; ++r) {
+  for (std::size_t r = 0; r < plan.acquisition.timing.rows; ++r) {
     filled = maker.make_row(r, row, filled);
-    Row fresh(plan.columns, {7.0, 7.0});
+    Row fresh(plan.acquisition.reception.columns, {7.0, 7.0});
     fresh_maker.make_row(r, fresh);
     EXPECT_EQ(row, fresh) << r;
     ASSERT_LE(filled.end, row.size());
@@ -77,7 +77,7 @@ scene::Scene crowd(std::size_t extra) {
 }
 
 double difference(const Plan& a, const Plan& b, std::size_t row) {
-  Row of_a(a.columns), of_b(b.columns);
+  Row of_a(a.acquisition.reception.columns), of_b(b.acquisition.reception.columns);
   RowMaker(a).make_row(row, of_a);
   RowMaker(b).make_row(row, of_b);
   double difference2 = 0.0, sum2 = 0.0;
@@ -106,7 +106,7 @@ TEST(RowMaker, NamesAnImpossibleEchoBehindWhatItHoldsAtATime) {
   scene::Scene scene = crowd(60);
   scene.targets.back() = target_on("Earth", {0.0, 0.0, 0.0});
   const Plan plan = make_plan(scene, 0, nullptr, Engine::spectral);
-  Row row(plan.columns);
+  Row row(plan.acquisition.reception.columns);
   EXPECT_THROW(RowMaker(plan).make_row(0, row), ImpossibleEcho);
 }
 
@@ -114,7 +114,7 @@ TEST(RowMaker, ExpectsAStaleSpanWithinTheRow) {
   if (!core::checks_expectations()) GTEST_SKIP() << "this build does not check expectations";
   const Plan plan = make_plan(one_target_scene(), 0);
   RowMaker maker(plan);
-  Row row(plan.columns);
+  Row row(plan.acquisition.reception.columns);
   EXPECT_THROW(maker.make_row(0, row, {0, row.size() + 1}), core::BrokenExpectation);
   EXPECT_THROW(maker.make_row(0, row, {2, 1}), core::BrokenExpectation);
 }

@@ -7,15 +7,17 @@
 
 namespace sarsim::simulate {
 
-std::shared_ptr<const signal::RangeCompressor> compressor_of(const Plan& plan, const signal::WindowFunction& window,
+std::shared_ptr<const signal::RangeCompressor> compressor_of(const Acquisition& acquisition,
+                                                             const signal::WindowFunction& window,
                                                              std::size_t raw_samples, std::size_t samples) {
   CORE_EXPECT(raw_samples > 0);
   CORE_EXPECT(samples <= raw_samples);
-  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+  const radar::BandLimitedPulse* band_limited =
+      acquisition.reception.pulse.band_limited ? &*acquisition.reception.pulse.band_limited : nullptr;
   std::vector<std::size_t> index(samples);
   std::iota(index.begin(), index.end(), std::size_t{0});
-  signal::CompressionFilter filter =
-      signal::matched_filter(plan.radar.pulse, band_limited, window, 1.0 / plan.raw_grid.interval_s);
+  signal::CompressionFilter filter = signal::matched_filter(acquisition.link.pulse, band_limited, window,
+                                                            1.0 / acquisition.reception.raw_grid.interval_s);
   return std::make_shared<const signal::RangeCompressor>(std::move(filter), raw_samples, std::move(index));
 }
 

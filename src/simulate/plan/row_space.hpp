@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "signal/compress/range_compression.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -14,7 +14,7 @@ namespace sarsim::simulate {
 /// @param window       weights of the filter
 /// @param raw_samples  of a row
 /// @param samples      of them that are wanted compressed
-[[nodiscard]] std::shared_ptr<const signal::RangeCompressor> compressor_of(const Plan& plan,
+[[nodiscard]] std::shared_ptr<const signal::RangeCompressor> compressor_of(const Acquisition& acquisition,
                                                                            const signal::WindowFunction& window,
                                                                            std::size_t raw_samples,
                                                                            std::size_t samples);

@@ -47,7 +47,7 @@ void include_pulse(RangeExtent& extent, const ResolvedScene& scene, const PulseG
 
 }  // namespace
 
-RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses,
+RangeExtent target_ranges(const ResolvedScene& scene, const Link& radar, const radar::PulseRange& pulses,
                           const core::StopFlag* stop) {
   CORE_EXPECT(radar.platform < scene.platforms.size());
   RangeExtent extent;

@@ -19,7 +19,7 @@ struct RangeExtent {
 /// Where the echoes of all targets and surfaces lie, at at most 17 of the pulses, evenly spread, first and last among
 /// them. Of surfaces the distances of the points count. Targets whose delay cannot be computed do not count.
 /// @param stop  asked now and then; a requested stop throws Interrupted
-[[nodiscard]] RangeExtent target_ranges(const ResolvedScene& scene, const ResolvedRadar& radar,
-                                        const radar::PulseRange& pulses, const core::StopFlag* stop = nullptr);
+[[nodiscard]] RangeExtent target_ranges(const ResolvedScene& scene, const Link& radar, const radar::PulseRange& pulses,
+                                        const core::StopFlag* stop = nullptr);
 
 }  // namespace sarsim::simulate

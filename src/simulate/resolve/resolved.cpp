@@ -221,8 +221,7 @@ void include(radar::HeightSpan& span, double height_m) {
 }
 
 // The air between a radar and what it sees, with tables for the heights at which they are during the recordings.
-std::shared_ptr<const AirPaths> air_of(const scene::Scene& scene, const ResolvedScene& resolved,
-                                       const ResolvedRadar& radar) {
+std::shared_ptr<const AirPaths> air_of(const scene::Scene& scene, const ResolvedScene& resolved, const Link& radar) {
   if (!is_on(scene.atmosphere)) return nullptr;
   constexpr double looks = 16.0;
   constexpr double margin_m = 50.0;
@@ -308,11 +307,11 @@ std::shared_ptr<const ResolvedScene> thinned(std::shared_ptr<const ResolvedScene
   return some;
 }
 
-ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar_index) {
+Link resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar_index) {
   CORE_EXPECT(radar_index < scene.radars.size());
   const scene::Radar& radar = scene.radars.at(radar_index);
   const auto rules = [&](FunctionRole role) { return interpolation_rules(resolved.options, role); };
-  ResolvedRadar r;
+  Link r;
   r.name = radar.name;
   // A table of all names, for this one, would be made for each radar of a scene that has thousands.
   r.platform = platform_number(scene::find_platform(scene, radar.platform), scene, radar.platform);

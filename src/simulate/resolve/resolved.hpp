@@ -7,16 +7,11 @@
 #include <vector>
 
 #include "core/task/parallel.hpp"
-#include "radar/antenna/beam.hpp"
-#include "radar/antenna/pattern.hpp"
 #include "radar/earth/sagnac.hpp"
 #include "radar/motion/track.hpp"
-#include "radar/waveform/pulse.hpp"
-#include "radar/waveform/schedule.hpp"
 #include "scene/model/scene.hpp"
-#include "signal/compress/range_compression.hpp"
-#include "simulate/resolve/air_paths.hpp"
 #include "simulate/resolve/conventions.hpp"
+#include "simulate/resolve/link.hpp"
 #include "simulate/resolve/scatterers.hpp"
 
 /// A checked scene with its names looked up and its functions ready to evaluate. SI units and radians throughout.
@@ -36,24 +31,6 @@ struct ScattererSheet {
   core::Vec3 normal_platform;
   double point_rcs_m2 = 0.0;
   std::vector<core::Vec3> points_m;
-};
-
-/// A radar with its platform by number and its functions ready.
-struct ResolvedRadar {
-  std::string name;
-  std::uint32_t platform = 0;
-  radar::Pulse pulse;
-  radar::Repetition repetition;
-  radar::CarrierPlan carrier;
-  double radiated_w = 0.0;  ///< Power times gains over losses: P Gt Gr/L.
-  double noise_temperature_k = 0.0;
-  radar::AntennaPattern transmit;
-  radar::AntennaPattern receive;
-  radar::Beam beam;
-  signal::WindowFunction window;
-  scene::Radar::Stc stc = scene::Radar::Stc::none;
-  core::Interpolator stc_gain;
-  std::shared_ptr<const AirPaths> air;  ///< Null without an atmosphere.
 };
 
 /// A scene without its radars.
@@ -87,6 +64,6 @@ inline constexpr double surface_points_per_m2 = 1.0;
                                                            std::size_t max_points);
 
 /// Resolves one radar of a scene.
-[[nodiscard]] ResolvedRadar resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar);
+[[nodiscard]] Link resolve_radar(const scene::Scene& scene, const ResolvedScene& resolved, std::size_t radar);
 
 }  // namespace sarsim::simulate

@@ -16,7 +16,7 @@ namespace resolved_test {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-ResolvedRadar resolved_radar(const scene::Radar& radar, scene::Profile profile = scene::Profile::physical) {
+Link resolved_radar(const scene::Radar& radar, scene::Profile profile = scene::Profile::physical) {
   scene::Scene scene = one_target_scene();
   scene.options.profile = profile;
   scene.radars[0] = radar;
@@ -165,7 +165,7 @@ TEST(ResolveRadar, TakesBeamwidthsOfItsOwnCutsAndTheReceiveAntennaOnlyWhereItDif
   radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(1.0);
   radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(30.0);
   radar.receive_antenna.pattern = scene::Antenna::Pattern::isotropic;
-  ResolvedRadar r = resolved_radar(radar);
+  Link r = resolved_radar(radar);
   EXPECT_NEAR(r.transmit.azimuth_beamwidth_rad, core::pi / 180.0, epsilon);
   EXPECT_NEAR(r.transmit.elevation_beamwidth_rad, core::pi / 6.0, epsilon);
   EXPECT_EQ(r.receive.kind, radar::AntennaPattern::Kind::sinx);
@@ -232,7 +232,7 @@ TEST(ResolveRadar, MakesSchedulesFromTheOrdinatesOfTheirFunctions) {
   radar.pri_s.part[0] = lines({{0, 1e-3}, {9, 2e-3}});
   radar.carrier = scene::Radar::Carrier::user;
   radar.carrier_list_hz.part[0] = lines({{0, 1e9}, {5, 3e9}});
-  const ResolvedRadar r = resolved_radar(radar);
+  const Link r = resolved_radar(radar);
   EXPECT_NEAR(r.repetition.send_time_s(3), 4e-3, 1e-3 * 8.0 * epsilon);
   EXPECT_EQ(r.carrier.carrier_hz(3), 3e9);
   radar.carrier = scene::Radar::Carrier::stepped;

@@ -77,7 +77,7 @@ class TablePulses {
   }
 
   ResolvedScene resolved_;
-  ResolvedRadar radar_;
+  Link radar_;
   PulseGeometry geometry_;
   radar::PulseRange range_;
   std::size_t platforms_;

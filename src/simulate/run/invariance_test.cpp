@@ -38,10 +38,10 @@ void expect_same_samples(scene::Scene scene, double start_m, std::size_t later) 
   scene::Simulation& simulation = scene.simulations[0];
   simulation.range_start_m = start_m;
   const Samples wide = samples_of(scene);
-  const std::size_t columns = make_plan(scene, 0).columns;
+  const std::size_t columns = make_plan(scene, 0).acquisition.reception.columns;
   simulation.range_start_m = start_m + static_cast<double>(later) * c / (2.0 * simulation.sample_rate_hz);
   const Samples narrow = samples_of(scene);
-  const std::size_t fewer = make_plan(scene, 0).columns;
+  const std::size_t fewer = make_plan(scene, 0).acquisition.reception.columns;
   ASSERT_EQ(fewer, columns - later);
   const double bound = largest(wide) * (core::pi * 3e6 * 1e-5 * 4.0 + 500.0) * epsilon;
   for (std::size_t row = 0; row < 3; ++row)
@@ -141,11 +141,11 @@ TEST(Recording, BandLimitedPulsesAreSampledWhereTheClassicProfilesSamplesLie) {
   const Samples samples = samples_of(scene);
   const double amplitude = equation_amplitude(100.0, 1.0, core::classic_light_speed_mps / 1e9);
   const double delay_s = 200.0 / core::classic_light_speed_mps;
-  const radar::BandLimitedPulse shape(plan.pulse.pulse, 2e6, 4e6, 0.0);
+  const radar::BandLimitedPulse shape(plan.acquisition.reception.pulse.pulse, 2e6, 4e6, 0.0);
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const std::complex<double> expected = amplitude *
                                           std::polar(1.0, -2.0 * core::pi * std::remainder(1e9 * delay_s, 1.0)) *
-                                          shape.value(plan.raw_grid.time_s(i) - delay_s);
+                                          shape.value(plan.acquisition.reception.raw_grid.time_s(i) - delay_s);
     // Two tables, each within 1e-8 of the pulse's largest value, 1.2 or so.
     EXPECT_LT(std::abs(samples[i] - expected), amplitude * 3e-8) << i;
   }

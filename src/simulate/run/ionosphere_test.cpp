@@ -59,19 +59,20 @@ Row recorded(const Plan& plan, unsigned threads = 1) {
 // A p(t - tau_group) exp(-j 2 pi f tau_phase), stretched as without an atmosphere.
 Row closed_form(const scene::Scene& vacuum, const Plan& plan, double tec_units) {
   const ResolvedScene resolved = resolve(vacuum);
-  const ResolvedRadar radar = resolve_radar(vacuum, resolved, 0);
+  const Link radar = resolve_radar(vacuum, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   const double width_s = vacuum.radars[0].pulse_width_s;
   Row all;
-  for (std::size_t r = 0; r < plan.rows; ++r) {
-    geometry.set_pulse(plan.first_pulse_of_row(r));
+  for (std::size_t r = 0; r < plan.acquisition.timing.rows; ++r) {
+    geometry.set_pulse(plan.acquisition.timing.first_pulse_of_row(r));
     const double carrier_hz = geometry.carrier_hz();
-    Row row(plan.columns);
+    Row row(plan.acquisition.reception.columns);
     for (std::size_t t = 0; t < vacuum.targets.size(); ++t) {
       const ScattererView view = geometry.view(t);
       const double excess_s = 2.0 * group_m(tec_units, carrier_hz, view.distance_m) / c;
       for (std::size_t i = 0; i < row.size(); ++i) {
-        const double u = plan.raw_grid.time_s(i) - (view.delay_s + excess_s) + plan.pulse.lead_s - 0.5 * width_s;
+        const double u = plan.acquisition.reception.raw_grid.time_s(i) - (view.delay_s + excess_s) +
+                         plan.acquisition.reception.pulse.lead_s - 0.5 * width_s;
         const double late = view.clock.late(u);
         const double e = u - late;
         if (e < -0.5 * width_s || e >= 0.5 * width_s) continue;
@@ -127,7 +128,7 @@ TEST_P(IonosphereRows, OfSteppedCarriersAreTheClosedForm) {
   const scene::Scene vacuum = scene;
   scene.atmosphere.tec_units = 20.0;
   const Plan plan = make_plan(scene, 0, nullptr, GetParam());
-  ASSERT_EQ(plan.rows, 8U);
+  ASSERT_EQ(plan.acquisition.timing.rows, 8U);
   const Row expected = closed_form(vacuum, plan, 20.0);
   double largest = 0.0;
   for (const std::complex<double>& sample : expected) largest = std::max(largest, std::abs(sample));
@@ -196,19 +197,20 @@ TEST(IonosphereFlight, MovesThePeakSmoothlyAndTurnsThePhaseAsMuch) {
   const scene::Scene scene = circling_scene();
   const Plan plan = make_plan(scene, 0);
   const Row samples = recorded(plan);
-  const double step_m = plan.column_range_m[1] - plan.column_range_m[0];
+  const double step_m = plan.acquisition.reception.column_range_m[1] - plan.acquisition.reception.column_range_m[0];
   std::vector<double> excess_m, expected_m, phase_rad;
-  for (std::size_t r = 0; r < plan.rows; ++r) {
-    const std::complex<double>* row = samples.data() + r * plan.columns;
-    const double angle = 0.2 + 0.01 * plan.radar.repetition.send_time_s(plan.first_pulse_of_row(r));
+  for (std::size_t r = 0; r < plan.acquisition.timing.rows; ++r) {
+    const std::complex<double>* row = samples.data() + r * plan.acquisition.reception.columns;
+    const double angle =
+        0.2 + 0.01 * plan.acquisition.link.repetition.send_time_s(plan.acquisition.timing.first_pulse_of_row(r));
     expected_m.push_back(group_m(50.0, 1.257e9, 1.0, std::cos(angle)));
-    const Peak peak = peak_of(row, plan.columns);
-    excess_m.push_back(plan.column_range_m[0] + peak.column * step_m - height_m);
+    const Peak peak = peak_of(row, plan.acquisition.reception.columns);
+    excess_m.push_back(plan.acquisition.reception.column_range_m[0] + peak.column * step_m - height_m);
     phase_rad.push_back(peak.phase_rad - 4.0 * core::pi * 1.257e9 / c * expected_m.back());
   }
-  ASSERT_GT(plan.rows, 300U);
+  ASSERT_GT(plan.acquisition.timing.rows, 300U);
   ASSERT_GT(expected_m.back() - expected_m.front(), 15.0 * 0.119);
-  for (std::size_t r = 1; r + 1 < plan.rows; ++r) {
+  for (std::size_t r = 1; r + 1 < plan.acquisition.timing.rows; ++r) {
     EXPECT_LT(std::abs(excess_m[r + 1] - 2.0 * excess_m[r] + excess_m[r - 1]), 1e-3) << r;
     EXPECT_NEAR(excess_m[r] - expected_m[r], excess_m[0] - expected_m[0], 3e-3) << r;
     EXPECT_NEAR(std::remainder(phase_rad[r] - phase_rad[0], 2.0 * core::pi), 0.0, 0.01) << r;

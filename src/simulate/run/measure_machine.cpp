@@ -116,7 +116,7 @@ class Measuring {
       MachineSpeed speed = speed_;
       speed.*part = of_part;
       const Cost cost = estimated_cost(plan, 1, speed);
-      return (cost.seconds_one_thread - cost.start_seconds) / static_cast<double>(plan.rows);
+      return (cost.seconds_one_thread - cost.start_seconds) / static_cast<double>(plan.acquisition.timing.rows);
     };
     const double others_s = expected_s(0.0);
     const double measured = (row_seconds(trial) - others_s) / (expected_s(1.0) - others_s);
@@ -137,7 +137,7 @@ class Measuring {
     for (int i = 0; i < trial_repeats; ++i) {
       Nowhere nowhere;
       const Moment begin = Moment::now();
-      (void)run(plan, plan.simulation.lsb_v, nowhere, {1, stop_, {}});
+      (void)run(plan, plan.acquisition.simulation.lsb_v, nowhere, {1, stop_, {}});
       min_s = std::min(min_s, begin.seconds_since());
     }
     return min_s;

@@ -181,7 +181,9 @@ class StoredRows {
   RowReader read_;
 };
 
-Recorded recorded_of(const Plan& plan) { return {plan.rows, plan.columns, plan.simulation.bits}; }
+Recorded recorded_of(const Plan& plan) {
+  return {plan.acquisition.timing.rows, plan.acquisition.reception.columns, plan.acquisition.simulation.bits};
+}
 
 // All rows, through a sink; how long it took is for the report.
 template <class Source>
@@ -201,13 +203,14 @@ RunReport run_all(const Treatment& treatment, Sink& sink, const RunControl& cont
 }  // namespace
 
 double resolved_lsb_v(const Plan& plan, const RunControl& control) {
-  CORE_EXPECT(plan.scene != nullptr);
-  if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
+  CORE_EXPECT(plan.acquisition.scene != nullptr);
+  if (plan.acquisition.simulation.lsb_v > 0.0) return plan.acquisition.simulation.lsb_v;
   double maximum_v = 0.0;
   run_blocks(
-      {recorded_of(plan), nullptr, 0.0, control.stop}, {0, plan.rows}, control, [&] { return PlanRows(plan); },
+      {recorded_of(plan), nullptr, 0.0, control.stop}, {0, plan.acquisition.timing.rows}, control,
+      [&] { return PlanRows(plan); },
       [&](const EncodedRows& block) { maximum_v = std::max(maximum_v, block.tally.maximum_v); });
-  return lsb_of_maximum_v(maximum_v, plan.simulation.bits);
+  return lsb_of_maximum_v(maximum_v, plan.acquisition.simulation.bits);
 }
 
 double lsb_of_maximum_v(double maximum_v, int bits) {
@@ -218,7 +221,7 @@ double lsb_of_maximum_v(double maximum_v, int bits) {
 
 void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder, const RunControl& control,
               const std::function<void(const EncodedRows&)>& take) {
-  CORE_EXPECT(rows.end() <= plan.rows);
+  CORE_EXPECT(rows.end() <= plan.acquisition.timing.rows);
   CORE_EXPECT(lsb_v > 0.0 || (lsb_v == 0.0 && !encoder.wants_counts()));
   CORE_EXPECT(take);
   run_blocks(
@@ -243,7 +246,7 @@ RunReport report_of(const Recorded& recorded, double lsb_v, const radar::Convers
 
 RunReport run(const Plan& plan, double lsb_v, Sink& sink, const RunControl& control) {
   CORE_EXPECT(lsb_v > 0.0 || (lsb_v == 0.0 && !sink.wants_counts()));
-  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(plan.acquisition.scene != nullptr);
   return run_all({recorded_of(plan), &sink, lsb_v, control.stop}, sink, control, [&] { return PlanRows(plan); });
 }
 
@@ -255,7 +258,7 @@ RunReport run_stored(const Recorded& recorded, const std::function<RowReader()>&
 }
 
 Recording record(const Plan& plan, const RunControl& control) {
-  CORE_EXPECT(plan.scene != nullptr);
+  CORE_EXPECT(plan.acquisition.scene != nullptr);
   Recording recording;
   MemorySink sink(recording);
   run(plan, 0.0, sink, control);

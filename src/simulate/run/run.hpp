@@ -64,7 +64,7 @@ struct EncodedRows {
 /// Computes some rows of a plan and hands them over, a few at a time and in order, on the calling thread. The bytes and
 /// the sum of the tallies do not depend on how a recording is divided among calls, processes or machines.
 ///
-/// @param rows     within [0, plan.rows)
+/// @param rows     within [0, plan.acquisition.timing.rows)
 /// @param lsb_v    see `run`; 0 for an encoder that wants no counts
 /// @param encoder  only its `encode` and `wants_counts` are used
 void run_rows(const Plan& plan, RowRange rows, double lsb_v, const Sink& encoder, const RunControl& control,

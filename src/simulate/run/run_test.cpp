@@ -218,21 +218,23 @@ scene::Scene noisy_scene() {
 
 TEST(RunRows, OfAnyDivisionAreTheRowsOfAWholeRun) {
   const Plan plan = make_plan(noisy_scene(), 0);
-  ASSERT_EQ(plan.rows, 21U);
+  ASSERT_EQ(plan.acquisition.timing.rows, 21U);
   const Recording whole = record(plan, {1, nullptr, {}});
   for (const std::size_t cut : {1U, 8U, 20U}) {
     Recording parts;
     MemorySink sink(parts);
     radar::ConversionTally tally;
     const auto take = [&](const EncodedRows& block) {
-      EXPECT_EQ(block.bytes.size(), block.rows.count * plan.columns * sizeof(std::complex<double>));
+      EXPECT_EQ(block.bytes.size(),
+                block.rows.count * plan.acquisition.reception.columns * sizeof(std::complex<double>));
       sink.append(block.bytes, block.rows.first, block.rows.count);
       tally.add(block.tally);
     };
     run_rows(plan, {0, cut}, 0.0, sink, {1, nullptr, {}}, take);
-    run_rows(plan, {cut, plan.rows - cut}, 0.0, sink, {3, nullptr, {}}, take);
+    run_rows(plan, {cut, plan.acquisition.timing.rows - cut}, 0.0, sink, {3, nullptr, {}}, take);
     EXPECT_EQ(parts.samples, whole.samples);
-    EXPECT_EQ(report_of({plan.rows, plan.columns, 8}, 0.0, tally).maximum_v, whole.report.maximum_v);
+    EXPECT_EQ(report_of({plan.acquisition.timing.rows, plan.acquisition.reception.columns, 8}, 0.0, tally).maximum_v,
+              whole.report.maximum_v);
   }
 }
 
@@ -241,17 +243,20 @@ TEST(RunStored, ConvertsRowsAsTheRunThatComputesThem) {
   const Recording whole = record(plan);
   const auto reader = [&] {
     return [&](std::size_t row, std::span<std::complex<double>> volts) {
-      std::copy_n(whole.samples.begin() + static_cast<std::ptrdiff_t>(row * plan.columns), plan.columns, volts.begin());
+      std::copy_n(whole.samples.begin() + static_cast<std::ptrdiff_t>(row * plan.acquisition.reception.columns),
+                  plan.acquisition.reception.columns, volts.begin());
     };
   };
   const double lsb_v = resolved_lsb_v(plan, {});
-  EXPECT_EQ(lsb_v, lsb_of_maximum_v(whole.report.maximum_v, plan.simulation.bits));
+  EXPECT_EQ(lsb_v, lsb_of_maximum_v(whole.report.maximum_v, plan.acquisition.simulation.bits));
   Recording computed;
   Recording stored;
   MemorySink computed_sink(computed);
   MemorySink stored_sink(stored);
   const RunReport a = run(plan, lsb_v, computed_sink, {});
-  const RunReport b = run_stored({plan.rows, plan.columns, plan.simulation.bits}, reader, lsb_v, stored_sink, {});
+  const RunReport b =
+      run_stored({plan.acquisition.timing.rows, plan.acquisition.reception.columns, plan.acquisition.simulation.bits},
+                 reader, lsb_v, stored_sink, {});
   EXPECT_EQ(stored.samples, computed.samples);
   EXPECT_EQ(std::tie(a.maximum_v, a.lsb_v, a.range_used, a.saturated, a.zero),
             std::tie(b.maximum_v, b.lsb_v, b.range_used, b.saturated, b.zero));
@@ -260,9 +265,9 @@ TEST(RunStored, ConvertsRowsAsTheRunThatComputesThem) {
 TEST(Run, ExpectsRowsOfThePlanAndAnLsb) {
   if (!core::checks_expectations()) GTEST_SKIP() << "this build does not check expectations";
   const Plan plan = make_plan(one_target(1000.0), 0);
-  std::vector<std::complex<double>> row(plan.columns);
+  std::vector<std::complex<double>> row(plan.acquisition.reception.columns);
   RowMaker maker(plan);
-  EXPECT_THROW(maker.make_row(plan.rows, row), core::BrokenExpectation);
+  EXPECT_THROW(maker.make_row(plan.acquisition.timing.rows, row), core::BrokenExpectation);
   EXPECT_THROW(maker.make_row(0, std::span(row).subspan(1)), core::BrokenExpectation);
   EXPECT_NO_THROW(maker.make_row(0, row));
   EXPECT_THROW(static_cast<void>(lsb_of_maximum_v(1.0, 0)), core::BrokenExpectation);

@@ -9,7 +9,7 @@
 namespace sarsim::simulate {
 
 SampledRowMaker::SampledRowMaker(const Plan& plan, const SampleSelection& selection, const core::StopFlag* stop)
-    : plan_(&plan), selection_(&selection), stop_(stop), rows_(plan), row_(plan.columns) {}
+    : plan_(&plan), selection_(&selection), stop_(stop), rows_(plan), row_(plan.acquisition.reception.columns) {}
 
 void SampledRowMaker::make_row(std::size_t row, std::span<std::complex<double>> out) {
   CORE_EXPECT(row < selection_->rows.size());

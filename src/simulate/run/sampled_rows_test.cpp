@@ -29,10 +29,10 @@ scene::Scene noisy_scene() {
 
 SampleSelection every_nth(const Plan& plan, std::size_t row_step, std::size_t column_step) {
   SampleSelection selection;
-  for (std::size_t r = 0; r < plan.rows; r += row_step)
-    selection.rows.push_back({r, std::min(r + row_step, plan.rows)});
-  for (std::size_t c = 0; c < plan.columns; c += column_step)
-    selection.columns.push_back({c, std::min(c + column_step, plan.columns)});
+  for (std::size_t r = 0; r < plan.acquisition.timing.rows; r += row_step)
+    selection.rows.push_back({r, std::min(r + row_step, plan.acquisition.timing.rows)});
+  for (std::size_t c = 0; c < plan.acquisition.reception.columns; c += column_step)
+    selection.columns.push_back({c, std::min(c + column_step, plan.acquisition.reception.columns)});
   return selection;
 }
 
@@ -51,7 +51,8 @@ TEST(SampledRows, AreTheSamplesOfTheRecordingBitForBit) {
     const Samples some = sampled(plan, selection, 3);
     for (std::size_t i = 0; i < selection.rows.size(); ++i)
       for (std::size_t k = 0; k < selection.columns.size(); ++k)
-        EXPECT_EQ(some[i * selection.columns.size() + k], all[3 * i * plan.columns + 7 * k]) << i << " " << k;
+        EXPECT_EQ(some[i * selection.columns.size() + k], all[3 * i * plan.acquisition.reception.columns + 7 * k])
+            << i << " " << k;
   }
 }
 
@@ -66,7 +67,7 @@ TEST(SampledRows, PeaksAreTheLargestSamplesOfTheirRowsAndColumns) {
       double largest = 0.0;
       for (std::size_t r = selection.rows[i].begin; r < selection.rows[i].end; ++r)
         for (std::size_t c = selection.columns[k].begin; c < selection.columns[k].end; ++c)
-          largest = std::max(largest, std::abs(all[r * plan.columns + c]));
+          largest = std::max(largest, std::abs(all[r * plan.acquisition.reception.columns + c]));
       EXPECT_EQ(std::abs(peaks[i * selection.columns.size() + k]), largest) << i << " " << k;
     }
 }
@@ -75,24 +76,26 @@ TEST(SampledRows, AreTheSameOnAnyNumberOfThreadsAndWriteOnlyWhatIsAsked) {
   const Plan plan = make_plan(noisy_scene(), 0, nullptr, Engine::spectral);
   const SampleSelection selection = every_nth(plan, 1, 1);
   EXPECT_EQ(sampled(plan, selection, 1), sampled(plan, selection, 5));
-  Samples out(plan.rows * plan.columns, {7.0, 7.0});
+  Samples out(plan.acquisition.timing.rows * plan.acquisition.reception.columns, {7.0, 7.0});
   const std::vector<std::size_t> order{4};
   compute_sampled_rows(plan, selection, order, {2, nullptr}, out, {});
-  EXPECT_EQ(out[3 * plan.columns], std::complex(7.0, 7.0));
-  EXPECT_NE(out[4 * plan.columns], std::complex(7.0, 7.0));
-  EXPECT_EQ(out[5 * plan.columns], std::complex(7.0, 7.0));
+  EXPECT_EQ(out[3 * plan.acquisition.reception.columns], std::complex(7.0, 7.0));
+  EXPECT_NE(out[4 * plan.acquisition.reception.columns], std::complex(7.0, 7.0));
+  EXPECT_EQ(out[5 * plan.acquisition.reception.columns], std::complex(7.0, 7.0));
 }
 
 TEST(SampledRows, TellAboutEveryRowOnceWhenItIsComplete) {
   const Plan plan = make_plan(noisy_scene(), 0, nullptr, Engine::direct);
   const SampleSelection selection = every_nth(plan, 1, 1);
-  Samples out(plan.rows * plan.columns, std::nan(""));
-  std::vector<std::atomic<int>> told(plan.rows);
+  Samples out(plan.acquisition.timing.rows * plan.acquisition.reception.columns, std::nan(""));
+  std::vector<std::atomic<int>> told(plan.acquisition.timing.rows);
   std::atomic<bool> incomplete{false};
-  compute_sampled_rows(plan, selection, refinement_order(plan.rows), {3, nullptr}, out, [&](std::size_t row) {
-    ++told[row];
-    if (std::isnan(out[(row + 1) * plan.columns - 1].real())) incomplete = true;
-  });
+  compute_sampled_rows(plan, selection, refinement_order(plan.acquisition.timing.rows), {3, nullptr}, out,
+                       [&](std::size_t row) {
+                         ++told[row];
+                         if (std::isnan(out[(row + 1) * plan.acquisition.reception.columns - 1].real()))
+                           incomplete = true;
+                       });
   EXPECT_FALSE(incomplete);
   for (const auto& count : told) EXPECT_EQ(count, 1);
 }
@@ -100,10 +103,10 @@ TEST(SampledRows, TellAboutEveryRowOnceWhenItIsComplete) {
 TEST(SampledRows, EndWhenAskedTo) {
   const Plan plan = make_plan(noisy_scene(), 0, nullptr, Engine::direct);
   const SampleSelection selection = every_nth(plan, 1, 1);
-  Samples out(plan.rows * plan.columns);
+  Samples out(plan.acquisition.timing.rows * plan.acquisition.reception.columns);
   core::StopFlag stop;
   std::atomic<int> rows{0};
-  EXPECT_THROW(compute_sampled_rows(plan, selection, refinement_order(plan.rows), {2, &stop}, out,
+  EXPECT_THROW(compute_sampled_rows(plan, selection, refinement_order(plan.acquisition.timing.rows), {2, &stop}, out,
                                     [&](std::size_t) {
                                       ++rows;
                                       stop.request();
@@ -114,12 +117,12 @@ TEST(SampledRows, EndWhenAskedTo) {
 
 TEST(SampledRows, EndWithinAPeakOfManyPulses) {
   const Plan plan = make_plan(noisy_scene(), 0, nullptr, Engine::direct);
-  SampleSelection selection = every_nth(plan, plan.rows, 1);
+  SampleSelection selection = every_nth(plan, plan.acquisition.timing.rows, 1);
   selection.pick = SampleSelection::Pick::peak;
   core::StopFlag stop;
   SampledRowMaker maker(plan, selection, &stop);
   stop.request();
-  Samples out(plan.columns);
+  Samples out(plan.acquisition.reception.columns);
   EXPECT_THROW(maker.make_row(0, out), core::Interrupted);
 }
 
@@ -128,9 +131,10 @@ TEST(SampledRows, PassOnWhatAThreadThrows) {
   scene.targets.push_back(target_on("Earth", {0.0, 0.0, 0.0}));  // at the radar
   const Plan plan = make_plan(scene, 0, nullptr, Engine::direct);
   const SampleSelection selection = every_nth(plan, 1, 1);
-  Samples out(plan.rows * plan.columns);
-  EXPECT_THROW(compute_sampled_rows(plan, selection, refinement_order(plan.rows), {2, nullptr}, out, {}),
-               ImpossibleEcho);
+  Samples out(plan.acquisition.timing.rows * plan.acquisition.reception.columns);
+  EXPECT_THROW(
+      compute_sampled_rows(plan, selection, refinement_order(plan.acquisition.timing.rows), {2, nullptr}, out, {}),
+      ImpossibleEcho);
 }
 
 TEST(RefinementOrder, HoldsEveryNumberOnce) {

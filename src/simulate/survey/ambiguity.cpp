@@ -16,18 +16,16 @@ namespace {
 
 class OtherPulseRules {
  public:
-  OtherPulseRules(const Plan& plan, const EchoSurvey& survey, std::size_t index, const std::string& scope,
-                  core::Problems& problems)
-      : plan_(plan), survey_(survey), index_(index), scope_(scope), problems_(problems) {}
+  OtherPulseRules(const Acquisition& acquisition, const OtherPulses& all, const EchoSurvey& survey, std::size_t index,
+                  const std::string& scope, core::Problems& problems)
+      : acquisition_(acquisition), all_(all), survey_(survey), index_(index), scope_(scope), problems_(problems) {}
 
   // One statement of echoes that are late and of what that does to rows: of targets whose echoes arrive after the next
   // pulse, and of rows that hold echoes of other pulses.
   void check_ranges() {
-    const scene::AmbiguousEchoes which = plan_.scene->options.ambiguous_echoes;
+    const scene::AmbiguousEchoes which = acquisition_.scene->options.ambiguous_echoes;
     const bool left_out = which == scene::AmbiguousEchoes::none;
-    const OtherPulses heard = left_out
-                                  ? heard_pulses(*plan_.scene, plan_.radar, plan_.pulse, plan_.raw_grid, plan_.pulses)
-                                  : plan_.other_pulses;
+    const OtherPulses heard = left_out ? all_ : asked_for(all_, which);
     check_farther(heard);
     if (heard.pulses.empty()) return check_late();
     const bool late = survey_.totals.late > 0;
@@ -48,7 +46,7 @@ class OtherPulseRules {
     const std::size_t targets = static_cast<std::size_t>(
         std::ranges::count_if(survey_.targets, [this](const TargetSurvey& t) { return t.in_window && eclipsed(t); }));
     if (targets == 0) return;
-    const bool blanked = plan_.scene->options.eclipsing == scene::Eclipsing::blanked;
+    const bool blanked = acquisition_.scene->options.eclipsing == scene::Eclipsing::blanked;
     add(core::Severity::note,
         fmt::format("echoes of {} of {} targets arrive while the radar sends{}", targets, survey_.targets.size(),
                     blanked ? " and are cut" : "; the receiver is taken to go on") +
@@ -60,7 +58,9 @@ class OtherPulseRules {
 
  private:
   // How many pulses are under way at once.
-  [[nodiscard]] double under_way() const { return std::floor(survey_.totals.latest_m / unambiguous_range_m(plan_)); }
+  [[nodiscard]] double under_way() const {
+    return std::floor(survey_.totals.latest_m / unambiguous_range_m(acquisition_));
+  }
   [[nodiscard]] bool from_afar() const { return under_way() >= 3.0; }
 
   [[nodiscard]] std::string late_text() const {
@@ -72,13 +72,13 @@ class OtherPulseRules {
     return from_afar() ? text + fmt::format(", {:.0f} pulses are under way at once", under_way()) : text;
   }
   [[nodiscard]] std::string unambiguous_text() const {
-    return fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(plan_));
+    return fmt::format("at most {:.6g} m, the unambiguous range", unambiguous_range_m(acquisition_));
   }
 
   // From orbit, where many pulses are under way at once, a lower PRF is not useful advice.
   void check_late() {
     if (survey_.totals.late == 0) return;
-    const bool own_alone = plan_.scene->conventions.reception == Conventions::Reception::own_pulse;
+    const bool own_alone = acquisition_.scene->conventions.reception == Conventions::Reception::own_pulse;
     add(from_afar() ? core::Severity::note : core::Severity::warning,
         late_text() + (own_alone ? "; a row holds the echoes of its own pulse only" : "") + scope_, late_range(),
         unambiguous_text(),
@@ -121,12 +121,12 @@ class OtherPulseRules {
 
   // Whether a pulse leaves while an echo arrives, anywhere between its nearest and its farthest place.
   [[nodiscard]] bool eclipsed(const TargetSurvey& target) const {
-    const double light_mps = plan_.scene->conventions.light_speed_mps;
-    const radar::Repetition& repetition = plan_.radar.repetition;
-    const double width_s = plan_.radar.pulse.width_s;
+    const double light_mps = acquisition_.light_speed_mps();
+    const radar::Repetition& repetition = acquisition_.link.repetition;
+    const double width_s = acquisition_.link.pulse.width_s;
     const double first_s = radar::delay_of(target.nearest_m, light_mps) - width_s;
     const double last_s = radar::delay_of(target.farthest_m, light_mps) + width_s;
-    const double sent_s = repetition.send_time_s(plan_.pulses.first);
+    const double sent_s = repetition.send_time_s(acquisition_.timing.pulses.first);
     return repetition.pulses_in(sent_s + first_s, sent_s + last_s).count() > 0;
   }
 
@@ -137,7 +137,8 @@ class OtherPulseRules {
     problems_.push_back(std::move(problem));
   }
 
-  const Plan& plan_;
+  const Acquisition& acquisition_;
+  const OtherPulses& all_;  // that are heard, wanted or not
   const EchoSurvey& survey_;
   std::size_t index_;
   const std::string& scope_;
@@ -146,10 +147,10 @@ class OtherPulseRules {
 
 }  // namespace
 
-void check_other_pulses(const Plan& plan, const EchoSurvey& survey, std::size_t index, const std::string& scope,
-                        core::Problems& problems) {
-  CORE_EXPECT(plan.scene != nullptr);
-  OtherPulseRules rules(plan, survey, index, scope, problems);
+void check_other_pulses(const Acquisition& acquisition, const OtherPulses& all, const EchoSurvey& survey,
+                        std::size_t index, const std::string& scope, core::Problems& problems) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  OtherPulseRules rules(acquisition, all, survey, index, scope, problems);
   rules.check_ranges();
   rules.check_eclipsed();
 }

@@ -14,7 +14,7 @@ namespace {
 
 class BeamPasses {
  public:
-  BeamPasses(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses)
+  BeamPasses(const ResolvedScene& scene, const Link& radar, const radar::PulseRange& pulses)
       : scene_(scene), radar_(radar), pulses_(pulses), geometry_(scene, radar) {
     first_s_ = radar.repetition.send_time_s(pulses.first);
     last_s_ = radar.repetition.send_time_s(pulses.last);
@@ -72,7 +72,7 @@ class BeamPasses {
   }
 
   const ResolvedScene& scene_;
-  const ResolvedRadar& radar_;
+  const Link& radar_;
   radar::PulseRange pulses_;
   PulseGeometry geometry_;
   double first_s_ = 0.0;
@@ -84,12 +84,12 @@ class BeamPasses {
 
 bool turns(const radar::Beam& beam) { return beam.kind == radar::Beam::Kind::rotating && beam.rate_rad_per_s != 0.0; }
 
-std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most) {
-  CORE_EXPECT(plan.scene != nullptr);
-  return BeamPasses(*plan.scene, plan.radar, plan.pulses).pulses(most);
+std::vector<std::int64_t> pulses_on_targets(const Acquisition& acquisition, std::size_t most) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  return BeamPasses(*acquisition.scene, acquisition.link, acquisition.timing.pulses).pulses(most);
 }
 
-std::optional<std::int64_t> pulse_on_target(const ResolvedScene& scene, const ResolvedRadar& radar,
+std::optional<std::int64_t> pulse_on_target(const ResolvedScene& scene, const Link& radar,
                                             const radar::PulseRange& pulses, std::size_t target) {
   CORE_EXPECT(target < scene.scatterers.size());
   BeamPasses passes(scene, radar, pulses);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -17,11 +17,11 @@ namespace sarsim::simulate {
 /// @param plan  of a radar whose beam turns
 /// @param most  how many pulses at most: of all targets the first pass before the second of any
 /// @return in no order, perhaps some more than once; none for targets that the beam does not meet in the recording
-[[nodiscard]] std::vector<std::int64_t> pulses_on_targets(const Plan& plan, std::size_t most);
+[[nodiscard]] std::vector<std::int64_t> pulses_on_targets(const Acquisition& acquisition, std::size_t most);
 
 /// Number of the pulse at which a beam that turns points nearest to one target in azimuth, in the pass nearest to the
 /// middle of the recording; nothing where the beam does not meet it.
-[[nodiscard]] std::optional<std::int64_t> pulse_on_target(const ResolvedScene& scene, const ResolvedRadar& radar,
+[[nodiscard]] std::optional<std::int64_t> pulse_on_target(const ResolvedScene& scene, const Link& radar,
                                                           const radar::PulseRange& pulses, std::size_t target);
 
 }  // namespace sarsim::simulate

@@ -37,8 +37,10 @@ double half_power_width_rad(const radar::AntennaPattern& pattern, radar::Pattern
 
 class BeamAzimuths {
  public:
-  explicit BeamAzimuths(const Plan& plan)
-      : beam_(plan.radar.beam), geometry_(*plan.scene, plan.radar), first_(plan.pulses.first) {}
+  explicit BeamAzimuths(const Acquisition& acquisition)
+      : beam_(acquisition.link.beam),
+        geometry_(*acquisition.scene, acquisition.link),
+        first_(acquisition.timing.pulses.first) {}
 
   // Where the beam of pulse i of the recording points, from +y towards +x of the world, with whole turns: those of the
   // beam, or as near to the azimuth before as can be where its platform turns it.
@@ -87,16 +89,16 @@ double unlit_rad(std::vector<double> directions_rad, double sector_rad, double w
 
 }  // namespace
 
-std::optional<BeamSteps> beam_steps(const Plan& plan) {
-  CORE_EXPECT(plan.scene != nullptr);
-  const radar::Beam::Kind kind = plan.radar.beam.kind;
-  const std::int64_t pulses = std::min(plan.pulses.count(), max_examined_pulses);
+std::optional<BeamSteps> beam_steps(const Acquisition& acquisition) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  const radar::Beam::Kind kind = acquisition.link.beam.kind;
+  const std::int64_t pulses = std::min(acquisition.timing.pulses.count(), max_examined_pulses);
   if ((kind != radar::Beam::Kind::rotating && kind != radar::Beam::Kind::fixed) || pulses < 2) return std::nullopt;
-  const radar::PatternRule rule = plan.scene->conventions.pattern;
-  const double one_way_rad =
-      std::min(half_power_width_rad(plan.radar.transmit, rule), half_power_width_rad(plan.radar.receive, rule));
+  const radar::PatternRule rule = acquisition.scene->conventions.pattern;
+  const double one_way_rad = std::min(half_power_width_rad(acquisition.link.transmit, rule),
+                                      half_power_width_rad(acquisition.link.receive, rule));
   if (!std::isfinite(one_way_rad)) return std::nullopt;
-  BeamAzimuths azimuths(plan);
+  BeamAzimuths azimuths(acquisition);
   azimuths.of(0);
   BeamSteps steps{.width_rad = one_way_rad / std::max(azimuths.level(), 1e-3)};
   if (!may_jump(azimuths, pulses, steps.width_rad)) return std::nullopt;

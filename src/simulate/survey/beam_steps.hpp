@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -17,6 +17,6 @@ struct BeamSteps {
 
 /// Of beams that turn with a constant rate and of beams that turn with their platform; nothing where no step exceeds
 /// the width. Of more than 262144 pulses the first ones are examined.
-[[nodiscard]] std::optional<BeamSteps> beam_steps(const Plan& plan);
+[[nodiscard]] std::optional<BeamSteps> beam_steps(const Acquisition& acquisition);
 
 }  // namespace sarsim::simulate

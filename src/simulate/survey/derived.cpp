@@ -35,15 +35,15 @@ double largest_in_window_v(const EchoSurvey& survey) {
   return largest;
 }
 
-double largest_stc_gain(const Plan& plan) {
-  double largest = plan.stc_gain.empty() ? 1.0 : 0.0;
-  for (const double gain : plan.stc_gain) largest = std::max(largest, std::abs(gain));
+double largest_stc_gain(const Acquisition& acquisition) {
+  double largest = acquisition.reception.stc_gain.empty() ? 1.0 : 0.0;
+  for (const double gain : acquisition.reception.stc_gain) largest = std::max(largest, std::abs(gain));
   return largest;
 }
 
 }  // namespace
 
-RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, const Conventions& conventions) {
+RadarFigures radar_figures(const Link& radar, double peak_power_w, const Conventions& conventions) {
   CORE_EXPECT(conventions.light_speed_mps > 0.0);
   CORE_EXPECT(conventions.boltzmann_j_per_k > 0.0);
   const double c = conventions.light_speed_mps;
@@ -71,40 +71,41 @@ RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w, cons
   return f;
 }
 
-double processing_gain(const Plan& plan) {
-  CORE_EXPECT(plan.scene != nullptr);
-  if (!plan.compressor) return 1.0;
-  radar::EchoPulse pulse = plan.pulse;
+double processing_gain(const Acquisition& acquisition) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  if (!acquisition.reception.compressor) return 1.0;
+  radar::EchoPulse pulse = acquisition.reception.pulse;
   pulse.lead_s = 0.0;
-  std::vector<std::complex<double>> raw(plan.raw_grid.count);
+  std::vector<std::complex<double>> raw(acquisition.reception.raw_grid.count);
   // A lone echo that begins at the first sample, or as much earlier as a band-limited pulse has a tail before its edge.
-  radar::SampleGrid grid{0.0, plan.raw_grid.interval_s, plan.raw_grid.count};
+  radar::SampleGrid grid{0.0, acquisition.reception.raw_grid.interval_s, acquisition.reception.raw_grid.count};
   const double tail_intervals = std::ceil(-std::min(0.0, pulse.first_s()) / grid.interval_s);
   radar::EchoBatch echo;
   echo.add(tail_intervals * grid.interval_s, 1.0, 0.0);
   radar::add_echoes(raw, grid, pulse, 0.0, echo);
-  std::vector<std::complex<double>> out(plan.compressor->output_count());
-  std::vector<std::complex<double>> scratch(plan.compressor->scratch_size());
-  plan.compressor->compress(raw, out, scratch);
+  std::vector<std::complex<double>> out(acquisition.reception.compressor->output_count());
+  std::vector<std::complex<double>> scratch(acquisition.reception.compressor->scratch_size());
+  acquisition.reception.compressor->compress(raw, out, scratch);
   return radar::largest_magnitude(out);
 }
 
-SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey) {
-  CORE_EXPECT(plan.scene != nullptr);
-  CORE_EXPECT(!plan.column_range_m.empty());
-  const double c = plan.scene->conventions.light_speed_mps;
+SimulationFigures simulation_figures(const Acquisition& acquisition, const EchoSurvey& survey) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  CORE_EXPECT(!acquisition.reception.column_range_m.empty());
+  const double c = acquisition.light_speed_mps();
   SimulationFigures f;
-  f.first_delay_s = radar::delay_of(plan.column_range_m.front(), c);
-  f.last_delay_s = radar::delay_of(plan.column_range_m.back(), c);
-  if (plan.column_range_m.size() > 1) f.column_spacing_m = plan.column_range_m[1] - plan.column_range_m[0];
-  f.sampling_ratio = plan.simulation.sample_rate_hz / band_of(plan.radar.pulse);
+  f.first_delay_s = radar::delay_of(acquisition.reception.column_range_m.front(), c);
+  f.last_delay_s = radar::delay_of(acquisition.reception.column_range_m.back(), c);
+  if (acquisition.reception.column_range_m.size() > 1)
+    f.column_spacing_m = acquisition.reception.column_range_m[1] - acquisition.reception.column_range_m[0];
+  f.sampling_ratio = acquisition.reception.sample_rate_hz / band_of(acquisition.link.pulse);
   constexpr std::size_t max_targets = 4096;
-  f.pulse_motion_rad = motion_left_in_pulse(plan, targets_in_window(survey, max_targets)).phase_rad;
-  f.noise_power_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;
-  const double gain = processing_gain(plan) * largest_stc_gain(plan);
+  f.pulse_motion_rad = motion_left_in_pulse(acquisition, targets_in_window(survey, max_targets)).phase_rad;
+  f.noise_power_w = 2.0 * acquisition.reception.noise_stddev_v * acquisition.reception.noise_stddev_v;
+  const double gain = processing_gain(acquisition) * largest_stc_gain(acquisition);
   f.largest_echo_v = gain * largest_in_window_v(survey);
-  f.largest_sum_v = gain * (survey.largest_sum_v + 3.0 * std::sqrt(2.0) * plan.noise_stddev_v);
-  f.suggested_lsb_v = f.largest_sum_v / radar::full_scale_count(plan.simulation.bits);
+  f.largest_sum_v = gain * (survey.largest_sum_v + 3.0 * std::sqrt(2.0) * acquisition.reception.noise_stddev_v);
+  f.suggested_lsb_v = f.largest_sum_v / radar::full_scale_count(acquisition.simulation.bits);
   return f;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "simulate/survey/survey.hpp"
 
 /// Figures that follow from what a script says and that a radar engineer checks first.
@@ -30,8 +30,7 @@ struct RadarFigures {
 };
 
 /// @param peak_power_w  transmitted, without gains
-[[nodiscard]] RadarFigures radar_figures(const ResolvedRadar& radar, double peak_power_w,
-                                         const Conventions& conventions);
+[[nodiscard]] RadarFigures radar_figures(const Link& radar, double peak_power_w, const Conventions& conventions);
 
 /// What one simulation will record.
 struct SimulationFigures {
@@ -48,10 +47,10 @@ struct SimulationFigures {
 };
 
 /// Figures of a recording from its plan and a survey of its echoes.
-[[nodiscard]] SimulationFigures simulation_figures(const Plan& plan, const EchoSurvey& survey);
+[[nodiscard]] SimulationFigures simulation_figures(const Acquisition& acquisition, const EchoSurvey& survey);
 
 /// Largest magnitude in the product of a lone echo of amplitude 1 that lies whole in the raw window: 1 for raw data and
 /// synthetic profiles; for compressed data what the plan's filter makes of a pulse on the sampling grid. Costs one row.
-[[nodiscard]] double processing_gain(const Plan& plan);
+[[nodiscard]] double processing_gain(const Acquisition& acquisition);
 
 }  // namespace sarsim::simulate

@@ -45,8 +45,8 @@ RadarFigures figures_of(const scene::Scene& scene) {
 }
 
 SimulationFigures simulation_figures_of(const scene::Scene& scene) {
-  const Plan plan = make_plan(scene, 0);
-  return simulation_figures(plan, survey_echoes(plan));
+  const Acquisition acquisition = acquisition_of(scene, 0);
+  return simulation_figures(acquisition, survey_echoes(acquisition));
 }
 
 // It is an unmodulated pulse.
@@ -152,10 +152,11 @@ TEST(Derived, LargestEchoIsWhatACompressedRunFinds) {
         profile == scene::Profile::physical ? core::exact_light_speed_mps : core::classic_light_speed_mps;
     scene.targets[0].position_m = {0.0, 900.0 + 100.0 * 0.5 * light_speed / 200e6, 0.0};
     const Plan plan = make_plan(scene, 0);
+    const Acquisition& acquisition = plan.acquisition;
     Recording recording;
     MemorySink sink(recording);
     const RunReport report = run(plan, 0.0, sink, {.threads = 1, .stop = nullptr, .progress = {}});
-    const SimulationFigures f = simulation_figures(plan, survey_echoes(plan));
+    const SimulationFigures f = simulation_figures(acquisition, survey_echoes(acquisition));
     // Edge samples of the pulse may differ by one of 500.
     EXPECT_NEAR(f.largest_echo_v, report.maximum_v, report.maximum_v / 400.0) << static_cast<int>(profile);
   }

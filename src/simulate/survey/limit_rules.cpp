@@ -16,6 +16,7 @@
 #include "radar/earth/earth_depth.hpp"
 #include "radar/earth/ellipsoid_height.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/beam_passes.hpp"
 
 namespace sarsim::simulate {
@@ -48,17 +49,17 @@ std::string text_of(std::size_t count, const char* one, const char* many) {
 
 class LimitRules {
  public:
-  LimitRules(const Plan& plan, const EchoSurvey& survey, std::size_t index, const std::string& scope,
+  LimitRules(const Acquisition& acquisition, const EchoSurvey& survey, std::size_t index, const std::string& scope,
              core::Problems& problems)
-      : plan_(plan),
+      : acquisition_(acquisition),
         survey_(survey),
         index_(index),
         scope_(scope),
         problems_(problems),
-        light_mps_(plan.scene->conventions.light_speed_mps),
-        bandwidth_hz_(radar::bandwidth_hz(plan.radar.pulse)),
-        geometry_(*plan.scene, plan.radar) {
-    geometry_.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
+        light_mps_(acquisition.light_speed_mps()),
+        bandwidth_hz_(radar::bandwidth_hz(acquisition.link.pulse)),
+        geometry_(*acquisition.scene, acquisition.link) {
+    geometry_.set_pulse(acquisition.timing.pulses.first + acquisition.timing.pulses.count() / 2);
     for (const std::size_t target : targets_in_window(survey, max_compared)) place(target);
   }
 
@@ -76,7 +77,7 @@ class LimitRules {
 
  private:
   void place(std::size_t target) {
-    const Scatterer& scatterer = plan_.scene->scatterers[target];
+    const Scatterer& scatterer = acquisition_.scene->scatterers[target];
     const TargetSurvey& seen = survey_.targets[target];
     if (!(seen.largest_amplitude_v > 0.0)) return;
     const core::Vec3 from_radar_m = radar::world_position_m(geometry_.pose(scatterer.platform), scatterer.position_m) -
@@ -96,8 +97,8 @@ class LimitRules {
 
   // Sampling slower than the band is reported by `check`.
   void check_sampled_band() {
-    if (plan_.profiler || survey_.targets.empty() || !survey_.totals.any_in_window) return;
-    const double rate_hz = 1.0 / plan_.raw_grid.interval_s;
+    if (acquisition_.reception.profiler || survey_.targets.empty() || !survey_.totals.any_in_window) return;
+    const double rate_hz = 1.0 / acquisition_.reception.raw_grid.interval_s;
     const double doppler_hz = std::max(std::abs(survey_.lowest_doppler_hz), std::abs(survey_.highest_doppler_hz));
     const double aliased_hz = doppler_hz - 0.5 * std::max(0.0, rate_hz - bandwidth_hz_);
     if (!(aliased_hz > max_aliased_share * bandwidth_hz_)) return;
@@ -114,9 +115,9 @@ class LimitRules {
 
   // Places of all scatterers in the world while a pulse is sent.
   [[nodiscard]] std::vector<core::Vec3> places(std::int64_t pulse) const {
-    PulseGeometry geometry(*plan_.scene, plan_.radar);
+    PulseGeometry geometry(*acquisition_.scene, acquisition_.link);
     geometry.set_pulse(pulse);
-    const ScattererList& all = plan_.scene->scatterers;
+    const ScattererList& all = acquisition_.scene->scatterers;
     std::vector<core::Vec3> places_m;
     places_m.reserve(all.size());
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -154,12 +155,13 @@ class LimitRules {
 
   // In the world, at two pulses: whatever platforms they are on.
   void check_same_positions() {
-    const std::size_t targets = plan_.scene->scatterers.size();
+    const std::size_t targets = acquisition_.scene->scatterers.size();
     if (targets < 2 || targets > max_compared_places) return;
-    const std::vector<core::Vec3> first_m = places(plan_.pulses.first);
+    const std::vector<core::Vec3> first_m = places(acquisition_.timing.pulses.first);
     std::vector<std::size_t> order = not_alone(first_m);
     if (order.empty()) return;
-    const std::vector<core::Vec3> middle_m = places(plan_.pulses.first + plan_.pulses.count() / 2);
+    const std::vector<core::Vec3> middle_m =
+        places(acquisition_.timing.pulses.first + acquisition_.timing.pulses.count() / 2);
     const auto key = [&](std::size_t i) {
       return std::tuple(first_m[i].x, first_m[i].y, first_m[i].z, middle_m[i].x, middle_m[i].y, middle_m[i].z);
     };
@@ -188,27 +190,27 @@ class LimitRules {
   // Leaves the geometry at the middle pulse, where the other rules expect it.
   [[nodiscard]] Lowest lowest() {
     constexpr std::int64_t max_steps = 16;
-    const radar::TurningAxes& turning = plan_.scene->turning;
+    const radar::TurningAxes& turning = acquisition_.scene->turning;
     const double rate = core::norm(turning.rotation_rad_per_s);
     Lowest lowest;
-    const std::int64_t flown = plan_.pulses.count() - 1;
+    const std::int64_t flown = acquisition_.timing.pulses.count() - 1;
     const std::int64_t steps = std::clamp<std::int64_t>(flown, 1, max_steps);
     for (std::int64_t i = 0; i <= steps; ++i) {
       const std::int64_t after = flown / steps * i + flown % steps * i / steps;
-      geometry_.set_pulse(plan_.pulses.first + after);
+      geometry_.set_pulse(acquisition_.timing.pulses.first + after);
       const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
       const double height_m = rate == 0.0 ? radar_m.z
                                           : radar::height_over_ellipsoid_m(radar_m - turning.centre_m,
                                                                            (1.0 / rate) * turning.rotation_rad_per_s);
       if (height_m < lowest.height_m) lowest = {radar_m, height_m, after};
     }
-    geometry_.set_pulse(plan_.pulses.first + plan_.pulses.count() / 2);
+    geometry_.set_pulse(acquisition_.timing.pulses.first + acquisition_.timing.pulses.count() / 2);
     return lowest;
   }
 
   void check_below_ground() {
-    if (plan_.pulses.count() < 1) return;
-    const bool flat = core::norm(plan_.scene->turning.rotation_rad_per_s) == 0.0;
+    if (acquisition_.timing.pulses.count() < 1) return;
+    const bool flat = core::norm(acquisition_.scene->turning.rotation_rad_per_s) == 0.0;
     const Lowest low = lowest();
     if (low.height_m > -(flat ? max_below_ground_m : max_below_ellipsoid_m)) return;
     const double radar_z_m = geometry_.radar_pose().position_world_m.z;
@@ -219,19 +221,19 @@ class LimitRules {
     add(impossible ? core::Severity::error : core::Severity::warning, "radar",
         flat ? "the radar is below the ground and below its targets" : "the radar is below the ellipsoid",
         fmt::format("a height of {:.6g} m{}, at pulse {} of {}", low.height_m, flat ? ", z of the world" : "",
-                    low.pulse + 1, plan_.pulses.count()),
+                    low.pulse + 1, acquisition_.timing.pulses.count()),
         flat ? "z above 0" : fmt::format("above -{:g} m, the lowest level of the sea", max_below_ellipsoid_m),
         impossible ? "Heights are positive upwards: is the sign wrong?"
                    : "Heights are positive upwards: is the sign wrong? Echoes are computed all the same.");
   }
 
   void check_dispersion() {
-    if (!plan_.radar.air) return;
+    if (!acquisition_.link.air) return;
     double worst_m = 0.0;
     std::size_t target = 0;
     const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
     for (const Placed& placed : placed_) {
-      const radar::PathEffect way = plan_.radar.air->one_way(radar_m, radar_m + placed.from_radar_m);
+      const radar::PathEffect way = acquisition_.link.air->one_way(radar_m, radar_m + placed.from_radar_m);
       // The group is late by as much as the phase is early; it falls with the square of the frequency.
       const double spread_m = (way.delay_m - way.phase_m) * bandwidth_hz_ / geometry_.carrier_hz();
       if (spread_m > worst_m) std::tie(worst_m, target) = std::tuple(spread_m, placed.target);
@@ -246,17 +248,17 @@ class LimitRules {
   }
 
   void check_bending() {
-    if (!plan_.radar.air) return;
+    if (!acquisition_.link.air) return;
     double worst_m = 0.0;
     Placed worst;
     const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
     for (const Placed& placed : placed_) {
-      const double bending_m = plan_.radar.air->bending_m(radar_m, radar_m + placed.from_radar_m);
+      const double bending_m = acquisition_.link.air->bending_m(radar_m, radar_m + placed.from_radar_m);
       if (bending_m > worst_m) std::tie(worst_m, worst) = std::tuple(bending_m, placed);
     }
     const double wavelength_m = radar::wavelength_of(geometry_.carrier_hz(), light_mps_);
     if (!(worst_m > max_bending_wavelengths * wavelength_m)) return;
-    const double elevation_rad = plan_.radar.air->elevation_rad(radar_m, radar_m + worst.from_radar_m);
+    const double elevation_rad = acquisition_.link.air->elevation_rad(radar_m, radar_m + worst.from_radar_m);
     add(core::Severity::warning, "radar",
         "rays bend at low elevation, which echoes leave out: they follow the straight line",
         fmt::format("target {} at an elevation of {:.3g} deg: the bent ray is {:.3g} mm shorter, {:.2g} rad two-way",
@@ -268,11 +270,11 @@ class LimitRules {
 
   // Whether the flight makes an aperture: its length squared exceeds half a wavelength times the range.
   [[nodiscard]] bool makes_aperture() {
-    if (plan_.pulses.count() < min_aperture_pulses || turns(plan_.radar.beam)) return false;
-    PulseGeometry ends(*plan_.scene, plan_.radar);
-    ends.set_pulse(plan_.pulses.first);
+    if (acquisition_.timing.pulses.count() < min_aperture_pulses || turns(acquisition_.link.beam)) return false;
+    PulseGeometry ends(*acquisition_.scene, acquisition_.link);
+    ends.set_pulse(acquisition_.timing.pulses.first);
     const core::Vec3 first_m = ends.radar_pose().position_world_m;
-    ends.set_pulse(plan_.pulses.last);
+    ends.set_pulse(acquisition_.timing.pulses.last);
     // A flight around the scene ends where it began.
     const double flown_m = std::max(core::norm(ends.radar_pose().position_world_m - first_m),
                                     core::norm(geometry_.radar_pose().position_world_m - first_m));
@@ -283,7 +285,7 @@ class LimitRules {
   // Sides of the vertical plane through the velocity have the same ranges and Doppler frequencies.
   void check_sides() {
     if (!makes_aperture()) return;
-    const radar::TurningAxes& turning = plan_.scene->turning;
+    const radar::TurningAxes& turning = acquisition_.scene->turning;
     const core::Vec3 radar_m = geometry_.radar_pose().position_world_m;
     const core::Vec3 up =
         turning.rotation_rad_per_s == core::Vec3{} ? core::Vec3{0.0, 0.0, 1.0} : radar_m - turning.centre_m;
@@ -309,10 +311,13 @@ class LimitRules {
 
   // Pairs of one cell of range, which all carriers resolve together, and, while the beam rests, of Doppler.
   void check_cells() {
-    if (turns(plan_.radar.beam) || plan_.profiler || survey_.totals.in_window > max_compared) return;
-    const double band_hz = plan_.radar.carrier.highest_hz() - plan_.radar.carrier.lowest_hz() + bandwidth_hz_;
+    if (turns(acquisition_.link.beam) || acquisition_.reception.profiler || survey_.totals.in_window > max_compared)
+      return;
+    const double band_hz =
+        acquisition_.link.carrier.highest_hz() - acquisition_.link.carrier.lowest_hz() + bandwidth_hz_;
     const double cell_m = radar::range_of_cycle(band_hz, light_mps_);
-    const double cell_hz = 1.0 / (plan_.radar.repetition.mean_interval_s() * static_cast<double>(plan_.pulses.count()));
+    const double cell_hz = 1.0 / (acquisition_.link.repetition.mean_interval_s() *
+                                  static_cast<double>(acquisition_.timing.pulses.count()));
     std::size_t count = 0;
     std::pair<std::size_t, std::size_t> first;
     double range_m = 0.0, doppler_hz = 0.0;
@@ -338,11 +343,12 @@ class LimitRules {
 
   // Of a radar at rest, to whose pulses such targets look like clutter.
   void check_blind_speeds() {
-    if (core::norm(geometry_.radar_pose().velocity_world_mps) > 0.0 || plan_.pulses.count() < 2 || plan_.profiler)
+    if (core::norm(geometry_.radar_pose().velocity_world_mps) > 0.0 || acquisition_.timing.pulses.count() < 2 ||
+        acquisition_.reception.profiler)
       return;
-    const double prf_hz = 1.0 / plan_.radar.repetition.mean_interval_s();
-    if (1.0 / plan_.radar.repetition.shortest_interval_s() > prf_hz * (1.0 + 1e-6)) return;  // Staggered.
-    if (plan_.radar.carrier.lowest_hz() != plan_.radar.carrier.highest_hz()) return;
+    const double prf_hz = 1.0 / acquisition_.link.repetition.mean_interval_s();
+    if (1.0 / acquisition_.link.repetition.shortest_interval_s() > prf_hz * (1.0 + 1e-6)) return;  // Staggered.
+    if (acquisition_.link.carrier.lowest_hz() != acquisition_.link.carrier.highest_hz()) return;
     std::size_t count = 0;
     std::optional<Placed> first;
     for (const Placed& placed : placed_) {
@@ -362,7 +368,7 @@ class LimitRules {
         "Change the PRF or the carrier, or stagger the pulse intervals.");
   }
 
-  const Plan& plan_;
+  const Acquisition& acquisition_;
   const EchoSurvey& survey_;
   std::size_t index_;
   const std::string& scope_;
@@ -375,9 +381,9 @@ class LimitRules {
 
 }  // namespace
 
-void check_limits(const Plan& plan, const EchoSurvey& survey, std::size_t index, const std::string& scope,
+void check_limits(const Acquisition& acquisition, const EchoSurvey& survey, std::size_t index, const std::string& scope,
                   core::Problems& problems) {
-  LimitRules(plan, survey, index, scope, problems).check();
+  LimitRules(acquisition, survey, index, scope, problems).check();
 }
 
 }  // namespace sarsim::simulate

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "core/report/problem.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "simulate/survey/survey.hpp"
 
 namespace sarsim::simulate {
@@ -24,7 +24,7 @@ namespace sarsim::simulate {
 /// even selection with the strongest and the weakest (`targets_in_window`).
 /// @param index  of the simulation
 /// @param scope  how much of the recording the survey has seen, for messages; may be empty
-void check_limits(const Plan& plan, const EchoSurvey& survey, std::size_t index, const std::string& scope,
+void check_limits(const Acquisition& acquisition, const EchoSurvey& survey, std::size_t index, const std::string& scope,
                   core::Problems& problems);
 
 }  // namespace sarsim::simulate

@@ -21,9 +21,9 @@ using ::testing::Not;
 constexpr double c = core::exact_light_speed_mps;
 
 core::Problems limits_of(const scene::Scene& scene) {
-  const Plan plan = make_plan(scene, 0);
+  const Acquisition acquisition = acquisition_of(scene, 0);
   core::Problems problems;
-  check_limits(plan, survey_echoes(plan), 0, "", problems);
+  check_limits(acquisition, survey_echoes(acquisition), 0, "", problems);
   return problems;
 }
 

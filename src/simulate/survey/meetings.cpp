@@ -23,9 +23,13 @@ struct Candidate {
 
 class MeetingSearch {
  public:
-  MeetingSearch(const Plan& plan, const EchoSurvey& survey, std::span<const std::int64_t> pulses,
+  MeetingSearch(const Acquisition& acquisition, const EchoSurvey& survey, std::span<const std::int64_t> pulses,
                 const core::WorkControl& control)
-      : plan_(plan), survey_(survey), pulses_(pulses), control_(control), geometry_(*plan.scene, plan.radar) {}
+      : acquisition_(acquisition),
+        survey_(survey),
+        pulses_(pulses),
+        control_(control),
+        geometry_(*acquisition.scene, acquisition.link) {}
 
   std::vector<ImpossiblePulse> run() {
     choose();
@@ -38,8 +42,8 @@ class MeetingSearch {
       const std::int64_t pulse = nearest_pulse(candidate);
       geometry_.set_pulse(pulse);
       const EchoExtremes echo = echo_of(candidate.target);
-      if (possible_echo(echo, plan_.scene->conventions.light_speed_mps)) continue;
-      found.push_back({candidate.target, pulse, plan_.radar.repetition.send_time_s(pulse), echo});
+      if (possible_echo(echo, acquisition_.light_speed_mps())) continue;
+      found.push_back({candidate.target, pulse, acquisition_.link.repetition.send_time_s(pulse), echo});
     }
     std::ranges::sort(found, {}, &ImpossiblePulse::target);
     return found;
@@ -49,8 +53,8 @@ class MeetingSearch {
   void choose() {
     double gap_s = 0.0;
     for (std::size_t i = 1; i < pulses_.size(); ++i)
-      gap_s = std::max(
-          gap_s, plan_.radar.repetition.send_time_s(pulses_[i]) - plan_.radar.repetition.send_time_s(pulses_[i - 1]));
+      gap_s = std::max(gap_s, acquisition_.link.repetition.send_time_s(pulses_[i]) -
+                                  acquisition_.link.repetition.send_time_s(pulses_[i - 1]));
     constexpr double reach = 2.0;  // Speeds change between two samples.
     for (std::size_t i = 0; i < survey_.targets.size(); ++i) {
       const TargetSurvey& target = survey_.targets[i];
@@ -70,7 +74,7 @@ class MeetingSearch {
       geometry_.set_pulse(pulses_[p]);
       for (Candidate& candidate : candidates_) {
         const EchoExtremes echo = echo_of(candidate.target);
-        if (p == 0) candidate.possible_at_first = possible_echo(echo, plan_.scene->conventions.light_speed_mps);
+        if (p == 0) candidate.possible_at_first = possible_echo(echo, acquisition_.light_speed_mps());
         if (!(echo.distance_m < candidate.distance_m)) continue;
         candidate.distance_m = echo.distance_m;
         candidate.nearest = p;
@@ -105,7 +109,7 @@ class MeetingSearch {
     return {view.distance_m > closest_echo_m ? view.distance_m : 0.0, view.speed_mps, view.amplitude_sqrt_w};
   }
 
-  const Plan& plan_;
+  const Acquisition& acquisition_;
   const EchoSurvey& survey_;
   std::span<const std::int64_t> pulses_;
   const core::WorkControl& control_;
@@ -115,10 +119,10 @@ class MeetingSearch {
 
 }  // namespace
 
-std::vector<ImpossiblePulse> impossible_pulses(const Plan& plan, const EchoSurvey& survey,
+std::vector<ImpossiblePulse> impossible_pulses(const Acquisition& acquisition, const EchoSurvey& survey,
                                                std::span<const std::int64_t> pulses, const core::WorkControl& control) {
   if (pulses.size() < 2) return {};
-  return MeetingSearch(plan, survey, pulses, control).run();
+  return MeetingSearch(acquisition, survey, pulses, control).run();
 }
 
 }  // namespace sarsim::simulate

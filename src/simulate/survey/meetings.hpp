@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/task/parallel.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "simulate/survey/survey.hpp"
 
 namespace sarsim::simulate {
@@ -18,7 +18,7 @@ namespace sarsim::simulate {
 /// @param pulses  that the survey has examined, ascending
 /// @return        at most one for each target, by target
 /// @throw         Interrupted
-[[nodiscard]] std::vector<ImpossiblePulse> impossible_pulses(const Plan& plan, const EchoSurvey& survey,
+[[nodiscard]] std::vector<ImpossiblePulse> impossible_pulses(const Acquisition& acquisition, const EchoSurvey& survey,
                                                              std::span<const std::int64_t> pulses,
                                                              const core::WorkControl& control);
 

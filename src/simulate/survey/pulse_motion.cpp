@@ -69,30 +69,33 @@ double max_jerk_mps2(const Moved& before, const Moved& after, double reach_m) {
 
 class MotionLook {
  public:
-  MotionLook(const Plan& plan, std::span<const std::size_t> targets, const core::WorkControl& control)
-      : plan_(plan), targets_(targets), control_(control), slot_of_(plan.scene->platforms.size(), none) {
-    for (const std::size_t t : targets) add_slot(plan.scene->scatterers[t].platform);
+  MotionLook(const Acquisition& acquisition, std::span<const std::size_t> targets, const core::WorkControl& control)
+      : acquisition_(acquisition),
+        targets_(targets),
+        control_(control),
+        slot_of_(acquisition.scene->platforms.size(), none) {
+    for (const std::size_t t : targets) add_slot(acquisition.scene->scatterers[t].platform);
     reflecting_ = platforms_.size();
-    add_slot(plan.radar.platform);
+    add_slot(acquisition.link.platform);
   }
 
   PulseMotion worst() {
-    const std::int64_t count = plan_.pulses.count();
+    const std::int64_t count = acquisition_.timing.pulses.count();
     const PulseMotion bound = max_by_platforms(std::min(count, min_motion_pulses));
     if (bound.phase_rad < worth_looking_rad) return bound;
     const std::vector<std::size_t> all(targets_.begin(), targets_.end());
     const std::vector<std::size_t> few = evenly_of(all);
     targets_ = few;
-    look(plan_.pulses.first, plan_.pulses.last, std::min(count, min_motion_pulses));
+    look(acquisition_.timing.pulses.first, acquisition_.timing.pulses.last, std::min(count, min_motion_pulses));
     if (worst_.phase_rad < worth_looking_rad) return worst_;
     targets_ = all;
     const auto affordable = static_cast<std::int64_t>(max_motion_looks / targets_.size());
     const std::int64_t looks = std::min(count, std::clamp(affordable, min_motion_pulses, max_motion_pulses));
     const std::int64_t spacing = looks > 1 ? (count - 1) / (looks - 1) + 1 : 1;
-    look(plan_.pulses.first, plan_.pulses.last, looks);
+    look(acquisition_.timing.pulses.first, acquisition_.timing.pulses.last, looks);
     if (spacing > 1)
-      look(std::max(plan_.pulses.first, worst_.pulse - spacing), std::min(plan_.pulses.last, worst_.pulse + spacing),
-           finer_looks);
+      look(std::max(acquisition_.timing.pulses.first, worst_.pulse - spacing),
+           std::min(acquisition_.timing.pulses.last, worst_.pulse + spacing), finer_looks);
     return worst_;
   }
 
@@ -121,9 +124,9 @@ class MotionLook {
 
   // The largest bound, or the first that is worth looking into.
   [[nodiscard]] PulseMotion max_by_platforms(std::int64_t looks) const {
-    PulseMotion most{0.0, targets_.front(), plan_.pulses.first};
+    PulseMotion most{0.0, targets_.front(), acquisition_.timing.pulses.first};
     for (std::size_t i = 0; i < static_cast<std::size_t>(looks) && most.phase_rad < worth_looking_rad; ++i) {
-      const std::int64_t pulse = chosen(plan_.pulses.first, plan_.pulses.last, looks, i);
+      const std::int64_t pulse = chosen(acquisition_.timing.pulses.first, acquisition_.timing.pulses.last, looks, i);
       const double phase_rad = max_at(pulse);
       if (!(phase_rad <= most.phase_rad)) most = {phase_rad, most.target, pulse};
     }
@@ -131,15 +134,15 @@ class MotionLook {
   }
 
   [[nodiscard]] double max_at(std::int64_t pulse) const {
-    const double width_s = plan_.radar.pulse.width_s;
-    const double time_s = plan_.radar.repetition.send_time_s(pulse);
+    const double width_s = acquisition_.link.pulse.width_s;
+    const double time_s = acquisition_.link.repetition.send_time_s(pulse);
     std::vector<radar::Track::ErrorSteps> steps(platforms_.size());
     const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse, steps);
     const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse, steps);
-    const std::size_t own = slot_of_[plan_.radar.platform];
+    const std::size_t own = slot_of_[acquisition_.link.platform];
     double max_mps2 = 0.0;
     for (std::size_t p = 0; p < reflecting_; ++p) {
-      const ResolvedPlatform& platform = plan_.scene->platforms[platforms_[p]];
+      const ResolvedPlatform& platform = acquisition_.scene->platforms[platforms_[p]];
       const double reach_m = core::norm(platform.middle_m) + platform.radius_m;
       double change_mps2 = 0.0;
       for (const std::vector<Moved>* at : {&before, &after}) {
@@ -155,9 +158,9 @@ class MotionLook {
 
   // At the ends of a pulse within which the second derivative of the distance changes by so much.
   [[nodiscard]] double phase_of(double change_mps2, std::int64_t pulse) const {
-    const double width_s = plan_.radar.pulse.width_s;
-    return core::pi / 24.0 * plan_.radar.carrier.carrier_hz(pulse) * width_s * width_s *
-           radar::delay_of(std::abs(change_mps2), plan_.scene->conventions.light_speed_mps);
+    const double width_s = acquisition_.link.pulse.width_s;
+    return core::pi / 24.0 * acquisition_.link.carrier.carrier_hz(pulse) * width_s * width_s *
+           radar::delay_of(std::abs(change_mps2), acquisition_.light_speed_mps());
   }
 
   void add_slot(std::uint32_t platform) {
@@ -171,7 +174,7 @@ class MotionLook {
                                                 std::vector<radar::Track::ErrorSteps>& steps) const {
     std::vector<Moved> moved(platforms_.size());
     for (std::size_t p = 0; p < platforms_.size(); ++p) {
-      const radar::Track& track = plan_.scene->platforms[platforms_[p]].track;
+      const radar::Track& track = acquisition_.scene->platforms[platforms_[p]].track;
       moved[p].pose = track.at(time_s, pulse, steps[p]);
       moved[p].acceleration = track.acceleration_at(time_s, pulse, moved[p].pose, steps[p]);
     }
@@ -179,15 +182,15 @@ class MotionLook {
   }
 
   [[nodiscard]] PulseMotion worst_at(std::int64_t pulse) const {
-    const double width_s = plan_.radar.pulse.width_s;
-    const double time_s = plan_.radar.repetition.send_time_s(pulse);
+    const double width_s = acquisition_.link.pulse.width_s;
+    const double time_s = acquisition_.link.repetition.send_time_s(pulse);
     std::vector<radar::Track::ErrorSteps> steps(platforms_.size());
     const std::vector<Moved> before = platforms_at(time_s - 0.5 * width_s, pulse, steps);
     const std::vector<Moved> after = platforms_at(time_s + 0.5 * width_s, pulse, steps);
-    const std::size_t own = slot_of_[plan_.radar.platform];
+    const std::size_t own = slot_of_[acquisition_.link.platform];
     PulseMotion worst{0.0, 0, pulse};
     for (const std::size_t t : targets_) {
-      const Scatterer& s = plan_.scene->scatterers[t];
+      const Scatterer& s = acquisition_.scene->scatterers[t];
       const std::size_t p = slot_of_[s.platform];
       const double change_mps2 =
           bend_mps2(after[own], after[p], s.position_m) - bend_mps2(before[own], before[p], s.position_m);
@@ -197,7 +200,7 @@ class MotionLook {
     return worst;
   }
 
-  const Plan& plan_;
+  const Acquisition& acquisition_;
   std::span<const std::size_t> targets_;
   const core::WorkControl& control_;
   static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
@@ -209,12 +212,12 @@ class MotionLook {
 
 }  // namespace
 
-PulseMotion motion_left_in_pulse(const Plan& plan, std::span<const std::size_t> targets,
+PulseMotion motion_left_in_pulse(const Acquisition& acquisition, std::span<const std::size_t> targets,
                                  const core::WorkControl& control) {
-  CORE_EXPECT(plan.scene != nullptr);
-  for (const std::size_t t : targets) CORE_EXPECT(t < plan.scene->scatterers.size());
-  if (targets.empty() || plan.scene->conventions.light_time == radar::LightTime::thesis) return {};
-  return MotionLook(plan, targets, control).worst();
+  CORE_EXPECT(acquisition.scene != nullptr);
+  for (const std::size_t t : targets) CORE_EXPECT(t < acquisition.scene->scatterers.size());
+  if (targets.empty() || acquisition.scene->conventions.light_time == radar::LightTime::thesis) return {};
+  return MotionLook(acquisition, targets, control).worst();
 }
 
 }  // namespace sarsim::simulate

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "core/task/parallel.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -32,7 +32,7 @@ struct PulseMotion {
 /// @param targets  positions in the scene's list
 /// @return         0 by the light time of the thesis, which has a rule of its own, and without targets
 /// @throw          Interrupted
-[[nodiscard]] PulseMotion motion_left_in_pulse(const Plan& plan, std::span<const std::size_t> targets,
+[[nodiscard]] PulseMotion motion_left_in_pulse(const Acquisition& acquisition, std::span<const std::size_t> targets,
                                                const core::WorkControl& control = {});
 
 }  // namespace sarsim::simulate

@@ -62,7 +62,7 @@ TEST(PulseMotion, OfACircleIsThatOfTheThirdDerivative) {
   const double rate = 40.0;
   const double exact = phase_of(2.0 * rate * rate * rate, 77e9, 0.9e-3);
   // Parts of r/D are 0.4 % at most; a pulse stands within w 0.5 ms = 0.02 rad of the sine's peak, 2e-4 below it.
-  EXPECT_NEAR(motion_left_in_pulse(make_plan(turning(rate), 0), first_target).phase_rad, exact, 0.005 * exact);
+  EXPECT_NEAR(motion_left_in_pulse(acquisition_of(turning(rate), 0), first_target).phase_rad, exact, 0.005 * exact);
 }
 
 // |d'''| = 3 V^3 x/(R^2 (1 + x^2)^(5/2)) with x = V t/R: most at x = 1/2, where it is 0.8587 V^3/R^2.
@@ -70,7 +70,7 @@ TEST(PulseMotion, OfAStraightPassHasTheBoundOfTheTheory) {
   scene::Scene scene = long_pulses(10.0);  // looks 20 ms apart, of a pass whose x = 1/2 comes after 83 ms
   scene.platforms.push_back(moving("Car", {5.0, 0.0, 0.0}, {0.0, 30.0, 0.0}));
   scene.targets = {target_on("Car", {})};
-  const PulseMotion found = motion_left_in_pulse(make_plan(scene, 0), first_target);
+  const PulseMotion found = motion_left_in_pulse(acquisition_of(scene, 0), first_target);
   const double exact = phase_of(0.8587 * 27000.0 / 25.0, 77e9, 0.9e-3);
   // 3 ms off the peak are 0.018 in x, where the second derivative takes 2.4 x^2 of it: less than 1e-3.
   EXPECT_NEAR(found.phase_rad, exact, 1e-3 * exact);
@@ -83,17 +83,17 @@ TEST(PulseMotion, OfAStraightPassHasTheBoundOfTheTheory) {
 TEST(PulseMotion, IsABoundWhereItIsFarTooSmallToNote) {
   const double rate = std::cbrt(1e-8 / phase_of(2.0, 77e9, 0.9e-3));
   const double exact = phase_of(2.0 * rate * rate * rate, 77e9, 0.9e-3);
-  const double found = motion_left_in_pulse(make_plan(turning(rate), 0), first_target).phase_rad;
+  const double found = motion_left_in_pulse(acquisition_of(turning(rate), 0), first_target).phase_rad;
   EXPECT_GT(found, 0.999 * exact);
   EXPECT_LT(found, 1.5 * exact);
 }
 
 TEST(PulseMotion, IsNoneAtRestAndWithTheLightTimeOfTheThesis) {
-  EXPECT_EQ(motion_left_in_pulse(make_plan(turning(0.0), 0), first_target).phase_rad, 0.0);
-  EXPECT_EQ(motion_left_in_pulse(make_plan(turning(40.0), 0), {}).phase_rad, 0.0);
+  EXPECT_EQ(motion_left_in_pulse(acquisition_of(turning(0.0), 0), first_target).phase_rad, 0.0);
+  EXPECT_EQ(motion_left_in_pulse(acquisition_of(turning(40.0), 0), {}).phase_rad, 0.0);
   scene::Scene classic = turning(40.0);
   classic.options.profile = scene::Profile::classic;
-  EXPECT_EQ(motion_left_in_pulse(make_plan(classic, 0), first_target).phase_rad, 0.0);
+  EXPECT_EQ(motion_left_in_pulse(acquisition_of(classic, 0), first_target).phase_rad, 0.0);
 }
 
 TEST(PulseMotion, IsANoteFromOneHundredthRadianAndAWarningFromATenth) {
@@ -105,9 +105,9 @@ TEST(PulseMotion, IsANoteFromOneHundredthRadianAndAWarningFromATenth) {
 }
 
 TEST(PulseMotion, IsAmongTheFiguresOfASimulation) {
-  const Plan plan = make_plan(turning(40.0), 0);
-  EXPECT_EQ(simulation_figures(plan, survey_echoes(plan)).pulse_motion_rad,
-            motion_left_in_pulse(plan, first_target).phase_rad);
+  const Acquisition acquisition = acquisition_of(turning(40.0), 0);
+  EXPECT_EQ(simulation_figures(acquisition, survey_echoes(acquisition)).pulse_motion_rad,
+            motion_left_in_pulse(acquisition, first_target).phase_rad);
 }
 
 }  // namespace pulse_motion_test

@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/noise_energy.hpp"
 
@@ -38,7 +39,7 @@ double peak_of(const radar::AntennaPattern& pattern) {
 }
 
 // The part of a scene that some of its targets need.
-ResolvedScene scene_of(const ResolvedScene& all, const std::vector<std::size_t>& targets, ResolvedRadar& radar) {
+ResolvedScene scene_of(const ResolvedScene& all, const std::vector<std::size_t>& targets, Link& radar) {
   ResolvedScene some;
   some.conventions = all.conventions;
   some.options = all.options;
@@ -71,7 +72,7 @@ struct PulseLook {
 // Looks at one target after the other.
 class Looker {
  public:
-  Looker(const ResolvedScene& scene, const ResolvedRadar& radar, const radar::PulseRange& pulses)
+  Looker(const ResolvedScene& scene, const Link& radar, const radar::PulseRange& pulses)
       : scene_(scene),
         radar_(radar),
         pulses_(pulses),
@@ -223,7 +224,7 @@ class Looker {
   }
 
   const ResolvedScene& scene_;
-  const ResolvedRadar& radar_;
+  const Link& radar_;
   radar::PulseRange pulses_;
   PulseGeometry geometry_;
   std::vector<PulseGeometry> whole_;  // of pulses spread over the recording, the same for all targets
@@ -234,18 +235,18 @@ class Looker {
 
 }  // namespace
 
-SightSurvey::SightSurvey(const Plan& plan, const std::vector<std::size_t>& targets)
-    : plan_(&plan), targets_(targets), radar_(plan.radar) {
-  CORE_EXPECT(plan.scene != nullptr);
-  for (const std::size_t target : targets) CORE_EXPECT(target < plan.scene->scatterers.size());
-  scene_ = scene_of(*plan.scene, targets_, radar_);
+SightSurvey::SightSurvey(const Acquisition& acquisition, const std::vector<std::size_t>& targets)
+    : acquisition_(&acquisition), targets_(targets), radar_(acquisition.link) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  for (const std::size_t target : targets) CORE_EXPECT(target < acquisition.scene->scatterers.size());
+  scene_ = scene_of(*acquisition.scene, targets_, radar_);
 }
 
 std::vector<TargetSight> SightSurvey::look(const radar::Beam& beam, const core::WorkControl& control) const {
-  ResolvedRadar radar = radar_;
+  Link radar = radar_;
   radar.beam = beam;
   std::vector<TargetSight> sights;
-  Looker looker(scene_, radar, plan_->pulses);
+  Looker looker(scene_, radar, acquisition_->timing.pulses);
   for (std::size_t i = 0; i < targets_.size(); ++i) {
     if (control.stop != nullptr && control.stop->requested()) throw core::Interrupted();
     sights.push_back(looker.sight(i));
@@ -256,7 +257,7 @@ std::vector<TargetSight> SightSurvey::look(const radar::Beam& beam, const core::
 
 radar::BeamOffset SightSurvey::direction() const {
   PulseGeometry geometry(scene_, radar_);
-  geometry.set_pulse(plan_->pulses.first + (plan_->pulses.count() - 1) / 2);
+  geometry.set_pulse(acquisition_->timing.pulses.first + (acquisition_->timing.pulses.count() - 1) / 2);
   core::Vec3 middle_world_m;
   for (const Scatterer& s : scene_.scatterers)
     middle_world_m = middle_world_m + (1.0 / static_cast<double>(scene_.scatterers.size())) *

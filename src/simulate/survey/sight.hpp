@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/task/parallel.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
@@ -38,7 +38,7 @@ struct TargetSight {
 class SightSurvey {
  public:
   /// Keeps a reference to the plan. @param targets  positions in the scene's list of targets
-  SightSurvey(const Plan& plan, const std::vector<std::size_t>& targets);
+  SightSurvey(const Acquisition& acquisition, const std::vector<std::size_t>& targets);
 
   /// In the order of the targets. A requested stop throws Interrupted.
   [[nodiscard]] std::vector<TargetSight> look(const core::WorkControl& control = {}) const {
@@ -52,10 +52,10 @@ class SightSurvey {
   [[nodiscard]] radar::BeamOffset direction() const;
 
  private:
-  const Plan* plan_;
+  const Acquisition* acquisition_;
   std::vector<std::size_t> targets_;
   ResolvedScene scene_;  // of these targets and their platforms alone
-  ResolvedRadar radar_;
+  Link radar_;
 };
 
 }  // namespace sarsim::simulate

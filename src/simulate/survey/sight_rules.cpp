@@ -10,6 +10,7 @@
 #include "core/text/number_text.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/scene_index.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
 
@@ -30,7 +31,7 @@ std::string angles_text(double azimuth_rad, double elevation_rad) {
 class SightRules {
  public:
   SightRules(const SightCase& sighted, core::Problems& problems)
-      : sighted_(sighted), plan_(sighted.plan), sights_(sighted.summary.sights), problems_(problems) {
+      : sighted_(sighted), acquisition_(sighted.acquisition), sights_(sighted.summary.sights), problems_(problems) {
     scope_ = sights_.size() == sighted.summary.in_window
                  ? ""
                  : fmt::format(" (estimate from {} of {} targets)", sights_.size(), sighted.summary.in_window);
@@ -38,7 +39,7 @@ class SightRules {
 
   void check() {
     check_surface_points();
-    if (sights_.empty() || !plan_.scene->sheets.empty()) return;
+    if (sights_.empty() || !acquisition_.scene->sheets.empty()) return;
     if (check_beam()) check_noise();
     check_ends();
     check_passages();
@@ -49,7 +50,7 @@ class SightRules {
   void add(core::Severity severity, std::string_view kind, const char* field, std::string message, std::string found,
            std::string expected, std::string hint) {
     const std::size_t index =
-        kind == "radar" ? scene::find_radar(sighted_.scene, plan_.simulation.radar) : sighted_.simulation;
+        kind == "radar" ? scene::find_radar(sighted_.scene, acquisition_.simulation.radar) : sighted_.simulation;
     core::Problem problem =
         core::problem_of(severity, std::move(message), std::move(found), std::move(expected), std::move(hint));
     problem.subject = {std::string(kind), index, field};
@@ -68,8 +69,8 @@ class SightRules {
     const bool silent = sighted_.summary.strongest().amplitude_v == 0.0;
     if (silent && best >= min_pattern) {
       // `check` has already warned of negative cross-sections.
-      if (std::ranges::all_of(sights_,
-                              [&](const TargetSight& s) { return plan_.scene->scatterers[s.target].rcs_m2 < 0.0; }))
+      if (std::ranges::all_of(
+              sights_, [&](const TargetSight& s) { return acquisition_.scene->scatterers[s.target].rcs_m2 < 0.0; }))
         return false;
       add(core::Severity::warning, "simulation", "",
           "no echo is received: the targets reflect nothing to the radar while the beam is on them" + scope_, "",
@@ -82,7 +83,7 @@ class SightRules {
                : fmt::format(
                      "the beam misses all targets: even the best of them is {:.1f} dB below the beam's two-way peak",
                      -core::power_db(best));
-    const radar::Beam& beam = plan_.radar.beam;
+    const radar::Beam& beam = acquisition_.link.beam;
     const radar::BeamOffset to = sighted_.survey.direction();
     std::string found = beam.kind == radar::Beam::Kind::fixed
                             ? "a beam at " + angles_text(beam.azimuth_rad, beam.elevation_rad)
@@ -102,7 +103,7 @@ class SightRules {
 
   // What to change in the beam: one of the usual mistakes, where it explains all.
   [[nodiscard]] std::string beam_hint(const radar::BeamOffset& to) const {
-    const radar::Beam& beam = plan_.radar.beam;
+    const radar::Beam& beam = acquisition_.link.beam;
     radar::Beam other = beam;
     other.elevation_rad = -beam.elevation_rad;
     if (beam.kind == radar::Beam::Kind::rotating)
@@ -151,30 +152,33 @@ class SightRules {
 
   // The share of an echo from this range that a raw window holds; of a compressed one all or nothing.
   [[nodiscard]] double recorded(double range_m) const {
-    const double c = plan_.scene->conventions.light_speed_mps;
-    if (plan_.compressor) {
-      const double spacing_m = radar::range_of(plan_.raw_grid.interval_s, c);
-      return range_m > plan_.simulation.range_start_m - spacing_m && range_m < plan_.simulation.range_end_m + spacing_m
+    const double c = acquisition_.light_speed_mps();
+    if (acquisition_.reception.compressor) {
+      const double spacing_m = radar::range_of(acquisition_.reception.raw_grid.interval_s, c);
+      return range_m > acquisition_.simulation.range_start_m - spacing_m &&
+                     range_m < acquisition_.simulation.range_end_m + spacing_m
                  ? 1.0
                  : 0.0;
     }
-    const double begin_s = radar::delay_of(range_m, c) - plan_.pulse.lead_s;
-    const double end_s = begin_s + plan_.radar.pulse.width_s;
-    const double window_end_s = plan_.raw_grid.time_s(plan_.raw_grid.count);
-    return std::max(0.0, std::min(end_s, window_end_s) - std::max(begin_s, plan_.raw_grid.first_s)) /
-           plan_.radar.pulse.width_s;
+    const double begin_s = radar::delay_of(range_m, c) - acquisition_.reception.pulse.lead_s;
+    const double end_s = begin_s + acquisition_.link.pulse.width_s;
+    const double window_end_s = acquisition_.reception.raw_grid.time_s(acquisition_.reception.raw_grid.count);
+    return std::max(0.0, std::min(end_s, window_end_s) - std::max(begin_s, acquisition_.reception.raw_grid.first_s)) /
+           acquisition_.link.pulse.width_s;
   }
 
   void check_ends() {
-    if (plan_.profiler) return;
-    const double c = plan_.scene->conventions.light_speed_mps;
-    const double pulse_m = plan_.compressor ? 0.0 : radar::range_of(plan_.radar.pulse.width_s, c);
-    const double lead_m = plan_.compressor ? 0.0 : radar::range_of(plan_.pulse.lead_s, c);
+    if (acquisition_.reception.profiler) return;
+    const double c = acquisition_.light_speed_mps();
+    const double pulse_m =
+        acquisition_.reception.compressor ? 0.0 : radar::range_of(acquisition_.link.pulse.width_s, c);
+    const double lead_m =
+        acquisition_.reception.compressor ? 0.0 : radar::range_of(acquisition_.reception.pulse.lead_s, c);
     const std::string raw =
         fmt::format("A raw echo is {:.4g} m long and begins {:.4g} m before its target's range.", pulse_m, lead_m);
     std::vector<std::size_t> cut;
     bool leaves = false;  // more than the end of an echo, which the focus of the script itself does not lose
-    const Extent window{plan_.simulation.range_start_m, plan_.simulation.range_end_m};
+    const Extent window{acquisition_.simulation.range_start_m, acquisition_.simulation.range_end_m};
     Extent wanted = window;
     double least = 1.0;
     for (const TargetSight& s : sights_) {
@@ -195,7 +199,8 @@ class SightRules {
                                 cut.size(), sights_.size(), list_of(cut), scope_),
         fmt::format("{} to {} m, which holds {:.0f} % of an echo", core::format_number(window.first_m),
                     core::format_number(window.last_m), 100.0 * least),
-        fmt::format("about {:.0f} to {:.0f} m", wanted.first_m, wanted.last_m), plan_.compressor ? "" : raw);
+        fmt::format("about {:.0f} to {:.0f} m", wanted.first_m, wanted.last_m),
+        acquisition_.reception.compressor ? "" : raw);
   }
 
   [[nodiscard]] static std::string list_of(const std::vector<std::size_t>& numbers) {
@@ -207,13 +212,14 @@ class SightRules {
 
   // Targets that the beam is nearest to when the recording begins or ends, and not on: it passes them at other times.
   void check_passages() {
-    if (plan_.radar.beam.kind != radar::Beam::Kind::fixed || plan_.pulses.count() < 16) return;
-    PulseGeometry geometry(*plan_.scene, plan_.radar);
-    geometry.set_pulse(plan_.pulses.first);
+    if (acquisition_.link.beam.kind != radar::Beam::Kind::fixed || acquisition_.timing.pulses.count() < 16) return;
+    PulseGeometry geometry(*acquisition_.scene, acquisition_.link);
+    geometry.set_pulse(acquisition_.timing.pulses.first);
     if (core::norm(geometry.radar_pose().velocity_world_mps) == 0.0) return;
     std::vector<std::size_t> missed;
     for (const TargetSight& s : sights_)
-      if ((s.pulse == plan_.pulses.first || s.pulse == plan_.pulses.last) && s.best_pattern < good_pattern)
+      if ((s.pulse == acquisition_.timing.pulses.first || s.pulse == acquisition_.timing.pulses.last) &&
+          s.best_pattern < good_pattern)
         missed.push_back(s.target + 1);
     if (missed.empty() || best_pattern(sights_) < min_pattern) return;
     add(core::Severity::note, "simulation", "time_start_s",
@@ -221,16 +227,16 @@ class SightRules {
             "the beam passes {} of {} targets ({}) before or after the azimuth window: their images are weak, at "
             "its edge or outside of it{}",
             missed.size(), sights_.size(), list_of(missed), scope_),
-        fmt::format("{} to {} s", core::format_number(plan_.simulation.time_start_s),
-                    core::format_number(plan_.simulation.time_end_s)),
+        fmt::format("{} to {} s", core::format_number(acquisition_.simulation.time_start_s),
+                    core::format_number(acquisition_.simulation.time_end_s)),
         "a window in which the beam passes all targets that are meant to be seen", "");
   }
 
   // Points that fill a surface stand a metre apart: at short wavelengths they form a lattice that reflects to the side.
   void check_surface_points() {
     const double wavelength_m =
-        radar::wavelength_of(plan_.radar.carrier.highest_hz(), plan_.scene->conventions.light_speed_mps);
-    if (plan_.scene->sheets.empty() || wavelength_m >= 2.0) return;
+        radar::wavelength_of(acquisition_.link.carrier.highest_hz(), acquisition_.light_speed_mps());
+    if (acquisition_.scene->sheets.empty() || wavelength_m >= 2.0) return;
     add(core::Severity::note, "simulation", "radar",
         "surfaces are filled with a point per square metre, too thinly for this wavelength: off the mirror direction "
         "their echoes are those of the points, up to the strength of the mirror itself",
@@ -240,16 +246,17 @@ class SightRules {
 
   // The Doppler band of the beam of an antenna that moves.
   void check_beam_band() {
-    if (plan_.radar.transmit.kind != radar::AntennaPattern::Kind::sinx || plan_.pulses.count() < 16 || plan_.profiler ||
-        plan_.radar.beam.kind == radar::Beam::Kind::rotating)
+    if (acquisition_.link.transmit.kind != radar::AntennaPattern::Kind::sinx ||
+        acquisition_.timing.pulses.count() < 16 || acquisition_.reception.profiler ||
+        acquisition_.link.beam.kind == radar::Beam::Kind::rotating)
       return;
-    PulseGeometry geometry(*plan_.scene, plan_.radar);
-    geometry.set_pulse(plan_.pulses.first + plan_.pulses.count() / 2);
+    PulseGeometry geometry(*acquisition_.scene, acquisition_.link);
+    geometry.set_pulse(acquisition_.timing.pulses.first + acquisition_.timing.pulses.count() / 2);
     const double speed_mps = core::norm(geometry.radar_pose().velocity_world_mps);
-    const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), plan_.scene->conventions.light_speed_mps);
-    const double half_width = 0.5 * std::min(plan_.radar.transmit.azimuth_beamwidth_rad, 3.1);
+    const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), acquisition_.light_speed_mps());
+    const double half_width = 0.5 * std::min(acquisition_.link.transmit.azimuth_beamwidth_rad, 3.1);
     const double band_hz = 4.0 * speed_mps / wavelength_m * std::sin(half_width);
-    const double prf_hz = 1.0 / plan_.radar.repetition.mean_interval_s();
+    const double prf_hz = 1.0 / acquisition_.link.repetition.mean_interval_s();
     if (band_hz <= prf_hz) return;
     add(core::Severity::note, "radar", "prf_hz",
         "the beam holds a wider Doppler band than the PRF samples: points off its middle may wrap around",
@@ -258,7 +265,7 @@ class SightRules {
   }
 
   const SightCase& sighted_;
-  const Plan& plan_;
+  const Acquisition& acquisition_;
   const std::vector<TargetSight>& sights_;
   core::Problems& problems_;
   std::string scope_;

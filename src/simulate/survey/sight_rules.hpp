@@ -8,7 +8,7 @@ namespace sarsim::simulate {
 struct SightCase {
   const scene::Scene& scene;
   std::size_t simulation = 0;
-  const Plan& plan;
+  const Acquisition& acquisition;
   const SightSurvey& survey;
   const EchoSummary& summary;
   const core::WorkControl& control;

@@ -51,8 +51,8 @@ TEST(TargetSight, FindsAPassageMuchShorterThanTheLooksAreApart) {
   scene.simulations[0].time_start_s = -1000.0;  // looks 31 s apart, of a beam that passes in 0.4 s
   scene.simulations[0].time_end_s = 1117.3;
   scene.radars[0].noise_temperature_k = 300.0;
-  const Plan plan = make_plan(scene, 0);
-  const TargetSight sight = SightSurvey(plan, {0}).look().at(0);
+  const Acquisition acquisition = acquisition_of(scene, 0);
+  const TargetSight sight = SightSurvey(acquisition, {0}).look().at(0);
   EXPECT_NEAR(static_cast<double>(sight.pulse) / 4000.0, 0.0, 0.03);  // a tenth of the beam
   EXPECT_GT(sight.pattern, 0.95);
   EXPECT_NEAR(sight.range_m, 10000.0, 1.0);
@@ -65,7 +65,7 @@ TEST(TargetSight, SnrIsThatOfTheRadarEquation) {
   scene::Scene scene = one_target_scene();
   scene.simulations[0].time_end_s = 0.0994;  // 100 pulses at 1 kHz
   scene.radars[0].noise_temperature_k = 290.0;
-  const TargetSight sight = SightSurvey(make_plan(scene, 0), {0}).look().at(0);
+  const TargetSight sight = SightSurvey(acquisition_of(scene, 0), {0}).look().at(0);
   const double amplitude = equation_amplitude(1000.0, 1.0, c / 1e9);
   const double snr = amplitude * amplitude * 5e-6 / (1.380649e-23 * 290.0);
   EXPECT_NEAR(sight.snr / snr, 1.0, 1e-6);
@@ -75,13 +75,13 @@ TEST(TargetSight, SnrIsThatOfTheRadarEquation) {
 TEST(TargetSight, HasNoSnrWhereTheNoiseIsTooWeakForNumbers) {
   scene::Scene scene = one_target_scene();
   scene.radars[0].noise_temperature_k = 1e-300;
-  const Plan plan = make_plan(scene, 0);
-  const TargetSight sight = SightSurvey(plan, {0}).look().at(0);
+  const Acquisition acquisition = acquisition_of(scene, 0);
+  const TargetSight sight = SightSurvey(acquisition, {0}).look().at(0);
   EXPECT_EQ(sight.snr, 0.0);
   EXPECT_EQ(sight.processed_snr, 0.0);
-  EXPECT_EQ(survey_echoes(plan).targets.at(0).snr, 0.0);
+  EXPECT_EQ(survey_echoes(acquisition).targets.at(0).snr, 0.0);
   scene.radars[0].noise_temperature_k = 1e-170;
-  EXPECT_TRUE(std::isfinite(SightSurvey(make_plan(scene, 0), {0}).look().at(0).processed_snr));
+  EXPECT_TRUE(std::isfinite(SightSurvey(acquisition_of(scene, 0), {0}).look().at(0).processed_snr));
 }
 
 TEST(TargetSight, OfATurningBeamIsOnePass) {
@@ -94,7 +94,7 @@ TEST(TargetSight, OfATurningBeamIsOnePass) {
   radar.transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(1.0);
   radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(10.0);
   scene.simulations[0].time_end_s = 50.0;  // five turns
-  const TargetSight sight = SightSurvey(make_plan(scene, 0), {0}).look().at(0);
+  const TargetSight sight = SightSurvey(acquisition_of(scene, 0), {0}).look().at(0);
   EXPECT_GT(sight.pattern, 0.95);
   const double pulses = 1000.0 * 2.0 / 3.0 / 0.88 / 36.0;
   EXPECT_NEAR(sight.processed_snr / sight.snr, pulses, 0.1 * pulses);

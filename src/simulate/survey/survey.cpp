@@ -40,62 +40,63 @@ class Surveyor {
         impossible_(impossible) {}
 
   void look(const std::shared_ptr<const ResolvedScene>& resolved, const core::WorkControl& control) {
-    const Plan plan = make_plan(scene_, index_, resolved);
-    check_weights(plan);
-    if (plan.profiler && !check_bursts(plan)) return;
-    const EchoSurvey survey = survey_echoes(plan, control);
-    scope_ = survey.all_pulses
-                 ? ""
-                 : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled, plan.pulses.count());
-    if (!check_echoes(survey, plan)) return;
-    check_surfaces(survey, plan);
+    const Acquisition acquisition = acquisition_of(scene_, index_, resolved);
+    check_weights(acquisition);
+    if (acquisition.reception.profiler && !check_bursts(acquisition)) return;
+    const EchoSurvey survey = survey_echoes(acquisition, control);
+    scope_ = survey.all_pulses ? ""
+                               : fmt::format(" (estimate from {} of {} pulses)", survey.pulses_sampled,
+                                             acquisition.timing.pulses.count());
+    if (!check_echoes(survey, acquisition)) return;
+    check_surfaces(survey, acquisition);
     check_horizon(survey);
-    check_window(survey, plan);
-    check_doppler(survey, plan);
-    check_lsb(survey, plan);
-    check_other_pulses(plan, survey, index_, scope_, problems_);
-    check_pulse_motion(survey, plan, control);
-    check_limits(plan, survey, index_, scope_, problems_);
-    check_beam_steps(plan);
-    check_sights(survey, plan, control);
+    const OtherPulses others = heard_pulses(acquisition, control.stop);
+    check_window(survey, acquisition, others);
+    check_doppler(survey, acquisition);
+    check_lsb(survey, acquisition);
+    check_other_pulses(acquisition, others, survey, index_, scope_, problems_);
+    check_pulse_motion(survey, acquisition, control);
+    check_limits(acquisition, survey, index_, scope_, problems_);
+    check_beam_steps(acquisition);
+    check_sights(survey, acquisition, control);
   }
 
  private:
   static constexpr std::size_t max_sights = 64;
 
-  void check_sights(const EchoSurvey& survey, const Plan& plan, const core::WorkControl& control) {
-    const SightSurvey looked(plan, targets_in_window(survey, max_sights));
+  void check_sights(const EchoSurvey& survey, const Acquisition& acquisition, const core::WorkControl& control) {
+    const SightSurvey looked(acquisition, targets_in_window(survey, max_sights));
     EchoSummary summary{index_, survey.targets.size(), survey.totals.in_window, looked.look(control)};
     const auto directive = [](const radar::AntennaPattern& pattern) {
       return pattern.kind != radar::AntennaPattern::Kind::isotropic;
     };
-    summary.directive = directive(plan.radar.transmit) || directive(plan.radar.receive);
-    summary.noise = noise_energy_j(plan.scene->conventions, plan.radar) > 0.0;
-    const SightCase sighted{scene_, index_, plan, looked, summary, control};
+    summary.directive = directive(acquisition.link.transmit) || directive(acquisition.link.receive);
+    summary.noise = noise_energy_j(acquisition.scene->conventions, acquisition.link) > 0.0;
+    const SightCase sighted{scene_, index_, acquisition, looked, summary, control};
     simulate::check_sights(sighted, problems_);
     check_tables(sighted, survey, problems_);
     report_.summaries.push_back(std::move(summary));
   }
 
-  void check_pulse_motion(const EchoSurvey& survey, const Plan& plan, const core::WorkControl& control) {
+  void check_pulse_motion(const EchoSurvey& survey, const Acquisition& acquisition, const core::WorkControl& control) {
     constexpr std::size_t max_targets = 4096;
-    const PulseMotion left = motion_left_in_pulse(plan, targets_in_window(survey, max_targets), control);
+    const PulseMotion left = motion_left_in_pulse(acquisition, targets_in_window(survey, max_targets), control);
     if (left.phase_rad < noted_motion_rad) return;
     add(left.phase_rad < warned_motion_rad ? core::Severity::note : core::Severity::warning, "radar",
         fmt::format("echoes follow the motion within a pulse to its second order: what is left turns the ends of the "
                     "pulse by up to {:.2g} rad, for target {} at {:.6g} s",
-                    left.phase_rad, left.target + 1, plan.radar.repetition.send_time_s(left.pulse)),
+                    left.phase_rad, left.target + 1, acquisition.link.repetition.send_time_s(left.pulse)),
         "", fmt::format("below {:g} rad", noted_motion_rad),
         "shorten the pulse: this phase grows with the third power of its width");
   }
 
   // Neither targets nor clutter of a direction that the beam jumps over are in a recording.
-  void check_beam_steps(const Plan& plan) {
+  void check_beam_steps(const Acquisition& acquisition) {
     constexpr double min_unlit = 0.01;
-    const auto steps = beam_steps(plan);
+    const auto steps = beam_steps(acquisition);
     if (!steps || steps->unlit_share < min_unlit) return;
     const auto degrees = [](double angle_rad) { return fmt::format("{:.4g} deg", core::deg_per_rad * angle_rad); };
-    const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
+    const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
     add(core::Severity::warning, "radar",
         fmt::format("the beam jumps farther than its width from pulse to pulse: {:.0f} % of the directions that it "
                     "turns through are never illuminated",
@@ -129,18 +130,18 @@ class Surveyor {
   };
 
   // Of the radar's window over the steps of a burst, or over the samples of a pulse times their power.
-  [[nodiscard]] Weights weights_of(const Plan& plan) const {
+  [[nodiscard]] Weights weights_of(const Acquisition& acquisition) const {
     Weights weights;
-    if (plan.profiler) {
-      const std::size_t steps = plan.profiler->steps();
+    if (acquisition.reception.profiler) {
+      const std::size_t steps = acquisition.reception.profiler->steps();
       for (std::size_t n = 0; n < steps; ++n)
-        weights.add(steps > 1 ? plan.radar.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
-    } else if (plan.compressor) {
-      const radar::Pulse& pulse = plan.radar.pulse;
+        weights.add(steps > 1 ? acquisition.link.window(static_cast<double>(n) / static_cast<double>(steps - 1)) : 1.0);
+    } else if (acquisition.reception.compressor) {
+      const radar::Pulse& pulse = acquisition.link.pulse;
       const double samples = pulse.width_s * simulation_.sample_rate_hz;
       for (std::size_t k = 0; k == 0 || static_cast<double>(k) < samples - 1e-9; ++k) {
         const double t_s = static_cast<double>(k) / simulation_.sample_rate_hz;
-        weights.add(plan.radar.window(t_s / pulse.width_s) *
+        weights.add(acquisition.link.window(t_s / pulse.width_s) *
                     std::norm(pulse.value(t_s, 1e-9 / simulation_.sample_rate_hz)));
       }
     }
@@ -149,13 +150,14 @@ class Surveyor {
 
   // A window that is 0 at its ends leaves nothing of a pulse, or a burst, of one or two samples; one that is negative
   // for a half leaves no peak to keep.
-  void check_weights(const Plan& plan) {
-    const Weights weights = weights_of(plan);
+  void check_weights(const Acquisition& acquisition) {
+    const Weights weights = weights_of(acquisition);
     if (weights.count == 0 || !core::weights_cancel(weights.sum, weights.magnitudes)) return;
     if (weights.magnitudes == 0.0)
       add(core::Severity::warning, "radar", "the radar's window function leaves nothing: every sample of it is 0",
           fmt::format("{} samples", weights.count), "a window that is above 0 somewhere",
-          plan.profiler ? "take more frequency steps or another window" : "sample faster or take another window");
+          acquisition.reception.profiler ? "take more frequency steps or another window"
+                                         : "sample faster or take another window");
     else
       add(core::Severity::warning, "radar",
           "the radar's window function cancels: its weights, with their signs, sum to 0", "",
@@ -163,39 +165,40 @@ class Surveyor {
           "a target's peak is 0, so the output cannot be scaled; take another window");
   }
 
-  bool check_bursts(const Plan& plan) {
-    if (plan.rows == 0) {
+  bool check_bursts(const Acquisition& acquisition) {
+    if (acquisition.timing.rows == 0) {
       add(core::Severity::error, "time_end_s", "the window holds no complete burst of stepped frequencies",
-          fmt::format("{} pulses", plan.pulses.count()),
-          fmt::format("at least {} from the start of a burst", plan.burst_pulses()),
+          fmt::format("{} pulses", acquisition.timing.pulses.count()),
+          fmt::format("at least {} from the start of a burst", acquisition.timing.row_pulses),
           "lengthen the azimuth window; bursts start at pulse numbers that are multiples of steps times pulses per "
           "step");
       return false;
     }
-    if (plan.dropped_pulses > 0)
+    if (acquisition.timing.dropped_pulses > 0)
       add(core::Severity::note, "time_end_s",
-          fmt::format("{} pulses of incomplete bursts at the ends of the window are left out", plan.dropped_pulses), "",
-          "", "");
+          fmt::format("{} pulses of incomplete bursts at the ends of the window are left out",
+                      acquisition.timing.dropped_pulses),
+          "", "", "");
     return true;
   }
 
   // Echoes that no recording can hold. A target is reported once, whatever else looks at it.
-  bool check_echoes(const EchoSurvey& survey, const Plan& plan) {
+  bool check_echoes(const EchoSurvey& survey, const Acquisition& acquisition) {
     for (const std::size_t i : survey.totals.impossible) {
       if (!impossible_.insert(i).second) continue;
       const auto met = std::ranges::find(survey.impossible, i, &ImpossiblePulse::target);
       const bool at_pulse = met != survey.impossible.end();
-      problems_.push_back(problem_of_echo("target", i, plan.radar.name,
+      problems_.push_back(problem_of_echo("target", i, acquisition.link.name,
                                           at_pulse ? met->echo : extremes_of(survey.targets[i]),
-                                          plan.scene->conventions.light_speed_mps));
+                                          acquisition.light_speed_mps()));
       if (at_pulse) problems_.back().message += text_of_pulse(met->pulse, met->time_s);
     }
     return survey.totals.impossible.empty();
   }
 
-  void check_surfaces(const EchoSurvey& survey, const Plan& plan) {
+  void check_surfaces(const EchoSurvey& survey, const Acquisition& acquisition) {
     for (std::size_t i = 0; i < survey.surface_faces_radar.size(); ++i)
-      if (!survey.surface_faces_radar[i] && !plan.scene->sheets[i].points_m.empty())
+      if (!survey.surface_faces_radar[i] && !acquisition.scene->sheets[i].points_m.empty())
         problems_.push_back({core::Severity::warning,
                              "the surface shows its back to the radar and gives no echo" + scope_,
                              "",
@@ -219,20 +222,22 @@ class Surveyor {
         "leave them out, or correct their places or the orbit");
   }
 
-  void check_window(const EchoSurvey& survey, const Plan& plan) {
+  void check_window(const EchoSurvey& survey, const Acquisition& acquisition, const OtherPulses& others) {
     if (survey.targets.empty()) {
-      if (plan.scene->sheets.empty())
+      if (acquisition.scene->sheets.empty())
         add(core::Severity::warning, "",
             "the scene has no target: the recording will hold " +
-                std::string(plan.noise_stddev_v > 0 ? "noise only" : "zeros only"),
+                std::string(acquisition.reception.noise_stddev_v > 0 ? "noise only" : "zeros only"),
             "", "", "add a $TARGET");
       return;
     }
-    if (survey.totals.any_in_window || !plan.scene->sheets.empty() || !plan.other_pulses.pulses.empty()) return;
+    if (survey.totals.any_in_window || !acquisition.scene->sheets.empty() ||
+        !asked_for(others, acquisition.scene->options.ambiguous_echoes).pulses.empty())
+      return;
     const double nearest = survey.totals.nearest_m;
     const double farthest = survey.totals.farthest_m;
-    const double reach_m =
-        radar::range_of(plan.pulse.last_s() - plan.pulse.first_s(), plan.scene->conventions.light_speed_mps);
+    const double reach_m = radar::range_of(acquisition.reception.pulse.last_s() - acquisition.reception.pulse.first_s(),
+                                           acquisition.light_speed_mps());
     add(core::Severity::warning, "range_start_m",
         "no echo falls into the slant range window: the recording will be empty" + scope_,
         fmt::format("{} to {} m", core::format_number(simulation_.range_start_m),
@@ -242,12 +247,12 @@ class Surveyor {
                     std::ceil(farthest + reach_m)));
   }
 
-  void check_doppler(const EchoSurvey& survey, const Plan& plan) {
+  void check_doppler(const EchoSurvey& survey, const Acquisition& acquisition) {
     // Nobody makes an image along the track of what a turning beam sees.
-    if (turns(plan.radar.beam) || plan.pulses.count() < 2 || plan.simulation.processing == scene::Processing::srp)
+    if (turns(acquisition.link.beam) || acquisition.timing.pulses.count() < 2 || acquisition.reception.is_profile())
       return;
     const double band_hz = survey.highest_doppler_hz - survey.lowest_doppler_hz;
-    const double prf_hz = 1.0 / plan.radar.repetition.mean_interval_s();
+    const double prf_hz = 1.0 / acquisition.link.repetition.mean_interval_s();
     if (!(band_hz > prf_hz)) return;
     add(core::Severity::warning, "radar",
         "the PRF is below the Doppler band of the scene: azimuth spectra of the targets overlap" + scope_,
@@ -258,13 +263,14 @@ class Surveyor {
                     core::with_prefix(prf_hz, "Hz", 4)));
   }
 
-  void check_lsb(const EchoSurvey& survey, const Plan& plan) {
+  void check_lsb(const EchoSurvey& survey, const Acquisition& acquisition) {
     const bool counts = scene::values_of(simulation_.format) == scene::SampleValues::counts;
-    const bool classic_compressed =
-        plan.compressor && plan.scene->conventions.compression == Conventions::Compression::pulse_energy;
-    if (!counts || classic_compressed || simulation_.lsb_v <= 0.0 || survey.targets.empty() || plan.stc_gain.size() > 0)
+    const bool classic_compressed = acquisition.reception.compressor && acquisition.scene->conventions.compression ==
+                                                                            Conventions::Compression::pulse_energy;
+    if (!counts || classic_compressed || simulation_.lsb_v <= 0.0 || survey.targets.empty() ||
+        acquisition.reception.stc_gain.size() > 0)
       return;
-    const double strongest = survey.totals.strongest_v + 3.0 * plan.noise_stddev_v;
+    const double strongest = survey.totals.strongest_v + 3.0 * acquisition.reception.noise_stddev_v;
     if (strongest <= 0.0) return;
     // Echoes that meet each other may add up to this.
     const double max_v = std::max(survey.largest_sum_v, strongest);

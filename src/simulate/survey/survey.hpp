@@ -9,7 +9,7 @@
 #include "core/report/problem.hpp"
 #include "core/task/parallel.hpp"
 #include "scene/model/scene.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "simulate/resolve/impossible_echo.hpp"
 #include "simulate/survey/sight.hpp"
 
@@ -75,7 +75,7 @@ struct EchoSurvey {
 };
 
 /// Farthest one-way range whose echo arrives before the next pulse leaves, at the shortest interval.
-[[nodiscard]] double unambiguous_range_m(const Plan& plan);
+[[nodiscard]] double unambiguous_range_m(const Acquisition& acquisition);
 
 /// A target nearer than this stands on the radar.
 inline constexpr double closest_echo_m = 1e-9;
@@ -85,7 +85,7 @@ inline constexpr double closest_echo_m = 1e-9;
 
 /// Looks at the echoes of a plan; the outcome is the same for any number of threads. A requested stop throws
 /// Interrupted.
-[[nodiscard]] EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control = {});
+[[nodiscard]] EchoSurvey survey_echoes(const Acquisition& acquisition, const core::WorkControl& control = {});
 
 /// At most `most` (3 or more) targets that the window of a survey meets: all of them, or an even choice with the
 /// strongest and the weakest. Ascending.

@@ -4,6 +4,7 @@
 
 #include "core/report/expect.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "simulate/survey/behind_earth.hpp"
 #include "simulate/survey/meetings.hpp"
@@ -42,16 +43,16 @@ std::vector<std::int64_t> sampled_pulses(const radar::PulseRange& range, std::si
 }
 
 // Pulse numbers to look at: an even choice and, of a rotating beam, those that meet the targets; as they were sent.
-std::vector<std::int64_t> pulses_to_look_at(const Plan& plan) {
-  const std::size_t targets = plan.scene->scatterers.size();
-  std::vector<std::int64_t> pulses = sampled_pulses(plan.pulses, targets);
-  const bool all = static_cast<std::int64_t>(pulses.size()) == plan.pulses.count();
-  if (all || targets == 0 || !turns(plan.radar.beam)) return pulses;
+std::vector<std::int64_t> pulses_to_look_at(const Acquisition& acquisition) {
+  const std::size_t targets = acquisition.scene->scatterers.size();
+  std::vector<std::int64_t> pulses = sampled_pulses(acquisition.timing.pulses, targets);
+  const bool all = static_cast<std::int64_t>(pulses.size()) == acquisition.timing.pulses.count();
+  if (all || targets == 0 || !turns(acquisition.link.beam)) return pulses;
   const std::size_t views = max_views / targets;
-  const std::size_t poses = max_poses / std::max<std::size_t>(plan.scene->platforms.size(), 1);
+  const std::size_t poses = max_poses / std::max<std::size_t>(acquisition.scene->platforms.size(), 1);
   const std::size_t most = std::min(views, poses);
   if (most <= pulses.size()) return pulses;
-  std::ranges::copy(pulses_on_targets(plan, most - pulses.size()), std::back_inserter(pulses));
+  std::ranges::copy(pulses_on_targets(acquisition, most - pulses.size()), std::back_inserter(pulses));
   std::ranges::sort(pulses);
   const auto doubles = std::ranges::unique(pulses);
   pulses.erase(doubles.begin(), doubles.end());
@@ -122,24 +123,24 @@ void take_in(SurveyTotals& totals, const SurveyTotals& more) {
 // Looks at the echoes of one plan, ranges of targets on several threads.
 class Look {
  public:
-  Look(const Plan& plan, const core::WorkControl& control)
-      : plan_(plan),
+  Look(const Acquisition& acquisition, const core::WorkControl& control)
+      : acquisition_(acquisition),
         control_(control),
-        light_mps_(plan.scene->conventions.light_speed_mps),
-        earth_(plan.scene->turning) {
-    survey_.surface_faces_radar.assign(plan.scene->sheets.size(), false);
-    core::reserve_touched(survey_.targets, plan.scene->scatterers.size(), control);
-    survey_.targets.assign(plan.scene->scatterers.size(),
+        light_mps_(acquisition.light_speed_mps()),
+        earth_(acquisition.scene->turning) {
+    survey_.surface_faces_radar.assign(acquisition.scene->sheets.size(), false);
+    core::reserve_touched(survey_.targets, acquisition.scene->scatterers.size(), control);
+    survey_.targets.assign(acquisition.scene->scatterers.size(),
                            {infinity, 0.0, infinity, -infinity, 0.0, 0.0, 0.0, false, earth_.is_round()});
   }
 
   EchoSurvey survey() {
-    const std::vector<std::int64_t> pulses = pulses_to_look_at(plan_);
+    const std::vector<std::int64_t> pulses = pulses_to_look_at(acquisition_);
     survey_.pulses_sampled = pulses.size();
-    survey_.all_pulses = static_cast<std::int64_t>(pulses.size()) == plan_.pulses.count();
+    survey_.all_pulses = static_cast<std::int64_t>(pulses.size()) == acquisition_.timing.pulses.count();
     if (survey_.targets.size() * pulses.size() <= max_views) looks_.resize(survey_.targets.size() * pulses.size());
-    const std::size_t batch = std::min(pulses.size(), batch_pulses(plan_.scene->platforms.size()));
-    std::vector<PulseGeometry> geometries(batch, PulseGeometry(*plan_.scene, plan_.radar));
+    const std::size_t batch = std::min(pulses.size(), batch_pulses(acquisition_.scene->platforms.size()));
+    std::vector<PulseGeometry> geometries(batch, PulseGeometry(*acquisition_.scene, acquisition_.link));
     for (std::size_t first = 0; first < pulses.size(); first += batch) {
       const std::size_t count = std::min(batch, pulses.size() - first);
       core::parallel_ranges(count, pulses_worth_a_thread(), control_, [&](std::size_t begin, std::size_t end) {
@@ -149,7 +150,7 @@ class Look {
     }
     add_up();
     take_band();
-    survey_.impossible = impossible_pulses(plan_, survey_, pulses, control_);
+    survey_.impossible = impossible_pulses(acquisition_, survey_, pulses, control_);
     for (const ImpossiblePulse& met : survey_.impossible) survey_.totals.impossible.push_back(met.target);
     std::ranges::sort(survey_.totals.impossible);
     const auto twice = std::ranges::unique(survey_.totals.impossible);
@@ -159,7 +160,7 @@ class Look {
 
  private:
   [[nodiscard]] std::size_t pulses_worth_a_thread() const {
-    return std::max<std::size_t>(range_poses / std::max<std::size_t>(plan_.scene->platforms.size(), 1), 1);
+    return std::max<std::size_t>(range_poses / std::max<std::size_t>(acquisition_.scene->platforms.size(), 1), 1);
   }
   template <class Body>
   void over_targets(const Body& body) const {
@@ -170,8 +171,8 @@ class Look {
   // @param first  the number of the first of them among the sampled pulses
   void look_at_pulses(std::span<const PulseGeometry> geometries, std::size_t first) {
     for (const PulseGeometry& geometry : geometries)
-      for (std::size_t i = 0; i < plan_.scene->sheets.size(); ++i)
-        if (faces_radar(plan_.scene->sheets[i], geometry)) survey_.surface_faces_radar[i] = true;
+      for (std::size_t i = 0; i < acquisition_.scene->sheets.size(); ++i)
+        if (faces_radar(acquisition_.scene->sheets[i], geometry)) survey_.surface_faces_radar[i] = true;
     std::vector<double> sum_v(ranges() * geometries.size());
     over_targets([&](std::size_t begin, std::size_t end) {
       for (std::size_t p = 0; p < geometries.size(); ++p)
@@ -203,34 +204,35 @@ class Look {
   }
 
   [[nodiscard]] bool is_hidden(const PulseGeometry& geometry, std::size_t index) const {
-    const Scatterer& target = plan_.scene->scatterers[index];
+    const Scatterer& target = acquisition_.scene->scatterers[index];
     return earth_.hides(geometry.radar_pose().position_world_m,
                         radar::world_position_m(geometry.pose(target.platform), target.position_m));
   }
 
   // Well inside and well outside the window need no counting of samples.
   [[nodiscard]] bool touches_window(const ScattererView& view) const {
-    const radar::SampleGrid& grid = plan_.raw_grid;
+    const radar::SampleGrid& grid = acquisition_.reception.raw_grid;
     const double margin_s = 2.0 * grid.interval_s;
-    const double begin_s = view.delay_s + plan_.pulse.first_s();
-    const double end_s = view.delay_s + plan_.pulse.last_s();
+    const double begin_s = view.delay_s + acquisition_.reception.pulse.first_s();
+    const double end_s = view.delay_s + acquisition_.reception.pulse.last_s();
     const double window_end_s = grid.time_s(grid.count);
     if (end_s < grid.first_s - margin_s || begin_s > window_end_s + margin_s) return false;
     if (begin_s > grid.first_s + margin_s && begin_s < window_end_s - margin_s && end_s > begin_s + margin_s)
       return true;
-    const radar::SampleSpan touched =
-        radar::touched_samples(plan_.pulse, grid, view.delay_s, plan_.pulse.clock_of(view.clock));
+    const radar::SampleSpan touched = radar::touched_samples(acquisition_.reception.pulse, grid, view.delay_s,
+                                                             acquisition_.reception.pulse.clock_of(view.clock));
     return touched.begin < touched.end;
   }
 
   void add_up() {
-    const double noise_j = noise_energy_j(plan_.scene->conventions, plan_.radar);
-    const double unambiguous_m = unambiguous_range_m(plan_);
+    const double noise_j = noise_energy_j(acquisition_.scene->conventions, acquisition_.link);
+    const double unambiguous_m = unambiguous_range_m(acquisition_);
     std::vector<SurveyTotals> totals(ranges());
     over_targets([&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         TargetSurvey& t = survey_.targets[i];
-        if (noise_j > 0.0) t.snr = t.largest_amplitude_v * t.largest_amplitude_v * plan_.radar.pulse.width_s / noise_j;
+        if (noise_j > 0.0)
+          t.snr = t.largest_amplitude_v * t.largest_amplitude_v * acquisition_.link.pulse.width_s / noise_j;
         take_in(totals[begin / range_targets], i, t, light_mps_, unambiguous_m);
       }
     });
@@ -278,7 +280,7 @@ class Look {
     double amplitude = 0.0;
   };
 
-  const Plan& plan_;
+  const Acquisition& acquisition_;
   const core::WorkControl& control_;
   double light_mps_;
   BehindEarth earth_;
@@ -288,9 +290,9 @@ class Look {
 
 }  // namespace
 
-double unambiguous_range_m(const Plan& plan) {
-  CORE_EXPECT(plan.scene != nullptr);
-  return radar::range_of(plan.radar.repetition.shortest_interval_s(), plan.scene->conventions.light_speed_mps);
+double unambiguous_range_m(const Acquisition& acquisition) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  return radar::range_of(acquisition.link.repetition.shortest_interval_s(), acquisition.light_speed_mps());
 }
 
 EchoExtremes extremes_of(const TargetSurvey& target) {
@@ -298,9 +300,9 @@ EchoExtremes extremes_of(const TargetSurvey& target) {
           target.largest_amplitude_v};
 }
 
-EchoSurvey survey_echoes(const Plan& plan, const core::WorkControl& control) {
-  CORE_EXPECT(plan.scene != nullptr);
-  return Look(plan, control).survey();
+EchoSurvey survey_echoes(const Acquisition& acquisition, const core::WorkControl& control) {
+  CORE_EXPECT(acquisition.scene != nullptr);
+  return Look(acquisition, control).survey();
 }
 
 std::vector<std::size_t> targets_in_window(const EchoSurvey& survey, std::size_t most) {

@@ -292,7 +292,7 @@ TEST(SurveyEchoes, MeasuresRangeDopplerAmplitudeAndSignalToNoise) {
   scene.targets = {target_on("Away", {}), target_on("Earth", {5000, 0, 0})};
   scene.radars[0].noise_temperature_k = 100.0;
   scene.radars[0].pulse_width_s = 1e-6;
-  const EchoSurvey survey = survey_echoes(make_plan(scene, 0));
+  const EchoSurvey survey = survey_echoes(acquisition_of(scene, 0));
   EXPECT_EQ(survey.pulses_sampled, 64u);
   EXPECT_FALSE(survey.all_pulses);
   ASSERT_EQ(survey.targets.size(), 2u);
@@ -340,8 +340,8 @@ scene::Scene wide_scene(bool with_impossible_targets) {
 }
 
 TEST(SurveyEchoes, AddUpToTheTotalsOfTheirTargets) {
-  EXPECT_EQ(survey_echoes(make_plan(wide_scene(true), 0)).totals.impossible.size(), 30u);
-  const EchoSurvey survey = survey_echoes(make_plan(wide_scene(false), 0));
+  EXPECT_EQ(survey_echoes(acquisition_of(wide_scene(true), 0)).totals.impossible.size(), 30u);
+  const EchoSurvey survey = survey_echoes(acquisition_of(wide_scene(false), 0));
   EXPECT_THAT(survey.totals.impossible, IsEmpty());
   EXPECT_TRUE(survey.totals.any_in_window);
   EXPECT_GT(survey.highest_doppler_hz, survey.lowest_doppler_hz + 100.0);
@@ -357,10 +357,10 @@ TEST(SurveyEchoes, AddUpToTheTotalsOfTheirTargets) {
 
 TEST(SurveyEchoes, AreTheSameForAnyNumberOfThreads) {
   for (const bool with_impossible_targets : {false, true}) {
-    const Plan plan = make_plan(wide_scene(with_impossible_targets), 0);
-    const EchoSurvey one = survey_echoes(plan);
+    const Acquisition acquisition = acquisition_of(wide_scene(with_impossible_targets), 0);
+    const EchoSurvey one = survey_echoes(acquisition);
     for (const unsigned threads : {2u, 3u, 8u}) {
-      const EchoSurvey more = survey_echoes(plan, {threads});
+      const EchoSurvey more = survey_echoes(acquisition, {threads});
       EXPECT_EQ(more.targets, one.targets);
       EXPECT_EQ(more.totals, one.totals);
       EXPECT_EQ(more.largest_sum_v, one.largest_sum_v);
@@ -374,8 +374,8 @@ TEST(SurveyEchoes, AreTheSameForAnyNumberOfThreads) {
 TEST(SurveyEchoes, EndWhenAskedTo) {
   core::StopFlag stop;
   stop.request();
-  const Plan plan = make_plan(sound_scene(), 0);
-  EXPECT_THROW(static_cast<void>(survey_echoes(plan, {2, &stop})), core::Interrupted);
+  const Acquisition acquisition = acquisition_of(sound_scene(), 0);
+  EXPECT_THROW(static_cast<void>(survey_echoes(acquisition, {2, &stop})), core::Interrupted);
   EXPECT_THROW(static_cast<void>(survey(sound_scene(), nullptr, {1, &stop})), core::Interrupted);
 }
 
@@ -395,7 +395,7 @@ TEST(SurveyEchoes, FindsTargetsInANarrowBeamThatTurns) {
       radar.transmit_antenna.elevation_beamwidth = core::Angle::from_deg(20.0);
       radar.beam = scene::Radar::Beam::rotating;
       radar.beam_rate = core::Angle::from_deg(rate);
-      const EchoSurvey found = survey_echoes(make_plan(scene, 0));
+      const EchoSurvey found = survey_echoes(acquisition_of(scene, 0));
       EXPECT_NEAR(found.targets[0].largest_amplitude_v / equation_amplitude(1000.0, 1.0, c / 1e9), 1.0, 1e-3)
           << rate << ' ' << azimuth_deg;
       EXPECT_LE(found.pulses_sampled, 64u + 5u);
@@ -411,17 +411,17 @@ TEST(SurveyEchoes, PassesOverTargetsThatATurningBeamNeverMeets) {
   scene.radars[0].transmit_antenna.elevation_beamwidth = core::Angle::from_deg(20.0);
   scene.radars[0].beam = scene::Radar::Beam::rotating;
   scene.radars[0].beam_rate = core::Angle::from_deg(73.0);
-  EXPECT_EQ(survey_echoes(make_plan(scene, 0)).pulses_sampled, 64u);
+  EXPECT_EQ(survey_echoes(acquisition_of(scene, 0)).pulses_sampled, 64u);
 }
 
 TEST(SurveyEchoes, LooksAtEveryPulseOfAShortRecording) {
   scene::Scene scene = sound_scene();
   scene.simulations[0].time_end_s = 0.063;
-  EXPECT_TRUE(survey_echoes(make_plan(scene, 0)).all_pulses);
+  EXPECT_TRUE(survey_echoes(acquisition_of(scene, 0)).all_pulses);
   scene.simulations[0].time_end_s = 0.064;
-  EXPECT_FALSE(survey_echoes(make_plan(scene, 0)).all_pulses);
+  EXPECT_FALSE(survey_echoes(acquisition_of(scene, 0)).all_pulses);
   scene.simulations[0].time_end_s = 0.0;
-  EXPECT_EQ(survey_echoes(make_plan(scene, 0)).pulses_sampled, 1u);
+  EXPECT_EQ(survey_echoes(acquisition_of(scene, 0)).pulses_sampled, 1u);
 }
 
 }  // namespace survey_test

@@ -8,6 +8,7 @@
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 
 namespace sarsim::simulate {
 
@@ -65,9 +66,9 @@ std::size_t step_of(std::size_t points, std::size_t most) { return 1 + (points >
 
 class ReachComparison {
  public:
-  ReachComparison(const Plan& plan, const AngleTables& tables, const core::WorkControl& control)
-      : plan_(plan),
-        scene_(*plan.scene),
+  ReachComparison(const Acquisition& acquisition, const AngleTables& tables, const core::WorkControl& control)
+      : acquisition_(acquisition),
+        scene_(*acquisition.scene),
         tables_(tables),
         control_(control),
         sheets_(scene_.sheets.size()),
@@ -80,11 +81,12 @@ class ReachComparison {
     std::vector<std::pair<std::size_t, std::vector<std::size_t>>> surfaces;
     for (std::size_t i = 0; i < scene_.sheets.size(); i += step)
       surfaces.emplace_back(i, outermost(scene_.sheets[i], std::clamp<std::size_t>(each / 2, 4, 16)));
-    PulseGeometry geometry(scene_, plan_.radar);
-    const std::int64_t count = std::min(pulses_compared, plan_.pulses.count());
+    PulseGeometry geometry(scene_, acquisition_.link);
+    const std::int64_t count = std::min(pulses_compared, acquisition_.timing.pulses.count());
     for (std::int64_t i = 0; i < count; ++i) {
       const double share = count > 1 ? static_cast<double>(i) / static_cast<double>(count - 1) : 0.5;
-      geometry.set_pulse(plan_.pulses.first + std::llround(share * static_cast<double>(plan_.pulses.count() - 1)));
+      geometry.set_pulse(acquisition_.timing.pulses.first +
+                         std::llround(share * static_cast<double>(acquisition_.timing.pulses.count() - 1)));
       if (i % ((pulses_compared - 1) / (pulses_of_targets - 1)) == 0) compare_targets(geometry);
       for (const auto& [sheet, points] : surfaces) compare_sheet(geometry, sheet, points);
       if (control_.stop != nullptr && control_.stop->requested()) throw core::Interrupted();
@@ -95,7 +97,7 @@ class ReachComparison {
     if (targets_.empty()) return {};
     std::vector<std::size_t> chosen = targets_.points(max_looks / 2);
     std::ranges::sort(chosen);
-    return SightSurvey(plan_, chosen).look(control_);
+    return SightSurvey(acquisition_, chosen).look(control_);
   }
 
   [[nodiscard]] std::vector<SurfaceSight> surface_sights() {
@@ -116,9 +118,9 @@ class ReachComparison {
         numbers.push_back(sights.size());
         sights.push_back({sheet, {}});
       }
-    Plan plan = plan_;
-    plan.scene = points;
-    std::vector<TargetSight> seen = SightSurvey(plan, numbers).look(control_);
+    Acquisition acquisition = acquisition_;
+    acquisition.scene = points;
+    std::vector<TargetSight> seen = SightSurvey(acquisition, numbers).look(control_);
     for (std::size_t i = 0; i < sights.size(); ++i) sights[i].sight = std::move(seen[i]);
     return sights;
   }
@@ -194,12 +196,12 @@ class ReachComparison {
   void compare_sheet(const PulseGeometry& geometry, std::size_t number, const std::vector<std::size_t>& points) {
     const radar::Pointing pointing = geometry.pointing();
     const ScattererSheet& sheet = scene_.sheets[number];
-    const radar::SampleGrid& grid = plan_.raw_grid;
+    const radar::SampleGrid& grid = acquisition_.reception.raw_grid;
     sheets_[number].begin();
     for (const std::size_t point : points) {
       const auto view = geometry.sheet_view(number, point, pointing);
-      if (!view || view->delay_s + plan_.pulse.last_s() < grid.first_s ||
-          view->delay_s + plan_.pulse.first_s() > grid.time_s(grid.count))
+      if (!view || view->delay_s + acquisition_.reception.pulse.last_s() < grid.first_s ||
+          view->delay_s + acquisition_.reception.pulse.first_s() > grid.time_s(grid.count))
         continue;
       const core::Vec3 look = look_m(geometry, sheet.platform, sheet.points_m[point]);
       tables_.beyond(offset_of(pointing, look), std::nullopt, 0, beyond_deg_);
@@ -208,7 +210,7 @@ class ReachComparison {
     sheets_[number].end();
   }
 
-  const Plan& plan_;
+  const Acquisition& acquisition_;
   const ResolvedScene& scene_;
   const AngleTables& tables_;
   const core::WorkControl& control_;
@@ -220,9 +222,10 @@ class ReachComparison {
 
 }  // namespace
 
-TableReach reach_beyond_tables(const Plan& plan, const EchoSurvey& survey, const std::vector<std::size_t>& examined,
-                               const AngleTables& tables, const core::WorkControl& control) {
-  ReachComparison reach(plan, tables, control);
+TableReach reach_beyond_tables(const Acquisition& acquisition, const EchoSurvey& survey,
+                               const std::vector<std::size_t>& examined, const AngleTables& tables,
+                               const core::WorkControl& control) {
+  ReachComparison reach(acquisition, tables, control);
   reach.compare(survey, examined);
   return {reach.target_sights(), reach.surface_sights()};
 }

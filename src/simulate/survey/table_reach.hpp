@@ -40,7 +40,7 @@ struct TableReach {
 /// farthest beyond each table, up to 64 in all, are followed as `SightSurvey` does. Points between, at pulses between,
 /// may reach a little farther. Takes some milliseconds.
 /// @param examined  targets whose sights are known, ascending
-[[nodiscard]] TableReach reach_beyond_tables(const Plan& plan, const EchoSurvey& survey,
+[[nodiscard]] TableReach reach_beyond_tables(const Acquisition& acquisition, const EchoSurvey& survey,
                                              const std::vector<std::size_t>& examined, const AngleTables& tables,
                                              const core::WorkControl& control);
 

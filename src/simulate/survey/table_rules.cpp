@@ -77,11 +77,11 @@ class TableRules {
  public:
   TableRules(const SightCase& sighted, core::Problems& problems)
       : sighted_(sighted), sights_(sighted.summary.sights), problems_(problems) {
-    by_role_ = sighted.plan.scene->conventions.function_ends == Conventions::FunctionEnds::by_role;
+    by_role_ = sighted.acquisition.scene->conventions.function_ends == Conventions::FunctionEnds::by_role;
   }
 
   void check(const EchoSurvey& survey) {
-    const std::size_t radar = scene::find_radar(sighted_.scene, sighted_.plan.simulation.radar);
+    const std::size_t radar = scene::find_radar(sighted_.scene, sighted_.acquisition.simulation.radar);
     if (radar == scene::not_found) return;
     const std::vector<Cut> cuts = cuts_of(sighted_.scene.radars[radar]);
     look_farther(cuts, survey);
@@ -93,15 +93,17 @@ class TableRules {
   }
 
  private:
-  [[nodiscard]] core::InterpolationRules usual() const { return interpolation_rules(sighted_.plan.scene->options); }
+  [[nodiscard]] core::InterpolationRules usual() const {
+    return interpolation_rules(sighted_.acquisition.scene->options);
+  }
   [[nodiscard]] core::AngleFunction function_of(const Cut& cut) const {
     return scene::angle_function(cut.role, *cut.points, usual(), by_role_);
   }
 
   // Adds what reaches beyond the tables among what the survey of sights left out.
   void look_farther(const std::vector<Cut>& cuts, const EchoSurvey& survey) {
-    const std::vector<core::Interpolator>& curves = sighted_.plan.scene->gain_curves;
-    const bool has_surfaces = !sighted_.plan.scene->sheets.empty();
+    const std::vector<core::Interpolator>& curves = sighted_.acquisition.scene->gain_curves;
+    const bool has_surfaces = !sighted_.acquisition.scene->sheets.empty();
     const bool knows_targets = survey.totals.in_window <= sights_.size();
     if ((cuts.empty() && curves.empty()) || (knows_targets && (cuts.empty() || !has_surfaces))) return;
     std::vector<std::size_t> examined;
@@ -115,7 +117,7 @@ class TableRules {
       for (std::size_t i = 0; i < cuts.size(); ++i) by_deg[i] = beyond_cut_deg(cuts[i], functions[i], offset);
       by_deg.back() = incidence_rad ? beyond_curve_deg(curves[curve], *incidence_rad * core::deg_per_rad) : 0.0;
     };
-    TableReach reach = reach_beyond_tables(sighted_.plan, survey, examined, tables, sighted_.control);
+    TableReach reach = reach_beyond_tables(sighted_.acquisition, survey, examined, tables, sighted_.control);
     std::ranges::move(reach.targets, std::back_inserter(sights_));
     surfaces_ = std::move(reach.surfaces);
   }
@@ -134,7 +136,7 @@ class TableRules {
 
   // Points of clouds have numbers behind those of the targets.
   [[nodiscard]] std::string name_of(std::size_t target) const {
-    const ScattererList& list = sighted_.plan.scene->scatterers;
+    const ScattererList& list = sighted_.acquisition.scene->scatterers;
     if (target < list.targets()) return fmt::format("target {}", target + 1);
     std::size_t cloud = 0;
     while (cloud + 1 < list.clouds().size() && list.clouds()[cloud + 1].first <= target) ++cloud;
@@ -186,7 +188,7 @@ class TableRules {
       last = one.surface;
     }
     if (farthest.targets == 0) return;
-    const std::size_t all = sighted_.plan.scene->sheets.size();
+    const std::size_t all = sighted_.acquisition.scene->sheets.size();
     report_cut(cut, radar, function, fmt::format("{} of {} surface{}", farthest.targets, all, all == 1 ? "" : "s"),
                fmt::format("surface {}", farthest.target + 1), farthest);
   }
@@ -234,7 +236,7 @@ class TableRules {
   }
 
   [[nodiscard]] const core::Interpolator* curve_of(std::size_t target) const {
-    const ResolvedScene& scene = *sighted_.plan.scene;
+    const ResolvedScene& scene = *sighted_.acquisition.scene;
     const Scatterer s = scene.scatterers[target];
     return s.law == radar::ReflectivityLaw::user ? &scene.gain_curves[s.gain_curve] : nullptr;
   }

@@ -45,7 +45,7 @@ const std::vector<core::Knot> cosecant{{-90, -40}, {-10, -30}, {-2, -3},  {0, 0}
 
 std::vector<double> two_way_db(const scene::Scene& scene) {
   const ResolvedScene resolved = resolve(scene);
-  const ResolvedRadar radar = resolve_radar(scene, resolved, 0);
+  const Link radar = resolve_radar(scene, resolved, 0);
   PulseGeometry geometry(resolved, radar);
   geometry.set_pulse(0);
   std::vector<double> gains_db;

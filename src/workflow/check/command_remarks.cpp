@@ -14,7 +14,7 @@
 #include "core/report/refused.hpp"
 #include "radar/path/path.hpp"
 #include "scene/model/scene_index.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "simulate/survey/beam_passes.hpp"
 #include "workflow/focus/focus.hpp"
 #include "workflow/focus/sar_looks.hpp"
@@ -56,22 +56,22 @@ bool makes_aperture(const core::Vec3& flown_m, const core::Vec3& sight_m, double
   return 2.0 * core::dot(across_m, across_m) > wavelength_m * distance_m;
 }
 
-Movement movement_of(const simulate::Plan& plan) {
+Movement movement_of(const simulate::Acquisition& acquisition) {
   Movement movement;
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  geometry.set_pulse(plan.pulses.first);
+  simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
+  geometry.set_pulse(acquisition.timing.pulses.first);
   const core::Vec3 first_m = geometry.radar_pose().position_world_m;
-  geometry.set_pulse(plan.pulses.last);
+  geometry.set_pulse(acquisition.timing.pulses.last);
   core::Vec3 flown_m = geometry.radar_pose().position_world_m - first_m;
-  geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
+  geometry.set_pulse(acquisition.timing.pulses.first + acquisition.timing.pulses.count() / 2);
   // A flight around the scene ends where it began.
   if (const core::Vec3 half_m = geometry.radar_pose().position_world_m - first_m;
       core::norm(half_m) > core::norm(flown_m))
     flown_m = half_m;
   movement.radar = core::norm(geometry.radar_pose().velocity_world_mps) > rest_mps;
-  const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), plan.scene->conventions.light_speed_mps);
-  for (const simulate::Scatterer& s : plan.scene->scatterers) {
-    if (s.platform == plan.radar.platform) continue;
+  const double wavelength_m = radar::wavelength_of(geometry.carrier_hz(), acquisition.light_speed_mps());
+  for (const simulate::Scatterer& s : acquisition.scene->scatterers) {
+    if (s.platform == acquisition.link.platform) continue;
     const radar::Pose& pose = geometry.pose(s.platform);
     const bool moves = core::norm(radar::world_velocity_mps(pose, s.position_m)) > rest_mps;
     movement.targets = movement.targets || moves;
@@ -80,7 +80,7 @@ Movement movement_of(const simulate::Plan& plan) {
     const core::Vec3 sight_m = radar::world_position_m(pose, s.position_m) - geometry.radar_pose().position_world_m;
     movement.aperture = makes_aperture(flown_m, sight_m, wavelength_m);
   }
-  if (const auto platform = platform_of_targets(plan)) {
+  if (const auto platform = platform_of_targets(acquisition)) {
     movement.turning = rotates(geometry.pose(*platform));
     movement.moving = core::norm(geometry.pose(*platform).velocity_world_mps) > rest_mps;
   }
@@ -88,13 +88,15 @@ Movement movement_of(const simulate::Plan& plan) {
 }
 
 // As `SarLooks` takes them.
-std::size_t looks_at_targets(const simulate::Plan& plan) {
-  return std::min(static_cast<std::size_t>(plan.pulses.count()), SarLooks::usual_looks);
+std::size_t looks_at_targets(const simulate::Acquisition& acquisition) {
+  return std::min(static_cast<std::size_t>(acquisition.timing.pulses.count()), SarLooks::usual_looks);
 }
 
-core::Problems remarks_on_pulses(const simulate::Plan& plan, std::size_t pulses, const core::WorkControl& control) {
-  const SearchOptions options = search_options({}, plan, pulses);
-  return problems_of_search(plan, options).empty() ? remarks_on_search(plan, options, control) : core::Problems{};
+core::Problems remarks_on_pulses(const simulate::Acquisition& acquisition, std::size_t pulses,
+                                 const core::WorkControl& control) {
+  const SearchOptions options = search_options({}, acquisition, pulses);
+  return problems_of_search(acquisition, options).empty() ? remarks_on_search(acquisition, options, control)
+                                                          : core::Problems{};
 }
 
 // What reflects is resolved already, and may be millions of objects.
@@ -136,30 +138,29 @@ class Asking {
     const scene::Simulation asked = scene_.simulations[index];
     // Alone: each question looks for it by its name.
     scene_.radars.assign(1, all_.radars.at(names_.radar(asked.radar)));
-    const simulate::Plan plan =
-        simulate::make_plan(scene_, index, resolved_, simulate::Engine::reference, control_.stop);
-    const Movement movement = movement_of(plan);
-    const bool pulses = records_pulses(scene_, asked) && plan.pulses.count() >= min_pulses;
-    const bool detects = pulses && plan.noise_stddev_v > 0.0;
-    const bool sweeps = beam_turns(plan);
+    const simulate::Acquisition acquisition = simulate::acquisition_of(scene_, index, resolved_, control_.stop);
+    const Movement movement = movement_of(acquisition);
+    const bool pulses = records_pulses(scene_, asked) && acquisition.timing.pulses.count() >= min_pulses;
+    const bool detects = pulses && acquisition.reception.noise_stddev_v > 0.0;
+    const bool sweeps = beam_turns(acquisition);
     const auto take = [&](const char* command, bool suits, const Answer& answer) {
       if (!suits || !asked_.insert({command, asked.radar}).second) return;
       add(command, index, answer);
       scene_.simulations[index] = asked;
     };
-    take("search", detects && (simulate::turns(plan.radar.beam) || (sweeps && !movement.radar)),
+    take("search", detects && (simulate::turns(acquisition.link.beam) || (sweeps && !movement.radar)),
          [&] { return search(index); });
     take("doppler", detects && !sweeps && !movement.radar && movement.targets && !movement.turning,
          [&] { return doppler(index); });
     take("profiles", suits_use(SteppedUse::profiles)(scene_, asked) && (movement.targets || !movement.radar),
-         [&] { return profiles(index, plan); });
+         [&] { return profiles(index, acquisition); });
     const bool steps = suits_use(SteppedUse::profiles)(scene_, asked);
     take("isar", suits_use(SteppedUse::isar)(scene_, asked) && (movement.turning || (steps && movement.moving)),
-         [&] { return isar(index, plan); });
+         [&] { return isar(index, acquisition); });
     take("focus",
-         pulses && movement.radar && movement.aperture && !simulate::turns(plan.radar.beam) &&
-             plan.scene->scatterers.size() <= max_focus_looks / looks_at_targets(plan),
-         [&] { return focus(index, plan); });
+         pulses && movement.radar && movement.aperture && !simulate::turns(acquisition.link.beam) &&
+             acquisition.scene->scatterers.size() <= max_focus_looks / looks_at_targets(acquisition),
+         [&] { return focus(index, acquisition); });
   }
 
   // A recording that a command refuses does not suit it; but an aperture is flown to be focused.
@@ -193,30 +194,30 @@ class Asking {
   }
 
   [[nodiscard]] core::Problems search(std::size_t index) {
-    const auto plan = plan_of_pulses(scene_, index, resolved_, control_.stop);
-    return remarks_on_pulses(*plan, dwell_pulses(*plan), control_);
+    const auto acquisition = acquisition_of_pulses(scene_, index, resolved_, control_.stop);
+    return remarks_on_pulses(*acquisition, dwell_pulses(*acquisition), control_);
   }
 
   [[nodiscard]] core::Problems doppler(std::size_t index) {
-    const auto plan = plan_of_pulses(scene_, index, resolved_, control_.stop);
-    return remarks_on_pulses(*plan, doppler_pulses(*plan), control_);
+    const auto acquisition = acquisition_of_pulses(scene_, index, resolved_, control_.stop);
+    return remarks_on_pulses(*acquisition, doppler_pulses(*acquisition), control_);
   }
 
-  [[nodiscard]] core::Problems profiles(std::size_t index, const simulate::Plan& plan) {
-    const SteppedInput input = stepped_input_of(scene_, index, plan, SteppedUse::profiles);
+  [[nodiscard]] core::Problems profiles(std::size_t index, const simulate::Acquisition& acquisition) {
+    const SteppedInput input = stepped_input_of(scene_, index, acquisition, SteppedUse::profiles);
     return core::has_errors(input.problems) ? core::Problems{} : remarks_on_profiles(input.rows, {});
   }
 
-  [[nodiscard]] core::Problems isar(std::size_t index, const simulate::Plan& plan) {
-    const SteppedInput input = stepped_input_of(scene_, index, plan, SteppedUse::isar);
+  [[nodiscard]] core::Problems isar(std::size_t index, const simulate::Acquisition& acquisition) {
+    const SteppedInput input = stepped_input_of(scene_, index, acquisition, SteppedUse::isar);
     if (core::has_errors(input.problems) || input.rows.bursts < 2) return {};
     IsarOptions options;
-    options.platform = platform_of_targets(*input.rows.plan).value();
+    options.platform = platform_of_targets(*input.rows.acquisition).value();
     return remarks_on_isar(input.rows, {0}, input.rows.bursts, options, control_);
   }
 
-  [[nodiscard]] core::Problems focus(std::size_t index, const simulate::Plan& plan) {
-    FocusInput input = focus_input_of(scene_, index, plan);
+  [[nodiscard]] core::Problems focus(std::size_t index, const simulate::Acquisition& acquisition) {
+    FocusInput input = focus_input_of(scene_, index, acquisition);
     return core::has_errors(input.problems) ? input.problems : remarks_of_focus(std::move(input), control_);
   }
 

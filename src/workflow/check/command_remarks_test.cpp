@@ -130,7 +130,7 @@ TEST(RemarksOfCommands, DoNotLookAtMoreThanAMillionEchoesForFocus) {
   scene::Scene scene = sar_scene(600.0, {{}});
   scene.platforms.push_back(simulate::moving("Car", {}, {5.0, 0.0, 0.0}));
   for (int i = 0; i < 832; ++i) scene.targets.push_back(simulate::target_on("Car", {}));
-  ASSERT_EQ(simulate::make_plan(scene, 0).pulses.count(), 1200);
+  ASSERT_EQ(simulate::acquisition_of(scene, 0).timing.pulses.count(), 1200);
   EXPECT_THAT(said(scene), HasSubstr("sarsim focus: 832 of 833 targets"));
   scene.targets.push_back(scene.targets.back());
   EXPECT_EQ(said(scene), "");

@@ -18,6 +18,7 @@
 #include "raster/format/zarr_store.hpp"
 #include "raster/table/formats.hpp"
 #include "raster/table/stored_array.hpp"
+#include "simulate/plan/product.hpp"
 #include "workflow/input/output_names.hpp"
 
 namespace sarsim::workflow {
@@ -177,11 +178,11 @@ core::InputFile opened(const std::string& path) {
 }
 
 // Times, carriers and ranges, which the file does not say, by the script that wrote it.
-void add_axes(std::vector<raster::StoredArray>& arrays, const simulate::Plan& plan) {
+void add_axes(std::vector<raster::StoredArray>& arrays, const simulate::Acquisition& acquisition) {
   std::vector<double> times;
   std::vector<double> carriers;
-  const simulate::Product product = simulate::product_of(plan, {});
-  for (std::size_t row = 0; row < plan.rows; ++row) {
+  const simulate::Product product = simulate::product_of(acquisition, {});
+  for (std::size_t row = 0; row < acquisition.timing.rows; ++row) {
     times.push_back(product.row_time_s(row));
     carriers.push_back(product.row_carrier_hz(row));
   }
@@ -190,7 +191,8 @@ void add_axes(std::vector<raster::StoredArray>& arrays, const simulate::Plan& pl
   samples.dimensions[1] = "slant_range_m";
   samples.facts.emplace_back("coordinates", "carrier_hz");
   arrays.push_back(raster::axis_here("pulse_time_s", std::move(times), "s", "send time"));
-  arrays.push_back(raster::axis_here("slant_range_m", plan.column_range_m, "m", "one-way slant range"));
+  arrays.push_back(
+      raster::axis_here("slant_range_m", acquisition.reception.column_range_m, "m", "one-way slant range"));
   arrays.push_back(raster::axis_here("carrier_hz", std::move(carriers), "Hz", "carrier frequency"));
   arrays.back().dimensions = {"pulse_time_s"};
 }
@@ -237,8 +239,10 @@ void write_references(const ReferencesRequest& request, const core::Observer& ob
   std::vector<raster::StoredArray> arrays = arrays_of(*raster, file, hints);
   const bool bare = arrays.front().dimensions.front() == "pulse";
   if (bare && !request.sample.script.empty()) {
-    const simulate::Plan plan = plan_of_file(request.input, request.sample.script, {}, observer.stop);
-    if (plan.rows == raster->rows() && plan.columns == raster->columns()) add_axes(arrays, plan);
+    const simulate::Acquisition acquisition =
+        acquisition_of_file(request.input, request.sample.script, {}, observer.stop);
+    if (acquisition.timing.rows == raster->rows() && acquisition.reception.columns == raster->columns())
+      add_axes(arrays, acquisition);
   }
   expect_free_outputs({request.output},
                       {InputList::named({request.input, request.sample.script}), request.force, "--references"});

@@ -87,7 +87,7 @@ ConvertReport convert_to_sicd(const ConvertRequest& request, const core::Observe
   const EarthPlace place = earth_place(input.world, request.anchor, "SICD");
   const ImageMaking making{opened.image, opened.origin.options, opened.origin.algorithm == "back-projection"};
   ImageOrigin origin = opened.origin;
-  origin.radar = input.plan->radar.name;
+  origin.radar = input.acquisition->link.name;
   const raster::EnviHeader header = header_of_copy(opened.header, request.input, request.output, false);
   const SicdImage sicd = sicd_of(opened.image, origin, collection_of(input, making, place, control), header,
                                  fs::path(request.output).stem().string());

@@ -9,7 +9,7 @@
 #include "core/report/refused.hpp"
 #include "core/task/worker_pool.hpp"
 #include "core/text/number_text.hpp"
-#include "simulate/plan/row_maker.hpp"
+#include "simulate/run/computed_rows.hpp"
 #include "workflow/focus/sar_rows.hpp"
 #include "workflow/input/earth_place.hpp"
 
@@ -38,69 +38,60 @@ std::vector<double> numbers_of(const std::string& text, std::size_t count, const
   return numbers;
 }
 
-void expect_exchangeable(const simulate::Plan& plan, core::Problems& problems) {
+void expect_exchangeable(const simulate::Acquisition& acquisition, core::Problems& problems) {
   const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
     problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
                                         std::move(expected), std::move(hint)));
   };
-  if (plan.scene->options.profile != scene::Profile::physical)
+  if (acquisition.scene->options.profile != scene::Profile::physical)
     refuse("the classic profile has another speed of light and other delays than the standard", "classic",
            "the physical profile", "add --profile physical");
-  if (plan.simulation.processing != scene::Processing::raw)
+  if (!acquisition.reception.is_raw())
     refuse("CPHD and CRSD are made of raw pulses, but the recording is compressed", {}, "raw processing",
            "name the scene, from which raw pulses are computed, or record with processing = \"raw\"");
-  if (plan.radar.stc != scene::Radar::Stc::none)
+  if (acquisition.link.stc != scene::Radar::Stc::none)
     refuse("STC changes the amplitudes along a row, which the standard does not know", "STC", "no STC",
            "leave out the STC of the radar");
-  if (plan.scene->options.eclipsing == scene::Eclipsing::blanked)
+  if (acquisition.scene->options.eclipsing == scene::Eclipsing::blanked)
     refuse("blanked samples have no place in a phase history", "eclipsing = \"blanked\"", "none", {});
 }
 
-// The rows of a plan, computed when they are asked for.
-core::SampleRows<double> rows_of_plan(const std::shared_ptr<const simulate::Plan>& plan) {
-  const auto pool = std::make_shared<core::WorkerPool<simulate::RowMaker>>(
-      [plan] { return std::make_unique<simulate::RowMaker>(*plan); });
-  return {plan->rows, plan->columns, [plan, pool](std::size_t row, std::span<std::complex<double>> out) {
-            pool->lend([&](simulate::RowMaker& maker) { maker.make_row(row, out); });
-          }};
-}
-
-// A plan with its rows and what the scene says of its world.
-struct OpenedPlan {
-  std::shared_ptr<const simulate::Plan> plan;
+// A recording with its rows and what the scene says of its world.
+struct Opened {
+  std::shared_ptr<const simulate::Acquisition> acquisition;
   core::SampleRows<double> rows;
   scene::World world;
   std::size_t simulation = 0;
   std::vector<std::filesystem::path> sources;
 };
 
-OpenedPlan plan_of_scene(RecordingArguments arguments, const core::WorkControl& control, core::Problems& remarks) {
+Opened opened_scene(RecordingArguments arguments, const core::WorkControl& control, core::Problems& remarks) {
   if (!arguments.overrides.pulse) arguments.overrides.pulse = scene::PulseDefinition::band_limited;
   auto [input, simulation] = open_script(arguments, records_pulses, control);
   std::ranges::move(input.problems, std::back_inserter(remarks));
-  const simulate::Plan window = simulate::make_plan(input.scene, simulation, input.resolved);
+  const simulate::Acquisition window = simulate::acquisition_of(input.scene, simulation, input.resolved);
   scene::Simulation& recorded = input.scene.simulations[simulation];
   recorded = recorded_for_sar(recorded, window);
-  auto plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(input.scene, simulation, input.resolved, simulate::Engine::automatic));
-  return {plan, rows_of_plan(plan), input.scene.world, simulation, std::move(input.sources)};
+  auto acquisition =
+      std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(input.scene, simulation, input.resolved));
+  return {acquisition, simulate::computed_rows(acquisition), input.scene.world, simulation, std::move(input.sources)};
 }
 
-OpenedPlan plan_of_file(const RecordingArguments& arguments, const core::WorkControl& control,
-                        core::Problems& remarks) {
-  const auto problems_of = [](const simulate::Plan& plan) {
+Opened opened_file(const RecordingArguments& arguments, const core::WorkControl& control, core::Problems& remarks) {
+  const auto problems_of = [](const simulate::Acquisition& acquisition) {
     core::Problems problems;
-    expect_exchangeable(plan, problems);
+    expect_exchangeable(acquisition, problems);
     return problems;
   };
   StoredRecording stored = open_recording(arguments, records_pulses, problems_of, control);
   std::ranges::move(stored.problems, std::back_inserter(remarks));
-  return {stored.plan, std::move(stored.rows), stored.scene.world, stored.simulation, std::move(stored.sources)};
+  return {stored.acquisition, std::move(stored.rows), stored.scene.world, stored.simulation, std::move(stored.sources)};
 }
 
 // Time 0 of the file: the last whole second of slow time before the first pulse.
 void set_start(const radar::Instant& epoch, Collection& collection) {
-  const double first_s = collection.plan->radar.repetition.send_time_s(collection.plan->pulses.first);
+  const double first_s =
+      collection.acquisition->link.repetition.send_time_s(collection.acquisition->timing.pulses.first);
   collection.start_s = std::floor(first_s);
   collection.start = radar::later(epoch, collection.start_s);
 }
@@ -118,14 +109,14 @@ std::string Collection::start_text() const { return radar::format_instant(start,
 
 Collection open_collection(const CollectionArguments& arguments, const core::WorkControl& control,
                            core::Problems& remarks) {
-  OpenedPlan opened = names_script(arguments.input) ? plan_of_scene(arguments.input, control, remarks)
-                                                    : plan_of_file(arguments.input, control, remarks);
-  core::Problems problems = problems_of_sar(*opened.plan, true);
-  expect_exchangeable(*opened.plan, problems);
+  Opened opened = names_script(arguments.input) ? opened_scene(arguments.input, control, remarks)
+                                                : opened_file(arguments.input, control, remarks);
+  core::Problems problems = problems_of_sar(*opened.acquisition, true);
+  expect_exchangeable(*opened.acquisition, problems);
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
   EarthPlace place = earth_place(opened.world, arguments.anchor, arguments.format);
   std::ranges::move(place.remarks, std::back_inserter(remarks));
-  Collection collection{.plan = opened.plan,
+  Collection collection{.acquisition = opened.acquisition,
                         .rows = std::move(opened.rows),
                         .computed = names_script(arguments.input),
                         .earth = place.earth,
@@ -141,25 +132,25 @@ Collection open_collection(const CollectionArguments& arguments, const core::Wor
 
 struct CollectionGeometry::Reference {
   simulate::ResolvedScene scene;
-  simulate::ResolvedRadar radar;
+  simulate::Link radar;
   std::optional<simulate::PulseGeometry> geometry;
 };
 
 CollectionGeometry::CollectionGeometry(const Collection& collection)
     : collection_(&collection), reference_(std::make_unique<Reference>()) {
-  const simulate::Plan& plan = *collection.plan;
+  const simulate::Acquisition& acquisition = *collection.acquisition;
   simulate::ResolvedScene& scene = reference_->scene;
-  scene.conventions = plan.scene->conventions;
-  scene.options = plan.scene->options;
-  scene.turning = plan.scene->turning;
-  scene.platforms = plan.scene->platforms;
-  reference_->radar = plan.radar;
+  scene.conventions = acquisition.scene->conventions;
+  scene.options = acquisition.scene->options;
+  scene.turning = acquisition.scene->turning;
+  scene.platforms = acquisition.scene->platforms;
+  reference_->radar = acquisition.link;
   reference_->radar.air = nullptr;
-  const std::int64_t middle = plan.pulses.first + plan.pulses.count() / 2;
-  const radar::Track& track = scene.platforms[plan.radar.platform].track;
-  const radar::Pose pose = track.at(plan.radar.repetition.send_time_s(middle), middle);
+  const std::int64_t middle = acquisition.timing.pulses.first + acquisition.timing.pulses.count() / 2;
+  const radar::Track& track = scene.platforms[acquisition.link.platform].track;
+  const radar::Pose pose = track.at(acquisition.link.repetition.send_time_s(middle), middle);
   middle_m_ = collection.reference.kind == ReferencePoint::Kind::given ? collection.reference.given_world_m
-                                                                       : scene_middle_m(plan);
+                                                                       : scene_middle_m(acquisition);
   expect_possible_place(collection.earth.ecef_from_world(middle_m_), "the reference point");
   expect_possible_place(collection.earth.ecef_from_world(pose.position_world_m), "the radar");
   antenna_m_ = pose.position_world_m;
@@ -180,10 +171,10 @@ CollectionGeometry::~CollectionGeometry() = default;
 
 core::Vec3 CollectionGeometry::reference_m(std::size_t row) {
   if (collection_->reference.kind != ReferencePoint::Kind::moving) return middle_m_;
-  const simulate::Plan& plan = *collection_->plan;
-  const std::int64_t pulse = plan.first_pulse_of_row(row);
-  const radar::Pose pose =
-      plan.scene->platforms[plan.radar.platform].track.at(plan.radar.repetition.send_time_s(pulse), pulse);
+  const simulate::Acquisition& acquisition = *collection_->acquisition;
+  const std::int64_t pulse = acquisition.timing.first_pulse_of_row(row);
+  const radar::Pose pose = acquisition.scene->platforms[acquisition.link.platform].track.at(
+      acquisition.link.repetition.send_time_s(pulse), pulse);
   core::Vec3 point_m = middle_m_ + core::dot(pose.position_world_m - antenna_m_, along_) * along_;
   if (collection_->flat) return point_m;
   radar::Geodetic place = collection_->earth.geodetic_of(point_m);
@@ -192,7 +183,7 @@ core::Vec3 CollectionGeometry::reference_m(std::size_t row) {
 }
 
 CollectedPulse CollectionGeometry::pulse_of(std::size_t row) {
-  const simulate::Plan& plan = *collection_->plan;
+  const simulate::Acquisition& acquisition = *collection_->acquisition;
   simulate::ResolvedScene& scene = reference_->scene;
   if (collection_->reference.kind == ReferencePoint::Kind::moving) {
     simulate::Scatterer point = scene.scatterers.front();
@@ -202,11 +193,12 @@ CollectedPulse CollectionGeometry::pulse_of(std::size_t row) {
     scene.platforms.back().middle_m = point.position_m;
   }
   simulate::PulseGeometry& geometry = *reference_->geometry;
-  geometry.set_pulse(plan.first_pulse_of_row(row));
+  geometry.set_pulse(acquisition.timing.first_pulse_of_row(row));
   const simulate::ScattererView view = geometry.view(0);
   const radar::Pose& sent = geometry.radar_pose();
   const double time_s = geometry.send_time_s();
-  const radar::Pose received = scene.platforms[plan.radar.platform].track.at(time_s + view.delay_s, geometry.pulse());
+  const radar::Pose received =
+      scene.platforms[acquisition.link.platform].track.at(time_s + view.delay_s, geometry.pulse());
   const radar::EarthFrame& earth = collection_->earth;
   CollectedPulse pulse{{}, view.delay_s, view.clock, geometry.carrier_hz()};
   raster::PhaseVector& v = pulse.vector;
@@ -223,7 +215,7 @@ CollectedPulse CollectionGeometry::pulse_of(std::size_t row) {
   };
   const double c = scene.conventions.light_speed_mps;
   v.doppler = -(rate(v.tx_m, v.tx_mps) + rate(v.rcv_m, v.rcv_mps)) / c;
-  const radar::Pulse& sent_pulse = plan.radar.pulse;
+  const radar::Pulse& sent_pulse = acquisition.link.pulse;
   if (sent_pulse.kind == radar::Pulse::Kind::chirp && sent_pulse.sweep_hz != 0.0) {
     v.rate2 = 2.0 / c * sent_pulse.width_s / sent_pulse.sweep_hz;
     v.rate1 = v.rate2 * pulse.carrier_hz;

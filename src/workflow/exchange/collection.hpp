@@ -11,7 +11,7 @@
 #include "radar/earth/earth_frame.hpp"
 #include "radar/earth/instant.hpp"
 #include "raster/cphd/cphd_description.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/input/recording_input.hpp"
 
@@ -32,13 +32,13 @@ struct ReferencePoint {
 [[nodiscard]] ReferencePoint reference_point_from(const std::string& text);
 /// A recording of raw pulses with its place on the Earth: what CPHD and CRSD files are made of.
 struct Collection {
-  std::shared_ptr<const simulate::Plan> plan;  ///< Raw pulses of the physical profile.
-  core::SampleRows<double> rows;               ///< Of the plan, V.
-  bool computed = true;                        ///< The rows are computed from a scene; otherwise they were recorded.
-  radar::EarthFrame earth;                     ///< Under the world.
-  bool flat = true;                            ///< The world is a plane, laid on the Earth at the anchor.
-  radar::Instant start;                        ///< Time 0 of the file,
-  double start_s = 0.0;                        ///< and in slow time.
+  std::shared_ptr<const simulate::Acquisition> acquisition;  ///< Raw pulses of the physical profile.
+  core::SampleRows<double> rows;                             ///< Of the plan, V.
+  bool computed = true;     ///< The rows are computed from a scene; otherwise they were recorded.
+  radar::EarthFrame earth;  ///< Under the world.
+  bool flat = true;         ///< The world is a plane, laid on the Earth at the anchor.
+  radar::Instant start;     ///< Time 0 of the file,
+  double start_s = 0.0;     ///< and in slow time.
   ReferencePoint reference;
   std::string name;  ///< Of the file.
   std::size_t simulation = 0;

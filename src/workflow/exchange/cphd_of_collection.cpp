@@ -18,22 +18,23 @@ namespace sarsim::workflow {
 
 namespace {
 
-raster::TransmittedPulse pulse_of(const simulate::Plan& plan) {
-  return {.width_s = plan.radar.pulse.width_s,
-          .band_hz = std::abs(radar::bandwidth_hz(plan.radar.pulse)),
-          .rate_hz_per_s = plan.radar.pulse.sweep_rate_hz_per_s(),
-          .window_s = static_cast<double>(plan.raw_grid.count) * plan.raw_grid.interval_s,
-          .sample_rate_hz = 1.0 / plan.raw_grid.interval_s,
-          .carrier_hz = 0.5 * (plan.radar.carrier.lowest_hz() + plan.radar.carrier.highest_hz())};
+raster::TransmittedPulse pulse_of(const simulate::Acquisition& acquisition) {
+  return {
+      .width_s = acquisition.link.pulse.width_s,
+      .band_hz = std::abs(radar::bandwidth_hz(acquisition.link.pulse)),
+      .rate_hz_per_s = acquisition.link.pulse.sweep_rate_hz_per_s(),
+      .window_s = static_cast<double>(acquisition.reception.raw_grid.count) * acquisition.reception.raw_grid.interval_s,
+      .sample_rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s,
+      .carrier_hz = 0.5 * (acquisition.link.carrier.lowest_hz() + acquisition.link.carrier.highest_hz())};
 }
 
 std::vector<std::pair<std::string, std::string>> parameters_of(const Collection& collection) {
-  const simulate::Plan& plan = *collection.plan;
-  const bool limited = plan.scene->options.pulse == scene::PulseDefinition::band_limited;
+  const simulate::Acquisition& acquisition = *collection.acquisition;
+  const bool limited = acquisition.scene->options.pulse == scene::PulseDefinition::band_limited;
   return {{"Software", fmt::format("Sarsim {}", core::program_version)},
           {"Simulation", std::to_string(collection.simulation + 1)},
           {"Pulse", limited ? "band-limited" : "ideal"},
-          {"Seed", std::to_string(plan.scene->options.seed)},
+          {"Seed", std::to_string(acquisition.scene->options.seed)},
           {"World", collection.flat ? "a plane that rests, laid on the Earth" : "the Earth"},
           {"Anchor", anchor_text(collection.earth.anchor())}};
 }
@@ -41,11 +42,12 @@ std::vector<std::pair<std::string, std::string>> parameters_of(const Collection&
 // When the points of the area are seen, and for how long: while the antenna passes them; all of the time where the beam
 // follows them or sees everything, or where the recording ends before it has passed all of the area.
 void put_dwell(const Collection& collection, const raster::PhaseVector& middle, raster::CphdDescription& d) {
-  const simulate::Plan& plan = *collection.plan;
+  const simulate::Acquisition& acquisition = *collection.acquisition;
   d.centre_time_s = {0.5 * (d.tx_time1_s + d.tx_time2_s), 0.0, 0.0};
   d.dwell_s = d.tx_time2_s - d.tx_time1_s;
-  const radar::AntennaPattern& antenna = plan.radar.transmit;
-  if (plan.radar.beam.kind == radar::Beam::Kind::spot || antenna.kind != radar::AntennaPattern::Kind::sinx) return;
+  const radar::AntennaPattern& antenna = acquisition.link.transmit;
+  if (acquisition.link.beam.kind == radar::Beam::Kind::spot || antenna.kind != radar::AntennaPattern::Kind::sinx)
+    return;
   const core::Vec3 way = d.scene.origin_m - middle.tx_m;
   const double speed_mps = core::norm(middle.tx_mps);
   const double passed_s = antenna.azimuth_beamwidth_rad * core::norm(way) / speed_mps;
@@ -81,15 +83,15 @@ void put_geometry(const raster::PhaseVector& middle, raster::CphdDescription& d)
 
 raster::CphdDescription cphd_of(const Collection& collection, const CollectionExtent& extent, const HistoryShape& shape,
                                 raster::SignalEncoding encoding) {
-  const simulate::Plan& plan = *collection.plan;
+  const simulate::Acquisition& acquisition = *collection.acquisition;
   PhaseHistory history(collection, shape);
-  const std::size_t reference = plan.rows / 2;
+  const std::size_t reference = acquisition.timing.rows / 2;
   const raster::PhaseVector middle = history.vector_of(reference);
   const double from_carrier_hz = static_cast<double>(shape.grid.first_bin) * shape.grid.step_hz;
   raster::CphdDescription d;
-  d.collector = plan.radar.name;
+  d.collector = acquisition.link.name;
   d.core_name = collection.name;
-  d.mode = plan.radar.beam.kind == radar::Beam::Kind::spot ? "SPOTLIGHT" : "STRIPMAP";
+  d.mode = acquisition.link.beam.kind == radar::Beam::Kind::spot ? "SPOTLIGHT" : "STRIPMAP";
   d.parameters = parameters_of(collection);
   d.start = collection.start_text();
   d.tx_time1_s = extent.first_tx_s;
@@ -103,7 +105,7 @@ raster::CphdDescription cphd_of(const Collection& collection, const CollectionEx
   d.scene = image_area_of(collection, geometry.reference_m(reference), middle);
   raster::PhaseChannel channel;
   channel.id = "1";
-  channel.vectors = plan.rows;
+  channel.vectors = acquisition.timing.rows;
   channel.samples = shape.grid.samples;
   channel.reference = reference;
   channel.fx_fixed = extent.min_carrier_hz == extent.max_carrier_hz;
@@ -112,7 +114,7 @@ raster::CphdDescription cphd_of(const Collection& collection, const CollectionEx
   channel.band_hz = d.fx_max_hz - d.fx_min_hz;
   channel.toa_s = shape.toa2_s - shape.toa1_s;
   d.channels = {channel};
-  d.pulse = pulse_of(plan);
+  d.pulse = pulse_of(acquisition);
   put_dwell(collection, middle, d);
   put_geometry(middle, d);
   return d;

@@ -14,7 +14,9 @@ namespace sarsim::workflow {
 namespace {
 
 // When the first sample of a row is taken, after the middle of its pulse has left.
-double first_sample_s(const simulate::Plan& plan) { return plan.pulse.from_middle_s(plan.raw_grid.first_s); }
+double first_sample_s(const simulate::Acquisition& acquisition) {
+  return acquisition.reception.pulse.from_middle_s(acquisition.reception.raw_grid.first_s);
+}
 
 core::Vec3 direction_of(const core::Vec3& v) { return (1.0 / core::norm(v)) * v; }
 
@@ -57,7 +59,7 @@ raster::PlatformGeometry middle_of(const raster::PhaseVector& v, double time_s) 
 
 }  // namespace
 
-void expect_receivable(const simulate::Plan& plan) {
+void expect_receivable(const simulate::Acquisition& acquisition) {
   constexpr double off_samples = 1e-3;
   constexpr double min_oversampling = 1.1;
   core::Problems problems;
@@ -65,22 +67,22 @@ void expect_receivable(const simulate::Plan& plan) {
     problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
                                         std::move(expected), std::move(hint)));
   };
-  const double rate_hz = 1.0 / plan.raw_grid.interval_s;
-  const double band_hz = std::abs(radar::bandwidth_hz(plan.radar.pulse));
-  const bool chirp = plan.radar.pulse.kind == radar::Pulse::Kind::chirp;
-  if (!chirp && plan.radar.pulse.kind != radar::Pulse::Kind::mono)
+  const double rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
+  const double band_hz = std::abs(radar::bandwidth_hz(acquisition.link.pulse));
+  const bool chirp = acquisition.link.pulse.kind == radar::Pulse::Kind::chirp;
+  if (!chirp && acquisition.link.pulse.kind != radar::Pulse::Kind::mono)
     refuse("CRSD describes pulses of one frequency and chirps, but this one is coded or given by points", {}, "a chirp",
            "NPY and HDF5 take any pulse");
   if (!(rate_hz >= min_oversampling * band_hz))
     refuse("the sampling rate is too low for CRSD", fmt::format("{:.6g} MHz", 1e-6 * rate_hz),
            fmt::format("at least {:.6g} MHz, 1.1 times the bandwidth", 1e-6 * min_oversampling * band_hz),
            "raise sample_rate");
-  const radar::Repetition& repetition = plan.radar.repetition;
+  const radar::Repetition& repetition = acquisition.link.repetition;
   double shortest_s = INFINITY;
   double worst = 0.0;
   double at_s = 0.0;
-  const double first_s = repetition.send_time_s(plan.pulses.first);
-  for (std::int64_t pulse = plan.pulses.first + 1; pulse <= plan.pulses.last; ++pulse) {
+  const double first_s = repetition.send_time_s(acquisition.timing.pulses.first);
+  for (std::int64_t pulse = acquisition.timing.pulses.first + 1; pulse <= acquisition.timing.pulses.last; ++pulse) {
     const double sent_s = repetition.send_time_s(pulse);
     shortest_s = std::min(shortest_s, sent_s - repetition.send_time_s(pulse - 1));
     const double samples = (sent_s - first_s) * rate_hz;
@@ -95,7 +97,8 @@ void expect_receivable(const simulate::Plan& plan) {
            fmt::format("a repetition of {:.9g} Hz is {:.0f} sample periods at this sample_rate",
                        rate_hz / std::round(per_pulse), std::round(per_pulse)));
   }
-  const double window_s = static_cast<double>(plan.raw_grid.count) * plan.raw_grid.interval_s;
+  const double window_s =
+      static_cast<double>(acquisition.reception.raw_grid.count) * acquisition.reception.raw_grid.interval_s;
   if (window_s > shortest_s * (1.0 + 1e-9))
     refuse("the recorded windows overlap", fmt::format("{:.6g} us", 1e6 * window_s),
            fmt::format("at most {:.6g} us, the shortest pulse interval", 1e6 * shortest_s),
@@ -106,20 +109,20 @@ void expect_receivable(const simulate::Plan& plan) {
 ReceivedPulses::ReceivedPulses(const Collection& collection) : collection_(&collection), geometry_(collection) {}
 
 raster::ReceivedPulse ReceivedPulses::pulse_of(std::size_t row) {
-  const simulate::Plan& plan = *collection_->plan;
+  const simulate::Acquisition& acquisition = *collection_->acquisition;
   const CollectedPulse sent = geometry_.pulse_of(row);
   const raster::PhaseVector& v = sent.vector;
-  const double window_s = first_sample_s(plan);
-  const std::int64_t number = plan.first_pulse_of_row(row);
-  const radar::Pose received =
-      plan.scene->platforms[plan.radar.platform].track.at(plan.radar.repetition.send_time_s(number) + window_s, number);
+  const double window_s = first_sample_s(acquisition);
+  const std::int64_t number = acquisition.timing.first_pulse_of_row(row);
+  const radar::Pose received = acquisition.scene->platforms[acquisition.link.platform].track.at(
+      acquisition.link.repetition.send_time_s(number) + window_s, number);
   raster::ReceivedPulse pulse;
   pulse.tx_time_s = v.tx_time_s;
   pulse.tx_m = v.tx_m;
   pulse.tx_mps = v.tx_mps;
   std::tie(pulse.tx_x, pulse.tx_y) = axes_towards(v.srp_m, v.tx_m);
   pulse.carrier_hz = sent.carrier_hz;
-  pulse.rate_hz_per_s = plan.radar.pulse.sweep_rate_hz_per_s();
+  pulse.rate_hz_per_s = acquisition.link.pulse.sweep_rate_hz_per_s();
   pulse.rcv_start_s = v.tx_time_s + window_s;
   pulse.phase_cycles = sent.carrier_hz * window_s;
   pulse.rcv_m = collection_->earth.ecef_from_world(received.position_world_m);
@@ -130,8 +133,8 @@ raster::ReceivedPulse ReceivedPulses::pulse_of(std::size_t row) {
 
 raster::CrsdDescription crsd_of(const Collection& collection, const CollectionExtent& extent,
                                 const raster::CphdDescription& cphd) {
-  const simulate::Plan& plan = *collection.plan;
-  const std::size_t reference = plan.rows / 2;
+  const simulate::Acquisition& acquisition = *collection.acquisition;
+  const std::size_t reference = acquisition.timing.rows / 2;
   const raster::ReceivedPulse pulse = ReceivedPulses(collection).pulse_of(reference);
   raster::PhaseVector v = CollectionGeometry(collection).pulse_of(reference).vector;
   v.rcv_time_s = pulse.rcv_start_s;
@@ -145,20 +148,20 @@ raster::CrsdDescription crsd_of(const Collection& collection, const CollectionEx
   d.start = cphd.start;
   d.scene = cphd.scene;
   d.encoding = cphd.encoding;
-  d.pulses = plan.rows;
-  d.samples = plan.columns;
+  d.pulses = acquisition.timing.rows;
+  d.samples = acquisition.reception.columns;
   d.reference = reference;
   d.tx_time1_s = extent.first_tx_s;
   d.tx_time2_s = extent.last_tx_s;
-  d.rcv_start1_s = extent.first_tx_s + first_sample_s(plan);
-  d.rcv_start2_s = extent.last_tx_s + first_sample_s(plan);
+  d.rcv_start1_s = extent.first_tx_s + first_sample_s(acquisition);
+  d.rcv_start2_s = extent.last_tx_s + first_sample_s(acquisition);
   d.min_carrier_hz = extent.min_carrier_hz;
   d.max_carrier_hz = extent.max_carrier_hz;
-  d.band_hz = std::abs(radar::bandwidth_hz(plan.radar.pulse));
-  d.width_s = plan.radar.pulse.width_s;
-  d.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
+  d.band_hz = std::abs(radar::bandwidth_hz(acquisition.link.pulse));
+  d.width_s = acquisition.link.pulse.width_s;
+  d.sample_rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
   d.reference_carrier_hz = pulse.carrier_hz;
-  d.noise_w = 2.0 * plan.noise_stddev_v * plan.noise_stddev_v;
+  d.noise_w = 2.0 * acquisition.reception.noise_stddev_v * acquisition.reception.noise_stddev_v;
   d.centre_time_s = cphd.centre_time_s;
   d.dwell_s = cphd.dwell_s;
   d.geometry = reference_geometry(v, true);

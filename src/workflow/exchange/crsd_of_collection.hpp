@@ -7,7 +7,7 @@ namespace sarsim::workflow {
 
 /// Refuses what CRSD cannot say of a recording: pulses that are no chirps, windows that do not begin a whole number of
 /// sample periods after one another or that overlap, sampling below 1.1 times the bandwidth.
-void expect_receivable(const simulate::Plan& plan);
+void expect_receivable(const simulate::Acquisition& acquisition);
 
 /// What the XML of a CRSD file says of a collection; looks at no samples.
 /// @param cphd  what CPHD would say of it

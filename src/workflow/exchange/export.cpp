@@ -20,13 +20,14 @@ namespace {
 // Refuses what leaves no phase history, and remarks on what spoils it.
 void expect_divisible(const Collection& collection, const HistoryShape& shape, core::Problems& remarks) {
   constexpr double min_share = 0.05;
-  const simulate::Plan& plan = *collection.plan;
-  const DelaySpan whole = whole_echoes(plan);
+  const simulate::Acquisition& acquisition = *collection.acquisition;
+  const DelaySpan whole = whole_echoes(acquisition);
   if (!(whole.first_s < whole.last_s))
     throw core::Refused({core::problem_of(
         core::Severity::error, "the recorded window is shorter than the pulse: it holds no echo as a whole",
-        fmt::format("{:.6g} us", 1e6 * static_cast<double>(plan.raw_grid.count) * plan.raw_grid.interval_s),
-        fmt::format("more than the pulse width, {:.6g} us", 1e6 * plan.radar.pulse.width_s),
+        fmt::format("{:.6g} us", 1e6 * static_cast<double>(acquisition.reception.raw_grid.count) *
+                                     acquisition.reception.raw_grid.interval_s),
+        fmt::format("more than the pulse width, {:.6g} us", 1e6 * acquisition.link.pulse.width_s),
         "record a longer range, or shorten the pulse")});
   const double lost = 1.0 - (shape.toa2_s - shape.toa1_s) / (whole.last_s - whole.first_s);
   const char* const other = "add --reference-point moving, or record for a shorter time";
@@ -40,13 +41,13 @@ void expect_divisible(const Collection& collection, const HistoryShape& shape, c
                     "point",
                     100.0 * lost),
         {}, {}, other));
-  const double share = PhaseHistory(collection, shape).weakest_share(plan.rows / 2);
+  const double share = PhaseHistory(collection, shape).weakest_share(acquisition.timing.rows / 2);
   if (!(share >= min_share))
     throw core::Refused({core::problem_of(
         core::Severity::error, "the spectrum of the pulse has gaps, by which CPHD cannot divide",
         fmt::format("{:.2g} of its largest magnitude", share), fmt::format("at least {:g} within the band", min_share),
         "use a chirp; CRSD takes any pulse as it is")});
-  if (plan.scene->options.pulse != scene::PulseDefinition::band_limited)
+  if (acquisition.scene->options.pulse != scene::PulseDefinition::band_limited)
     remarks.push_back(core::problem_of(core::Severity::warning,
                                        "the pulse has hard edges, whose spectrum does not end at half the sampling "
                                        "rate: the samples of each vector are "
@@ -64,7 +65,7 @@ using VectorBlock = std::vector<raster::EncodedVector>;
 void write_vectors(const Collection& collection, const HistoryShape& shape, raster::SignalEncoding encoding,
                    raster::CphdWriter& writer, unsigned threads, const core::Observer& observer,
                    const core::ProgressReport& progress) {
-  const std::size_t rows = collection.plan->rows;
+  const std::size_t rows = collection.acquisition->timing.rows;
   const std::size_t together = std::max<std::size_t>(1, rows_at_once(shape.grid.transform) / 16);
   const auto make_worker = [&] {
     auto history = std::make_unique<PhaseHistory>(collection, shape);
@@ -96,8 +97,8 @@ using RowBlock = std::vector<ReceivedRow>;
 
 void write_rows(const Collection& collection, raster::CrsdWriter& writer, unsigned threads,
                 const core::Observer& observer, const core::ProgressReport& progress) {
-  const std::size_t rows = collection.plan->rows;
-  const std::size_t columns = collection.plan->columns;
+  const std::size_t rows = collection.acquisition->timing.rows;
+  const std::size_t columns = collection.acquisition->reception.columns;
   const std::size_t together = std::max<std::size_t>(1, rows_at_once(columns) / 16);
   const auto make_worker = [&] {
     auto pulses = std::make_unique<ReceivedPulses>(collection);
@@ -130,7 +131,7 @@ raster::SignalEncoding encoding_of(const ExportRequest& request) {
 
 void write_crsd(const Collection& collection, const CollectionExtent& extent, const ExportRequest& request,
                 core::Problems remarks, unsigned threads, const core::Observer& observer) {
-  expect_receivable(*collection.plan);
+  expect_receivable(*collection.acquisition);
   observer.remarks(core::ranked(std::move(remarks)));
   const raster::CphdDescription cphd =
       cphd_of(collection, extent, history_shape(collection, extent), encoding_of(request));
@@ -160,7 +161,7 @@ ExportReport export_recording(const ExportRequest& request, const core::Observer
   const CollectionExtent extent = extent_of(collection, control);
   if (is_crsd(request.output)) {
     write_crsd(collection, extent, request, std::move(remarks), threads, observer);
-    return {collection.plan->rows, collection.plan->columns};
+    return {collection.acquisition->timing.rows, collection.acquisition->reception.columns};
   }
   const HistoryShape shape = history_shape(collection, extent);
   expect_divisible(collection, shape, remarks);
@@ -169,7 +170,7 @@ ExportReport export_recording(const ExportRequest& request, const core::Observer
   write_vectors(collection, shape, encoding_of(request), writer, threads, observer,
                 observer.stage(request.output.string()));
   writer.finish();
-  return {collection.plan->rows, shape.grid.samples};
+  return {collection.acquisition->timing.rows, shape.grid.samples};
 }
 
 }  // namespace sarsim::workflow

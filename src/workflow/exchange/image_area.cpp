@@ -31,16 +31,16 @@ class Rectangle {
   bool empty_ = true;
 };
 
-void include_scatterers(const simulate::Plan& plan, Rectangle& rectangle) {
-  const std::int64_t middle = plan.pulses.first + plan.pulses.count() / 2;
-  const double time_s = plan.radar.repetition.send_time_s(middle);
+void include_scatterers(const simulate::Acquisition& acquisition, Rectangle& rectangle) {
+  const std::int64_t middle = acquisition.timing.pulses.first + acquisition.timing.pulses.count() / 2;
+  const double time_s = acquisition.link.repetition.send_time_s(middle);
   std::vector<radar::Pose> poses;
-  for (const simulate::ResolvedPlatform& platform : plan.scene->platforms)
+  for (const simulate::ResolvedPlatform& platform : acquisition.scene->platforms)
     poses.push_back(platform.track.at(time_s, middle));
   const auto include = [&](std::uint32_t platform, const core::Vec3& point_m) {
     rectangle.include(radar::world_position_m(poses[platform], point_m));
   };
-  const simulate::ScattererList& all = plan.scene->scatterers;
+  const simulate::ScattererList& all = acquisition.scene->scatterers;
   for (std::size_t i = 0; i < all.targets(); ++i) {
     const simulate::Scatterer target = all[i];
     include(target.platform, target.position_m);
@@ -50,7 +50,7 @@ void include_scatterers(const simulate::Plan& plan, Rectangle& rectangle) {
       include(cloud.common.platform,
               {(corner & 1U) != 0 ? cloud.min_m.x : cloud.max_m.x, (corner & 2U) != 0 ? cloud.min_m.y : cloud.max_m.y,
                (corner & 4U) != 0 ? cloud.min_m.z : cloud.max_m.z});
-  for (const simulate::ScattererSheet& sheet : plan.scene->sheets)
+  for (const simulate::ScattererSheet& sheet : acquisition.scene->sheets)
     for (const core::Vec3& point_m : sheet.points_m) include(sheet.platform, point_m);
 }
 
@@ -60,9 +60,10 @@ void include_scatterers(const simulate::Plan& plan, Rectangle& rectangle) {
 double cell_m(const Collection& collection, const raster::PhaseVector& middle, const core::Vec3& point_m,
               const core::Vec3& axis) {
   CollectionGeometry geometry(collection);
-  const double c = collection.plan->scene->conventions.light_speed_mps;
+  const double c = collection.acquisition->light_speed_mps();
   double least = INFINITY, most = -INFINITY;
-  for (const std::size_t row : {std::size_t{0}, collection.plan->rows / 2, collection.plan->rows - 1}) {
+  for (const std::size_t row :
+       {std::size_t{0}, collection.acquisition->timing.rows / 2, collection.acquisition->timing.rows - 1}) {
     const raster::PhaseVector v = geometry.pulse_of(row).vector;
     const core::Vec3 out = v.tx_m - point_m, back = v.rcv_m - point_m;
     const double slope = core::dot(out, axis) / core::norm(out) + core::dot(back, axis) / core::norm(back);
@@ -98,9 +99,9 @@ raster::SceneCoordinates image_area_of(const Collection& collection, const core:
   const double x_cell_m = cell_m(collection, middle, scene.origin_m, scene.x_axis);
   const double y_cell_m = cell_m(collection, middle, scene.origin_m, scene.y_axis);
   Rectangle rectangle(reference_m, x, y);
-  include_scatterers(*collection.plan, rectangle);
+  include_scatterers(*collection.acquisition, rectangle);
   if (rectangle.empty()) {
-    const double half_m = 0.25 * collection.plan->scene->conventions.light_speed_mps * (middle.toa2_s - middle.toa1_s);
+    const double half_m = 0.25 * collection.acquisition->light_speed_mps() * (middle.toa2_s - middle.toa1_s);
     rectangle.include(reference_m + half_m * x + half_m * y);
     rectangle.include(reference_m - half_m * x - half_m * y);
   }

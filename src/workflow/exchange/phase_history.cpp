@@ -17,21 +17,27 @@ constexpr std::int64_t spare_samples = 3;
 // Tolerance of the kernel for which it computes in double precision.
 constexpr double exactly = 1e-12;
 
-double band_of(const simulate::Plan& plan) { return std::abs(radar::bandwidth_hz(plan.radar.pulse)); }
+double band_of(const simulate::Acquisition& acquisition) {
+  return std::abs(radar::bandwidth_hz(acquisition.link.pulse));
+}
 
 // The samples of an echo before the one at its delay, and all of them.
-std::int64_t samples_before(const simulate::Plan& plan) {
-  return static_cast<std::int64_t>(std::ceil(-plan.pulse.first_s() / plan.raw_grid.interval_s)) + spare_samples;
+std::int64_t samples_before(const simulate::Acquisition& acquisition) {
+  return static_cast<std::int64_t>(
+             std::ceil(-acquisition.reception.pulse.first_s() / acquisition.reception.raw_grid.interval_s)) +
+         spare_samples;
 }
-std::int64_t samples_of_echo(const simulate::Plan& plan) {
-  return samples_before(plan) + static_cast<std::int64_t>(std::ceil(plan.pulse.last_s() / plan.raw_grid.interval_s)) +
+std::int64_t samples_of_echo(const simulate::Acquisition& acquisition) {
+  return samples_before(acquisition) +
+         static_cast<std::int64_t>(
+             std::ceil(acquisition.reception.pulse.last_s() / acquisition.reception.raw_grid.interval_s)) +
          spare_samples;
 }
 
-radar::SampleGrid grid_of_reference(const simulate::Plan& plan) {
-  const double interval_s = plan.raw_grid.interval_s;
-  return {-static_cast<double>(samples_before(plan)) * interval_s, interval_s,
-          static_cast<std::size_t>(samples_of_echo(plan))};
+radar::SampleGrid grid_of_reference(const simulate::Acquisition& acquisition) {
+  const double interval_s = acquisition.reception.raw_grid.interval_s;
+  return {-static_cast<double>(samples_before(acquisition)) * interval_s, interval_s,
+          static_cast<std::size_t>(samples_of_echo(acquisition))};
 }
 
 CollectionExtent joined(const CollectionExtent& a, const CollectionExtent& b) {
@@ -42,24 +48,25 @@ CollectionExtent joined(const CollectionExtent& a, const CollectionExtent& b) {
 
 }  // namespace
 
-DelaySpan whole_echoes(const simulate::Plan& plan) {
-  const radar::SampleGrid& grid = plan.raw_grid;
-  const double first_s = grid.time_s(0) + plan.pulse.lead_s;
-  return {first_s, grid.time_s(grid.count) + plan.pulse.lead_s - plan.radar.pulse.width_s};
+DelaySpan whole_echoes(const simulate::Acquisition& acquisition) {
+  const radar::SampleGrid& grid = acquisition.reception.raw_grid;
+  const double first_s = grid.time_s(0) + acquisition.reception.pulse.lead_s;
+  return {first_s, grid.time_s(grid.count) + acquisition.reception.pulse.lead_s - acquisition.link.pulse.width_s};
 }
 
-FrequencyGrid frequency_grid(const simulate::Plan& plan) {
+FrequencyGrid frequency_grid(const simulate::Acquisition& acquisition) {
   constexpr double spare_swath = 1.2;
   constexpr double rounding = 1e-9;
-  const double rate_hz = 1.0 / plan.raw_grid.interval_s;
-  const DelaySpan whole = whole_echoes(plan);
+  const double rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
+  const DelaySpan whole = whole_echoes(acquisition);
   const double swath = spare_swath * (whole.last_s - whole.first_s) * rate_hz;
   FrequencyGrid grid;
-  grid.transform = core::good_fft_size(std::max(plan.columns + static_cast<std::size_t>(samples_of_echo(plan)),
-                                                static_cast<std::size_t>(std::ceil(std::max(swath, 0.0))) + 1));
+  grid.transform = core::good_fft_size(
+      std::max(acquisition.reception.columns + static_cast<std::size_t>(samples_of_echo(acquisition)),
+               static_cast<std::size_t>(std::ceil(std::max(swath, 0.0))) + 1));
   grid.step_hz = rate_hz / static_cast<double>(grid.transform);
   const auto half = static_cast<std::int64_t>(
-      std::floor(std::min(0.5 * band_of(plan), 0.5 * rate_hz) / grid.step_hz * (1.0 + rounding)));
+      std::floor(std::min(0.5 * band_of(acquisition), 0.5 * rate_hz) / grid.step_hz * (1.0 + rounding)));
   grid.first_bin = -std::min(half, static_cast<std::int64_t>((grid.transform - 1) / 2));
   grid.samples = static_cast<std::size_t>(1 - 2 * grid.first_bin);
   return grid;
@@ -67,7 +74,7 @@ FrequencyGrid frequency_grid(const simulate::Plan& plan) {
 
 CollectionExtent extent_of(const Collection& collection, const core::WorkControl& control) {
   constexpr std::size_t together = 4096;
-  const std::size_t rows = collection.plan->rows;
+  const std::size_t rows = collection.acquisition->timing.rows;
   std::vector<CollectionExtent> parts((rows + together - 1) / together);
   core::parallel_ranges(rows, together, control, [&](std::size_t begin, std::size_t end) {
     CollectionGeometry geometry(collection);
@@ -85,8 +92,9 @@ CollectionExtent extent_of(const Collection& collection, const core::WorkControl
 }
 
 HistoryShape history_shape(const Collection& collection, const CollectionExtent& extent) {
-  const DelaySpan whole = whole_echoes(*collection.plan);
-  return {frequency_grid(*collection.plan), whole.first_s - extent.min_delay_s, whole.last_s - extent.max_delay_s};
+  const DelaySpan whole = whole_echoes(*collection.acquisition);
+  return {frequency_grid(*collection.acquisition), whole.first_s - extent.min_delay_s,
+          whole.last_s - extent.max_delay_s};
 }
 
 PhaseHistory::PhaseHistory(const Collection& collection, const HistoryShape& shape)
@@ -95,14 +103,14 @@ PhaseHistory::PhaseHistory(const Collection& collection, const HistoryShape& sha
       grid_(shape.grid),
       geometry_(collection),
       fft_(grid_.transform),
-      before_(samples_before(*collection.plan)),
-      reference_grid_(grid_of_reference(*collection.plan)),
-      kernel_(collection.plan->pulse, reference_grid_, exactly),
+      before_(samples_before(*collection.acquisition)),
+      reference_grid_(grid_of_reference(*collection.acquisition)),
+      kernel_(collection.acquisition->reception.pulse, reference_grid_, exactly),
       echo_row_(reference_grid_.count),
       reference_(grid_.transform),
       row_(grid_.transform) {
   CORE_EXPECT(grid_.transform >= reference_grid_.count);
-  CORE_EXPECT(grid_.transform >= collection.plan->columns);
+  CORE_EXPECT(grid_.transform >= collection.acquisition->reception.columns);
 }
 
 raster::PhaseVector PhaseHistory::with_band(const CollectedPulse& pulse) const {
@@ -126,7 +134,7 @@ std::size_t PhaseHistory::bin_of(std::size_t sample) const {
 // The echo is computed with what its delay is beyond a whole number of samples, and put at its place, around the end of
 // the transform.
 void PhaseHistory::transform_reference(const CollectedPulse& pulse) {
-  const radar::SampleGrid& grid = collection_->plan->raw_grid;
+  const radar::SampleGrid& grid = collection_->acquisition->reception.raw_grid;
   const double place = (pulse.delay_s - grid.first_s) / grid.interval_s;
   const double whole = std::floor(place);
   const double rest_s = (place - whole) * grid.interval_s;

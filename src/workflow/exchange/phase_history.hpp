@@ -22,7 +22,7 @@ struct FrequencyGrid {
 
 /// All frequencies within half the pulse's bandwidth of the carrier. The transform holds a row and a pulse, so that
 /// nothing overlaps, and its step is at most 1/(1.2 times the swath).
-[[nodiscard]] FrequencyGrid frequency_grid(const simulate::Plan& plan);
+[[nodiscard]] FrequencyGrid frequency_grid(const simulate::Acquisition& acquisition);
 
 /// From when to when echoes may arrive so that all of their pulse is within the recorded window: first and last light
 /// time, s; the first is the greater one where the window is shorter than the pulse.
@@ -30,7 +30,7 @@ struct DelaySpan {
   double first_s = 0.0;
   double last_s = 0.0;
 };
-[[nodiscard]] DelaySpan whole_echoes(const simulate::Plan& plan);
+[[nodiscard]] DelaySpan whole_echoes(const simulate::Acquisition& acquisition);
 
 /// What the pulses of a collection have between them.
 struct CollectionExtent {

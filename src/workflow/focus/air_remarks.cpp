@@ -10,13 +10,13 @@
 
 namespace sarsim::workflow {
 
-core::Problems remarks_on_air(const simulate::Plan& plan) {
-  if (plan.radar.air == nullptr) return {};
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  geometry.set_pulse(plan.pulses.first + plan.pulses.count() / 2);
+core::Problems remarks_on_air(const simulate::Acquisition& acquisition) {
+  if (acquisition.link.air == nullptr) return {};
+  simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
+  geometry.set_pulse(acquisition.timing.pulses.first + acquisition.timing.pulses.count() / 2);
   const core::Vec3 radar_m = geometry.radar_pose().position_world_m;
-  const core::Vec3 middle_m = scene_middle_m(plan);
-  const radar::PathEffect one_way = plan.radar.air->one_way(radar_m, middle_m);
+  const core::Vec3 middle_m = scene_middle_m(acquisition);
+  const radar::PathEffect one_way = acquisition.link.air->one_way(radar_m, middle_m);
   if (one_way.delay_m == 0.0 && one_way.phase_m == 0.0) return {};
   const double range_m = core::norm(middle_m - radar_m);
   std::string found = fmt::format("{:.3g} m of excess path, one way, at a range of {}", one_way.delay_m,

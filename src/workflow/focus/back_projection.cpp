@@ -106,7 +106,7 @@ void expect_ground_in_reach(const signal::FocusedImage& axes, double ground_m) {
 std::optional<double> place_axes(signal::FocusedImage& axes, const FocusInput& input,
                                  const BackProjectionChoice& choice) {
   if (axes.frame.plane == signal::ImagePlane::ground_grid) return std::nullopt;
-  core::Vec3 scene_m = scene_middle_m(*input.plan);
+  core::Vec3 scene_m = scene_middle_m(*input.acquisition);
   if (choice.ground_m) scene_m.z = *choice.ground_m;
   if (!choice.ground) {
     axes.frame.across = across_of(scene_m, axes.frame);

@@ -27,10 +27,10 @@ std::string rate_text(const radar::Pulse& pulse, double rate_hz) {
 
 }  // namespace
 
-core::Problems remarks_on_edges(const simulate::Plan& plan) {
-  if (plan.pulse.band_limited) return {};
-  const radar::Pulse& pulse = plan.radar.pulse;
-  const double rate_hz = 1.0 / plan.raw_grid.interval_s;
+core::Problems remarks_on_edges(const simulate::Acquisition& acquisition) {
+  if (acquisition.reception.pulse.band_limited) return {};
+  const radar::Pulse& pulse = acquisition.link.pulse;
+  const double rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
   const signal::SamplingLoss loss = signal::sampling_loss(pulse, rate_hz);
   const bool loses = loss.max_db > max_loss_db;
   const bool shifts = loss.max_shift_s * radar::bandwidth_hz(pulse) > max_shift_cells;
@@ -38,7 +38,7 @@ core::Problems remarks_on_edges(const simulate::Plan& plan) {
   std::string found = rate_text(pulse, rate_hz);
   if (loses) found += fmt::format(", a loss of {:.2g} dB on average and up to {:.2g} dB", loss.mean_db, loss.max_db);
   if (shifts) {
-    const double shift_m = radar::range_of(loss.max_shift_s, plan.scene->conventions.light_speed_mps);
+    const double shift_m = radar::range_of(loss.max_shift_s, acquisition.light_speed_mps());
     found += fmt::format(", range errors up to {}", core::with_prefix(shift_m, "m", 3));
   }
   return {core::problem_of(

@@ -27,8 +27,8 @@ scene::Scene scene_of(Pulse pulse, double width_s, double sample_rate_hz, const 
 }
 
 double found_loss_db(const scene::Scene& scene) {
-  const auto [plan, rows] = sar_recording(scene);
-  const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
+  const auto [acquisition, rows] = sar_recording(scene);
+  const TargetTheory theory = theory_of_targets(*acquisition, rows, {}).at(0);
   return -20.0 * std::log10(focused_point(rows, theory.place).amplitude / theory.amplitude);
 }
 
@@ -49,8 +49,8 @@ TEST(EdgeRemark, HasTheLossThatImagesHave) {
       const double across_m = std::fmod(0.618034 * place, 1.0) * interval_m;
       return scene_of(coded ? Pulse::barker : Pulse::mono, width_s, rate_hz, {across_m, 0.0, 0.0});
     };
-    const simulate::Plan plan = simulate::make_plan(scene(0), 0);
-    const signal::SamplingLoss loss = signal::sampling_loss(plan.radar.pulse, rate_hz);
+    const simulate::Acquisition acquisition = simulate::acquisition_of(scene(0), 0);
+    const signal::SamplingLoss loss = signal::sampling_loss(acquisition.link.pulse, rate_hz);
     double sum = 0.0;
     for (int place = 0; place < places; ++place) {
       const double found_db = found_loss_db(scene(place));
@@ -58,12 +58,12 @@ TEST(EdgeRemark, HasTheLossThatImagesHave) {
       sum += std::pow(10.0, -found_db / 20.0);
     }
     EXPECT_NEAR(-20.0 * std::log10(sum / places), loss.mean_db, 0.1 + 0.2 * loss.mean_db);
-    EXPECT_EQ(remarks_on_edges(plan).size(), 1U);
+    EXPECT_EQ(remarks_on_edges(acquisition).size(), 1U);
   }
 }
 
 TEST(EdgeRemark, SaysHowMuchIsLostAndWhatHelps) {
-  const core::Problems problems = remarks_on_edges(simulate::make_plan(scene_of(Pulse::mono, 50e-9, 41e6), 0));
+  const core::Problems problems = remarks_on_edges(simulate::acquisition_of(scene_of(Pulse::mono, 50e-9, 41e6), 0));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
   EXPECT_THAT(problems[0].found,
@@ -72,11 +72,11 @@ TEST(EdgeRemark, SaysHowMuchIsLostAndWhatHelps) {
 }
 
 TEST(EdgeRemark, IsNotMadeOfSoundPulses) {
-  EXPECT_TRUE(remarks_on_edges(simulate::make_plan(sar_scene(700.0, {{}}), 0)).empty());
-  EXPECT_TRUE(remarks_on_edges(simulate::make_plan(scene_of(Pulse::mono, 500e-9, 50e6), 0)).empty());
+  EXPECT_TRUE(remarks_on_edges(simulate::acquisition_of(sar_scene(700.0, {{}}), 0)).empty());
+  EXPECT_TRUE(remarks_on_edges(simulate::acquisition_of(scene_of(Pulse::mono, 500e-9, 50e6), 0)).empty());
   scene::Scene limited = scene_of(Pulse::mono, 50e-9, 41e6);
   limited.options.pulse = scene::PulseDefinition::band_limited;
-  EXPECT_TRUE(remarks_on_edges(simulate::make_plan(limited, 0)).empty());
+  EXPECT_TRUE(remarks_on_edges(simulate::acquisition_of(limited, 0)).empty());
 }
 
 }  // namespace edge_remark_test

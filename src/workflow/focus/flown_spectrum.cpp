@@ -135,9 +135,10 @@ class FlownImage {
 
 }  // namespace
 
-std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan, const signal::EchoRows& recorded,
-                                                    const signal::ImageFrame& image, const core::Vec3& scene_m,
-                                                    const DopplerBand& kept, const core::WorkControl& control) {
+std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Acquisition& acquisition,
+                                                    const signal::EchoRows& recorded, const signal::ImageFrame& image,
+                                                    const core::Vec3& scene_m, const DopplerBand& kept,
+                                                    const core::WorkControl& control) {
   constexpr SightLimits limits{max_examined_targets, 257};
   constexpr double weakest = 0.01;
   signal::EchoRows echoes = recorded;
@@ -145,13 +146,14 @@ std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan, 
     const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
     echoes.waveform.bandwidth_hz = std::abs(echoes.waveform.bandwidth_hz) + high - low;
   }
-  const std::size_t every = target_stride(plan, limits);
+  const std::size_t every = target_stride(acquisition, limits);
   if (every == 0) return std::nullopt;
   const FlownImage flown(echoes, image, scene_m, kept);
-  std::vector<FlownSpectrum> targets((plan.scene->scatterers.size() + every - 1) / every);
-  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const PulseSight> sights) {
-    targets[target / every] = flown.spectrum_of(sights);
-  });
+  std::vector<FlownSpectrum> targets((acquisition.scene->scatterers.size() + every - 1) / every);
+  each_target_in_sight(acquisition, echoes, limits, control,
+                       [&](std::size_t target, std::span<const PulseSight> sights) {
+                         targets[target / every] = flown.spectrum_of(sights);
+                       });
   double strongest = 0.0;
   for (const FlownSpectrum& target : targets) strongest = std::max(strongest, target.amplitude);
   std::optional<signal::ImageSpectrum> all;

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "signal/sar/focusing.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 /// @param scene_m  world; a point of the ground, which gives its height and side of the line
 /// @param kept     directions from that line that are kept, by their Doppler frequencies
 /// @throw  Interrupted
-[[nodiscard]] std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Plan& plan,
+[[nodiscard]] std::optional<signal::ImageSpectrum> flown_spectrum(const simulate::Acquisition& acquisition,
                                                                   const signal::EchoRows& echoes,
                                                                   const signal::ImageFrame& image,
                                                                   const core::Vec3& scene_m, const DopplerBand& kept,

@@ -81,8 +81,8 @@ double geometric_centroid_hz(const FocusRequest& request, const FocusInput& inpu
   const signal::SarWaveform& wave = input.echoes.waveform;
   const double limit_m = radar::wavelength_of(wave.carrier_hz, wave.light_speed_mps) / 16.0;
   if (!in_time(request) && signal::fit_straight(input.echoes.track).worst_position_m > limit_m)
-    if (const auto of_line = line_doppler_centroid_hz(*input.plan, input.echoes, control)) return *of_line;
-  return geometric_doppler_centroid_hz(*input.plan);
+    if (const auto of_line = line_doppler_centroid_hz(*input.acquisition, input.echoes, control)) return *of_line;
+  return geometric_doppler_centroid_hz(*input.acquisition);
 }
 
 // As it is known before motion is compensated; measured, it is that of the echoes as they came.
@@ -137,8 +137,8 @@ GhostsIn ghosts_in(const FocusRequest& request, const signal::EchoRows& echoes) 
   return in_time(request) ? GhostsIn::time : GhostsIn::frequency;
 }
 
-core::Vec3 ground_of(const FocusRequest& request, const simulate::Plan& plan) {
-  core::Vec3 scene_m = scene_middle_m(plan);
+core::Vec3 ground_of(const FocusRequest& request, const simulate::Acquisition& acquisition) {
+  core::Vec3 scene_m = scene_middle_m(acquisition);
   if (request.ground_m) scene_m.z = *request.ground_m;
   return scene_m;
 }
@@ -147,11 +147,11 @@ core::Vec3 ground_of(const FocusRequest& request, const simulate::Plan& plan) {
 std::optional<signal::ImageSpectrum> spectrum_of_image(const FocusRequest& request, const FocusWork& work,
                                                        const core::WorkControl& control) {
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  const simulate::Plan& plan = *work.input.plan;
+  const simulate::Acquisition& acquisition = *work.input.acquisition;
   const signal::EchoRows& echoes = work.input.echoes;
   if (!in_time(request) || !moves(echoes))
-    return seen_spectrum(plan, echoes, kept, in_time(request) ? SeenPulses::all : SeenPulses::sampled, control);
-  return flown_spectrum(plan, echoes, {}, ground_of(request, plan), kept, control);
+    return seen_spectrum(acquisition, echoes, kept, in_time(request) ? SeenPulses::all : SeenPulses::sampled, control);
+  return flown_spectrum(acquisition, echoes, {}, ground_of(request, acquisition), kept, control);
 }
 
 // The image holds what the recording has seen, where that is affordable.
@@ -160,7 +160,7 @@ void reach_targets_of(const FocusRequest& request, FocusWork& work, const core::
   DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   if (!in_time(request) && kept.width_hz <= 0.0)
     kept.width_hz = 1.0 / signal::fit_straight(work.input.echoes.track).interval_s;
-  work.to_show = targets_to_show(*work.input.plan, work.input.echoes, kept, control);
+  work.to_show = targets_to_show(*work.input.acquisition, work.input.echoes, kept, control);
   reach_targets(work.to_show, work.input.echoes, work.options);
 }
 
@@ -205,12 +205,12 @@ core::Problems problems_of_work(const FocusWork& work, const FocusRequest& reque
   std::ranges::move(remarks_on_area(work.input.echoes, work.options), std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
   std::ranges::move(
-      remarks_on_sar(*work.input.plan, work.input.echoes, kept, ghosts_in(request, work.input.echoes), control),
+      remarks_on_sar(*work.input.acquisition, work.input.echoes, kept, ghosts_in(request, work.input.echoes), control),
       std::back_inserter(problems));
-  std::ranges::move(remarks_on_air(*work.input.plan), std::back_inserter(problems));
-  std::ranges::move(remarks_on_edges(*work.input.plan), std::back_inserter(problems));
+  std::ranges::move(remarks_on_air(*work.input.acquisition), std::back_inserter(problems));
+  std::ranges::move(remarks_on_edges(*work.input.acquisition), std::back_inserter(problems));
   if (!in_time(request))
-    std::ranges::move(remarks_on_swath_loss(*work.input.plan, work.input.echoes, work.options, control),
+    std::ranges::move(remarks_on_swath_loss(*work.input.acquisition, work.input.echoes, work.options, control),
                       std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
@@ -243,7 +243,7 @@ signal::FocusedImage image_axes(FocusWork& work, const FocusRequest& request, co
 
 void remark_on_movers(FocusWork& work, signal::FocusedImage axes, const core::WorkControl& control) {
   if (work.options.azimuth_area) signal::cut_axis(axes.azimuth, *work.options.azimuth_area);
-  std::ranges::move(remarks_on_movers(*work.input.plan, work.input.echoes, axes, control),
+  std::ranges::move(remarks_on_movers(*work.input.acquisition, work.input.echoes, axes, control),
                     std::back_inserter(work.input.problems));
 }
 
@@ -274,8 +274,8 @@ ImageOrigin origin_of(const FocusWork& work, const FocusRequest& request) {
                      word_of(request.algorithm),
                      work.options,
                      to_string(work.motion),
-                     work.input.plan->radar.name,
-                     work.input.plan->scene->options,
+                     work.input.acquisition->link.name,
+                     work.input.acquisition->scene->options,
                      scene::earth_of(work.input.world)};
   // An image does not name a dataset beside the usual one.
   if (request.input.dataset.empty()) origin.recording = work.input.recording;
@@ -312,20 +312,20 @@ core::Problems remarks_of_focus(FocusInput input, const core::WorkControl& contr
   std::ranges::copy_if(work.problems, std::back_inserter(problems), [&](const core::Problem& problem) {
     return work.motion == MotionOrder::none || problem.subject.field != signal::track_field;
   });
-  const simulate::Plan& plan = *work.input.plan;
+  const simulate::Acquisition& acquisition = *work.input.acquisition;
   const signal::EchoRows& echoes = work.input.echoes;
   if (work.options.spectrum)
     std::ranges::move(remarks_on_carriers(echoes, *work.options.spectrum), std::back_inserter(problems));
-  std::ranges::move(remarks_on_movers(plan, echoes, std::nullopt, control), std::back_inserter(problems));
+  std::ranges::move(remarks_on_movers(acquisition, echoes, std::nullopt, control), std::back_inserter(problems));
   if (moves(echoes) && !around_scene(request, echoes))
     std::ranges::move(remarks_on_outside(work.to_show, slant_axes(work, request, work.to_show, work.options),
                                          work.options, in_time(request)),
                       std::back_inserter(problems));
   const DopplerBand kept{work.options.doppler_centroid_hz, work.options.doppler_bandwidth_hz};
-  std::ranges::move(remarks_on_ghosts(plan, echoes, kept, ghosts_in(request, work.input.echoes), control),
+  std::ranges::move(remarks_on_ghosts(acquisition, echoes, kept, ghosts_in(request, work.input.echoes), control),
                     std::back_inserter(problems));
-  std::ranges::move(remarks_on_air(plan), std::back_inserter(problems));
-  std::ranges::move(remarks_on_edges(plan), std::back_inserter(problems));
+  std::ranges::move(remarks_on_air(acquisition), std::back_inserter(problems));
+  std::ranges::move(remarks_on_edges(acquisition), std::back_inserter(problems));
   return core::ranked(std::move(problems));
 }
 
@@ -342,7 +342,7 @@ std::vector<TargetTheory> theory_of_focus(const FocusRequest& asked, const core:
   observer.remarks(work.input.problems);
   signal::EchoRows echoes = work.input.echoes;
   echoes.compensated = in_time(request) || work.motion != MotionOrder::none;
-  return theory_of_targets(*work.input.plan, echoes, work.options, in_time(request), control);
+  return theory_of_targets(*work.input.acquisition, echoes, work.options, in_time(request), control);
 }
 
 FocusWork begin_focus(FocusInput input, const FocusRequest& asked, const core::WorkControl& control) {
@@ -358,9 +358,9 @@ FocusWork begin_focus(FocusInput input, const FocusRequest& asked, const core::W
 
 std::vector<TargetTheory> targets_on_image(const FocusWork& begun, const signal::FocusedImage& image,
                                            const core::WorkControl& control) {
-  std::vector<TargetTheory> theories = theory_on_image(
-      {*begun.input.plan, begun.input.echoes, begun.options, in_time(begun.request), begun.motion != MotionOrder::none},
-      image, control);
+  std::vector<TargetTheory> theories = theory_on_image({*begun.input.acquisition, begun.input.echoes, begun.options,
+                                                        in_time(begun.request), begun.motion != MotionOrder::none},
+                                                       image, control);
   std::erase_if(theories, [](const TargetTheory& theory) { return !(theory.amplitude > 0.0); });
   return theories;
 }
@@ -381,7 +381,9 @@ FocusReport end_focus(FocusWork& work, const core::Observer& observer, FocusRema
   const FocusInput recorded = place ? work.input : FocusInput{};  // Before its motion is compensated.
   const AutofocusChoice choice{request.autofocus_piece_m.value_or(0.0), work.options.memory_bytes};
   std::vector<SarTarget> targets;
-  const auto look_at_targets = [&] { targets = targets_from_line(*work.input.plan, work.input.echoes, control); };
+  const auto look_at_targets = [&] {
+    targets = targets_from_line(*work.input.acquisition, work.input.echoes, control);
+  };
   if (request.autofocus || in_time(request)) look_at_targets();
   const signal::FocusedImage axes = image_axes(work, request, targets, control);
   if (remarks == FocusRemarks::first) {

@@ -63,8 +63,8 @@ TEST_P(FocusGridOf, HoldsASquintedSpectrumAndSaysWhichSpacingItTook) {
   const signal::FocusedImage image = signal::in_memory(report.image);
   const std::complex<double> value = signal::test::value_at(image, signal::place_of(image.frame, {}));
   // A point at 3190 m: the radar equation.
-  const auto [plan, rows] = sar_recording(squinted_scene());
-  const std::vector<SarTarget> targets = sar_targets(*plan, rows);
+  const auto [acquisition, rows] = sar_recording(squinted_scene());
+  const std::vector<SarTarget> targets = sar_targets(*acquisition, rows);
   EXPECT_NEAR(20.0 * std::log10(std::abs(value) / targets.at(0).amplitude), 0.0, 0.1);
   const double turns = 2.0 * 3000.0 * 9.6e9 / core::exact_light_speed_mps;
   EXPECT_NEAR(std::remainder(std::arg(value) + 2.0 * core::pi * turns, 2.0 * core::pi), 0.0, 0.01);
@@ -132,10 +132,10 @@ TEST(SquintedImage, MeasuresTargetsOfAGroundGridByTheirOwnSpectra) {
 }
 
 TEST(FocusGridSteps, StayThoseOfTheRecordingWhereTheyHoldTheSpectrum) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
   signal::FocusOptions options;
   const signal::FocusedImage coarse = signal::image_of(rows, options);
-  options.spectrum = seen_spectrum(*plan, rows, {}, SeenPulses::sampled);
+  options.spectrum = seen_spectrum(*acquisition, rows, {}, SeenPulses::sampled);
   ASSERT_TRUE(options.spectrum);
   const signal::FocusedImage image = signal::image_of(rows, options);
   EXPECT_EQ(image.range.step_m, coarse.range.step_m);

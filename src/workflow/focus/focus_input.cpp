@@ -43,7 +43,7 @@ void believe(const std::string& file, const scene::Scene& scene, FocusInput& foc
   std::ranges::move(problems, std::back_inserter(focus.problems));
   const radar::MotionPath path = radar::StatePath{platform.read_path->states};
   std::vector<signal::TrackPoint> track =
-      track_along(*focus.plan, [&](double time_s) { return path.state(time_s).position_world_m; });
+      track_along(*focus.acquisition, [&](double time_s) { return path.state(time_s).position_world_m; });
   const double farthest_m = radar::range_of(
       focus.echoes.first_delay_s + static_cast<double>(focus.echoes.columns) / focus.echoes.waveform.sample_rate_hz,
       focus.echoes.waveform.light_speed_mps);
@@ -68,9 +68,10 @@ FocusInput of_script(const RecordingArguments& arguments, const core::WorkContro
 FocusInput of_file(const RecordingArguments& arguments, const core::WorkControl& control,
                    const std::string& navigation) {
   StoredRecording stored = open_recording(
-      arguments, records_pulses, [](const simulate::Plan& plan) { return problems_of_sar(plan, true); }, control);
-  FocusInput focus{stored.plan, {}, stored.simulation, std::move(stored.problems), stored.scene.world};
-  focus.echoes = sar_rows_of_recording(focus.plan, stored.rows);
+      arguments, records_pulses,
+      [](const simulate::Acquisition& acquisition) { return problems_of_sar(acquisition, true); }, control);
+  FocusInput focus{stored.acquisition, {}, stored.simulation, std::move(stored.problems), stored.scene.world};
+  focus.echoes = sar_rows_of_recording(focus.acquisition, stored.rows);
   believe(navigation, stored.scene, focus);
   focus.of_files = std::move(stored.of_files);
   focus.sources = std::move(stored.sources);
@@ -82,10 +83,10 @@ FocusInput of_file(const RecordingArguments& arguments, const core::WorkControl&
 
 FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
                           const std::shared_ptr<const simulate::ResolvedScene>& resolved) {
-  return focus_input_of(scene, simulation, simulate::make_plan(scene, simulation, resolved));
+  return focus_input_of(scene, simulation, simulate::acquisition_of(scene, simulation, resolved));
 }
 
-FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation, const simulate::Plan& window) {
+FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation, const simulate::Acquisition& window) {
   FocusInput focus;
   focus.simulation = simulation;
   focus.world = scene.world;
@@ -93,9 +94,9 @@ FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation, const sim
   if (core::has_errors(focus.problems)) return focus;
   scene::Simulation& recorded = scene.simulations[simulation];
   recorded = recorded_for_sar(recorded, window);
-  focus.plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(scene, simulation, window.scene, simulate::Engine::automatic));
-  focus.echoes = sar_rows_of_scene(focus.plan, window.columns);
+  focus.acquisition =
+      std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, simulation, window.scene));
+  focus.echoes = sar_rows_of_scene(focus.acquisition, window.reception.columns);
   return focus;
 }
 

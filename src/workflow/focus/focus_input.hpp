@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "signal/sar/focusing.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/input/recording_input.hpp"
 
 namespace sarsim::workflow {
 
 /// Compressed echoes, read or computed when they are asked for, and the plan that they follow.
 struct FocusInput {
-  std::shared_ptr<const simulate::Plan> plan;
+  std::shared_ptr<const simulate::Acquisition> acquisition;
   signal::EchoRows echoes;
   std::size_t simulation = 0;                         ///< Position in the script's list.
   core::Problems problems;                            ///< Warnings about script and file.
@@ -28,7 +28,8 @@ struct FocusInput {
                                         const std::shared_ptr<const simulate::ResolvedScene>& resolved);
 /// The same of a simulation that is planned already.
 /// @param window  its plan, of any engine
-[[nodiscard]] FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation, const simulate::Plan& window);
+[[nodiscard]] FocusInput focus_input_of(scene::Scene& scene, std::size_t simulation,
+                                        const simulate::Acquisition& window);
 
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be focused.
 /// @param navigation  file of the motion that is believed, in place of the true one; empty: the true one

@@ -247,9 +247,9 @@ TEST_F(FocusWorkflow, TheObserverSeesTheStageAndWhatTheReportRemarks) {
 // What the remark says is where the target then lies.
 TEST_F(FocusWorkflow, SaysHowFarTheAtmosphereShiftsTargets) {
   scene::Scene scene = sar_scene(620.0, {{0.0, 0.0, 0.0}}, 0.25);
-  EXPECT_TRUE(remarks_on_air(*shared_plan(scene)).empty());
+  EXPECT_TRUE(remarks_on_air(*shared_acquisition(scene)).empty());
   scene.atmosphere.refraction = scene::Atmosphere::Refraction::exponential;
-  const core::Problems remarks = remarks_on_air(*shared_plan(scene));
+  const core::Problems remarks = remarks_on_air(*shared_acquisition(scene));
   ASSERT_EQ(remarks.size(), 1U);
   EXPECT_EQ(remarks[0].severity, core::Severity::note);
   // 1e-6 N0 times the mean of exp(-h/H) over the heights up to 2000 m, on 10.198 km: 2.81 m.

@@ -15,6 +15,7 @@
 #include "radar/path/path.hpp"
 #include "signal/measure/response.hpp"
 #include "signal/sar/image_spectrum.hpp"
+#include "workflow/focus/sar_ghosts.hpp"
 #include "workflow/focus/sar_looks.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
@@ -23,9 +24,10 @@ namespace sarsim::workflow {
 namespace {
 
 // The plan with points of 1 m^2 that rest in the world in place of its targets.
-simulate::Plan plan_with_points(const simulate::Plan& plan, const std::vector<core::Vec3>& points) {
-  simulate::Plan other = plan;
-  auto scene = std::make_shared<simulate::ResolvedScene>(*plan.scene);
+simulate::Acquisition plan_with_points(const simulate::Acquisition& acquisition,
+                                       const std::vector<core::Vec3>& points) {
+  simulate::Acquisition other = acquisition;
+  auto scene = std::make_shared<simulate::ResolvedScene>(*acquisition.scene);
   scene->scatterers = {};
   scene->sheets.clear();
   for (const core::Vec3& point : points) {
@@ -129,7 +131,7 @@ ImageCollection collection_of(const FocusInput& input, const ImageMaking& making
                              .lowest_hz = 0.0,
                              .highest_hz = 0.0,
                              .window_s = 0.0,
-                             .scene_m = scene_middle_m(*input.plan),
+                             .scene_m = scene_middle_m(*input.acquisition),
                              .autofocused = making.autofocused,
                              .seen = {},
                              .range_bandwidth_per_m = 0.0,
@@ -153,10 +155,10 @@ ImageCollection collection_of(const FocusInput& input, const ImageMaking& making
   for (const signal::ImagePlace& at : places)
     points.push_back(ground_point(image, collection.earth, collection.scene_m, at)
                          .value_or(point_towards(image.frame, collection.scene_m, at)));
-  const simulate::Plan plan = plan_with_points(*input.plan, points);
+  const simulate::Acquisition acquisition = plan_with_points(*input.acquisition, points);
   signal::EchoRows echoes = input.echoes;
   echoes.compensated = image.frame.plane == signal::ImagePlane::slant_range;
-  const SarLooks looks(plan, echoes);
+  const SarLooks looks(acquisition, echoes);
   DopplerBand band{making.options.doppler_centroid_hz, std::numeric_limits<double>::infinity()};
   if (!making.in_time) band.width_hz = 1.0 / looks.track().interval_s;
   if (making.options.doppler_bandwidth_hz > 0.0)

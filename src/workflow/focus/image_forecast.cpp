@@ -21,8 +21,9 @@ std::optional<ImageForecast> forecast_image(const scene::Scene& scene, std::size
   if (core::has_errors(input.problems)) return std::nullopt;
   input.echoes.compensated = true;  // Where the track is not straight, they will be.
   signal::FocusOptions options;
-  options.doppler_centroid_hz = geometric_doppler_centroid_hz(*input.plan);
-  const std::vector<TargetTheory> theories = theory_of_targets(*input.plan, input.echoes, options, false, control);
+  options.doppler_centroid_hz = geometric_doppler_centroid_hz(*input.acquisition);
+  const std::vector<TargetTheory> theories =
+      theory_of_targets(*input.acquisition, input.echoes, options, false, control);
   if (theories.empty() || !(theories.front().amplitude > 0.0) || !theories.front().azimuth) return std::nullopt;
   const TargetTheory& theory = theories.front();
   constexpr double even_spectrum = 0.886;  // Width of sin(x)/x at half its power.

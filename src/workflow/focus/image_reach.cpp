@@ -62,11 +62,11 @@ bool shows(const signal::FocusedImage& image, const signal::ImagePlace& place) {
   return !(beyond(image.azimuth, place.azimuth_m) > 0.0) && !(beyond(image.range, place.range_m) > 0.0);
 }
 
-std::vector<SarTarget> targets_to_show(const simulate::Plan& plan, const signal::EchoRows& echoes,
+std::vector<SarTarget> targets_to_show(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                        const DopplerBand& kept, const core::WorkControl& control) {
   constexpr std::size_t max_looks = 513;
   constexpr double weakest = 0.1;
-  std::vector<SarTarget> targets = targets_from_line(plan, echoes, control, max_looks);
+  std::vector<SarTarget> targets = targets_from_line(acquisition, echoes, control, max_looks);
   double strongest = 0.0;
   for (const SarTarget& target : targets)
     if (target.recorded) strongest = std::max(strongest, target.amplitude);
@@ -76,7 +76,7 @@ std::vector<SarTarget> targets_to_show(const simulate::Plan& plan, const signal:
     return !(target.recorded && target.amplitude >= weakest * strongest && has);
   });
   if (targets.empty()) return targets;
-  const SarLooks looks(plan, echoes, {}, max_looks);
+  const SarLooks looks(acquisition, echoes, {}, max_looks);
   std::erase_if(targets, [&](const SarTarget& target) { return !looks.resting_place(target.target); });
   return targets;
 }

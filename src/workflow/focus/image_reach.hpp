@@ -12,8 +12,9 @@ namespace sarsim::workflow {
 /// @param echoes  their track, waveform and window; no rows are read
 /// @param kept    Doppler frequencies of the image; a width of 0: all
 /// @throw  Interrupted
-[[nodiscard]] std::vector<SarTarget> targets_to_show(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                                     const DopplerBand& kept, const core::WorkControl& control = {});
+[[nodiscard]] std::vector<SarTarget> targets_to_show(const simulate::Acquisition& acquisition,
+                                                     const signal::EchoRows& echoes, const DopplerBand& kept,
+                                                     const core::WorkControl& control = {});
 
 /// Makes the image reach those of them that lie outside of it, nearest first, as long as it has no more than four times
 /// the samples, or four million. An axis whose area is given stays as it is. The image ends at the recorded ranges as

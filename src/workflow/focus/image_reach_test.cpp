@@ -24,14 +24,14 @@ scene::Scene two_looks() {
 
 // Columns end where the middle of the beam, here 4 degrees ahead, sees the last recorded ranges.
 TEST(ImageReach, ShowsWhatOtherDirectionsSee) {
-  const auto [plan, rows] = sar_recording(two_looks());
+  const auto [acquisition, rows] = sar_recording(two_looks());
   for (const auto method : {signal::FocusMethod::omega_k, signal::FocusMethod::range_doppler}) {
     const bool exact = method == signal::FocusMethod::omega_k;
     signal::FocusOptions options{.method = method};
-    options.doppler_centroid_hz = geometric_doppler_centroid_hz(*plan);
-    const auto targets = targets_to_show(*plan, rows, {options.doppler_centroid_hz, 1500.0});
+    options.doppler_centroid_hz = geometric_doppler_centroid_hz(*acquisition);
+    const auto targets = targets_to_show(*acquisition, rows, {options.doppler_centroid_hz, 1500.0});
     ASSERT_EQ(targets.size(), 2U);
-    options.spectrum = seen_spectrum(*plan, rows, {options.doppler_centroid_hz, 0.0}, SeenPulses::sampled);
+    options.spectrum = seen_spectrum(*acquisition, rows, {options.doppler_centroid_hz, 0.0}, SeenPulses::sampled);
     const signal::FocusedImage before = signal::image_of(rows, options);
     EXPECT_LT(before.range.at(static_cast<double>(before.range.count)), 10290.0);
     reach_targets(targets, rows, options);
@@ -40,7 +40,7 @@ TEST(ImageReach, ShowsWhatOtherDirectionsSee) {
     EXPECT_LT(after.azimuth.first_m, 0.0);
     EXPECT_GT(after.azimuth.at(static_cast<double>(after.azimuth.count)), 1500.0);
     EXPECT_TRUE(remarks_on_outside(targets, after, options, false).empty());
-    for (const TargetTheory& theory : theory_of_targets(*plan, rows, options)) {
+    for (const TargetTheory& theory : theory_of_targets(*acquisition, rows, options)) {
       const signal::PointResponse found = focused_point(rows, theory.place, options);
       EXPECT_NEAR(20.0 * std::log10(found.amplitude / theory.amplitude), 0.0, exact ? 0.1 : 0.3) << theory.target;
       EXPECT_NEAR(found.place.azimuth_m, theory.place.azimuth_m, 0.2) << theory.target;
@@ -50,19 +50,19 @@ TEST(ImageReach, ShowsWhatOtherDirectionsSee) {
 }
 
 TEST(ImageReach, LeavesAnImageThatShowsItsTargetsAsItIs) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}, {}}));
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}, {}}));
   signal::FocusOptions options;
-  reach_targets(targets_to_show(*plan, rows, {0.0, 600.0}), rows, options);
+  reach_targets(targets_to_show(*acquisition, rows, {0.0, 600.0}), rows, options);
   EXPECT_FALSE(options.azimuth_reach);
   EXPECT_FALSE(options.range_reach);
 }
 
 // What is not shown is not taken for aliased.
 TEST(ImageReach, SaysWhichTargetsAnImageDoesNotShow) {
-  const auto [plan, rows] = sar_recording(two_looks());
+  const auto [acquisition, rows] = sar_recording(two_looks());
   signal::FocusOptions options;
-  options.doppler_centroid_hz = geometric_doppler_centroid_hz(*plan);
-  const auto targets = targets_to_show(*plan, rows, {options.doppler_centroid_hz, 1500.0});
+  options.doppler_centroid_hz = geometric_doppler_centroid_hz(*acquisition);
+  const auto targets = targets_to_show(*acquisition, rows, {options.doppler_centroid_hz, 1500.0});
   const signal::FocusedImage image = signal::image_of(rows, options);
   const core::Problems problems = remarks_on_outside(targets, image, options, false);
   ASSERT_EQ(problems.size(), 1U);
@@ -74,7 +74,7 @@ TEST(ImageReach, SaysWhichTargetsAnImageDoesNotShow) {
   const core::Problems single = remarks_on_outside({targets[0]}, image, options, false);
   EXPECT_THAT(single.at(0).message, HasSubstr("target 1 lies outside of the image: at "));
   EXPECT_THAT(single.at(0).message, HasSubstr("at 10290.0 m of closest distance, the image covers "));
-  EXPECT_LT(excess_of(worst_method_loss(*plan, rows, options)), 1.0);
+  EXPECT_LT(excess_of(worst_method_loss(*acquisition, rows, options)), 1.0);
   options.azimuth_area = signal::AxisInterval{0.0, 10.0};
   options.range_area = signal::AxisInterval{10200.0, 10210.0};
   EXPECT_TRUE(remarks_on_outside(targets, image, options, false).empty());
@@ -85,21 +85,21 @@ TEST(ImageReach, SaysWhichTargetsAnImageDoesNotShow) {
 // A point that lies along the track beyond the rows, and whose Doppler frequencies are partly aliased, is nothing that
 // the choice of a method could mend.
 TEST(ImageReach, OfRowsDecidesWhatAMethodLoses) {
-  const auto [plan, rows] = sar_recording(sar_scene(760.0, {{}, {0.0, 500.0, 0.0}}, 0.5));
+  const auto [acquisition, rows] = sar_recording(sar_scene(760.0, {{}, {0.0, 500.0, 0.0}}, 0.5));
   signal::FocusOptions options;
   const signal::FocusedImage image = signal::image_of(rows, options);
   ASSERT_FALSE(shows(image, {500.0, 10198.0}));
-  EXPECT_LT(excess_of(worst_method_loss(*plan, rows, options)), 0.5);
+  EXPECT_LT(excess_of(worst_method_loss(*acquisition, rows, options)), 0.5);
   options.azimuth_reach = signal::AxisInterval{-100.0, 600.0};
   ASSERT_TRUE(shows(signal::image_of(rows, options), {500.0, 10198.0}));
-  EXPECT_GT(excess_of(worst_method_loss(*plan, rows, options)), 1.0);
+  EXPECT_GT(excess_of(worst_method_loss(*acquisition, rows, options)), 1.0);
 }
 
 // Side lobes of the response that an image was made longer for are in it.
 TEST(ImageReach, LeavesRoomForTheWholeResponse) {
-  const auto [plan, rows] = sar_recording(sar_scene(4000.0, {{}, {0.0, 700.0, 0.0}}, 0.1));
+  const auto [acquisition, rows] = sar_recording(sar_scene(4000.0, {{}, {0.0, 700.0, 0.0}}, 0.1));
   signal::FocusOptions options;
-  const auto targets = targets_to_show(*plan, rows, {0.0, 4000.0});
+  const auto targets = targets_to_show(*acquisition, rows, {0.0, 4000.0});
   reach_targets(targets, rows, options);
   const signal::FocusedImage image = signal::image_of(rows, options);
   const double width_m = image.frame.speed_mps / (targets[1].highest_doppler_hz - targets[1].lowest_doppler_hz);

@@ -186,8 +186,8 @@ std::vector<TargetTheory> theories_of(const MeasuredImage& opened, const FocusIn
                                       const core::WorkControl& control) {
   const bool time_domain = opened.origin.algorithm == "back-projection";
   return theory_on_image(
-      {*input.plan, input.echoes, opened.origin.options, time_domain, opened.origin.motion != "none"}, opened.image,
-      control);
+      {*input.acquisition, input.echoes, opened.origin.options, time_domain, opened.origin.motion != "none"},
+      opened.image, control);
 }
 
 // Points that are too many to be measured one by one.
@@ -416,13 +416,13 @@ MeasureReport measure(const MeasureRequest& request, const core::Observer& obser
   observer.remarks(of_header);
   std::ranges::move(of_header, std::back_inserter(way.problems));
   const std::vector<TargetTheory> theories = theories_of(opened, input, control);
-  if (auto note = note_of_clouds(*input.plan->scene, theories.size())) {
+  if (auto note = note_of_clouds(*input.acquisition->scene, theories.size())) {
     observer.remarks({*note});
     way.problems.push_back(*std::move(note));
   }
   expect_free_pictures(request, theories, named_sources(input_of(request, way, opened.origin)));
-  core::Problems of_echoes = remarks_on_movers(*input.plan, input.echoes, {}, control);
-  std::ranges::move(remarks_on_edges(*input.plan), std::back_inserter(of_echoes));
+  core::Problems of_echoes = remarks_on_movers(*input.acquisition, input.echoes, {}, control);
+  std::ranges::move(remarks_on_edges(*input.acquisition), std::back_inserter(of_echoes));
   observer.remarks(of_echoes);
   std::ranges::move(of_echoes, std::back_inserter(way.problems));
   std::vector<MeasuredTarget> targets = measured_targets(opened, theories, request, control);

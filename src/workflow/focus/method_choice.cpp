@@ -48,7 +48,7 @@ class Chooser {
         work_(work),
         control_(control),
         line_(signal::fitted_track(work.input.echoes.track)),
-        scene_m_(scene_middle_m(*work.input.plan)) {
+        scene_m_(scene_middle_m(*work.input.acquisition)) {
     if (request.ground_m) scene_m_.z = *request.ground_m;
   }
 
@@ -98,7 +98,7 @@ class Chooser {
   };
 
   [[nodiscard]] std::optional<MethodLoss> lost_of_omega_k() const {
-    return worst_method_loss(*work_.input.plan, work_.input.echoes, work_.options, control_);
+    return worst_method_loss(*work_.input.acquisition, work_.input.echoes, work_.options, control_);
   }
 
   // Compares what omega-k leaves with what back-projection does.
@@ -153,7 +153,7 @@ class Chooser {
       const double half_per_m = 0.5 * kept_hz / speed_mps;
       flight.kept = {flight.carrier_per_m - half_per_m, flight.carrier_per_m + half_per_m};
     }
-    return worst_motion_residual(*work_.input.plan, work_.input.echoes, flight, control_);
+    return worst_motion_residual(*work_.input.acquisition, work_.input.echoes, flight, control_);
   }
 
   FocusRequest& request_;

@@ -84,7 +84,7 @@ Found found_in(const FocusReport& report, const FocusRequest& request, const cor
                        image.azimuth.spectrum_centre_per_m * moved_m -
                        image.range.spectrum_centre_per_m * (peak.place.range_m - place.range_m);
   return {std::remainder(peak.phase_rad + 2.0 * core::pi * turns, 2.0 * core::pi),
-          -20.0 * std::log10(peak.amplitude / sar_targets(*input.plan, input.echoes).at(0).amplitude), moved_m};
+          -20.0 * std::log10(peak.amplitude / sar_targets(*input.acquisition, input.echoes).at(0).amplitude), moved_m};
 }
 
 // 20 % or 0.02 rad are promised. The grid leaves out up to 0.4 % of the echoes of each axis, and the sampled
@@ -104,7 +104,7 @@ std::optional<MotionResidual> predicted_for(const FocusRequest& request, const F
   const double half_per_m = 0.5 * 500.0 / speed_mps;
   if (kind != TakenFlight::Kind::flown)
     flight.kept = {flight.carrier_per_m - half_per_m, flight.carrier_per_m + half_per_m};
-  return worst_motion_residual(*input.plan, input.echoes, flight);
+  return worst_motion_residual(*input.acquisition, input.echoes, flight);
 }
 
 TEST_F(MethodChoice, PredictsWhatTheImageOfEachMethodShows) {
@@ -322,7 +322,7 @@ TEST_F(MethodChoice, OfAFlightAroundTheSceneIsAGridOfGroundThatHoldsItsTargets) 
     EXPECT_GT(image.azimuth.step_m, 0.8 / (per_m * along));
     const FocusInput input = open_focus_input(request_.input, {});
     const signal::ReferenceTrack line = signal::fitted_track(input.echoes.track);
-    const std::vector<SarTarget> targets = sar_targets(*input.plan, input.echoes);
+    const std::vector<SarTarget> targets = sar_targets(*input.acquisition, input.echoes);
     const signal::FocusedImage values = signal::in_memory(report.image);
     const std::vector<core::Vec3> places_m{{0, 0, 0}, {1.2, 0.7, 0}, {-0.8, 1.4, 0}};
     for (std::size_t t = 0; t < places_m.size(); ++t) {
@@ -352,7 +352,7 @@ TEST_F(MethodChoice, OfAFlightAroundTheSceneLaysWhatIsAboveThePlaneTowardsTheAnt
   const FocusInput input = open_focus_input(request_.input, {});
   const signal::FocusedImage image = signal::in_memory(report.image);
   const auto theories =
-      theory_on_image({*input.plan, input.echoes, report.options, true, false}, report.image.image, {});
+      theory_on_image({*input.acquisition, input.echoes, report.options, true, false}, report.image.image, {});
   const std::vector<core::Vec3> points_m{{0, 0, 0}, {1.2, 0.7, 0.2}, {-0.8, 1.4, -0.15}};
   ASSERT_EQ(theories.size(), points_m.size());
   for (std::size_t t = 0; t < points_m.size(); ++t) {

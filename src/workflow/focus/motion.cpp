@@ -61,7 +61,7 @@ signal::MotionCompensation compensation_of(const FocusInput& input, MotionOrder 
   const double sine =
       radar::range_of_cycle(wave.carrier_hz * speed_mps, wave.light_speed_mps) * options.doppler_centroid_hz;
   how.squint_rad = std::asin(std::clamp(sine, -0.999, 0.999));
-  how.scene_m = scene_middle_m(*input.plan);
+  how.scene_m = scene_middle_m(*input.acquisition);
   if (ground_m) how.scene_m.z = *ground_m;
   how.second_order = order == MotionOrder::second;
   expect_ground_in_reach(input.echoes, how);

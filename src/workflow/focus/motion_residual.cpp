@@ -288,19 +288,21 @@ double excess_of(const std::optional<MotionResidual>& residual) {
                    residual->cells / max_residual_cells});
 }
 
-std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                                    const TakenFlight& flight, const core::WorkControl& control) {
+std::optional<MotionResidual> worst_motion_residual(const simulate::Acquisition& acquisition,
+                                                    const signal::EchoRows& echoes, const TakenFlight& flight,
+                                                    const core::WorkControl& control) {
   const SightLimits limits;
-  const std::size_t every = target_stride(plan, limits);
+  const std::size_t every = target_stride(acquisition, limits);
   if (every == 0 || echoes.track.size() < 2) return std::nullopt;
   const ResidualsOfFlight residuals(echoes, flight);
-  std::vector<std::optional<MotionResidual>> all((plan.scene->scatterers.size() + every - 1) / every);
+  std::vector<std::optional<MotionResidual>> all((acquisition.scene->scatterers.size() + every - 1) / every);
   std::vector<KeptEchoes> kept(all.size());
-  each_target_in_sight(plan, echoes, limits, control, [&](std::size_t target, std::span<const PulseSight> sights) {
-    const std::size_t t = target / every;
-    kept[t] = kept_echoes(sights, residuals, flight);
-    all[t] = residual_of(target, kept[t], echoes.waveform, flight, residuals.turns_per_m());
-  });
+  each_target_in_sight(acquisition, echoes, limits, control,
+                       [&](std::size_t target, std::span<const PulseSight> sights) {
+                         const std::size_t t = target / every;
+                         kept[t] = kept_echoes(sights, residuals, flight);
+                         all[t] = residual_of(target, kept[t], echoes.waveform, flight, residuals.turns_per_m());
+                       });
   std::vector<std::size_t> worst_first;
   for (std::size_t t = 0; t < all.size(); ++t)
     if (all[t]) worst_first.push_back(t);

@@ -7,7 +7,7 @@
 #include "core/report/problem.hpp"
 #include "signal/sar/image_spectrum.hpp"
 #include "signal/sar/motion_compensation.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/focus/motion.hpp"
 
 namespace sarsim::workflow {
@@ -63,7 +63,7 @@ inline constexpr double max_residual_cells = 0.05;
 /// narrow band move it in range where that straightens the phases.
 /// @param echoes  their track as it was flown, and waveform; no rows are read
 /// @throw  Interrupted
-[[nodiscard]] std::optional<MotionResidual> worst_motion_residual(const simulate::Plan& plan,
+[[nodiscard]] std::optional<MotionResidual> worst_motion_residual(const simulate::Acquisition& acquisition,
                                                                   const signal::EchoRows& echoes,
                                                                   const TakenFlight& flight,
                                                                   const core::WorkControl& control = {});

@@ -40,14 +40,14 @@ class MotionResidualOfASquint : public FocusOfScript {
   // Of the second target, relative to the ideal one.
   [[nodiscard]] static std::complex<double> response(const FocusReport& report, double azimuth_m,
                                                      double range_m = 0.0) {
-    const auto [plan, rows] = sar_recording(swaying_scene());
+    const auto [acquisition, rows] = sar_recording(swaying_scene());
     const signal::FocusedImage image = signal::in_memory(report.image);
     signal::ImagePlace place = signal::place_of(image.frame, {0.0, 30.0, 0.0});
     const double turns = 2.0 * place.range_m * image.carrier_hz / image.light_speed_mps;
     place.azimuth_m += azimuth_m;
     place.range_m += range_m;
     return signal::test::value_at(image, place) *
-           std::polar(1.0 / sar_targets(*plan, rows).at(1).amplitude, 2.0 * core::pi * turns);
+           std::polar(1.0 / sar_targets(*acquisition, rows).at(1).amplitude, 2.0 * core::pi * turns);
   }
 };
 
@@ -59,7 +59,7 @@ TEST_F(MotionResidualOfASquint, IsWhatTheImageLoses) {
                      .how = compensation_of(input, MotionOrder::second, 0.0, report.options)};
   flight.carrier_per_m = report.image.image.azimuth.spectrum_centre_per_m;
   flight.range_carrier_per_m = report.image.image.range.spectrum_centre_per_m;
-  const auto residual = worst_motion_residual(*input.plan, input.echoes, flight);
+  const auto residual = worst_motion_residual(*input.acquisition, input.echoes, flight);
   ASSERT_TRUE(residual);
   // Carried to its place as `measure` does.
   const double carried = flight.carrier_per_m * residual->azimuth_m + flight.range_carrier_per_m * residual->range_m;
@@ -116,10 +116,10 @@ sample_rate = "4.26978 MHz"
                      .how = compensation_of(input, MotionOrder::second, std::nullopt, report.options)};
   flight.carrier_per_m = image.azimuth.spectrum_centre_per_m;
   flight.range_carrier_per_m = image.range.spectrum_centre_per_m;
-  const auto residual = worst_motion_residual(*input.plan, input.echoes, flight);
+  const auto residual = worst_motion_residual(*input.acquisition, input.echoes, flight);
   ASSERT_TRUE(residual);
   const TargetTheory theory =
-      theory_on_image({*input.plan, input.echoes, report.options, false, true}, image, {}).at(0);
+      theory_on_image({*input.acquisition, input.echoes, report.options, false, true}, image, {}).at(0);
   const auto found = signal::measure_point(image, signal::reader_of(image), theory.place, 20.0);
   ASSERT_TRUE(found);
   const double azimuth_m = found->place.azimuth_m - theory.place.azimuth_m;

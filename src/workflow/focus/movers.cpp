@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "signal/sar/sar_track.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
@@ -19,13 +20,13 @@ struct Motions {
   std::vector<core::Vec3> middles_m;
 };
 
-Motions motions_of(const simulate::Plan& plan) {
+Motions motions_of(const simulate::Acquisition& acquisition) {
   constexpr std::int64_t looks = 17;
-  const auto& scatterers = plan.scene->scatterers;
+  const auto& scatterers = acquisition.scene->scatterers;
   Motions motions{std::vector<double>(scatterers.size()), std::vector<core::Vec3>(scatterers.size())};
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
   for (std::int64_t look = 0; look < looks; ++look) {
-    geometry.set_pulse(plan.pulses.first + look * (plan.pulses.count() - 1) / (looks - 1));
+    geometry.set_pulse(acquisition.timing.pulses.first + look * (acquisition.timing.pulses.count() - 1) / (looks - 1));
     for (std::size_t t = 0; t < scatterers.size(); ++t) {
       const radar::Pose& pose = geometry.pose(scatterers[t].platform);
       const double speed = core::norm(radar::world_velocity_mps(pose, scatterers[t].position_m));
@@ -65,16 +66,16 @@ void remark_on_rows(const std::vector<SarTarget>& targets, const std::vector<std
 
 }  // namespace
 
-core::Problems remarks_on_movers(const simulate::Plan& plan, const signal::EchoRows& echoes,
+core::Problems remarks_on_movers(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                  const std::optional<signal::FocusedImage>& image, const core::WorkControl& control) {
   constexpr double rest_mps = 1e-6;
-  if (plan.scene->scatterers.size() > max_examined_targets || plan.scene->scatterers.empty()) return {};
-  const Motions motions = motions_of(plan);
+  if (acquisition.scene->scatterers.size() > max_examined_targets || acquisition.scene->scatterers.empty()) return {};
+  const Motions motions = motions_of(acquisition);
   std::vector<std::size_t> movers;
   for (std::size_t t = 0; t < motions.speeds_mps.size(); ++t)
     if (motions.speeds_mps[t] > rest_mps) movers.push_back(t);
   if (movers.empty()) return {};
-  const std::vector<SarTarget> targets = targets_from_line(plan, echoes, control);
+  const std::vector<SarTarget> targets = targets_from_line(acquisition, echoes, control);
   const signal::StraightTrack track = signal::fit_straight(echoes.track);
   double fastest_mps = 0.0;
   double farthest_m = 0.0;

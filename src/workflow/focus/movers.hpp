@@ -4,7 +4,7 @@
 
 #include "core/report/problem.hpp"
 #include "signal/sar/focusing.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 /// @param echoes  their track, waveform and window; no rows are read
 /// @param image   axes and frame; nothing: rows are not checked
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_on_movers(const simulate::Plan& plan, const signal::EchoRows& echoes,
+[[nodiscard]] core::Problems remarks_on_movers(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                                const std::optional<signal::FocusedImage>& image,
                                                const core::WorkControl& control = {});
 

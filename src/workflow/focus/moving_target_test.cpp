@@ -17,7 +17,7 @@ TEST(MovingTarget, IsDisplacedByRangeTimesRecessionOverSpeedWithinATenthOfACell)
     // Along the ground by so much that the slant range changes by the recession.
     scene.platforms.push_back(simulate::moving("Car", {}, {recession_mps * closest_m / 10000.0, 0.0, 0.0}));
     scene.targets.push_back(simulate::target_on("Car", {}));
-    const auto [plan, rows] = sar_recording(scene);
+    const auto [acquisition, rows] = sar_recording(scene);
     const signal::ImagePlace resting = signal::place_of(signal::image_of(rows, {}).frame, {});
     const double shift_m = closest_m * recession_mps / 200.0;
     const signal::PointResponse found = focused_point(rows, {resting.azimuth_m - shift_m, resting.range_m});
@@ -45,9 +45,9 @@ TEST(MovingTarget, HasTheLossAndTheWidthThatTheoryExpects) {
       scene.platforms.back().trajectory_m.part[0] = simulate::lines(along);
     }
     scene.targets.push_back(simulate::target_on("Car", {}));
-    const auto [plan, rows] = sar_recording(scene);
-    const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
-    const double whole = sar_targets(*plan, rows).at(0).amplitude;
+    const auto [acquisition, rows] = sar_recording(scene);
+    const TargetTheory theory = theory_of_targets(*acquisition, rows, {}).at(0);
+    const double whole = sar_targets(*acquisition, rows).at(0).amplitude;
     const signal::PointResponse found = focused_point(rows, theory.place);
     const double cell_m = 0.72;
     EXPECT_LT(theory.amplitude, 0.95 * whole);

@@ -15,14 +15,15 @@ struct TapWeights {
   std::vector<double> noise;
 };
 
-TapWeights tap_weights(const simulate::Plan& plan, const signal::WindowFunction& weight) {
-  const double rate_hz = 1.0 / plan.raw_grid.interval_s;
-  const radar::BandLimitedPulse* band_limited = plan.pulse.band_limited ? &*plan.pulse.band_limited : nullptr;
+TapWeights tap_weights(const simulate::Acquisition& acquisition, const signal::WindowFunction& weight) {
+  const double rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
+  const radar::BandLimitedPulse* band_limited =
+      acquisition.reception.pulse.band_limited ? &*acquisition.reception.pulse.band_limited : nullptr;
   const auto plain = signal::matched_filter(
-      plan.radar.pulse, band_limited, [](double) { return 1.0; }, rate_hz);
+      acquisition.link.pulse, band_limited, [](double) { return 1.0; }, rate_hz);
   TapWeights weights;
   for (std::size_t k = 0; k < plain.taps.size(); ++k) {
-    const double w = weight(static_cast<double>(k) / (plan.radar.pulse.width_s * rate_hz));
+    const double w = weight(static_cast<double>(k) / (acquisition.link.pulse.width_s * rate_hz));
     const double power = std::norm(plain.taps[k]);
     weights.echo.push_back(w * power);
     weights.noise.push_back(w * w * power);
@@ -73,22 +74,25 @@ double value_at(const std::vector<double>& table, double index) {
 
 }  // namespace
 
-RecordedGain::RecordedGain(const simulate::Plan& plan, std::size_t columns, const signal::WindowFunction& weight)
-    : first_delay_s_(plan.raw_grid.first_s + plan.pulse.lead_s), interval_s_(plan.raw_grid.interval_s) {
-  const std::size_t last = plan.compressor ? plan.compressor->output_index().at(columns - 1) : columns - 1;
+RecordedGain::RecordedGain(const simulate::Acquisition& acquisition, std::size_t columns,
+                           const signal::WindowFunction& weight)
+    : first_delay_s_(acquisition.reception.raw_grid.first_s + acquisition.reception.pulse.lead_s),
+      interval_s_(acquisition.reception.raw_grid.interval_s) {
+  const std::size_t last =
+      acquisition.reception.compressor ? acquisition.reception.compressor->output_index().at(columns - 1) : columns - 1;
   last_index_ = static_cast<double>(last);
-  const TapWeights weights = tap_weights(plan, weight);
-  last_whole_ =
-      std::min(last_index_, static_cast<double>(plan.raw_grid.count) - static_cast<double>(weights.echo.size()));
-  share_ = recorded_sums(weights.echo, plan.raw_grid.count);
-  if (plan.stc_gain.empty()) {
-    noise_ = recorded_sums(weights.noise, plan.raw_grid.count);
+  const TapWeights weights = tap_weights(acquisition, weight);
+  last_whole_ = std::min(last_index_, static_cast<double>(acquisition.reception.raw_grid.count) -
+                                          static_cast<double>(weights.echo.size()));
+  share_ = recorded_sums(weights.echo, acquisition.reception.raw_grid.count);
+  if (acquisition.reception.stc_gain.empty()) {
+    noise_ = recorded_sums(weights.noise, acquisition.reception.raw_grid.count);
     return;
   }
-  gain_ = correlated(weights.echo, plan.stc_gain);
+  gain_ = correlated(weights.echo, acquisition.reception.stc_gain);
   for (std::size_t i = 0; i < gain_.size(); ++i)
     if (share_[i] > 0.0) gain_[i] /= share_[i];
-  std::vector<double> squares = plan.stc_gain;
+  std::vector<double> squares = acquisition.reception.stc_gain;
   for (double& g : squares) g *= g;
   noise_ = correlated(weights.noise, squares);
 }

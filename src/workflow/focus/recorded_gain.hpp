@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -17,7 +17,7 @@ class RecordedGain {
   /// plan
   ///                 of raw data those up to the row's end can be compressed, the last ones in part
   /// @param weight   over the pulse, the fraction of its width from 0 to 1
-  RecordedGain(const simulate::Plan& plan, std::size_t columns, const signal::WindowFunction& weight);
+  RecordedGain(const simulate::Acquisition& acquisition, std::size_t columns, const signal::WindowFunction& weight);
 
   /// Mean of the gain over what is recorded of an echo; 1 without STC. Beyond the ends as at them.
   [[nodiscard]] double gain(double delay_s) const;

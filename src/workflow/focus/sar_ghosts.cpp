@@ -209,12 +209,11 @@ void remark_on_cut_echoes(const std::vector<SarTarget>& targets, core::Problems&
 }
 
 // The band that the azimuth beam of a sin(x)/x antenna holds: 2 V/wavelength times its width, two-way.
-void remark_on_beam(const simulate::Plan& plan, const SarLooks& looks, const DopplerBand& kept,
+void remark_on_beam(const simulate::Acquisition& acquisition, const SarLooks& looks, const DopplerBand& kept,
                     core::Problems& problems) {
-  if (plan.radar.transmit.kind != radar::AntennaPattern::Kind::sinx) return;
-  const double wavelength_m =
-      radar::wavelength_of(plan.radar.carrier.carrier_hz(plan.pulses.first), plan.scene->conventions.light_speed_mps);
-  const double half_width = 0.5 * std::min(plan.radar.transmit.azimuth_beamwidth_rad, 3.1);
+  if (acquisition.link.transmit.kind != radar::AntennaPattern::Kind::sinx) return;
+  const double wavelength_m = radar::wavelength_of(acquisition.carrier_hz(), acquisition.light_speed_mps());
+  const double half_width = 0.5 * std::min(acquisition.link.transmit.azimuth_beamwidth_rad, 3.1);
   const double band_hz = 4.0 * looks.track().speed_mps / wavelength_m * std::sin(half_width);
   const double prf_hz = 1.0 / looks.track().interval_s;
   // What is beyond the kept band wraps around into it only from one repetition frequency away.
@@ -250,42 +249,42 @@ std::string target_list(const std::vector<std::size_t>& targets) {
   return text;
 }
 
-std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+std::vector<SarTarget> sar_targets(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                    const core::WorkControl& control, std::size_t max_looks) {
-  const SarLooks looks(plan, echoes, {}, max_looks);
+  const SarLooks looks(acquisition, echoes, {}, max_looks);
   std::vector<SarTarget> targets(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) { targets[t] = target_of(looks, t, seen); });
   return targets;
 }
 
-std::vector<SarTarget> targets_from_line(const simulate::Plan& plan, signal::EchoRows echoes,
+std::vector<SarTarget> targets_from_line(const simulate::Acquisition& acquisition, signal::EchoRows echoes,
                                          const core::WorkControl& control, std::size_t max_looks) {
   echoes.compensated = true;
-  return sar_targets(plan, echoes, control, max_looks);
+  return sar_targets(acquisition, echoes, control, max_looks);
 }
 
-std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                                 const core::WorkControl& control) {
-  const SarLooks looks(plan, echoes);
+std::vector<SarGhost> sar_ghosts(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                                 const DopplerBand& kept, const core::WorkControl& control) {
+  const SarLooks looks(acquisition, echoes);
   std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
   looks.each(control,
              [&](std::size_t t, std::span<const SarLook> seen) { add_ghosts(looks, t, seen, kept, ghosts_of[t]); });
   return in_order(ghosts_of);
 }
 
-core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                                 GhostsIn image, const core::WorkControl& control) {
+core::Problems remarks_on_ghosts(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                                 const DopplerBand& kept, GhostsIn image, const core::WorkControl& control) {
   core::Problems problems;
-  remark_on_wrapping(SarLooks(plan, echoes), sar_ghosts(plan, echoes, kept, control), image, problems);
+  remark_on_wrapping(SarLooks(acquisition, echoes), sar_ghosts(acquisition, echoes, kept, control), image, problems);
   return problems;
 }
 
-core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes, const DopplerBand& kept,
-                              GhostsIn image, const core::WorkControl& control) {
+core::Problems remarks_on_sar(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                              const DopplerBand& kept, GhostsIn image, const core::WorkControl& control) {
   core::Problems problems;
   remark_on_sampling(echoes.waveform, problems);
-  if (plan.scene->scatterers.size() > max_examined_targets) return problems;
-  const SarLooks looks(plan, echoes);
+  if (acquisition.scene->scatterers.size() > max_examined_targets) return problems;
+  const SarLooks looks(acquisition, echoes);
   std::vector<SarTarget> targets(looks.targets());
   std::vector<std::vector<SarGhost>> ghosts_of(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
@@ -295,7 +294,7 @@ core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows
   remark_on_wrapping(looks, in_order(ghosts_of), image, problems);
   remark_on_swath(targets, problems);
   remark_on_cut_echoes(targets, problems);
-  remark_on_beam(plan, looks, kept, problems);
+  remark_on_beam(acquisition, looks, kept, problems);
   return problems;
 }
 

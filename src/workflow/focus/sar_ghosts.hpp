@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "signal/sar/focusing.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -50,18 +50,19 @@ struct SarTarget {
 /// @param echoes     their waveform, track and window; no rows are read
 /// @param max_looks  of more pulses, evenly spaced ones
 /// @throw  Interrupted
-[[nodiscard]] std::vector<SarTarget> sar_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                                 const core::WorkControl& control = {}, std::size_t max_looks = 2048);
+[[nodiscard]] std::vector<SarTarget> sar_targets(const simulate::Acquisition& acquisition,
+                                                 const signal::EchoRows& echoes, const core::WorkControl& control = {},
+                                                 std::size_t max_looks = 2048);
 
 /// The same from the line that fits the track, which the frequencies of an image are about.
-[[nodiscard]] std::vector<SarTarget> targets_from_line(const simulate::Plan& plan, signal::EchoRows echoes,
-                                                       const core::WorkControl& control = {},
+[[nodiscard]] std::vector<SarTarget> targets_from_line(const simulate::Acquisition& acquisition,
+                                                       signal::EchoRows echoes, const core::WorkControl& control = {},
                                                        std::size_t max_looks = 2048);
 
 /// Ghosts of all targets in a Doppler band, by target and fold; those below a hundredth of their target left out. Where
 /// less is kept than the pulses sample, only what folds into it is there.
 /// @throw  Interrupted
-[[nodiscard]] std::vector<SarGhost> sar_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
+[[nodiscard]] std::vector<SarGhost> sar_ghosts(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                                const DopplerBand& kept, const core::WorkControl& control = {});
 
 /// Numbers of targets as messages list them, from 1: "1, 2, 3 and 5 more".
@@ -76,7 +77,7 @@ enum class GhostsIn {
 
 /// A warning where echoes of targets wrap around, and where their ghosts appear.
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_on_ghosts(const simulate::Plan& plan, const signal::EchoRows& echoes,
+[[nodiscard]] core::Problems remarks_on_ghosts(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                                const DopplerBand& kept, GhostsIn image,
                                                const core::WorkControl& control = {});
 
@@ -85,7 +86,7 @@ enum class GhostsIn {
 /// the pulses sample, ranges sampled more coarsely than the band allows. Nothing is said of more
 /// than `max_examined_targets`.
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_on_sar(const simulate::Plan& plan, const signal::EchoRows& echoes,
+[[nodiscard]] core::Problems remarks_on_sar(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                             const DopplerBand& kept, GhostsIn image,
                                             const core::WorkControl& control = {});
 

@@ -12,8 +12,8 @@ namespace sarsim::workflow {
 namespace sar_ghosts_test {
 
 TEST(SarTargets, AreWhereAndAsStrongAsTheImageShowsThem) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}}));
-  const SarTarget target = sar_targets(*plan, rows).at(0);
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{3.0, -31.0, 0.0}}));
+  const SarTarget target = sar_targets(*acquisition, rows).at(0);
   const signal::PointResponse response = focused_point(rows, target.place);
   EXPECT_NEAR(response.place.azimuth_m, target.place.azimuth_m, 0.015);
   EXPECT_NEAR(response.place.range_m, target.place.range_m, 0.03);
@@ -25,8 +25,8 @@ TEST(SarTargets, AreDisplacedWhereTheyMove) {
   scene::Scene scene = sar_scene(600.0, {});
   scene.platforms.push_back(simulate::moving("Car", {0.0, 10.0, 0.0}, {2.0, 0.0, 0.0}));
   scene.targets.push_back(simulate::target_on("Car", {}));
-  const auto [plan, rows] = sar_recording(scene);
-  const SarTarget target = sar_targets(*plan, rows).at(0);
+  const auto [acquisition, rows] = sar_recording(scene);
+  const SarTarget target = sar_targets(*acquisition, rows).at(0);
   const double recession = 2.0 * 10000.0 / std::hypot(10000.0, 2000.0);
   EXPECT_NEAR(target.place.azimuth_m, 10.0 - std::hypot(10000.0, 2000.0) * recession / 200.0, 0.5);
   const signal::PointResponse response = focused_point(rows, target.place);
@@ -34,15 +34,15 @@ TEST(SarTargets, AreDisplacedWhereTheyMove) {
 }
 
 TEST(SarTargets, AreOutOfTheSwathWhereTheirEchoesLeaveIt) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{400.0, 0.0, 0.0}, {}}, 0.1));
-  const std::vector<SarTarget> targets = sar_targets(*plan, rows);
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{400.0, 0.0, 0.0}, {}}, 0.1));
+  const std::vector<SarTarget> targets = sar_targets(*acquisition, rows);
   EXPECT_FALSE(targets[0].in_swath);
   EXPECT_TRUE(targets[1].in_swath);
 }
 
 TEST(SarGhosts, AreNoneWhereThePulsesSampleEverything) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 190.0, 0.0}, {0.0, -190.0, 0.0}}));
-  EXPECT_TRUE(sar_ghosts(*plan, rows, {}).empty());
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{0.0, 190.0, 0.0}, {0.0, -190.0, 0.0}}));
+  EXPECT_TRUE(sar_ghosts(*acquisition, rows, {}).empty());
 }
 
 // Of an image, within some distance of a place.
@@ -59,12 +59,12 @@ double energy(const signal::FocusedImage& image, const signal::ImagePlace& place
 
 TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
   // At 300 Hz a point 205 m ahead of the middle reaches 281 Hz: above 150 Hz it wraps around.
-  const auto [plan, rows] = sar_recording(sar_scene(300.0, {{0.0, 205.0, 0.0}}));
-  const std::vector<SarGhost> ghosts = sar_ghosts(*plan, rows, {});
+  const auto [acquisition, rows] = sar_recording(sar_scene(300.0, {{0.0, 205.0, 0.0}}));
+  const std::vector<SarGhost> ghosts = sar_ghosts(*acquisition, rows, {});
   ASSERT_EQ(ghosts.size(), 1U);
   EXPECT_EQ(ghosts[0].folds, 1);
   EXPECT_NEAR(ghosts[0].place.azimuth_m, 205.0 - 300.0 * 0.056565 * 10198.0 / 400.0, 1.0);
-  const SarTarget target = sar_targets(*plan, rows).at(0);
+  const SarTarget target = sar_targets(*acquisition, rows).at(0);
   const signal::SarEchoes echoes = signal::sar_echoes(rows, {.threads = 2});
   const signal::FocusedImage image =
       signal::focus(echoes, {.method = signal::FocusMethod::chirp_scaling}, {.threads = 2});
@@ -75,9 +75,10 @@ TEST(SarGhosts, AppearInTheImageWhereTheyArePredicted) {
 }
 
 std::string remarks(const scene::Scene& scene, const DopplerBand& kept = {}, GhostsIn image = GhostsIn::frequency) {
-  const auto [plan, rows] = sar_recording(scene);
+  const auto [acquisition, rows] = sar_recording(scene);
   std::string text;
-  for (const core::Problem& problem : remarks_on_sar(*plan, rows, kept, image)) text += core::to_string(problem) + "\n";
+  for (const core::Problem& problem : remarks_on_sar(*acquisition, rows, kept, image))
+    text += core::to_string(problem) + "\n";
   return text;
 }
 
@@ -120,21 +121,22 @@ TEST(RemarksOnSar, AreSilencedByABandIntoWhichNothingFolds) {
 TEST(RemarksOnSar, NameTargetsWhoseEchoesTheEndOfARawRecordingCuts) {
   // 40 m before the end of the window, of which the last 120 m can be compressed in part alone.
   const scene::Scene scene = sar_scene(600.0, {{60.0, 0.0, 0.0}, {-60.0, 0.0, 0.0}}, 0.1);
-  const auto plan = shared_plan(scene);
-  const signal::EchoRows recorded =
-      sar_rows_of_recording(plan, {plan->rows, plan->columns, [](std::size_t, std::span<std::complex<double>>) {}});
-  const std::vector<SarTarget> targets = sar_targets(*plan, recorded);
+  const auto acquisition = shared_acquisition(scene);
+  const signal::EchoRows recorded = sar_rows_of_recording(
+      acquisition,
+      {acquisition->timing.rows, acquisition->reception.columns, [](std::size_t, std::span<std::complex<double>>) {}});
+  const std::vector<SarTarget> targets = sar_targets(*acquisition, recorded);
   EXPECT_TRUE(targets[0].in_swath);
   EXPECT_FALSE(targets[0].whole);
   EXPECT_TRUE(targets[1].whole);
-  const core::Problems problems = remarks_on_sar(*plan, recorded, {}, GhostsIn::frequency);
+  const core::Problems problems = remarks_on_sar(*acquisition, recorded, {}, GhostsIn::frequency);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_NE(problems[0].message.find("1 of 2 targets (1) lie within a pulse's length of the end"), std::string::npos)
       << problems[0].message;
   // 41 of 120 m of the echo are left.
   EXPECT_NE(problems[0].message.find("; the peak of target 1 loses 9."), std::string::npos) << problems[0].message;
   const double lost_db = -20.0 * std::log10(targets[0].kept);
-  const double whole = sar_targets(*plan, sar_recording(scene).second).at(0).amplitude;
+  const double whole = sar_targets(*acquisition, sar_recording(scene).second).at(0).amplitude;
   const double found = focused_point(stored(scene).second, targets[0].place).amplitude;
   EXPECT_NEAR(-20.0 * std::log10(found / whole), lost_db, 0.2);
   EXPECT_EQ(remarks(scene), "");
@@ -146,8 +148,8 @@ TEST(RemarksOnSar, SayWhatIsLostOfTargetsThatLeaveTheRecordedRanges) {
   std::vector<SarTarget> targets;
   for (double x_m = 98.0; x_m < 102.0 && (targets.empty() || targets[1].kept > 0.8); x_m += 0.2) {
     scene = sar_scene(600.0, {{}, {x_m, 0.0, 0.0}});
-    const auto [plan, rows] = sar_recording(scene);
-    targets = sar_targets(*plan, rows);
+    const auto [acquisition, rows] = sar_recording(scene);
+    targets = sar_targets(*acquisition, rows);
   }
   const signal::EchoRows rows = sar_recording(scene).second;
   ASSERT_FALSE(targets[1].in_swath);
@@ -165,28 +167,28 @@ TEST(RemarksOnSar, SayWhatIsLostOfTargetsThatLeaveTheRecordedRanges) {
 TEST(SarTargets, AreTheSameForAnyNumberOfThreads) {
   std::vector<core::Vec3> points;
   for (int i = 0; i < 50; ++i) points.push_back({static_cast<double>(i), 4.0 * i, 0.0});
-  const auto [plan, rows] = sar_recording(sar_scene(300.0, points, 0.3));
-  const std::vector<SarTarget> one = sar_targets(*plan, rows, {.threads = 1});
-  const std::vector<SarTarget> three = sar_targets(*plan, rows, {.threads = 3});
+  const auto [acquisition, rows] = sar_recording(sar_scene(300.0, points, 0.3));
+  const std::vector<SarTarget> one = sar_targets(*acquisition, rows, {.threads = 1});
+  const std::vector<SarTarget> three = sar_targets(*acquisition, rows, {.threads = 3});
   ASSERT_EQ(one.size(), 50U);
   for (std::size_t t = 0; t < one.size(); ++t) {
     EXPECT_EQ(one[t].target, t);
     EXPECT_EQ(one[t].amplitude, three[t].amplitude);
     EXPECT_EQ(one[t].place.azimuth_m, three[t].place.azimuth_m);
   }
-  const auto ghosts = sar_ghosts(*plan, rows, {}, {.threads = 1});
-  const auto same = sar_ghosts(*plan, rows, {}, {.threads = 3});
+  const auto ghosts = sar_ghosts(*acquisition, rows, {}, {.threads = 1});
+  const auto same = sar_ghosts(*acquisition, rows, {}, {.threads = 3});
   ASSERT_EQ(ghosts.size(), same.size());
   ASSERT_FALSE(ghosts.empty());
   for (std::size_t i = 0; i < ghosts.size(); ++i) EXPECT_EQ(ghosts[i].share, same[i].share);
 }
 
 TEST(SarTargets, EndWhenAskedTo) {
-  const auto [plan, rows] = sar_recording(sar_scene(300.0, {{}}, 0.3));
+  const auto [acquisition, rows] = sar_recording(sar_scene(300.0, {{}}, 0.3));
   core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)sar_targets(*plan, rows, {.threads = 2, .stop = &stop}), core::Interrupted);
-  EXPECT_THROW((void)remarks_on_sar(*plan, rows, {}, GhostsIn::frequency, {.threads = 2, .stop = &stop}),
+  EXPECT_THROW((void)sar_targets(*acquisition, rows, {.threads = 2, .stop = &stop}), core::Interrupted);
+  EXPECT_THROW((void)remarks_on_sar(*acquisition, rows, {}, GhostsIn::frequency, {.threads = 2, .stop = &stop}),
                core::Interrupted);
 }
 

@@ -1,5 +1,6 @@
 #include "workflow/focus/sar_looks.hpp"
 
+#include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 
 #include <algorithm>
@@ -28,9 +29,9 @@ std::size_t step_of(std::size_t pulses, std::size_t targets, std::size_t max_loo
 // many targets.
 std::size_t targets_at_once(std::size_t platforms) { return std::clamp<std::size_t>(platforms, 8, 128); }
 
-double peak_gain_of(const simulate::Plan& plan) {
-  const bool keeps_peak = plan.scene->conventions.compression == simulate::Conventions::Compression::keeps_peak;
-  return keeps_peak ? 1.0 : simulate::processing_gain(plan);
+double peak_gain_of(const simulate::Acquisition& acquisition) {
+  const bool keeps_peak = acquisition.scene->conventions.compression == simulate::Conventions::Compression::keeps_peak;
+  return keeps_peak ? 1.0 : simulate::processing_gain(acquisition);
 }
 
 // d|r|/dt as the pulse leaves: without what the antenna's own flight adds to the Doppler shift until the echo is back,
@@ -44,14 +45,14 @@ double receding_mps(const radar::Pose& radar, const radar::Pose& platform, const
 
 }  // namespace
 
-SarLooks::SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight,
-                   std::size_t max_looks)
-    : plan_(plan),
-      scene_(simulate::thinned(plan.scene, max_examined_targets)),
+SarLooks::SarLooks(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                   const signal::WindowFunction& weight, std::size_t max_looks)
+    : acquisition_(acquisition),
+      scene_(simulate::thinned(acquisition.scene, max_examined_targets)),
       track_(signal::fit_straight(echoes.track)),
       gain_(
-          plan, echoes.columns, weight ? weight : [](double) { return 1.0; }),
-      peak_gain_(peak_gain_of(plan)),
+          acquisition, echoes.columns, weight ? weight : [](double) { return 1.0; }),
+      peak_gain_(peak_gain_of(acquisition)),
       carrier_hz_(echoes.waveform.carrier_hz),
       pulses_(echoes.track.size()),
       step_(step_of(echoes.track.size(), scene_->scatterers.size(), max_looks)),
@@ -64,9 +65,9 @@ void SarLooks::each(const core::WorkControl& control,
   core::parallel_ranges((targets() + every - 1) / every, targets_at_once(scene_->platforms.size()), control,
                         [&](std::size_t begin, std::size_t end) {
                           std::vector<SarLook> seen((end - begin) * looks);
-                          simulate::PulseGeometry geometry(*scene_, plan_.radar);
+                          simulate::PulseGeometry geometry(*scene_, acquisition_.link);
                           for (std::size_t i = 0; i < looks; ++i) {
-                            geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
+                            geometry.set_pulse(acquisition_.timing.pulses.first + static_cast<std::int64_t>(pulse(i)));
                             const radar::Pointing pointing = geometry.pointing();
                             for (std::size_t t = begin; t < end; ++t)
                               seen[(t - begin) * looks + i] = look_at(t * every, pulse(i), geometry, pointing);
@@ -142,9 +143,9 @@ SarLook SarLook::in_vacuum() const {
 
 std::vector<core::Vec3> SarLooks::antennas() const {
   std::vector<core::Vec3> places_m;
-  simulate::PulseGeometry geometry(*scene_, plan_.radar);
+  simulate::PulseGeometry geometry(*scene_, acquisition_.link);
   for (std::size_t i = 0; i < count(); ++i) {
-    geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(i)));
+    geometry.set_pulse(acquisition_.timing.pulses.first + static_cast<std::int64_t>(pulse(i)));
     places_m.push_back(geometry.radar_pose().position_world_m);
   }
   return places_m;
@@ -153,9 +154,9 @@ std::vector<core::Vec3> SarLooks::antennas() const {
 std::optional<core::Vec3> SarLooks::resting_place(std::size_t target) const {
   constexpr double still_m = 1e-6;
   const simulate::Scatterer& scatterer = scene_->scatterers[target];
-  simulate::PulseGeometry geometry(*scene_, plan_.radar);
+  simulate::PulseGeometry geometry(*scene_, acquisition_.link);
   const auto at = [&](std::size_t look) {
-    geometry.set_pulse(plan_.pulses.first + static_cast<std::int64_t>(pulse(look)));
+    geometry.set_pulse(acquisition_.timing.pulses.first + static_cast<std::int64_t>(pulse(look)));
     return radar::world_position_m(geometry.pose(scatterer.platform), scatterer.position_m);
   };
   const core::Vec3 first_m = at(0);
@@ -171,11 +172,11 @@ signal::ImagePlace SarLooks::place(const SarLook& look, double doppler_hz) const
   return {track_.speed_mps * look.time_s + look.distance_m * sine, look.distance_m * std::sqrt(1.0 - sine * sine)};
 }
 
-std::optional<double> line_doppler_centroid_hz(const simulate::Plan& plan, signal::EchoRows echoes,
+std::optional<double> line_doppler_centroid_hz(const simulate::Acquisition& acquisition, signal::EchoRows echoes,
                                                const core::WorkControl& control) {
   constexpr std::size_t max_looks = 65;
   echoes.compensated = true;
-  const SarLooks looks(plan, echoes, {}, max_looks);
+  const SarLooks looks(acquisition, echoes, {}, max_looks);
   struct Sums {
     double power = 0.0;
     double moment = 0.0;

@@ -10,7 +10,8 @@
 #include "core/task/parallel.hpp"
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/sar_track.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/focus/recorded_gain.hpp"
 
 namespace sarsim::workflow {
@@ -45,8 +46,8 @@ class SarLooks {
   /// Keeps a reference to the plan.
   /// @param echoes  their track, their window, and whether they are compensated to the track's line; no rows are read
   /// @param weight  of the compressing filter over the pulse; even where there is none
-  SarLooks(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::WindowFunction& weight = {},
-           std::size_t max_looks = usual_looks);
+  SarLooks(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+           const signal::WindowFunction& weight = {}, std::size_t max_looks = usual_looks);
 
   [[nodiscard]] std::size_t targets() const { return scene_->scatterers.size(); }
   /// Looks at each target.
@@ -78,7 +79,7 @@ class SarLooks {
   [[nodiscard]] SarLook through(const simulate::AirPaths& air, SarLook look, const radar::Pose& radar,
                                 const radar::Pose& platform, const core::Vec3& point_m) const;
 
-  const simulate::Plan& plan_;
+  const simulate::Acquisition& acquisition_;
   std::shared_ptr<const simulate::ResolvedScene> scene_;
   signal::StraightTrack track_;
   RecordedGain gain_;
@@ -93,7 +94,8 @@ class SarLooks {
 /// Doppler centroid after motion compensation. With sway it differs from the mean of the received echoes. Nothing if
 /// there are no echoes.
 /// @throw  Interrupted
-[[nodiscard]] std::optional<double> line_doppler_centroid_hz(const simulate::Plan& plan, signal::EchoRows echoes,
+[[nodiscard]] std::optional<double> line_doppler_centroid_hz(const simulate::Acquisition& acquisition,
+                                                             signal::EchoRows echoes,
                                                              const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

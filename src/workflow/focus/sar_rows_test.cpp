@@ -11,7 +11,7 @@ namespace sar_rows_test {
 
 TEST(SarRows, OfASceneFocusToTheRadarEquationAtTheTargetsPlace) {
   const core::Vec3 point{3.0, 17.0, 0.0};
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {point}));
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {point}));
   const double closest = std::hypot(10003.0, 2000.0);
   const signal::PointResponse response = focused_point(rows, {17.0, closest});
   EXPECT_NEAR(response.place.azimuth_m, 17.0, 0.02 * 0.72);
@@ -38,7 +38,7 @@ TEST(SarRows, OfAPulseInTheMiddleShowTargetsAtTheWindowsStart) {
   const core::Vec3 point{-90.0, 5.0, 0.0};
   scene::Scene scene = sar_scene(600.0, {point});
   scene.simulations[0].pulse_position = scene::Simulation::PulsePosition::centre;
-  const auto [plan, rows] = sar_recording(scene);
+  const auto [acquisition, rows] = sar_recording(scene);
   const double closest = std::hypot(9910.0, 2000.0);
   const signal::PointResponse response = focused_point(rows, {5.0, closest});
   EXPECT_NEAR(response.place.azimuth_m, 5.0, 0.02 * 0.72);
@@ -51,24 +51,25 @@ TEST(SarRows, OfAPulseInTheMiddleShowTargetsAtTheWindowsStart) {
 TEST(SarRows, OfAPulseInTheMiddleHoldTheWholeEchoesOfTheWindowsEnd) {
   scene::Scene scene = sar_scene(600.0, {}, 0.1);
   scene.simulations[0].pulse_position = scene::Simulation::PulsePosition::centre;
-  const simulate::Plan window = simulate::make_plan(scene, 0);
-  const auto [plan, rows] = sar_recording(scene);
-  EXPECT_EQ(rows.columns, window.columns);
-  EXPECT_GE(plan->columns, window.columns + 119);
-  EXPECT_NEAR(plan->raw_grid.first_s, 2.0 * 10098.0 / rows.waveform.light_speed_mps - 400e-9, 1e-15);
+  const simulate::Acquisition window = simulate::acquisition_of(scene, 0);
+  const auto [acquisition, rows] = sar_recording(scene);
+  EXPECT_EQ(rows.columns, window.reception.columns);
+  EXPECT_GE(acquisition->reception.columns, window.reception.columns + 119);
+  EXPECT_NEAR(acquisition->reception.raw_grid.first_s, 2.0 * 10098.0 / rows.waveform.light_speed_mps - 400e-9, 1e-15);
 }
 
 // Reader of what a plan makes.
-core::SampleRows<double> rows_made_by(const std::shared_ptr<const simulate::Plan>& plan) {
-  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
+core::SampleRows<double> rows_made_by(const std::shared_ptr<const simulate::Acquisition>& acquisition) {
+  const auto recording = std::make_shared<const simulate::Recording>(
+      simulate::record(simulate::plan_of(*acquisition, simulate::Engine::automatic)));
   return core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(recording, &recording->samples),
-                              plan->rows, plan->columns);
+                              acquisition->timing.rows, acquisition->reception.columns);
 }
 
 TEST(SarRows, OfARecordingAreThoseOfTheSceneButAtTheWindowsEnd) {
   const scene::Scene scene = sar_scene(600.0, {{3.0, 4.0, 0.0}}, 0.1);
-  const auto plan = shared_plan(scene);
-  const signal::SarEchoes recorded = signal::sar_echoes(sar_rows_of_recording(plan, rows_made_by(plan)));
+  const auto acquisition = shared_acquisition(scene);
+  const signal::SarEchoes recorded = signal::sar_echoes(sar_rows_of_recording(acquisition, rows_made_by(acquisition)));
   const signal::SarEchoes made = signal::sar_echoes(sar_recording(scene).second);
   ASSERT_EQ(recorded.samples, made.samples);
   EXPECT_EQ(recorded.first_delay_s, made.first_delay_s);
@@ -83,8 +84,8 @@ TEST(SarRows, OfACompressedRecordingAreTheRecordingNoiseIncluded) {
     scene.radars[0].noise_temperature_k = 300.0;
     scene.simulations[0].processing = scene::Processing::matched_filter;
     scene.simulations[0].pulse_position = position;
-    const auto plan = shared_plan(scene);
-    const signal::SarEchoes taken = signal::sar_echoes(sar_rows_of_recording(plan, rows_made_by(plan)));
+    const auto acquisition = shared_acquisition(scene);
+    const signal::SarEchoes taken = signal::sar_echoes(sar_rows_of_recording(acquisition, rows_made_by(acquisition)));
     const signal::SarEchoes made = signal::sar_echoes(sar_recording(scene).second);
     ASSERT_EQ(taken.samples, made.samples);
     EXPECT_NEAR(taken.first_delay_s, made.first_delay_s, 1e-15);
@@ -94,20 +95,21 @@ TEST(SarRows, OfACompressedRecordingAreTheRecordingNoiseIncluded) {
 }
 
 TEST(SarEchoesOfRows, AreTheSameForAnyNumberOfThreads) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{3.0, 4.0, 0.0}}, 0.1));
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{3.0, 4.0, 0.0}}, 0.1));
   EXPECT_TRUE(signal::sar_echoes(rows, {.threads = 1}).volts == signal::sar_echoes(rows, {.threads = 3}).volts);
 }
 
 TEST(GeometricDopplerCentroid, IsThatOfTheTargetsOrTheBeam) {
-  EXPECT_NEAR(geometric_doppler_centroid_hz(simulate::make_plan(sar_scene(600.0, {{0.0, 0.0, 0.0}}), 0)), 0.0, 2.0);
+  EXPECT_NEAR(geometric_doppler_centroid_hz(simulate::acquisition_of(sar_scene(600.0, {{0.0, 0.0, 0.0}}), 0)), 0.0,
+              2.0);
   scene::Scene empty = sar_scene(600.0, {});
   empty.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::sinx;
   empty.radars[0].beam_azimuth = core::Angle::from_deg(80.0);
   const double expected = 2.0 * 200.0 * 5.3e9 / 299792458.0 * std::sin(10.0 * core::pi / 180.0);
-  EXPECT_NEAR(geometric_doppler_centroid_hz(simulate::make_plan(empty, 0)), expected, 0.01);
+  EXPECT_NEAR(geometric_doppler_centroid_hz(simulate::acquisition_of(empty, 0)), expected, 0.01);
   // An antenna without a beam points nowhere.
   empty.radars[0].transmit_antenna.pattern = scene::Antenna::Pattern::isotropic;
-  EXPECT_EQ(geometric_doppler_centroid_hz(simulate::make_plan(empty, 0)), 0.0);
+  EXPECT_EQ(geometric_doppler_centroid_hz(simulate::acquisition_of(empty, 0)), 0.0);
 }
 
 TEST(GeometricDopplerCentroid, IsThatOfASurfaceWhereThereIsNothingElse) {
@@ -118,12 +120,12 @@ TEST(GeometricDopplerCentroid, IsThatOfASurfaceWhereThereIsNothingElse) {
   scene.surfaces.push_back(
       {"Earth", {core::Vec3{0.0, 505.0, 0.0}, core::Vec3{0.0, 495.0, 0.0}, core::Vec3{10.0, 500.0, 0.0}}});
   const double ahead = 500.0 / std::hypot(10000.0, 2000.0, 500.0);
-  EXPECT_NEAR(geometric_doppler_centroid_hz(simulate::make_plan(scene, 0)), 2.0 * 200.0 * 5.3e9 / 299792458.0 * ahead,
-              1.0);
+  EXPECT_NEAR(geometric_doppler_centroid_hz(simulate::acquisition_of(scene, 0)),
+              2.0 * 200.0 * 5.3e9 / 299792458.0 * ahead, 1.0);
 }
 
 std::string first_problem(const scene::Scene& scene, bool recorded = false) {
-  const core::Problems problems = problems_of_sar(simulate::make_plan(scene, 0), recorded);
+  const core::Problems problems = problems_of_sar(simulate::acquisition_of(scene, 0), recorded);
   return problems.empty() ? std::string() : problems.front().message;
 }
 
@@ -135,7 +137,7 @@ TEST(ProblemsOfSar, NameWhatNoMethodCanFocus) {
   scene::Scene stepped = sar_scene(600.0, {{}});
   stepped.radars[0].carrier = scene::Radar::Carrier::stepped;
   stepped.radars[0].carrier_step_hz = 1e6;
-  const auto [plan, rows] = sar_recording(stepped);  // Of back projection alone.
+  const auto [acquisition, rows] = sar_recording(stepped);  // Of back projection alone.
   EXPECT_EQ(rows.carriers_hz.size(), rows.rows);
   EXPECT_NE(core::to_string(signal::problems_of_focusing(rows, {}).at(0)).find("carrier changes"), std::string::npos);
   EXPECT_TRUE(signal::problems_of_focusing_in_time(rows, {}).empty());

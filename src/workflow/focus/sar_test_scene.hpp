@@ -33,26 +33,28 @@ inline scene::Scene sar_scene(double prf_hz, const std::vector<core::Vec3>& targ
   return scene;
 }
 
-inline std::shared_ptr<const simulate::Plan> shared_plan(const scene::Scene& scene) {
-  return std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
+inline std::shared_ptr<const simulate::Acquisition> shared_acquisition(const scene::Scene& scene) {
+  return std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0));
 }
 
 /// Rows of the scene's first simulation, recorded anew.
-inline std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> sar_recording(scene::Scene scene) {
-  const simulate::Plan window = simulate::make_plan(scene, 0);
+inline std::pair<std::shared_ptr<const simulate::Acquisition>, signal::EchoRows> sar_recording(scene::Scene scene) {
+  const simulate::Acquisition window = simulate::acquisition_of(scene, 0);
   scene.simulations[0] = recorded_for_sar(scene.simulations[0], window);
-  const auto plan = shared_plan(scene);
-  return {plan, sar_rows_of_scene(plan, window.columns)};
+  const auto acquisition = shared_acquisition(scene);
+  return {acquisition, sar_rows_of_scene(acquisition, window.reception.columns)};
 }
 
 /// Rows of a recording that holds what the scene's plan makes.
-inline std::pair<std::shared_ptr<const simulate::Plan>, signal::EchoRows> stored(const scene::Scene& scene) {
-  const auto plan = shared_plan(scene);
-  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
-  return {plan,
-          sar_rows_of_recording(plan, core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(
-                                                               recording, &recording->samples),
-                                                           plan->rows, plan->columns))};
+inline std::pair<std::shared_ptr<const simulate::Acquisition>, signal::EchoRows> stored(const scene::Scene& scene) {
+  const auto acquisition = shared_acquisition(scene);
+  const auto recording = std::make_shared<const simulate::Recording>(
+      simulate::record(simulate::plan_of(*acquisition, simulate::Engine::automatic)));
+  return {acquisition,
+          sar_rows_of_recording(
+              acquisition, core::rows_in_memory(
+                               std::shared_ptr<const std::vector<std::complex<double>>>(recording, &recording->samples),
+                               acquisition->timing.rows, acquisition->reception.columns))};
 }
 
 inline signal::PointResponse focused_point(const signal::EchoRows& rows, const signal::ImagePlace& place,

@@ -105,33 +105,34 @@ bool is_plain_chirp(const radar::Pulse& pulse) {
 }
 
 // Of the radar, over the pulse, where it is in compressed data; nothing for an even one.
-signal::WindowFunction recorded_window(const simulate::Plan& plan) {
-  if (plan.simulation.processing != scene::Processing::matched_filter) return {};
+signal::WindowFunction recorded_window(const simulate::Acquisition& acquisition) {
+  if (!acquisition.reception.is_compressed()) return {};
   constexpr int points = 64;
   for (int i = 0; i <= points; ++i)
-    if (plan.radar.window(static_cast<double>(i) / points) != 1.0) return plan.radar.window;
+    if (acquisition.link.window(static_cast<double>(i) / points) != 1.0) return acquisition.link.window;
   return {};
 }
 
 // What weighs the samples of a pulse: windows over the band of a chirp are windows over its time.
-signal::WindowFunction pulse_weight(const simulate::Plan& plan, const signal::SarWindow& window) {
-  const signal::WindowFunction recorded = recorded_window(plan);
-  if (plan.radar.pulse.kind != radar::Pulse::Kind::chirp) return recorded;
+signal::WindowFunction pulse_weight(const simulate::Acquisition& acquisition, const signal::SarWindow& window) {
+  const signal::WindowFunction recorded = recorded_window(acquisition);
+  if (acquisition.link.pulse.kind != radar::Pulse::Kind::chirp) return recorded;
   return [recorded, focused = signal::weight_of(window)](double x) {
     return focused(std::clamp(x, 0.0, 1.0) - 0.5) * (recorded ? recorded(x) : 1.0);
   };
 }
 
-std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, const signal::SarWaveform& waveform,
+std::optional<signal::ResponseFigures> range_theory(const simulate::Acquisition& acquisition,
+                                                    const signal::SarWaveform& waveform,
                                                     const signal::SarWindow& window) {
   const double band_hz = std::abs(waveform.bandwidth_hz);
   // A pulse of less than a cycle of its sweep is no chirp: its length gives the resolution.
-  if (!is_plain_chirp(plan.radar.pulse) || !(band_hz * waveform.pulse_width_s >= 1.0)) return std::nullopt;
+  if (!is_plain_chirp(acquisition.link.pulse) || !(band_hz * waveform.pulse_width_s >= 1.0)) return std::nullopt;
   // Sampled so coarsely, it is nothing but ghosts of itself.
   constexpr double min_sampling = 1.0 / 16.0;
   if (!(waveform.sample_rate_hz >= min_sampling * band_hz)) return std::nullopt;
   signal::ResponseFigures figures = signal::theoretical_figures(
-      window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(plan));
+      window, band_hz * waveform.pulse_width_s, waveform.sample_rate_hz / band_hz, recorded_window(acquisition));
   const double cell_m = radar::range_of_cycle(band_hz, waveform.light_speed_mps);
   figures.width *= cell_m;
   figures.null *= cell_m;
@@ -141,10 +142,10 @@ std::optional<signal::ResponseFigures> range_theory(const simulate::Plan& plan, 
 // The compressed pulse over range, as the aperture of a target sums it up. Made when a target needs it.
 class RangePulse {
  public:
-  RangePulse(const simulate::Plan& plan, const signal::EchoRows& echoes, const signal::SarWindow& window)
-      : plan_(plan), waveform_(echoes.waveform), window_(window) {
+  RangePulse(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes, const signal::SarWindow& window)
+      : acquisition_(acquisition), waveform_(echoes.waveform), window_(window) {
     // The band that stepped carriers fill together has no theory of its response.
-    if (echoes.carriers_hz.empty()) figures_ = range_theory(plan, waveform_, window);
+    if (echoes.carriers_hz.empty()) figures_ = range_theory(acquisition, waveform_, window);
   }
 
   /// Of a narrow aperture; nothing where the pulse has no theory.
@@ -181,10 +182,10 @@ class RangePulse {
     constexpr double max_time_bandwidth = 2048.0;  // Sidelobes within 60 cells change by less than 1e-3 beyond it.
     const double band_hz = std::abs(waveform_.bandwidth_hz);
     return signal::theoretical_response(window_, std::min(band_hz * waveform_.pulse_width_s, max_time_bandwidth),
-                                        waveform_.sample_rate_hz / band_hz, recorded_window(plan_), beyond);
+                                        waveform_.sample_rate_hz / band_hz, recorded_window(acquisition_), beyond);
   }
 
-  const simulate::Plan& plan_;
+  const simulate::Acquisition& acquisition_;
   const signal::SarWaveform& waveform_;
   const signal::SarWindow& window_;
   std::optional<signal::ResponseFigures> figures_;
@@ -504,16 +505,16 @@ class Theories {
   const ImageGeometry& image_;
 };
 
-std::vector<TargetTheory> theories_on(const simulate::Plan& plan, const signal::EchoRows& echoes,
+std::vector<TargetTheory> theories_on(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                       const signal::FocusOptions& options, bool time_domain, ImageGeometry image,
                                       const core::WorkControl& control) {
-  const SarLooks looks(plan, echoes, pulse_weight(plan, options.range_window));
+  const SarLooks looks(acquisition, echoes, pulse_weight(acquisition, options.range_window));
   const Domain domain = time_domain ? Domain::time : echoes.compensated ? Domain::resampled : Domain::frequency;
   const LookWeights weights(looks, options, echoes.track.size(), domain);
   if (image.ground) image.antennas_m = looks.antennas();
-  const RangePulse pulse(plan, echoes, options.range_window);
+  const RangePulse pulse(acquisition, echoes, options.range_window);
   const Theories theory(looks, weights, echoes, options, pulse, image);
-  std::vector<TargetTheory> theories(listed_targets(*plan.scene));
+  std::vector<TargetTheory> theories(listed_targets(*acquisition.scene));
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
     if (t < theories.size()) theories[t] = theory.of(t, seen);
   });
@@ -537,10 +538,11 @@ std::size_t listed_targets(const simulate::ResolvedScene& scene) {
   return all - targets > max_examined_targets ? targets : all;
 }
 
-std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+std::vector<TargetTheory> theory_of_targets(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                             const signal::FocusOptions& options, bool time_domain,
                                             const core::WorkControl& control) {
-  return theories_on(plan, echoes, options, time_domain, {.axes = axes_about_centroid(echoes, options)}, control);
+  return theories_on(acquisition, echoes, options, time_domain, {.axes = axes_about_centroid(echoes, options)},
+                     control);
 }
 
 std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const signal::FocusedImage& image,
@@ -558,7 +560,7 @@ std::vector<TargetTheory> theory_on_image(const FocusedEchoes& focused, const si
                       .speed_mps = track.speed_mps};
   }
   std::vector<TargetTheory> theories =
-      theories_on(focused.plan, echoes, focused.options, focused.time_domain, std::move(geometry), control);
+      theories_on(focused.acquisition, echoes, focused.options, focused.time_domain, std::move(geometry), control);
   // Compensated pulses lie elsewhere along the line, and so does the image's origin.
   if (frame.plane == signal::ImagePlane::slant_range)
     for (TargetTheory& theory : theories)

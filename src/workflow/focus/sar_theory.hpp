@@ -6,7 +6,7 @@
 
 #include "signal/measure/response.hpp"
 #include "signal/sar/focusing.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -48,13 +48,14 @@ struct TargetTheory {
 /// @param echoes       their waveform and track; no rows are read
 /// @param time_domain  back projection, which knows each pulse's true Doppler frequency: no echoes are lost to ghosts
 /// @throw  Interrupted
-[[nodiscard]] std::vector<TargetTheory> theory_of_targets(const simulate::Plan& plan, const signal::EchoRows& echoes,
+[[nodiscard]] std::vector<TargetTheory> theory_of_targets(const simulate::Acquisition& acquisition,
+                                                          const signal::EchoRows& echoes,
                                                           const signal::FocusOptions& options, bool time_domain = false,
                                                           const core::WorkControl& control = {});
 
 /// Echoes, and how an image was focused of them.
 struct FocusedEchoes {
-  const simulate::Plan& plan;
+  const simulate::Acquisition& acquisition;
   const signal::EchoRows& echoes;  ///< As recorded, along their own track; no rows are read.
   const signal::FocusOptions& options;
   bool time_domain = false;  ///< Back projection.

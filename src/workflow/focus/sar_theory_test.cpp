@@ -21,8 +21,8 @@ void expect_like(const signal::ResponseFigures& found, const signal::ResponseFig
 }
 
 void expect_as_theory(const scene::Scene& scene, const signal::FocusOptions& options) {
-  const auto [plan, rows] = sar_recording(scene);
-  const TargetTheory theory = theory_of_targets(*plan, rows, options).at(0);
+  const auto [acquisition, rows] = sar_recording(scene);
+  const TargetTheory theory = theory_of_targets(*acquisition, rows, options).at(0);
   const signal::PointResponse response = focused_point(rows, theory.place, options);
   EXPECT_NEAR(response.place.azimuth_m, theory.place.azimuth_m, 0.02);
   EXPECT_NEAR(response.place.range_m, theory.place.range_m, 0.03);
@@ -68,11 +68,11 @@ TEST(TheoryOfTargets, IsWhatImagesOfWideAperturesShow) {
     const double spare_m = 12.0 * core::exact_light_speed_mps / band_hz;
     scene.simulations[0].range_start_m = 10198.0 - spare_m;
     scene.simulations[0].range_end_m = 10198.0 / std::cos(half_rad) + spare_m;
-    const auto [plan, rows] = sar_recording(scene);
+    const auto [acquisition, rows] = sar_recording(scene);
     signal::FocusOptions options;
-    options.spectrum = seen_spectrum(*plan, rows, {}, SeenPulses::sampled);
+    options.spectrum = seen_spectrum(*acquisition, rows, {}, SeenPulses::sampled);
     const signal::FocusedImage image = signal::focus(signal::sar_echoes(rows, {.threads = 2}), options, {.threads = 2});
-    const TargetTheory theory = theory_on_image({*plan, rows, options}, image, {.threads = 2}).at(0);
+    const TargetTheory theory = theory_on_image({*acquisition, rows, options}, image, {.threads = 2}).at(0);
     const auto response = signal::measure_point(image, signal::reader_of(image), theory.place, 3.0);
     ASSERT_TRUE(response && theory.range && theory.azimuth) << draw;
     EXPECT_NEAR(response->range.width, theory.range->width, 0.01 * theory.range->width) << draw;
@@ -98,9 +98,9 @@ TEST(TheoryOfTargets, HasTheAmplitudeOfTheClassicProfile) {
   scene.options.profile = scene::Profile::classic;
   scene.simulations[0].processing = scene::Processing::matched_filter;
   scene.simulations[0].range_end_m = 10098.0 + 200.0 * 0.5 * 299792500.0 / 150e6;
-  const auto [plan, rows] = stored(scene);
-  ASSERT_EQ(plan->compressor->output_index().back() + 1, plan->columns);
-  const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
+  const auto [acquisition, rows] = stored(scene);
+  ASSERT_EQ(acquisition->reception.compressor->output_index().back() + 1, acquisition->reception.columns);
+  const TargetTheory theory = theory_of_targets(*acquisition, rows, {}).at(0);
   EXPECT_NEAR(focused_point(rows, theory.place).amplitude, theory.amplitude, 0.01 * theory.amplitude);
 }
 
@@ -110,15 +110,15 @@ TEST(TheoryOfTargets, KnowsPulsesThatWereSentCloserTogetherThanOthers) {
   scene.radars[0].repetition = scene::Radar::Repetition::user;
   for (int i = 0; i < 1200; ++i)  // Intervals that grow by a fifth.
     scene.radars[0].pri_s.part[0].knots.push_back({static_cast<double>(i), (0.9 + i / 6000.0) / 600.0});
-  const auto [plan, rows] = sar_recording(scene);
+  const auto [acquisition, rows] = sar_recording(scene);
   signal::MotionCompensation how;
   how.reference = signal::fitted_track(rows.track);
-  how.scene_m = scene_middle_m(*plan);
+  how.scene_m = scene_middle_m(*acquisition);
   const signal::EchoRows even = signal::compensate_motion(rows, how, {}, {.threads = 2});
   const signal::FocusOptions options{.doppler_bandwidth_hz = 150.0};
   signal::EchoRows told = rows;
   told.compensated = true;
-  TargetTheory theory = theory_of_targets(*plan, told, options).at(0);
+  TargetTheory theory = theory_of_targets(*acquisition, told, options).at(0);
   const signal::StraightTrack line = signal::fit_straight(rows.track);
   theory.place.azimuth_m -= core::dot(signal::fit_straight(even.track).origin_m - line.origin_m, line.along);
   const signal::PointResponse response = focused_point(even, theory.place, options);
@@ -129,8 +129,8 @@ TEST(TheoryOfTargets, KnowsPulsesThatWereSentCloserTogetherThanOthers) {
 TEST(TheoryOfTargets, HasNoRangeFiguresForOtherPulsesThanChirps) {
   scene::Scene scene = sar_scene(600.0, {{}}, 0.1);
   scene.radars[0].pulse = scene::Radar::Pulse::mono;
-  const auto [plan, rows] = sar_recording(scene);
-  EXPECT_FALSE(theory_of_targets(*plan, rows, {}).at(0).range);
+  const auto [acquisition, rows] = sar_recording(scene);
+  EXPECT_FALSE(theory_of_targets(*acquisition, rows, {}).at(0).range);
 }
 
 // Slant range, from the start of the window, to a point on the ground.
@@ -140,8 +140,8 @@ core::Vec3 point_at(double from_start_m) {
 
 TEST(TheoryOfTargets, OfARawRecordingsEndIsThatOfThePartOfTheEchoThatItHolds) {
   // 200 m of raw data, a pulse of 120 m: of an echo from 160 m on, 40 m are left, of one from 60 m on, all.
-  const auto [plan, rows] = stored(sar_scene(600.0, {point_at(160.0), point_at(60.0)}, 0.5));
-  const std::vector<TargetTheory> theories = theory_of_targets(*plan, rows, {});
+  const auto [acquisition, rows] = stored(sar_scene(600.0, {point_at(160.0), point_at(60.0)}, 0.5));
+  const std::vector<TargetTheory> theories = theory_of_targets(*acquisition, rows, {});
   const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
   EXPECT_NEAR(theories[0].amplitude / simulate::equation_amplitude(10258.0, 1.0, wavelength_m), 1.0 / 3.0, 0.01);
   // A hundredth of the energy lies beyond the sampled band, and some of that does not add up over the aperture.
@@ -152,15 +152,16 @@ TEST(TheoryOfTargets, OfARawRecordingsEndIsThatOfThePartOfTheEchoThatItHolds) {
     EXPECT_NEAR(focused_point(rows, theory.place).amplitude, theory.amplitude, 0.02 * theory.amplitude);
   // A taper over the band is one over the pulse: Hann's weight of the first third is 1/3 - sin(2 pi/3)/(2 pi).
   const signal::FocusOptions hann{.range_window = {.kind = signal::SarWindow::Kind::hann}};
-  const TargetTheory tapered = theory_of_targets(*plan, rows, hann).at(0);
+  const TargetTheory tapered = theory_of_targets(*acquisition, rows, hann).at(0);
   EXPECT_NEAR(tapered.amplitude / simulate::equation_amplitude(10258.0, 1.0, wavelength_m),
               1.0 / 3.0 - std::sin(2.0 * core::pi / 3.0) / (2.0 * core::pi), 0.01);
 }
 
 // Before and behind the 200 m that are recorded; where they would be is known all the same.
 TEST(TheoryOfTargets, SaysWhichTargetsAreNeverRecorded) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {point_at(-60.0), point_at(100.0), point_at(400.0)}, 0.5));
-  const std::vector<TargetTheory> theories = theory_of_targets(*plan, rows, {});
+  const auto [acquisition, rows] =
+      sar_recording(sar_scene(600.0, {point_at(-60.0), point_at(100.0), point_at(400.0)}, 0.5));
+  const std::vector<TargetTheory> theories = theory_of_targets(*acquisition, rows, {});
   const double range_m[] = {10038.0, 10198.0, 10498.0};
   for (std::size_t t = 0; t < theories.size(); ++t) {
     EXPECT_EQ(theories[t].unrecorded, t != 1) << t;
@@ -171,8 +172,8 @@ TEST(TheoryOfTargets, SaysWhichTargetsAreNeverRecorded) {
 }
 
 TEST(TheoryOfTargets, IsNoneOutsideTheRecordedRanges) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {point_at(250.0)}, 0.1));
-  EXPECT_EQ(theory_of_targets(*plan, rows, {}).at(0).amplitude, 0.0);
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {point_at(250.0)}, 0.1));
+  EXPECT_EQ(theory_of_targets(*acquisition, rows, {}).at(0).amplitude, 0.0);
 }
 
 TEST(TheoryOfTargets, GrowsWithTheReceiversGainOverTime) {
@@ -184,25 +185,25 @@ TEST(TheoryOfTargets, GrowsWithTheReceiversGainOverTime) {
   const double wavelength_m = core::exact_light_speed_mps / 5.3e9;
   // R^2 in the middle of the echo, 60 m behind its beginning, undoes the spreading of R^2 but for these 60 m.
   const double expected = simulate::equation_amplitude(1.0, 1.0, wavelength_m) * std::pow(10218.0 / 10158.0, 2);
-  for (const auto& [plan, rows] : {sar_recording(scene), stored(scene)}) {
-    const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
+  for (const auto& [acquisition, rows] : {sar_recording(scene), stored(scene)}) {
+    const TargetTheory theory = theory_of_targets(*acquisition, rows, {}).at(0);
     EXPECT_NEAR(theory.amplitude / expected, 1.0, 0.001);
     EXPECT_NEAR(focused_point(rows, theory.place).amplitude / plain_amplitude / (10218.0 * 10218.0), 1.0, 0.001);
   }
   scene.radars[0].stc = scene::Radar::Stc::user;
   scene.radars[0].stc_gain.part = {simulate::lines({{0.0, 5.0}, {20000.0, 5.0}})};
-  const auto [plan, rows] = sar_recording(scene);
-  EXPECT_NEAR(
-      theory_of_targets(*plan, rows, {}).at(0).amplitude / simulate::equation_amplitude(10158.0, 1.0, wavelength_m),
-      5.0, 0.005);
+  const auto [acquisition, rows] = sar_recording(scene);
+  EXPECT_NEAR(theory_of_targets(*acquisition, rows, {}).at(0).amplitude /
+                  simulate::equation_amplitude(10158.0, 1.0, wavelength_m),
+              5.0, 0.005);
 }
 
 TEST(TheoryOfTargets, KnowsTheRadarsWindowInCompressedRecordings) {
   scene::Scene scene = sar_scene(600.0, {point_at(100.0)}, 0.5);
   scene.simulations[0].processing = scene::Processing::matched_filter;
   scene.radars[0].window = scene::Radar::Window::hamming;
-  const auto [plan, rows] = stored(scene);
-  const TargetTheory theory = theory_of_targets(*plan, rows, {}).at(0);
+  const auto [acquisition, rows] = stored(scene);
+  const TargetTheory theory = theory_of_targets(*acquisition, rows, {}).at(0);
   const signal::PointResponse response = focused_point(rows, theory.place);
   ASSERT_TRUE(theory.range);
   EXPECT_NEAR(response.range.width, theory.range->width, 0.01 * theory.range->width);
@@ -219,9 +220,9 @@ TEST(TheoryOfTargets, KnowsTheRadarsWindowInCompressedRecordings) {
 TEST(TheoryOfTargets, IsTheSameForAnyNumberOfThreadsAndEndsWhenAskedTo) {
   std::vector<core::Vec3> points;
   for (int i = 0; i < 20; ++i) points.push_back({static_cast<double>(i), 3.0 * i, 0.0});
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, points, 0.1));
-  const auto one = theory_of_targets(*plan, rows, {}, false, {.threads = 1});
-  const auto three = theory_of_targets(*plan, rows, {}, false, {.threads = 3});
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, points, 0.1));
+  const auto one = theory_of_targets(*acquisition, rows, {}, false, {.threads = 1});
+  const auto three = theory_of_targets(*acquisition, rows, {}, false, {.threads = 3});
   ASSERT_EQ(one.size(), 20U);
   for (std::size_t t = 0; t < one.size(); ++t) {
     EXPECT_EQ(one[t].target, t);
@@ -230,7 +231,8 @@ TEST(TheoryOfTargets, IsTheSameForAnyNumberOfThreadsAndEndsWhenAskedTo) {
   }
   core::StopFlag stop;
   stop.request();
-  EXPECT_THROW((void)theory_of_targets(*plan, rows, {}, false, {.threads = 2, .stop = &stop}), core::Interrupted);
+  EXPECT_THROW((void)theory_of_targets(*acquisition, rows, {}, false, {.threads = 2, .stop = &stop}),
+               core::Interrupted);
 }
 
 }  // namespace sar_theory_test

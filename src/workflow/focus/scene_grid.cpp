@@ -48,11 +48,11 @@ struct LitTarget {
 LitArea lit_area(const FocusInput& input, const signal::ImageFrame& frame, const core::WorkControl& control) {
   constexpr SightLimits limits{4096, 65};
   constexpr double weakest = 0.01;
-  const std::size_t every = target_stride(*input.plan, limits);
+  const std::size_t every = target_stride(*input.acquisition, limits);
   LitArea area;
   if (every == 0) return area;
-  std::vector<LitTarget> lit((input.plan->scene->scatterers.size() + every - 1) / every);
-  each_target_in_sight(*input.plan, input.echoes, limits, control,
+  std::vector<LitTarget> lit((input.acquisition->scene->scatterers.size() + every - 1) / every);
+  each_target_in_sight(*input.acquisition, input.echoes, limits, control,
                        [&](std::size_t target, std::span<const PulseSight> sights) {
                          LitTarget& one = lit[target / every];
                          for (const PulseSight& sight : sights)
@@ -89,7 +89,7 @@ bool flies_along_a_line(const signal::EchoRows& echoes) {
 
 signal::FocusedImage scene_grid_axes(const FocusInput& input, std::optional<double> ground_m,
                                      const core::WorkControl& control) {
-  core::Vec3 scene_m = scene_middle_m(*input.plan);
+  core::Vec3 scene_m = scene_middle_m(*input.acquisition);
   if (ground_m) scene_m.z = *ground_m;
   signal::FocusedImage image;
   image.carrier_hz = input.echoes.waveform.carrier_hz;
@@ -97,7 +97,7 @@ signal::FocusedImage scene_grid_axes(const FocusInput& input, std::optional<doub
   image.frame = frame_of_scene(input.echoes, scene_m);
   const double cell_m = radar::range_of_cycle(input.echoes.waveform.sample_rate_hz, image.light_speed_mps);
   const signal::SpectrumExtent coarse{-0.5 / cell_m, 0.5 / cell_m};
-  const auto seen = flown_spectrum(*input.plan, input.echoes, image.frame, scene_m, {}, control);
+  const auto seen = flown_spectrum(*input.acquisition, input.echoes, image.frame, scene_m, {}, control);
   const signal::ImageSpectrum spectrum = seen.value_or(signal::ImageSpectrum{coarse, coarse});
   LitArea area = lit_area(input, image.frame, control);
   if (area.empty()) {

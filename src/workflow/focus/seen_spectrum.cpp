@@ -57,7 +57,7 @@ std::string text_of_axis(const char* what, const signal::ImageAxis& coarse, cons
 
 }  // namespace
 
-std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
+std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Acquisition& acquisition, signal::EchoRows echoes,
                                                    const DopplerBand& kept, SeenPulses pulses,
                                                    const core::WorkControl& control) {
   constexpr std::size_t max_looks = 257;
@@ -67,7 +67,7 @@ std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, s
     const auto [low, high] = std::ranges::minmax(echoes.carriers_hz);
     echoes.waveform.bandwidth_hz = std::abs(echoes.waveform.bandwidth_hz) + high - low;
   }
-  const SarLooks looks(plan, echoes, {}, max_looks);
+  const SarLooks looks(acquisition, echoes, {}, max_looks);
   const double prf_hz = 1.0 / looks.track().interval_s;
   double band_hz = pulses == SeenPulses::all ? std::numeric_limits<double>::infinity() : prf_hz;
   if (kept.width_hz > 0.0) band_hz = std::min(band_hz, kept.width_hz);

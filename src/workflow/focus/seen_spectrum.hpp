@@ -4,7 +4,7 @@
 
 #include "core/report/problem.hpp"
 #include "signal/sar/focusing.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/focus/sar_ghosts.hpp"
 
 namespace sarsim::workflow {
@@ -24,8 +24,9 @@ inline constexpr double left_out_of_image = 0.002;
 /// are no echoes.
 /// @param echoes  their waveform, track and window; no rows are read. Directions are those from the track's line
 /// @throw  Interrupted
-[[nodiscard]] std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Plan& plan, signal::EchoRows echoes,
-                                                                 const DopplerBand& kept, SeenPulses pulses,
+[[nodiscard]] std::optional<signal::ImageSpectrum> seen_spectrum(const simulate::Acquisition& acquisition,
+                                                                 signal::EchoRows echoes, const DopplerBand& kept,
+                                                                 SeenPulses pulses,
                                                                  const core::WorkControl& control = {});
 
 /// What a user should know of an image whose samples are closer than those of the recording: how close, and why.

@@ -37,8 +37,8 @@ TEST_F(SteppedSar, FocusesToTheBandOfAllCarriers) {
   EXPECT_EQ(report.algorithm, FocusAlgorithm::back_projection);
   const signal::FocusedImage image = signal::in_memory(report.image);
   EXPECT_DOUBLE_EQ(image.carrier_hz, 5.3e9);
-  const auto [plan, rows] = sar_recording(stepped_scene());
-  const std::vector<SarTarget> targets = sar_targets(*plan, rows);
+  const auto [acquisition, rows] = sar_recording(stepped_scene());
+  const std::vector<SarTarget> targets = sar_targets(*acquisition, rows);
   for (const std::size_t t : {0U, 1U}) {
     const core::Vec3 point = t == 0 ? core::Vec3{} : core::Vec3{30.0, 7.0, 0.0};
     const signal::ImagePlace place = signal::place_of(image.frame, point);
@@ -57,7 +57,7 @@ TEST_F(SteppedSar, SaysWhatTheCarriersLeaveAmbiguous) {
   scene::Scene scene = stepped_scene();
   scene.radars[0].bandwidth_hz = 30e6;
   scene.radars[0].prf_hz = 800.0;  // 100 Hz for each carrier; 100 m of flight from 10.2 km are 70 Hz
-  const auto [plan, rows] = sar_recording(scene);
+  const auto [acquisition, rows] = sar_recording(scene);
   const signal::ImageSpectrum narrow{{-0.1, 0.1}, {}};
   const core::Problems ranges = remarks_on_carriers(rows, narrow);
   ASSERT_EQ(ranges.size(), 1U);

@@ -130,16 +130,16 @@ MethodLoss loss_at_edge(const signal::EchoRows& echoes, const signal::FocusOptio
 
 }  // namespace
 
-std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
+std::optional<MethodLoss> worst_method_loss(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                             const signal::FocusOptions& options, const core::WorkControl& control) {
   constexpr std::size_t max_looks = 129;
   const signal::PointLosses losses(echoes, options);
-  if (plan.scene->scatterers.size() > max_examined_targets) return loss_at_edge(echoes, options, losses);
+  if (acquisition.scene->scatterers.size() > max_examined_targets) return loss_at_edge(echoes, options, losses);
   signal::FocusedImage image = signal::image_of(echoes, options);
   if (options.azimuth_area) signal::cut_axis(image.azimuth, *options.azimuth_area);
   signal::EchoRows from_line = echoes;
   from_line.compensated = true;
-  const SarLooks looks(plan, from_line, {}, max_looks);
+  const SarLooks looks(acquisition, from_line, {}, max_looks);
   std::vector<Candidate> candidates(looks.targets());
   std::vector<std::vector<signal::SeenDirection>> directions(looks.targets());
   looks.each(control, [&](std::size_t t, std::span<const SarLook> seen) {
@@ -176,9 +176,9 @@ std::string text_of(const MethodLoss& loss) {
                      lost_db(loss.loss.amplitude), name_of_target(loss));
 }
 
-core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
+core::Problems remarks_on_swath_loss(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
                                      const signal::FocusOptions& options, const core::WorkControl& control) {
-  const std::optional<MethodLoss> worst = worst_method_loss(plan, echoes, options, control);
+  const std::optional<MethodLoss> worst = worst_method_loss(acquisition, echoes, options, control);
   if (!worst) return {};
   const double grade = grade_of(worst->loss);
   if (grade < 0.1) return {};

@@ -7,7 +7,7 @@
 #include "core/report/problem.hpp"
 #include "signal/sar/focusing.hpp"
 #include "signal/sar/swath_loss.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -28,7 +28,8 @@ struct MethodLoss {
 /// not included. Nothing if there is no such target.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
-[[nodiscard]] std::optional<MethodLoss> worst_method_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
+[[nodiscard]] std::optional<MethodLoss> worst_method_loss(const simulate::Acquisition& acquisition,
+                                                          const signal::EchoRows& echoes,
                                                           const signal::FocusOptions& options,
                                                           const core::WorkControl& control = {});
 
@@ -42,8 +43,8 @@ struct MethodLoss {
 /// What it says of that loss: a warning from 0.1 dB or 0.02 rad on, a note from a tenth of that on.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
-[[nodiscard]] core::Problems remarks_on_swath_loss(const simulate::Plan& plan, const signal::EchoRows& echoes,
-                                                   const signal::FocusOptions& options,
+[[nodiscard]] core::Problems remarks_on_swath_loss(const simulate::Acquisition& acquisition,
+                                                   const signal::EchoRows& echoes, const signal::FocusOptions& options,
                                                    const core::WorkControl& control = {});
 
 /// A warning where the area in azimuth that is asked for lies beyond all points whose echoes the record can hold: those

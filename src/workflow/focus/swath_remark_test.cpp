@@ -31,10 +31,10 @@ scene::Scene wide_band_scene(double far_m) {
 }
 
 TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
-  const auto [plan, rows] = sar_recording(wide_band_scene(90.0));
+  const auto [acquisition, rows] = sar_recording(wide_band_scene(90.0));
   signal::FocusOptions options{.method = signal::FocusMethod::range_doppler};
-  options.doppler_centroid_hz = geometric_doppler_centroid_hz(*plan);
-  const core::Problems problems = remarks_on_swath_loss(*plan, rows, options);
+  options.doppler_centroid_hz = geometric_doppler_centroid_hz(*acquisition);
+  const core::Problems problems = remarks_on_swath_loss(*acquisition, rows, options);
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].severity, core::Severity::warning);
   EXPECT_THAT(problems[0].message, HasSubstr("range-Doppler compresses all ranges like the middle of the swath"));
@@ -42,16 +42,16 @@ TEST(SwathRemark, NamesTheTargetThatLosesMostAndItsLoss) {
   const std::size_t at = problems[0].message.find("loses ") + 6;
   const double lost_db = std::stod(problems[0].message.substr(at));
   const signal::ImagePlace place = signal::place_of(signal::image_of(rows, options).frame, {90.0, 0.0, 0.0});
-  const double found = focused_point(rows, place, options).amplitude / sar_targets(*plan, rows).at(1).amplitude;
+  const double found = focused_point(rows, place, options).amplitude / sar_targets(*acquisition, rows).at(1).amplitude;
   EXPECT_NEAR(-20.0 * std::log10(found), lost_db, 0.1);
   options.method = signal::FocusMethod::omega_k;
-  EXPECT_TRUE(remarks_on_swath_loss(*plan, rows, options).empty());
+  EXPECT_TRUE(remarks_on_swath_loss(*acquisition, rows, options).empty());
 }
 
 // What is found of the target that is named, against its theory, which knows of the antenna.
-signal::SwathLoss found_loss(const simulate::Plan& plan, const signal::EchoRows& rows, const signal::SarEchoes& echoes,
-                             const signal::FocusOptions& options) {
-  const TargetTheory theory = theory_of_targets(plan, rows, options).at(0);
+signal::SwathLoss found_loss(const simulate::Acquisition& acquisition, const signal::EchoRows& rows,
+                             const signal::SarEchoes& echoes, const signal::FocusOptions& options) {
+  const TargetTheory theory = theory_of_targets(acquisition, rows, options).at(0);
   const signal::FocusedImage image = signal::focus(echoes, options, {.threads = 2});
   const signal::PointResponse found = signal::measure_point(image, signal::reader_of(image), theory.place, 2.0).value();
   signal::SwathLoss loss;
@@ -83,16 +83,16 @@ TEST(SwathRemark, PredictsLossAndPhaseOfTaperedSpectra) {
     scene.radars[0].transmit_antenna.elevation_beamwidth = core::Angle::from_deg(40.0);
     scene.radars[0].beam_azimuth = core::Angle::from_deg(90.0 - std::atan2(750.0, 2800.0) * 180.0 / core::pi);
     scene.radars[0].beam_elevation = core::Angle::from_deg(-19.0);
-    const auto [plan, rows] = sar_recording(scene);
+    const auto [acquisition, rows] = sar_recording(scene);
     const signal::SarEchoes echoes = signal::sar_echoes(rows, {.threads = 2});
     for (const signal::FocusMethod method : {signal::FocusMethod::range_doppler, signal::FocusMethod::chirp_scaling}) {
       const bool scaled = method == signal::FocusMethod::chirp_scaling;
       const Kind kind = scaled == (i == 0) ? Kind::hamming : Kind::rectangular;
       signal::FocusOptions options{.method = method, .range_window = {.kind = kind}, .azimuth_window = {.kind = kind}};
-      options.doppler_centroid_hz = geometric_doppler_centroid_hz(*plan);
-      const auto predicted = worst_method_loss(*plan, rows, options);
+      options.doppler_centroid_hz = geometric_doppler_centroid_hz(*acquisition);
+      const auto predicted = worst_method_loss(*acquisition, rows, options);
       ASSERT_TRUE(predicted);
-      const signal::SwathLoss found = found_loss(*plan, rows, echoes, options);
+      const signal::SwathLoss found = found_loss(*acquisition, rows, echoes, options);
       const double predicted_db = 20.0 * std::log10(predicted->loss.amplitude);
       EXPECT_NEAR(20.0 * std::log10(found.amplitude), predicted_db, 0.1 - 0.2 * predicted_db);
       EXPECT_NEAR(found.phase_rad, predicted->loss.phase_rad,
@@ -113,15 +113,16 @@ TEST(SwathRemark, SaysWhatOmegaKLosesAtTheUpperEndOfTheBand) {
   scene.simulations[0].range_end_m = 800.0;
   for (const double prf_hz : {211.0, 400.0}) {
     scene.radars[0].prf_hz = prf_hz;
-    const auto [plan, rows] = sar_recording(scene);
+    const auto [acquisition, rows] = sar_recording(scene);
     signal::FocusOptions options;
-    options.spectrum = seen_spectrum(*plan, rows, {}, SeenPulses::sampled);
-    const auto predicted = worst_method_loss(*plan, rows, options);
+    options.spectrum = seen_spectrum(*acquisition, rows, {}, SeenPulses::sampled);
+    const auto predicted = worst_method_loss(*acquisition, rows, options);
     ASSERT_TRUE(predicted);
     const double predicted_db = 20.0 * std::log10(predicted->loss.amplitude);
-    EXPECT_NEAR(20.0 * std::log10(found_loss(*plan, rows, signal::sar_echoes(rows, {.threads = 2}), options).amplitude),
-                predicted_db, 0.1);
-    const core::Problems problems = remarks_on_swath_loss(*plan, rows, options);
+    EXPECT_NEAR(
+        20.0 * std::log10(found_loss(*acquisition, rows, signal::sar_echoes(rows, {.threads = 2}), options).amplitude),
+        predicted_db, 0.1);
+    const core::Problems problems = remarks_on_swath_loss(*acquisition, rows, options);
     if (prf_hz == 400.0) {
       EXPECT_TRUE(problems.empty());
       continue;
@@ -133,13 +134,13 @@ TEST(SwathRemark, SaysWhatOmegaKLosesAtTheUpperEndOfTheBand) {
 }
 
 TEST(SwathRemark, SaysNothingOfNarrowBandsAtBroadside) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}, {80.0, 0.0, 0.0}}));
-  EXPECT_TRUE(remarks_on_swath_loss(*plan, rows, {.method = signal::FocusMethod::chirp_scaling}).empty());
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}, {80.0, 0.0, 0.0}}));
+  EXPECT_TRUE(remarks_on_swath_loss(*acquisition, rows, {.method = signal::FocusMethod::chirp_scaling}).empty());
 }
 
 // The record and its ranges are a few kilometres long.
 TEST(AreaRemark, NamesBothIntervalsWhereNoEchoComesFromTheArea) {
-  const auto [plan, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
+  const auto [acquisition, rows] = sar_recording(sar_scene(600.0, {{0.0, 0.0, 0.0}}));
   const auto remarks = [&rows = rows](double first_m, double last_m) {
     return remarks_on_area(rows, {.azimuth_area = signal::AxisInterval{first_m, last_m}});
   };

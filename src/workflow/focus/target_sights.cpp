@@ -4,14 +4,16 @@
 #include <cmath>
 #include <vector>
 
+#include "simulate/plan/pulse_geometry.hpp"
+
 namespace sarsim::workflow {
 
 namespace {
 
 // Targets that are looked at together. Each pulse means a pose of every platform: with many of them it should serve
 // many targets.
-std::size_t sights_at_once(const simulate::Plan& plan) {
-  return std::clamp<std::size_t>(plan.scene->platforms.size(), 8, 128);
+std::size_t sights_at_once(const simulate::Acquisition& acquisition) {
+  return std::clamp<std::size_t>(acquisition.scene->platforms.size(), 8, 128);
 }
 
 // Whether the samples of a pulse begin before an echo ends and end after it begins.
@@ -23,27 +25,27 @@ bool is_recorded(const signal::EchoRows& echoes, double delay_s) {
 
 }  // namespace
 
-std::size_t target_stride(const simulate::Plan& plan, const SightLimits& limits) {
-  return (plan.scene->scatterers.size() + limits.targets - 1) / limits.targets;
+std::size_t target_stride(const simulate::Acquisition& acquisition, const SightLimits& limits) {
+  return (acquisition.scene->scatterers.size() + limits.targets - 1) / limits.targets;
 }
 
-void each_target_in_sight(const simulate::Plan& plan, const signal::EchoRows& echoes, const SightLimits& limits,
-                          const core::WorkControl& control,
+void each_target_in_sight(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                          const SightLimits& limits, const core::WorkControl& control,
                           const std::function<void(std::size_t target, std::span<const PulseSight> sights)>& body) {
-  const std::size_t every = target_stride(plan, limits);
+  const std::size_t every = target_stride(acquisition, limits);
   const std::size_t step = (echoes.track.size() + limits.pulses - 1) / limits.pulses;
   if (every == 0 || step == 0) return;
   const std::size_t looks = (echoes.track.size() + step - 1) / step;
-  const std::size_t targets = (plan.scene->scatterers.size() + every - 1) / every;
-  core::parallel_ranges(targets, sights_at_once(plan), control, [&](std::size_t begin, std::size_t end) {
+  const std::size_t targets = (acquisition.scene->scatterers.size() + every - 1) / every;
+  core::parallel_ranges(targets, sights_at_once(acquisition), control, [&](std::size_t begin, std::size_t end) {
     std::vector<PulseSight> sights((end - begin) * looks);
-    simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+    simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
     for (std::size_t look = 0; look < looks; ++look) {
       const std::size_t pulse = look * step;
-      geometry.set_pulse(plan.pulses.first + static_cast<std::int64_t>(pulse));
+      geometry.set_pulse(acquisition.timing.pulses.first + static_cast<std::int64_t>(pulse));
       const radar::Pointing pointing = geometry.pointing();
       for (std::size_t t = begin; t < end; ++t) {
-        const simulate::Scatterer& scatterer = plan.scene->scatterers[t * every];
+        const simulate::Scatterer& scatterer = acquisition.scene->scatterers[t * every];
         const simulate::ScattererView view = geometry.view(t * every, pointing);
         sights[(t - begin) * looks + look] = {
             pulse, echoes.track[pulse].position_m,

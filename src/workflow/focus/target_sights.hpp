@@ -7,7 +7,7 @@
 #include "core/maths/vector.hpp"
 #include "core/task/parallel.hpp"
 #include "signal/sar/sar_echoes.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -29,11 +29,11 @@ struct SightLimits {
 /// several threads.
 /// @param echoes  their track, waveform and window; no rows are read
 /// @throw  Interrupted
-void each_target_in_sight(const simulate::Plan& plan, const signal::EchoRows& echoes, const SightLimits& limits,
-                          const core::WorkControl& control,
+void each_target_in_sight(const simulate::Acquisition& acquisition, const signal::EchoRows& echoes,
+                          const SightLimits& limits, const core::WorkControl& control,
                           const std::function<void(std::size_t target, std::span<const PulseSight> sights)>& body);
 
 /// Step from one target of `each_target_in_sight` to the next; 0 if there are none.
-[[nodiscard]] std::size_t target_stride(const simulate::Plan& plan, const SightLimits& limits);
+[[nodiscard]] std::size_t target_stride(const simulate::Acquisition& acquisition, const SightLimits& limits);
 
 }  // namespace sarsim::workflow

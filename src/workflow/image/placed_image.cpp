@@ -11,7 +11,7 @@
 #include "core/text/number_text.hpp"
 #include "raster/format/custom_raw.hpp"
 #include "raster/format/envi.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/image/image_fields.hpp"
 
 namespace sarsim::workflow {
@@ -78,14 +78,14 @@ raster::FocusedPlaces places_of_product(const raster::EnviHeader& header) {
   return {doppler, range};
 }
 
-raster::RasterAxes axes_of(const simulate::Plan& plan) {
+raster::RasterAxes axes_of(const simulate::Acquisition& acquisition) {
   raster::RasterAxes axes;
-  for (std::size_t r = 0; r < plan.rows; ++r) {
-    const std::int64_t pulse = plan.first_pulse_of_row(r);
-    axes.row_time_s.push_back(plan.radar.repetition.send_time_s(pulse));
-    axes.row_carrier_hz.push_back(plan.radar.carrier.carrier_hz(pulse));
+  for (std::size_t r = 0; r < acquisition.timing.rows; ++r) {
+    const std::int64_t pulse = acquisition.timing.first_pulse_of_row(r);
+    axes.row_time_s.push_back(acquisition.link.repetition.send_time_s(pulse));
+    axes.row_carrier_hz.push_back(acquisition.link.carrier.carrier_hz(pulse));
   }
-  axes.column_range_m = plan.column_range_m;
+  axes.column_range_m = acquisition.reception.column_range_m;
   return axes;
 }
 
@@ -174,9 +174,10 @@ PlacedImage open_placed_image(const PlacedImageRequest& request, const core::Obs
   input.axes = input.source->axes();
   input.sample_rate_hz = input.source->info().sample_rate_hz.value_or(0.0);
   if (!input.axes && !request.samples.script.empty()) {
-    const simulate::Plan plan = plan_of_file(request.path, request.samples.script, request.simulation, observer.stop);
-    input.axes = axes_of(plan);
-    input.sample_rate_hz = 1.0 / plan.raw_grid.interval_s;
+    const simulate::Acquisition acquisition =
+        acquisition_of_file(request.path, request.samples.script, request.simulation, observer.stop);
+    input.axes = axes_of(acquisition);
+    input.sample_rate_hz = 1.0 / acquisition.reception.raw_grid.interval_s;
   }
   const bool fits = input.axes && input.axes->row_time_s.size() >= input.source->rows() &&
                     input.axes->column_range_m.size() == input.source->columns();

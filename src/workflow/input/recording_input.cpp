@@ -29,6 +29,7 @@
 #include "scene/language/scene_reader.hpp"
 #include "scene/language/sources.hpp"
 #include "scene/schema/option_words.hpp"
+#include "simulate/plan/product.hpp"
 #include "workflow/input/carried_problems.hpp"
 #include "workflow/input/motion_input.hpp"
 #include "workflow/input/output_names.hpp"
@@ -142,18 +143,18 @@ OpenedFile opened(const std::string& path, const raster::RasterHints& hints, cor
   return {result.raster, result.axes ? std::move(result.axes) : result.raster->axes()};
 }
 
-raster::RasterHints hints_of(const simulate::Plan& plan) {
+raster::RasterHints hints_of(const simulate::Acquisition& acquisition) {
   raster::RasterHints hints;
-  hints.columns = plan.columns;
-  hints.rows = plan.rows;
-  hints.bits = plan.simulation.bits;  // The LSB is compared with the file's below, or taken where it has none.
+  hints.columns = acquisition.reception.columns;
+  hints.rows = acquisition.timing.rows;
+  hints.bits = acquisition.simulation.bits;  // The LSB is compared with the file's below, or taken where it has none.
   return hints;
 }
 
-void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const std::string& path) {
-  if (file.rows() == plan.rows && file.columns() == plan.columns) return;
+void expect_shape(const raster::Raster& file, const simulate::Acquisition& acquisition, const std::string& path) {
+  if (file.rows() == acquisition.timing.rows && file.columns() == acquisition.reception.columns) return;
   throw core::Refused(fmt::format("'{}' has {} rows of {} samples, but the script's simulation makes {} of {}", path,
-                                  file.rows(), file.columns(), plan.rows, plan.columns),
+                                  file.rows(), file.columns(), acquisition.timing.rows, acquisition.reception.columns),
                       "name the script and the simulation that wrote it with --script and --simulation");
 }
 
@@ -162,19 +163,20 @@ void expect_shape(const raster::Raster& file, const simulate::Plan& plan, const 
 // refused.
 class Comparison {
  public:
-  Comparison(const OpenedFile& file, const simulate::Plan& plan, core::Problems& problems)
+  Comparison(const OpenedFile& file, const simulate::Acquisition& acquisition, core::Problems& problems)
       : file_(*file.raster),
         axes_(file.axes),
-        plan_(plan),
-        product_(simulate::product_of(plan, {})),
+        acquisition_(acquisition),
+        product_(simulate::product_of(acquisition, {})),
         problems_(problems) {}
 
   void run() {
     compare_facts();
     if (!axes_) return;
-    compare("pulse_time_s", axes_->row_time_s, product_.row_time_s, plan_.radar.repetition.mean_interval_s());
+    compare("pulse_time_s", axes_->row_time_s, product_.row_time_s, acquisition_.link.repetition.mean_interval_s());
     compare("carrier_hz", axes_->row_carrier_hz, product_.row_carrier_hz, 0.0);
-    const double spacing_m = plan_.columns > 1 ? product_.column_range_m(1) - product_.column_range_m(0) : 1.0;
+    const double spacing_m =
+        acquisition_.reception.columns > 1 ? product_.column_range_m(1) - product_.column_range_m(0) : 1.0;
     compare("slant_range_m", axes_->column_range_m, product_.column_range_m, spacing_m);
     compare_poses(axes_->row_pose);
   }
@@ -210,8 +212,8 @@ class Comparison {
         remark(name, core::format_number(*found), core::format_number(expected));
     };
     compare_fact("sample_rate_hz", info.sample_rate_hz, product_.sample_rate_hz);
-    compare_fact("lsb_v", info.lsb_v, plan_.simulation.lsb_v);
-    if (info.counts && info.bits > 0) compare_fact("bits", info.bits, plan_.simulation.bits);
+    compare_fact("lsb_v", info.lsb_v, acquisition_.simulation.lsb_v);
+    if (info.counts && info.bits > 0) compare_fact("bits", info.bits, acquisition_.simulation.bits);
     expect_processing();
     compare_word("radar", product_.radar);
     for (const auto& [name, word] : scene::option_words(product_.options)) compare_word(name, word);
@@ -236,8 +238,8 @@ class Comparison {
 
   // To a thousandth of a wavelength, which is what focusing needs, and what rounding leaves of large numbers.
   void compare_poses(const std::vector<simulate::RowPose>& found) {
-    if (!product_.row_pose || found.size() != plan_.rows) return;
-    const double place_m = core::exact_light_speed_mps / plan_.radar.carrier.highest_hz();
+    if (!product_.row_pose || found.size() != acquisition_.timing.rows) return;
+    const double place_m = core::exact_light_speed_mps / acquisition_.link.carrier.highest_hz();
     std::vector<const raster::PoseAxis*> alike;
     for (const raster::PoseAxis& axis : raster::pose_axes) alike.push_back(&axis);
     for (std::size_t row = 0; row < found.size() && !alike.empty(); ++row) {
@@ -264,16 +266,16 @@ class Comparison {
 
   const raster::Raster& file_;
   const std::optional<raster::RasterAxes>& axes_;
-  const simulate::Plan& plan_;
+  const simulate::Acquisition& acquisition_;
   simulate::Product product_;
   core::Problems& problems_;
 };
 
 // Volts of a number of the file; 1 with a remark where counts have no known LSB.
-double scale_of(const raster::RasterInfo& info, const simulate::Plan& plan, core::Problems& problems) {
+double scale_of(const raster::RasterInfo& info, const simulate::Acquisition& acquisition, core::Problems& problems) {
   if (!info.counts) return 1.0;
   if (info.lsb_v && *info.lsb_v > 0.0) return *info.lsb_v;
-  if (plan.simulation.lsb_v > 0.0) return plan.simulation.lsb_v;
+  if (acquisition.simulation.lsb_v > 0.0) return acquisition.simulation.lsb_v;
   core::Problem problem;
   problem.severity = core::Severity::warning;
   problem.message = "the volts of a count are not known: amplitudes are in counts";
@@ -302,7 +304,7 @@ core::SampleRows<double> rows_of(std::shared_ptr<const raster::Raster> file, dou
 
 // What is in memory was decided with its plan.
 StoredRecording held_recording(const RecordingArguments& arguments, const Suits& suits,
-                               const std::function<core::Problems(const simulate::Plan&)>& problems_of,
+                               const std::function<core::Problems(const simulate::Acquisition&)>& problems_of,
                                const core::StopFlag* stop) {
   expect_no_overrides(arguments);
   if (!arguments.script.empty())
@@ -313,16 +315,16 @@ StoredRecording held_recording(const RecordingArguments& arguments, const Suits&
   recording.sources = input.sources;
   recording.of_files = input.of_files;
   recording.simulation = simulation_of_scene(recording.scene, arguments.path, arguments.simulation, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(recording.scene, recording.simulation, nullptr, simulate::Engine::reference, stop));
-  take(recording.problems, problems_of(*recording.plan));
+  recording.acquisition = std::make_shared<const simulate::Acquisition>(
+      simulate::acquisition_of(recording.scene, recording.simulation, nullptr, stop));
+  take(recording.problems, problems_of(*recording.acquisition));
   expect_sound(recording.problems);
   const core::SampleRows<double>& rows = *arguments.held->rows;
-  if (rows.rows != recording.plan->rows || rows.columns != recording.plan->columns)
-    throw core::Refused(
-        fmt::format("'{}' has {} rows of {} samples, but the scene's simulation makes {} of {}", arguments.path,
-                    rows.rows, rows.columns, recording.plan->rows, recording.plan->columns),
-        "give all rows of the recording that was planned");
+  if (rows.rows != recording.acquisition->timing.rows || rows.columns != recording.acquisition->reception.columns)
+    throw core::Refused(fmt::format("'{}' has {} rows of {} samples, but the scene's simulation makes {} of {}",
+                                    arguments.path, rows.rows, rows.columns, recording.acquisition->timing.rows,
+                                    recording.acquisition->reception.columns),
+                        "give all rows of the recording that was planned");
   recording.rows = {rows.rows, rows.columns,
                     [rows, name = arguments.path](std::size_t row, std::span<std::complex<double>> out) {
                       rows.read(row, out);
@@ -416,7 +418,7 @@ ScriptedRecording open_script(const RecordingArguments& arguments, const Suits& 
 }
 
 StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                               const std::function<core::Problems(const simulate::Plan&)>& problems_of,
+                               const std::function<core::Problems(const simulate::Acquisition&)>& problems_of,
                                const core::WorkControl& control) {
   if (arguments.held) return held_recording(arguments, suits, problems_of, control.stop);
   StoredRecording recording;
@@ -432,18 +434,18 @@ StoredRecording open_recording(const RecordingArguments& arguments, const Suits&
   recording.scene = file.raster ? scene_in_file(arguments.path, file.raster->info(), recording, control)
                                 : scene_of_script(arguments, recording, control);
   recording.simulation = simulation_of_file(recording.scene, arguments, suits);
-  recording.plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(recording.scene, recording.simulation, nullptr, simulate::Engine::reference, control.stop));
-  take(recording.problems, problems_of(*recording.plan));
+  recording.acquisition = std::make_shared<const simulate::Acquisition>(
+      simulate::acquisition_of(recording.scene, recording.simulation, nullptr, control.stop));
+  take(recording.problems, problems_of(*recording.acquisition));
   expect_sound(recording.problems);
   if (!file.raster) {
-    raster::RasterHints hints = hints_of(*recording.plan);
+    raster::RasterHints hints = hints_of(*recording.acquisition);
     hints.dataset = arguments.dataset;
     file = opened(arguments.path, hints, recording.problems, control.stop);
   }
-  expect_shape(*file.raster, *recording.plan, arguments.path);
-  Comparison(file, *recording.plan, recording.problems).run();
-  const double scale = scale_of(file.raster->info(), *recording.plan, recording.problems);
+  expect_shape(*file.raster, *recording.acquisition, arguments.path);
+  Comparison(file, *recording.acquisition, recording.problems).run();
+  const double scale = scale_of(file.raster->info(), *recording.acquisition, recording.problems);
   recording.file = file.raster;
   recording.rows = rows_of(std::move(file.raster), scale);
   return recording;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/task/sample_rows.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/input/scene_input.hpp"
 
 namespace sarsim::raster {
@@ -73,7 +73,7 @@ void expect_no_image(const std::string& path);
 
 /// A file of samples and the plan of the simulation that wrote it.
 struct StoredRecording {
-  std::shared_ptr<const simulate::Plan> plan;
+  std::shared_ptr<const simulate::Acquisition> acquisition;
   std::size_t simulation = 0;                  ///< Position in the script's list.
   scene::Scene scene;                          ///< Of the script.
   std::shared_ptr<const raster::Raster> file;  ///< As it was opened.
@@ -86,8 +86,9 @@ struct StoredRecording {
 /// Opens the file of the arguments; its script is the one that it carries or that they name, its simulation the one
 /// that they name or that writes a file of that name. Throws core::Refused where script and file do not fit each other.
 /// @param problems_of  what prevents the plan, asked before the samples are opened; errors end it
-[[nodiscard]] StoredRecording open_recording(const RecordingArguments& arguments, const Suits& suits,
-                                             const std::function<core::Problems(const simulate::Plan&)>& problems_of,
-                                             const core::WorkControl& control = {});
+[[nodiscard]] StoredRecording open_recording(
+    const RecordingArguments& arguments, const Suits& suits,
+    const std::function<core::Problems(const simulate::Acquisition&)>& problems_of,
+    const core::WorkControl& control = {});
 
 }  // namespace sarsim::workflow

@@ -60,24 +60,24 @@ std::size_t simulation_of(const scene::Scene& scene, const std::string& path, co
                       ways_to_outputs(scene, choice));
 }
 
-// The simulation that writes a file, with its plan.
-std::pair<scene::Simulation, simulate::Plan> recording_of(const std::string& path, const std::string& script,
-                                                          const Choice& choice, const core::Observer& observer) {
+// The simulation that writes a file.
+simulate::Acquisition recording_of(const std::string& path, const std::string& script, const Choice& choice,
+                                   const core::Observer& observer) {
   const core::WorkControl control = observer.control(core::thread_count(0));
   SceneInput input = read_scene(script, {}, Scrutiny::values, control);
   expect_usable(input);
   observer.remarks(input.of_files);
   const std::size_t index = simulation_of(input.scene, path, script, choice);
   resolve_once(input, control);
-  return {input.scene.simulations[index],
-          simulate::make_plan(input.scene, index, input.resolved, simulate::Engine::reference, observer.stop)};
+  return simulate::acquisition_of(input.scene, index, input.resolved, observer.stop);
 }
 
 void take_script(raster::RasterHints& hints, const std::string& path, const std::string& script, const Choice& choice,
                  const core::Observer& observer) {
-  const auto [simulation, plan] = recording_of(path, script, choice, observer);
-  hints.columns = plan.columns;
-  hints.rows = plan.rows;
+  const simulate::Acquisition acquisition = recording_of(path, script, choice, observer);
+  const scene::Simulation& simulation = acquisition.simulation;
+  hints.columns = acquisition.reception.columns;
+  hints.rows = acquisition.timing.rows;
   hints.bits = simulation.bits;
   hints.lsb_v = simulation.lsb_v;
   if (fs::path(path).extension() == fs::path(base_name(simulation.file)).extension()) hints.format = simulation.format;
@@ -121,11 +121,11 @@ raster::RasterHints hints_for(const std::string& path, const SampleArguments& ar
   return hints_said(path, arguments, {true, simulation}, observer);
 }
 
-simulate::Plan plan_of_file(const std::string& path, const std::string& script, std::optional<std::int64_t> simulation,
-                            const core::StopFlag* stop) {
+simulate::Acquisition acquisition_of_file(const std::string& path, const std::string& script,
+                                          std::optional<std::int64_t> simulation, const core::StopFlag* stop) {
   core::Observer alone;
   alone.stop = stop;
-  return recording_of(path, script, {true, simulation}, alone).second;
+  return recording_of(path, script, {true, simulation}, alone);
 }
 
 SampleFile open_samples(const std::string& path, const raster::RasterHints& hints, const core::Observer& observer,

@@ -7,7 +7,7 @@
 
 #include "core/task/observer.hpp"
 #include "raster/format/open_raster.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::workflow {
 
@@ -31,11 +31,11 @@ struct SampleArguments {
 [[nodiscard]] raster::RasterHints hints_for(const std::string& path, const SampleArguments& arguments,
                                             std::optional<std::int64_t> simulation, const core::Observer& observer);
 
-/// The plan of the simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
+/// The simulation of a script that writes a file of this name: its times, carriers and ranges. Throws
 /// core::Refused like `hints_for`, and Interrupted where a stop is requested.
-[[nodiscard]] simulate::Plan plan_of_file(const std::string& path, const std::string& script,
-                                          std::optional<std::int64_t> simulation = {},
-                                          const core::StopFlag* stop = nullptr);
+[[nodiscard]] simulate::Acquisition acquisition_of_file(const std::string& path, const std::string& script,
+                                                        std::optional<std::int64_t> simulation = {},
+                                                        const core::StopFlag* stop = nullptr);
 
 /// A file of samples that has no errors.
 struct SampleFile {

@@ -42,7 +42,7 @@ GeometrySource source_of(const GeometryRequest& request, const core::WorkControl
     return {std::move(input.scene), {}, std::move(input.sources), std::move(input.of_files)};
   }
   StoredRecording recording = open_recording(
-      arguments, records_pulses, [](const simulate::Plan&) { return core::Problems(); }, control);
+      arguments, records_pulses, [](const simulate::Acquisition&) { return core::Problems(); }, control);
   return {std::move(recording.scene), recording.simulation, std::move(recording.sources),
           std::move(recording.problems)};
 }

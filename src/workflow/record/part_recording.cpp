@@ -39,10 +39,10 @@ class PartMaker {
     const double begin_s = core::now_s();
     result_.file = job_.output.string();
     result_.part = words_of(job_.choice);
-    result_.rows = job_.plan.rows;
+    result_.rows = job_.plan.acquisition.timing.rows;
     result_.own_file = job_.choice.own_file;
-    result_.range =
-        rows_of(job_.choice, job_.plan.rows, raster::piece_rows(job_.product.product, job_.product.options));
+    result_.range = rows_of(job_.choice, job_.plan.acquisition.timing.rows,
+                            raster::piece_rows(job_.product.product, job_.product.options));
     if (result_.range.count == 0) return result_;
     together([&] { expect_alike(); });
     together([&] {
@@ -114,7 +114,7 @@ class PartMaker {
     const auto changes = raster::differences(job_.identity, "now", receipt->identity, "in the file");
     if (changes.empty()) {
       result_.finished_before = true;
-      result_.there = job_.plan.rows;
+      result_.there = job_.plan.acquisition.timing.rows;
       result_.whole = receipt->report;
       raster::remove_parts(raster::parts_folder_of(job_.output));
       return;
@@ -172,7 +172,7 @@ class PartMaker {
       std::size_t total = 0;
       for (const simulate::RowRange& range : part_->missing()) total += range.count;
       const auto show = [&](std::size_t done) {
-        if (total > 0 && display) display({done, total, job_.plan.columns});
+        if (total > 0 && display) display({done, total, job_.plan.acquisition.reception.columns});
       };
       if (workshop_.team == nullptr) {
         for (const simulate::RowRange& range : part_->missing()) make_rows(range, encoder, show);
@@ -196,7 +196,7 @@ class PartMaker {
   void make_rows(simulate::RowRange range, const PartEncoder& encoder,
                  const std::function<void(std::size_t)>& progress) {
     const std::size_t before = result_.made;
-    const double lsb_v = job_.product.estimate_lsb ? 0.0 : job_.plan.simulation.lsb_v;
+    const double lsb_v = job_.product.estimate_lsb ? 0.0 : job_.plan.acquisition.simulation.lsb_v;
     const simulate::RunControl control{workshop_.threads, workshop_.observer.stop, [&](const core::Progress& p) {
                                          result_.made = before + p.done;
                                          if (progress) progress(result_.made);

@@ -23,15 +23,15 @@ RecordingForecast forecast_of(const SceneInput& input, std::size_t index, const 
   RecordingForecast result;
   result.fixed_s = core::now_s() - begin_s;
   result.number = index + 1;
-  result.simulation = plan.simulation;
+  result.simulation = plan.acquisition.simulation;
   result.engine = simulate::name_of(plan.engine.engine);
-  result.rows = plan.rows;
-  result.columns = plan.columns;
+  result.rows = plan.acquisition.timing.rows;
+  result.columns = plan.acquisition.reception.columns;
   const RecordingSize size = size_of(plan, rules.threads);
   result.echoes = size.echoes;
   result.memory_bytes = size.memory_bytes;
   result.bytes = size.bytes;
-  result.twice = seeks_lsb(plan.simulation);
+  result.twice = seeks_lsb(plan.acquisition.simulation);
   result.trial = try_plan(plan, rules, stop);
   return result;
 }

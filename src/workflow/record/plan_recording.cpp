@@ -17,7 +17,7 @@ PlannedRecording plan_recording(const scene::Scene& scene, const scene::Simulati
   std::erase_if(planned.problems, [](const core::Problem& p) { return p.severity != core::Severity::error; });
   if (!planned.problems.empty()) return planned;
   simulate::Plan plan = simulate::make_plan(one, 0, nullptr, simulate::Engine::automatic, stop);
-  if (plan.rows == 0) {
+  if (plan.acquisition.timing.rows == 0) {
     core::Problem none;
     none.message = "no complete burst leaves within the azimuth window";
     planned.problems.push_back(std::move(none));

@@ -28,7 +28,8 @@ scene::Scene with_only(const scene::Scene& scene, std::size_t simulation) {
 RecordingEstimate estimate_of(const simulate::Plan& plan, double bytes, bool counts, const core::StopFlag* stop) {
   const unsigned threads = core::thread_count(0);
   const simulate::Cost cost = simulate::estimated_cost(plan, threads, known_machine(stop));
-  return {plan.rows, plan.columns, bytes, cost.seconds * passes_of(plan.simulation, counts), cost.memory_bytes};
+  return {plan.acquisition.timing.rows, plan.acquisition.reception.columns, bytes,
+          cost.seconds * passes_of(plan.acquisition.simulation, counts), cost.memory_bytes};
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ PreparedRecording prepare_recording(const scene::Scene& scene, std::size_t simul
       .script = {},
       .estimate = {},
       .problems = std::move(input.problems)};
-  const scene::FileFormat format = prepared.plan.simulation.format;
+  const scene::FileFormat format = prepared.plan.acquisition.simulation.format;
   prepared.options.format = format;
   if (raster::format_of(format).carries_script) prepared.script = scene::recorded_text(scene);
   const simulate::Product product = simulate::product_of(prepared.plan, prepared.script);

@@ -265,8 +265,9 @@ class Recorder {
         continue;
       }
       simulate::Plan plan = planned(job.index);
-      max_rows = std::max(max_rows.value_or(0), plan.rows);
-      const double bytes = raster::expected_bytes(simulate::product_of(plan, {}), sink_options(plan.simulation));
+      max_rows = std::max(max_rows.value_or(0), plan.acquisition.timing.rows);
+      const double bytes =
+          raster::expected_bytes(simulate::product_of(plan, {}), sink_options(plan.acquisition.simulation));
       bytes_wanted += room_bytes(job, plan, bytes);
       lines.push_back(announcement(job, plan, bytes));
       add_missing_pulses(job, plan, missing);
@@ -288,35 +289,40 @@ class Recorder {
 
   void add_missing_pulses(const ProductJob& job, const simulate::Plan& plan, core::Problems& missing) const {
     const auto& span = request_.part.span;
-    if (!span || !span->last || static_cast<std::size_t>(*span->last) <= plan.rows) return;
-    missing.push_back(core::problem_of(core::Severity::warning,
-                                       fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
-                                       words_of(request_.part), fmt::format("pulses 1 to {}", plan.rows), {}));
+    if (!span || !span->last || static_cast<std::size_t>(*span->last) <= plan.acquisition.timing.rows) return;
+    missing.push_back(core::problem_of(
+        core::Severity::warning, fmt::format("'{}' has fewer pulses than --pulses asks for", job.path.string()),
+        words_of(request_.part), fmt::format("pulses 1 to {}", plan.acquisition.timing.rows), {}));
   }
 
   // Rows of a recording that are to be made here.
   [[nodiscard]] std::size_t shared_rows(const simulate::Plan& plan) const {
-    const std::size_t piece = raster::piece_rows(simulate::product_of(plan, {}), sink_options(plan.simulation));
-    return rows_of(request_.part, plan.rows, piece).count;
+    const std::size_t piece =
+        raster::piece_rows(simulate::product_of(plan, {}), sink_options(plan.acquisition.simulation));
+    return rows_of(request_.part, plan.acquisition.timing.rows, piece).count;
   }
 
   // What a recording needs on the disk at least.
   [[nodiscard]] double room_bytes(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
-    const double least = raster::min_bytes(plan.simulation.format, bytes);
+    const double least = raster::min_bytes(plan.acquisition.simulation.format, bytes);
     if (!journaled_) return least;
     if (fs::exists(raster::parts_folder_of(job.path))) return 0.0;  // Taken already, or in part.
-    const double rows = static_cast<double>(plan.rows);
+    const double rows = static_cast<double>(plan.acquisition.timing.rows);
     const double made = static_cast<double>(shared_rows(plan));
-    if (seeks_lsb(plan.simulation, request_.counts)) return 16.0 * made * static_cast<double>(plan.columns);
-    return raster::format_of(plan.simulation.format).is_text() || request_.part.own_file ? least * made / rows : least;
+    if (seeks_lsb(plan.acquisition.simulation, request_.counts))
+      return 16.0 * made * static_cast<double>(plan.acquisition.reception.columns);
+    return raster::format_of(plan.acquisition.simulation.format).is_text() || request_.part.own_file
+               ? least * made / rows
+               : least;
   }
 
   [[nodiscard]] std::string announcement(const ProductJob& job, const simulate::Plan& plan, double bytes) const {
-    const double passes = journaled_ ? 1.0 : passes_of(plan.simulation, request_.counts);
-    const double made = static_cast<double>(shared_rows(plan)) / static_cast<double>(plan.rows);
+    const double passes = journaled_ ? 1.0 : passes_of(plan.acquisition.simulation, request_.counts);
+    const double made = static_cast<double>(shared_rows(plan)) / static_cast<double>(plan.acquisition.timing.rows);
     const double seconds = made * estimated_seconds(plan, threads_, passes);
-    return fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}", job.path.string(), plan.radar.name,
-                       processing_word(plan.simulation.processing), plan.rows, plan.columns, core::bytes_text(bytes),
+    return fmt::format("{}: {}, {}, {} x {} samples, {}, {} on {} thread{}", job.path.string(),
+                       plan.acquisition.link.name, processing_word(plan.acquisition.simulation.processing),
+                       plan.acquisition.timing.rows, plan.acquisition.reception.columns, core::bytes_text(bytes),
                        core::about_duration_text(seconds), threads_, threads_ == 1 ? "" : "s");
   }
 
@@ -344,9 +350,9 @@ class Recorder {
     const double begin_s = core::now_s();
     const simulate::Plan plan = planned(job.index);
     if (!request_.discard) make_folder_of(job.path);
-    RecordingReport report = make_recording(
-        {plan, job.path, sink_options(plan.simulation), script_for(plan.simulation.format), request_.discard}, threads_,
-        observer_);
+    RecordingReport report = make_recording({plan, job.path, sink_options(plan.acquisition.simulation),
+                                             script_for(plan.acquisition.simulation.format), request_.discard},
+                                            threads_, observer_);
     add_warnings(job, report);
     report.seconds = core::now_s() - begin_s;
     return report;
@@ -356,9 +362,9 @@ class Recorder {
     const double begin_s = core::now_s();
     const simulate::Plan plan = planned(job.index);
     raster::StoredProduct stored;
-    stored.product = simulate::product_of(plan, script_for(plan.simulation.format));
-    stored.options = sink_options(plan.simulation);
-    stored.estimate_lsb = seeks_lsb(plan.simulation, request_.counts);
+    stored.product = simulate::product_of(plan, script_for(plan.acquisition.simulation.format));
+    stored.options = sink_options(plan.acquisition.simulation);
+    stored.estimate_lsb = seeks_lsb(plan.acquisition.simulation, request_.counts);
     stored.engine_reason = plan.engine.reason;
     const raster::Identity identity = identity_of(input_.scene, job.index, stored, work());
     const PartJob part{plan, job.path, stored, identity, request_.part, request_.force};
@@ -367,7 +373,7 @@ class Recorder {
     if (!whole) return;
     RecordingReport report = begun_report(plan, stored.product);
     add_warnings(job, report);
-    report.counts = stored.estimate_lsb || raster::holds_counts(plan.simulation.format, request_.counts);
+    report.counts = stored.estimate_lsb || raster::holds_counts(plan.acquisition.simulation.format, request_.counts);
     report.run = *whole;
     take_file(job.path, report);
     report.seconds = made.part->finished_before ? whole->seconds : core::now_s() - begin_s;

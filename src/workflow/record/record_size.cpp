@@ -19,10 +19,11 @@ double estimated_seconds(const simulate::Plan& plan, unsigned threads, double pa
 RecordingSize size_of(const simulate::Plan& plan, unsigned threads, bool counts) {
   const simulate::Cost cost = simulate::estimated_cost(plan, threads, known_machine());
   RecordingSize size;
-  size.bytes = raster::expected_bytes(simulate::product_of(plan, {}), {plan.simulation.format, false, counts, false});
+  size.bytes = raster::expected_bytes(simulate::product_of(plan, {}),
+                                      {plan.acquisition.simulation.format, false, counts, false});
   size.memory_bytes = cost.memory_bytes;
   size.echoes = cost.echoes;
-  size.seconds = cost.seconds * passes_of(plan.simulation, counts);
+  size.seconds = cost.seconds * passes_of(plan.acquisition.simulation, counts);
   return size;
 }
 

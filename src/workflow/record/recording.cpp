@@ -32,7 +32,7 @@ RecordingReport make_recording(const RecordingJob& job, unsigned threads, const 
   const auto control = [&](const std::string& stage) -> simulate::RunControl {
     return {threads, observer.stop, begun_stage(observer, stage, plan)};
   };
-  double lsb_v = plan.simulation.lsb_v;
+  double lsb_v = plan.acquisition.simulation.lsb_v;
   if (lsb_v <= 0.0 && report.counts)
     lsb_v = simulate::resolved_lsb_v(plan, control(name + " (finding the largest magnitude)"));
   report.run = simulate::run(plan, lsb_v, *sink, control(name));
@@ -43,8 +43,8 @@ RecordingReport make_recording(const RecordingJob& job, unsigned threads, const 
 
 RecordingReport begun_report(const simulate::Plan& plan, const simulate::Product& product) {
   RecordingReport report;
-  report.simulation = plan.simulation;
-  report.simulation.radar = plan.radar.name;
+  report.simulation = plan.acquisition.simulation;
+  report.simulation.radar = plan.acquisition.link.name;
   report.options = product.options;
   report.engine = product.engine;
   report.engine_reason = plan.engine.reason;
@@ -58,7 +58,7 @@ void take_file(const fs::path& path, RecordingReport& report) {
 
 core::ProgressReport begun_stage(const core::Observer& observer, const std::string& name, const simulate::Plan& plan) {
   core::ProgressReport progress = observer.stage(name);
-  if (progress) progress({0, plan.rows, plan.columns});
+  if (progress) progress({0, plan.acquisition.timing.rows, plan.acquisition.reception.columns});
   return progress;
 }
 

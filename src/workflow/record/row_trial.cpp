@@ -44,9 +44,9 @@ class RowTrial {
  public:
   RowTrial(const simulate::Plan& plan, const simulate::Sink& sink, const std::function<double()>& now_s,
            const core::StopFlag* stop)
-      : plan_(plan), sink_(sink), now_s_(now_s), stop_(stop), rows_(plan), volts_(plan.columns) {
-    if (sink.wants_counts()) counts_.resize(2 * plan.columns);
-    lsb_v_ = plan.simulation.lsb_v;
+      : plan_(plan), sink_(sink), now_s_(now_s), stop_(stop), rows_(plan), volts_(plan.acquisition.reception.columns) {
+    if (sink.wants_counts()) counts_.resize(2 * plan.acquisition.reception.columns);
+    lsb_v_ = plan.acquisition.simulation.lsb_v;
   }
 
   double operator()(std::size_t row) {
@@ -55,11 +55,12 @@ class RowTrial {
     rows_.make_row(row, volts_);
     const double computed_s = now_s_() - begin_s;
     const double maximum_v = radar::largest_magnitude(volts_);
-    if (lsb_v_ <= 0.0) lsb_v_ = maximum_v > 0.0 ? maximum_v / radar::full_scale_count(plan_.simulation.bits) : 0.0;
+    if (lsb_v_ <= 0.0)
+      lsb_v_ = maximum_v > 0.0 ? maximum_v / radar::full_scale_count(plan_.acquisition.simulation.bits) : 0.0;
     radar::ConversionTally tally;
     if (!counts_.empty())
-      radar::Converter{plan_.simulation.bits, lsb_v_ > 0.0 ? lsb_v_ : 1.0}.convert(volts_, counts_, tally);
-    const auto bytes = sink_.encode({row, 1, plan_.columns, volts_, counts_});
+      radar::Converter{plan_.acquisition.simulation.bits, lsb_v_ > 0.0 ? lsb_v_ : 1.0}.convert(volts_, counts_, tally);
+    const auto bytes = sink_.encode({row, 1, plan_.acquisition.reception.columns, volts_, counts_});
     return bytes.empty() ? 0.0 : computed_s;
   }
 
@@ -111,13 +112,14 @@ Trial try_rows(std::size_t count, const TrialRules& rules, const std::function<T
 }
 
 Trial try_plan(const simulate::Plan& plan, const TrialRules& rules, const core::StopFlag* stop) {
-  if (plan.rows == 0) return {};
+  if (plan.acquisition.timing.rows == 0) return {};
   const std::unique_ptr<simulate::Sink> sink =
-      raster::make_discarding_sink(simulate::product_of(plan, {}), {plan.simulation.format});
+      raster::make_discarding_sink(simulate::product_of(plan, {}), {plan.acquisition.simulation.format});
   TrialRules own = rules;
-  own.threads = static_cast<unsigned>(std::clamp<std::size_t>(plan.rows, 1, std::max(rules.threads, 1U)));
+  own.threads =
+      static_cast<unsigned>(std::clamp<std::size_t>(plan.acquisition.timing.rows, 1, std::max(rules.threads, 1U)));
   // A worker is too large to be copied into a function.
-  return try_rows(plan.rows, own, [&]() -> TryRow {
+  return try_rows(plan.acquisition.timing.rows, own, [&]() -> TryRow {
     const auto worker = std::make_shared<RowTrial>(plan, *sink, own.now_s, stop);
     return [worker](std::size_t row) { return (*worker)(row); };
   });

@@ -22,15 +22,16 @@ SaveEstimate save_estimate(const simulate::Plan& plan, double file_bytes, double
                            bool counts) {
   const simulate::Cost cost = simulate::estimated_cost(plan, std::max(threads, 1U), known_machine());
   SaveEstimate estimate;
-  estimate.rows = static_cast<double>(plan.rows);
-  estimate.columns = static_cast<double>(plan.columns);
+  estimate.rows = static_cast<double>(plan.acquisition.timing.rows);
+  estimate.columns = static_cast<double>(plan.acquisition.reception.columns);
   estimate.bytes = file_bytes;
   estimate.memory_bytes = cost.memory_bytes;
-  estimate.lsb_estimated = !(plan.simulation.lsb_v > 0.0);
+  estimate.lsb_estimated = !(plan.acquisition.simulation.lsb_v > 0.0);
   // Counts need the largest magnitude before the first of them is written.
-  const double passes = passes_of(plan.simulation, counts);
+  const double passes = passes_of(plan.acquisition.simulation, counts);
   estimate.seconds = passes * cost.seconds;
-  estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.simulation.bits) : plan.simulation.lsb_v;
+  estimate.lsb_v = estimate.lsb_estimated ? estimated_lsb_v(largest_v, plan.acquisition.simulation.bits)
+                                          : plan.acquisition.simulation.lsb_v;
   return estimate;
 }
 

@@ -52,12 +52,13 @@ void fill_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std:
                unsigned threads, const core::Observer& observer) try {
   const simulate::Plan& plan = planned.plan;
   const VoltEncoder<Real> encoder;
-  const core::ProgressReport progress = observer.stage(plan.radar.name);
-  if (progress) progress({0, rows.count, plan.columns});
+  const core::ProgressReport progress = observer.stage(plan.acquisition.link.name);
+  if (progress) progress({0, rows.count, plan.acquisition.reception.columns});
   simulate::run_rows(plan, rows, 0.0, encoder, {threads, observer.stop, {}}, [&](const simulate::EncodedRows& made) {
     const std::size_t done = made.rows.first - rows.first;
-    if (!made.bytes.empty()) std::memcpy(samples.data() + done * plan.columns, made.bytes.data(), made.bytes.size());
-    if (progress) progress({done + made.rows.count, rows.count, plan.columns});
+    if (!made.bytes.empty())
+      std::memcpy(samples.data() + done * plan.acquisition.reception.columns, made.bytes.data(), made.bytes.size());
+    if (progress) progress({done + made.rows.count, rows.count, plan.acquisition.reception.columns});
   });
 } catch (const simulate::ImpossibleEcho& error) {
   refuse_echo(error.problem, planned.input);
@@ -78,7 +79,7 @@ void expect_free(const std::filesystem::path& file, const SceneInput& input, boo
 ScenePlan in_format(const ScenePlan& planned, scene::FileFormat format) {
   ScenePlan changed = planned;
   for (scene::Simulation& simulation : changed.input.scene.simulations) simulation.format = format;
-  changed.plan.simulation.format = format;
+  changed.plan.acquisition.simulation.format = format;
   return changed;
 }
 
@@ -112,9 +113,9 @@ void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<st
 RecordingReport record_file(const ScenePlan& planned, const std::filesystem::path& file,
                             std::optional<scene::FileFormat> format, raster::SinkOptions options, unsigned threads,
                             const core::Observer& observer) try {
-  if (format && *format != planned.plan.simulation.format)
+  if (format && *format != planned.plan.acquisition.simulation.format)
     return record_file(in_format(planned, *format), file, {}, options, threads, observer);
-  options.format = planned.plan.simulation.format;
+  options.format = planned.plan.acquisition.simulation.format;
   expect_free(file, planned.input, options.replace);
   RecordingJob job{planned.plan, file, options, {}};
   if (raster::format_of(options.format).carries_script)

@@ -30,8 +30,8 @@ struct ScenePlan {
                                       const core::WorkControl& control);
 
 /// Computes some rows into memory, in V, as files of volts hold them.
-/// @param rows     within [0, plan.rows)
-/// @param samples  rows.count times plan.columns
+/// @param rows     within [0, plan.acquisition.timing.rows)
+/// @param samples  rows.count times plan.acquisition.reception.columns
 /// @param threads  0: one per core
 /// @throws core::Refused for an echo that cannot be computed, core::Interrupted
 void record_rows(const ScenePlan& planned, simulate::RowRange rows, std::span<std::complex<float>> samples,

@@ -42,11 +42,14 @@ class ScenePlanTest : public testing::Test {
 
 TEST_F(ScenePlanTest, RowsInMemoryAreThoseOfTheFileOfARun) {
   const ScenePlan planned = plan_of_scene(flight_input(), 0, {});
-  std::vector<std::complex<float>> samples(planned.plan.rows * planned.plan.columns);
-  for (std::size_t first = 0; first < planned.plan.rows; first += 3) {
-    const std::size_t count = std::min<std::size_t>(3, planned.plan.rows - first);
+  std::vector<std::complex<float>> samples(planned.plan.acquisition.timing.rows *
+                                           planned.plan.acquisition.reception.columns);
+  for (std::size_t first = 0; first < planned.plan.acquisition.timing.rows; first += 3) {
+    const std::size_t count = std::min<std::size_t>(3, planned.plan.acquisition.timing.rows - first);
     record_rows(planned, {first, count},
-                std::span(samples).subspan(first * planned.plan.columns, count * planned.plan.columns), 2, {});
+                std::span(samples).subspan(first * planned.plan.acquisition.reception.columns,
+                                           count * planned.plan.acquisition.reception.columns),
+                2, {});
   }
   RecordRequest request;
   request.scene = flight_input().scene;
@@ -80,7 +83,7 @@ TEST_F(ScenePlanTest, MistakesOfOtherRecordingsDoNotMatter) {
   SceneInput input = flight_input();
   input.scene.simulations.push_back(input.scene.simulations.front());
   input.scene.simulations.back().bits = 99;
-  EXPECT_GT(plan_of_scene(input, 0, {}).plan.rows, 0U);
+  EXPECT_GT(plan_of_scene(input, 0, {}).plan.acquisition.timing.rows, 0U);
   EXPECT_THROW(static_cast<void>(plan_of_scene(input, 1, {})), core::Refused);
   EXPECT_THROW(static_cast<void>(plan_of_scene(input, 2, {})), core::Refused);
 }

@@ -66,10 +66,12 @@ class DopplerImage {
   }
 
  private:
-  [[nodiscard]] double prf_hz() const { return 1.0 / work_.plan().radar.repetition.mean_interval_s(); }
-  [[nodiscard]] double carrier_hz() const { return work_.plan().radar.carrier.carrier_hz(work_.plan().pulses.first); }
+  [[nodiscard]] double prf_hz() const { return 1.0 / work_.acquisition().link.repetition.mean_interval_s(); }
+  [[nodiscard]] double carrier_hz() const {
+    return work_.acquisition().link.carrier.carrier_hz(work_.acquisition().timing.pulses.first);
+  }
   [[nodiscard]] double speed_of(double doppler_hz) const {
-    return receding_speed_mps(work_.plan(), work_.plan().pulses.first, doppler_hz);
+    return receding_speed_mps(work_.acquisition(), work_.acquisition().timing.pulses.first, doppler_hz);
   }
 
   // Counts have an LSB that the whole image decides: its maps are made twice.
@@ -87,9 +89,9 @@ class DopplerImage {
     const SearchOptions& options = work_.options();
     const DopplerReport axes = this->axes();
     simulate::Product product;
-    product.radar = work_.plan().radar.name;
-    product.row_time_s = [repetition = work_.plan().radar.repetition, frequencies = options.rows(),
-                          first = work_.plan().pulses.first, step = options.step_pulses(),
+    product.radar = work_.acquisition().link.name;
+    product.row_time_s = [repetition = work_.acquisition().link.repetition, frequencies = options.rows(),
+                          first = work_.acquisition().timing.pulses.first, step = options.step_pulses(),
                           last = options.recorded_pulses() - 1](std::size_t row) {
       const auto pulse = first + static_cast<std::int64_t>(row / frequencies * step);
       return middle_of_interval_s(repetition, pulse, pulse + static_cast<std::int64_t>(last));
@@ -99,8 +101,8 @@ class DopplerImage {
       return carrier + hz + static_cast<double>(row % frequencies) * step;
     };
     product.column_range_m = [range_m = work_.rows().range_m](std::size_t column) { return range_m[column]; };
-    product.sample_rate_hz = 1.0 / work_.plan().raw_grid.interval_s;
-    product.options = work_.plan().scene->options;
+    product.sample_rate_hz = 1.0 / work_.acquisition().reception.raw_grid.interval_s;
+    product.options = work_.acquisition().scene->options;
     product.engine = "doppler";
     return product;
   }
@@ -114,8 +116,8 @@ class DopplerImage {
     content.header.description = fmt::format(
         "Range-Doppler maps by sarsim {}, one below the other: lines along Doppler, samples along slant range",
         core::program_version);
-    const std::int64_t first = work_.plan().pulses.first;
-    const double time_s = middle_of_interval_s(work_.plan().radar.repetition, first,
+    const std::int64_t first = work_.acquisition().timing.pulses.first;
+    const double time_s = middle_of_interval_s(work_.acquisition().link.repetition, first,
                                                first + static_cast<std::int64_t>(options.recorded_pulses()) - 1);
     const auto number = [](double value) { return fmt::format("{}", value); };
     content.header.fields = {{"map", "range doppler"},
@@ -130,7 +132,7 @@ class DopplerImage {
                              {"range first m", number(axes.range_first_m)},
                              {"range step m", number(axes.range_step_m)},
                              {"carrier hz", number(carrier_hz())},
-                             {"light speed mps", number(work_.plan().scene->conventions.light_speed_mps)}};
+                             {"light speed mps", number(work_.acquisition().scene->conventions.light_speed_mps)}};
     std::ranges::move(work_.origin_fields(), std::back_inserter(content.header.fields));
     content.product = product();
     return content;
@@ -143,16 +145,16 @@ class DopplerImage {
 
 }  // namespace
 
-std::size_t doppler_pulses(const simulate::Plan& plan, std::int64_t canceller) {
+std::size_t doppler_pulses(const simulate::Acquisition& acquisition, std::int64_t canceller) {
   return std::min(usual_doppler_pulses,
-                  static_cast<std::size_t>(std::max<std::int64_t>(plan.pulses.count() - canceller, 1)));
+                  static_cast<std::size_t>(std::max<std::int64_t>(acquisition.timing.pulses.count() - canceller, 1)));
 }
 
 DopplerReport doppler(const DopplerRequest& request, const core::Observer& observer) {
   PulseWork work(request, observer, "-doppler");
   // The canceller takes its pulses from those that there are.
   const auto order = static_cast<std::int64_t>(request.canceller);
-  work.open([order](const simulate::Plan& plan) { return doppler_pulses(plan, order); },
+  work.open([order](const simulate::Acquisition& acquisition) { return doppler_pulses(acquisition, order); },
             [](const PulseRows&) { return 0.0; });
   DopplerImage image(work, request.replace);
   if (request.image) image.begin();

@@ -14,7 +14,7 @@ inline constexpr std::size_t usual_doppler_pulses = 64;
 
 /// Pulses of an interval of a plan, where nobody says how many.
 /// @param canceller  its order: the pulses that it takes are no part of the interval
-[[nodiscard]] std::size_t doppler_pulses(const simulate::Plan& plan, std::int64_t canceller = 0);
+[[nodiscard]] std::size_t doppler_pulses(const simulate::Acquisition& acquisition, std::int64_t canceller = 0);
 
 /// What is asked of `doppler`.
 struct DopplerRequest : PulseRequest {};

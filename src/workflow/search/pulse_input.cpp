@@ -16,28 +16,27 @@ void expect_pulses(const scene::Simulation& simulation) {
 PulseInput of_script(const RecordingArguments& arguments, const core::WorkControl& control) {
   auto [input, number] = open_script(arguments, records_pulses, control);
   expect_pulses(input.scene.simulations[number]);
-  auto plan = plan_of_pulses(input.scene, number, input.resolved, control.stop);
-  return {pulse_rows_of_scene(std::move(plan)), number, std::move(input.problems), std::move(input.sources)};
+  const auto acquisition = acquisition_of_pulses(input.scene, number, input.resolved, control.stop);
+  return {pulse_rows_of_scene(acquisition), number, std::move(input.problems), std::move(input.sources)};
 }
 
 PulseInput of_file(const RecordingArguments& arguments, const core::WorkControl& control) {
-  const auto problems_of = [](const simulate::Plan& plan) {
-    expect_pulses(plan.simulation);
+  const auto problems_of = [](const simulate::Acquisition& acquisition) {
+    expect_pulses(acquisition.simulation);
     return core::Problems();
   };
   StoredRecording stored = open_recording(arguments, records_pulses, problems_of, control);
-  return {pulse_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
+  return {pulse_rows_of_recording(stored.acquisition, stored.rows), stored.simulation, std::move(stored.problems),
           std::move(stored.sources)};
 }
 
 }  // namespace
 
-std::shared_ptr<const simulate::Plan> plan_of_pulses(scene::Scene& scene, std::size_t number,
-                                                     const std::shared_ptr<const simulate::ResolvedScene>& resolved,
-                                                     const core::StopFlag* stop) {
+std::shared_ptr<const simulate::Acquisition> acquisition_of_pulses(
+    scene::Scene& scene, std::size_t number, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
+    const core::StopFlag* stop) {
   scene.simulations[number] = compressed_simulation(scene.simulations[number]);
-  return std::make_shared<const simulate::Plan>(
-      simulate::make_plan(scene, number, resolved, simulate::Engine::automatic, stop));
+  return std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, number, resolved, stop));
 }
 
 PulseInput open_pulse_input(const RecordingArguments& arguments, const core::WorkControl& control) {

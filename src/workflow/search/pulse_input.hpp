@@ -13,8 +13,8 @@ struct PulseInput {
   std::vector<std::filesystem::path> sources;  ///< Files that they are made from.
 };
 
-/// The plan of simulation number `number` of a sound scene, RAW or MATCHED_FILTER, which becomes a compressed one.
-[[nodiscard]] std::shared_ptr<const simulate::Plan> plan_of_pulses(
+/// What simulation number `number` of a sound scene, RAW or MATCHED_FILTER, records; it becomes a compressed one.
+[[nodiscard]] std::shared_ptr<const simulate::Acquisition> acquisition_of_pulses(
     scene::Scene& scene, std::size_t number, const std::shared_ptr<const simulate::ResolvedScene>& resolved,
     const core::StopFlag* stop = nullptr);
 

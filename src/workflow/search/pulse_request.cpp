@@ -26,8 +26,9 @@ core::Problem option_problem(std::string message, std::string found, std::string
 }
 
 // A target fills the samples of its range cell: those must not count as noise.
-std::size_t usual_guard(const simulate::Plan& plan) {
-  const double samples = 1.0 / (radar::bandwidth_hz(plan.radar.pulse) * plan.raw_grid.interval_s);
+std::size_t usual_guard(const simulate::Acquisition& acquisition) {
+  const double samples =
+      1.0 / (radar::bandwidth_hz(acquisition.link.pulse) * acquisition.reception.raw_grid.interval_s);
   return std::max<std::size_t>(2, static_cast<std::size_t>(std::ceil(2.0 * samples - 1e-9)));
 }
 
@@ -45,12 +46,12 @@ void expect_detector(const PulseRequest& request, core::Problems& problems) {
           option_problem(fmt::format("{} means nothing with --cfar none", option), "", "--cfar ca or os"));
 }
 
-signal::CfarOptions detector_asked_for(const PulseRequest& request, const simulate::Plan& plan) {
+signal::CfarOptions detector_asked_for(const PulseRequest& request, const simulate::Acquisition& acquisition) {
   signal::CfarOptions cfar;
   cfar.kind = request.detector;
   cfar.false_alarm = request.false_alarm.value_or(usual_false_alarm);
   cfar.rank_share = request.rank.value_or(usual_rank);
-  const CellReach guard = request.guard.value_or(CellReach{usual_guard(plan), 0});
+  const CellReach guard = request.guard.value_or(CellReach{usual_guard(acquisition), 0});
   // By default 16 cells to either side beyond the guard.
   const CellReach train = request.train.value_or(CellReach{16, 0});
   cfar.guard_columns = guard.columns;
@@ -95,7 +96,8 @@ core::Problems problems_of_request(const PulseRequest& request) {
   return problems;
 }
 
-SearchOptions search_options(const PulseRequest& request, const simulate::Plan& plan, std::size_t usual_pulses) {
+SearchOptions search_options(const PulseRequest& request, const simulate::Acquisition& acquisition,
+                             std::size_t usual_pulses) {
   if (core::Problems problems = problems_of_request(request); !problems.empty())
     throw core::Refused(std::move(problems));
   SearchOptions options;
@@ -105,7 +107,7 @@ SearchOptions search_options(const PulseRequest& request, const simulate::Plan& 
   options.canceller = request.canceller;
   options.window = request.window;
   options.detect = request.detect;
-  options.cfar = detector_asked_for(request, plan);
+  options.cfar = detector_asked_for(request, acquisition);
   options.all_cells = request.all_cells;
   return options;
 }

@@ -49,7 +49,7 @@ struct PulseRequest {
 
 /// The options of the work on some pulses; throws core::Refused with `problems_of_request`.
 /// @param usual_pulses  of an interval, where none are given
-[[nodiscard]] SearchOptions search_options(const PulseRequest& request, const simulate::Plan& plan,
+[[nodiscard]] SearchOptions search_options(const PulseRequest& request, const simulate::Acquisition& acquisition,
                                            std::size_t usual_pulses);
 
 }  // namespace sarsim::workflow

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/task/sample_rows.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 namespace sarsim::workflow {
@@ -14,7 +14,7 @@ namespace sarsim::workflow {
 /// Compressed pulses of a simulation, a row for each, computed or read when they are asked for: what a pulse-Doppler or
 /// a search radar begins with.
 struct PulseRows : core::SampleRows<float> {
-  std::shared_ptr<const simulate::Plan> plan;
+  std::shared_ptr<const simulate::Acquisition> acquisition;
   std::vector<double> range_m;  ///< One way, of each sample.
   double peak_gain = 1.0;       ///< Height of a compressed echo of amplitude 1.
   double noise_w = 0.0;         ///< Mean square magnitude of the receiver's noise in a sample, without STC.
@@ -25,7 +25,7 @@ struct PulseRows : core::SampleRows<float> {
   [[nodiscard]] std::size_t samples() const { return columns; }
   /// Number of a pulse in the radar's schedule.
   [[nodiscard]] std::int64_t number(std::size_t pulse) const {
-    return plan->pulses.first + static_cast<std::int64_t>(pulse);
+    return acquisition->timing.pulses.first + static_cast<std::int64_t>(pulse);
   }
 };
 
@@ -33,14 +33,14 @@ struct PulseRows : core::SampleRows<float> {
 [[nodiscard]] scene::Simulation compressed_simulation(const scene::Simulation& simulation);
 
 /// Pulses of a scene: those that a run with a matched filter would record, window, profile and all.
-/// @param plan  of a simulation made by `compressed_simulation`
-[[nodiscard]] PulseRows pulse_rows_of_scene(std::shared_ptr<const simulate::Plan> plan);
+/// @param acquisition  of a simulation made by `compressed_simulation`
+[[nodiscard]] PulseRows pulse_rows_of_scene(const std::shared_ptr<const simulate::Acquisition>& acquisition);
 
 /// Pulses of a recording that a plan describes: compressed ones as they are, raw ones through the matched filter of the
 /// physical profile with the radar's window (docs/theory/compression.md).
 /// @param recorded  rows like those that the plan makes
 /// @throw  std::invalid_argument for synthetic range profiles
-[[nodiscard]] PulseRows pulse_rows_of_recording(std::shared_ptr<const simulate::Plan> plan,
+[[nodiscard]] PulseRows pulse_rows_of_recording(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                 core::SampleRows<double> recorded);
 
 }  // namespace sarsim::workflow

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "simulate/plan/row_maker.hpp"
+#include "simulate/run/computed_rows.hpp"
 #include "workflow/search/search_test_scene.hpp"
 
 namespace sarsim::workflow {
@@ -19,11 +19,8 @@ std::vector<std::complex<float>> row_of(const PulseRows& rows, std::size_t pulse
 
 // The rows of a recording that a run of the scene would have made.
 PulseRows recorded(const scene::Scene& scene) {
-  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
-  const auto maker = std::make_shared<simulate::RowMaker>(*plan);
-  return pulse_rows_of_recording(
-      plan, {plan->rows, plan->columns,
-             [plan, maker](std::size_t row, std::span<std::complex<double>> out) { maker->make_row(row, out); }});
+  const auto acquisition = std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0));
+  return pulse_rows_of_recording(acquisition, simulate::computed_rows(acquisition));
 }
 
 std::size_t peak_of(const std::vector<std::complex<float>>& row) {
@@ -91,14 +88,15 @@ TEST(PulseRows, KnowThePowerOfTheirNoise) {
 
 TEST(PulseRows, RefuseWhatHoldsNone) {
   scene::Scene scene = pulse_scene(0.0, 2);
-  EXPECT_THROW((void)pulse_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0))),
-               std::invalid_argument);
+  EXPECT_THROW(
+      (void)pulse_rows_of_scene(std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0))),
+      std::invalid_argument);
   scene.radars[0].carrier = scene::Radar::Carrier::stepped;
   scene.radars[0].carrier_steps = 2;
   scene.radars[0].pulses_per_step = 1;
   scene.simulations[0].processing = scene::Processing::srp;
-  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
-  EXPECT_THROW((void)pulse_rows_of_recording(plan, {}), std::invalid_argument);
+  const auto acquisition = std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0));
+  EXPECT_THROW((void)pulse_rows_of_recording(acquisition, {}), std::invalid_argument);
 }
 
 }  // namespace pulse_rows_test

@@ -62,13 +62,13 @@ void PulseWork::expect_free_files(const InputList& sources) const {
   expect_free_outputs(paths, {sources, request_.replace, "--out or --detections"});
 }
 
-void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,
+void PulseWork::open(const std::function<std::size_t(const simulate::Acquisition&)>& usual_pulses,
                      const std::function<double(const PulseRows&)>& more_bytes) {
   options_.detect = request_.detect;
   expect_free_files(InputList::named(named_sources(request_.input)));
   input_ = open_pulse_input(request_.input, control_);
   expect_free_files(input_.sources);
-  options_ = search_options(request_, plan(), usual_pulses(plan()));
+  options_ = search_options(request_, acquisition(), usual_pulses(acquisition()));
   find_problems(more_bytes(rows()));
   for (const fs::path& path : files())
     if (path.has_parent_path()) fs::create_directories(path.parent_path());
@@ -76,7 +76,7 @@ void PulseWork::open(const std::function<std::size_t(const simulate::Plan&)>& us
 
 void PulseWork::find_problems(double more_bytes) {
   core::Problems& problems = input_.problems;
-  std::ranges::move(problems_of_search(plan(), options_), std::back_inserter(problems));
+  std::ranges::move(problems_of_search(acquisition(), options_), std::back_inserter(problems));
   const double bytes = interval_bytes(options_, rows().pulses(), rows().samples()) + more_bytes;
   if (bytes > memory_bytes()) {
     core::Problem problem;
@@ -87,7 +87,7 @@ void PulseWork::find_problems(double more_bytes) {
     problems.push_back(problem);
   }
   if (core::has_errors(problems)) throw core::Refused(core::ranked(std::move(problems)));
-  std::ranges::move(remarks_on_search(plan(), options_, control_), std::back_inserter(problems));
+  std::ranges::move(remarks_on_search(acquisition(), options_, control_), std::back_inserter(problems));
   problems = core::ranked(std::move(problems));
   observer_.remarks(problems);
 }

@@ -26,12 +26,12 @@ class PulseWork {
   /// Opens the input and decides the options; throws core::Refused with all problems. Warnings are remarked on.
   /// @param usual_pulses  of an interval
   /// @param more_bytes    that are held besides the intervals
-  void open(const std::function<std::size_t(const simulate::Plan&)>& usual_pulses,
+  void open(const std::function<std::size_t(const simulate::Acquisition&)>& usual_pulses,
             const std::function<double(const PulseRows&)>& more_bytes);
 
   [[nodiscard]] const PulseInput& input() const { return input_; }
   [[nodiscard]] const PulseRows& rows() const { return input_.rows; }
-  [[nodiscard]] const simulate::Plan& plan() const { return *input_.rows.plan; }
+  [[nodiscard]] const simulate::Acquisition& acquisition() const { return *input_.rows.acquisition; }
   [[nodiscard]] const SearchOptions& options() const { return options_; }
   [[nodiscard]] std::size_t intervals() const { return interval_count(options_, rows().pulses()); }
   /// Where the image goes: as asked for, or named after the input.

@@ -58,13 +58,13 @@ ImageContent content_of_picture(const PulseWork& work, const PictureArguments& p
                            {"height m", number(picture.height_m.value_or(0.0))},
                            {"scan", picture.scan ? fmt::format("{}", *picture.scan + 1) : std::string("all")}};
   std::ranges::move(work.origin_fields(), std::back_inserter(content.header.fields));
-  content.product.radar = work.plan().radar.name;
+  content.product.radar = work.acquisition().link.name;
   content.product.image.rows = "y_m";
   content.product.image.row_m = [grid](std::size_t row) { return grid.y_m(row); };
   content.product.image.columns = "x_m";
   content.product.column_range_m = [grid](std::size_t column) { return grid.x_m(column); };
-  content.product.sample_rate_hz = 1.0 / work.plan().raw_grid.interval_s;
-  content.product.options = work.plan().scene->options;
+  content.product.sample_rate_hz = 1.0 / work.acquisition().reception.raw_grid.interval_s;
+  content.product.options = work.acquisition().scene->options;
   content.product.engine = "search";
   return content;
 }

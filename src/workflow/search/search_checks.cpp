@@ -19,8 +19,8 @@ namespace sarsim::workflow {
 namespace {
 
 // Whether all pulses of a plan follow each other at the same interval.
-bool evenly_spaced(const simulate::Plan& plan) {
-  const radar::Repetition& repetition = plan.radar.repetition;
+bool evenly_spaced(const simulate::Acquisition& acquisition) {
+  const radar::Repetition& repetition = acquisition.link.repetition;
   return std::abs(repetition.shortest_interval_s() - repetition.mean_interval_s()) <
          1e-9 * repetition.mean_interval_s();
 }
@@ -40,12 +40,12 @@ std::string cells_text(const signal::CfarOptions& cfar, std::size_t rows, std::s
 // Collects the remarks on one plan.
 class Remarks {
  public:
-  Remarks(const simulate::Plan& plan, const SearchOptions& options, const core::WorkControl& control)
-      : plan_(plan),
+  Remarks(const simulate::Acquisition& acquisition, const SearchOptions& options, const core::WorkControl& control)
+      : acquisition_(acquisition),
         options_(options),
-        survey_(simulate::survey_echoes(plan, control)),
-        prf_hz_(1.0 / plan.radar.repetition.mean_interval_s()),
-        wavelength_m_(radar::wavelength_of(plan.radar.carrier.highest_hz(), plan.scene->conventions.light_speed_mps)) {}
+        survey_(simulate::survey_echoes(acquisition, control)),
+        prf_hz_(1.0 / acquisition.link.repetition.mean_interval_s()),
+        wavelength_m_(radar::wavelength_of(acquisition.link.carrier.highest_hz(), acquisition.light_speed_mps())) {}
 
   core::Problems all() {
     if (options_.pulses > 1) {
@@ -86,7 +86,7 @@ class Remarks {
     if (count == 0) return;
     // A radar that searches finds directions and ranges, and is built to fold speeds.
     problems_.push_back(core::problem_of(
-        beam_turns(plan_) ? core::Severity::note : core::Severity::warning,
+        beam_turns(acquisition_) ? core::Severity::note : core::Severity::warning,
         fmt::format("{} of {} targets move faster than the PRF tells apart: their Doppler frequencies fold", count,
                     survey_.targets.size()),
         fmt::format("{:.4g} m/s, that is {}", std::abs(speed_of(max_hz)), core::with_prefix(std::abs(max_hz), "Hz", 4)),
@@ -98,7 +98,7 @@ class Remarks {
   void range_walk() {
     const double time_s = static_cast<double>(options_.recorded_pulses()) / prf_hz_;
     const double cell_m =
-        radar::range_of_cycle(radar::bandwidth_hz(plan_.radar.pulse), plan_.scene->conventions.light_speed_mps);
+        radar::range_of_cycle(radar::bandwidth_hz(acquisition_.link.pulse), acquisition_.light_speed_mps());
     double max_mps = 0.0;
     for (const simulate::TargetSurvey& target : survey_.targets)
       if (target.in_window) max_mps = std::max(max_mps, target.largest_speed_mps);
@@ -138,10 +138,13 @@ class Remarks {
 
   // Raw recordings end without the rest of the echoes that begin in their last pulse's length.
   void cut_echoes() {
-    if (plan_.simulation.processing != scene::Processing::raw) return;
-    const double c = plan_.scene->conventions.light_speed_mps;
-    const double whole_m = radar::range_of(RecordedGain(plan_, plan_.columns, plan_.radar.window).last_whole_s(), c);
-    const double last_m = radar::range_of(plan_.raw_grid.time_s(plan_.columns - 1) + plan_.pulse.lead_s, c);
+    if (!acquisition_.reception.is_raw()) return;
+    const double c = acquisition_.light_speed_mps();
+    const double whole_m = radar::range_of(
+        RecordedGain(acquisition_, acquisition_.reception.columns, acquisition_.link.window).last_whole_s(), c);
+    const double last_m = radar::range_of(acquisition_.reception.raw_grid.time_s(acquisition_.reception.columns - 1) +
+                                              acquisition_.reception.pulse.lead_s,
+                                          c);
     std::size_t count = 0;
     double farthest_m = 0.0;
     for (const simulate::TargetSurvey& target : survey_.targets) {
@@ -159,13 +162,13 @@ class Remarks {
   }
 
   void dwell() {
-    const double width_rad = beam_width_rad(plan_);
-    if (plan_.radar.beam.kind != radar::Beam::Kind::rotating || width_rad <= 0.0) return;
+    const double width_rad = beam_width_rad(acquisition_);
+    if (acquisition_.link.beam.kind != radar::Beam::Kind::rotating || width_rad <= 0.0) return;
     const double turn_rad =
-        std::abs(plan_.radar.beam.rate_rad_per_s) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
+        std::abs(acquisition_.link.beam.rate_rad_per_s) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
     if (turn_rad <= width_rad) return;
     const auto degrees = [](double rad) { return rad * 180.0 / core::pi; };
-    const double pulses = width_rad / std::abs(plan_.radar.beam.rate_rad_per_s) * prf_hz_;
+    const double pulses = width_rad / std::abs(acquisition_.link.beam.rate_rad_per_s) * prf_hz_;
     warn("the beam turns more than its width in an interval: targets are illuminated for part of it",
          fmt::format("{:.3g} degrees in {} pulses", degrees(turn_rad), options_.recorded_pulses()),
          fmt::format("at most {:.3g} degrees", degrees(width_rad)),
@@ -176,11 +179,11 @@ class Remarks {
   // The picture of a single turn stays black where its last pulses make no interval. Of several turns another one shows
   // it.
   void unseen_end() {
-    const auto pulses = static_cast<std::size_t>(plan_.pulses.count());
+    const auto pulses = static_cast<std::size_t>(acquisition_.timing.pulses.count());
     const std::size_t intervals = interval_count(options_, pulses);
-    if (!simulate::turns(plan_.radar.beam) || intervals == 0) return;
+    if (!simulate::turns(acquisition_.link.beam) || intervals == 0) return;
     const std::size_t taken = (intervals - 1) * options_.step_pulses() + options_.recorded_pulses();
-    const double turn_deg = std::abs(plan_.radar.beam.rate_rad_per_s) / prf_hz_ * 180.0 / core::pi;
+    const double turn_deg = std::abs(acquisition_.link.beam.rate_rad_per_s) / prf_hz_ * 180.0 / core::pi;
     const double unseen_deg =
         std::min(turn_deg * static_cast<double>(pulses - taken), 360.0 - turn_deg * static_cast<double>(taken));
     constexpr double rounding_deg = 1e-6;
@@ -196,9 +199,9 @@ class Remarks {
 
   // Of single pulses nothing is left but the beam's azimuth and the range.
   void still_beam() {
-    if (options_.recorded_pulses() > 1 || beam_turns(plan_)) return;
-    simulate::PulseGeometry geometry(*plan_.scene, plan_.radar);
-    geometry.set_pulse(plan_.pulses.first);
+    if (options_.recorded_pulses() > 1 || beam_turns(acquisition_)) return;
+    simulate::PulseGeometry geometry(*acquisition_.scene, acquisition_.link);
+    geometry.set_pulse(acquisition_.timing.pulses.first);
     const double azimuth_deg = core::azimuth_rad(geometry.pointing().axis_world()) * 180.0 / core::pi;
     warn("the beam does not turn: every detection is shown at the azimuth of the beam, wherever its target is",
          fmt::format("a beam that points to {:.3g} degrees all the time",
@@ -207,14 +210,15 @@ class Remarks {
   }
 
   void detector() {
-    if (plan_.noise_stddev_v == 0.0)
+    if (acquisition_.reception.noise_stddev_v == 0.0)
       warn("the radar has no noise: detections are compared with sidelobes and rounding errors", "0 K",
            "a noise temperature above 0", "give the receiver its temperature, 290 K for instance");
     if (options_.canceller > 0 && options_.cfar.reference_rows > 0)
       warn("after a canceller noise differs from one Doppler row to the next: reference cells in other rows mislead",
            fmt::format("{} rows", options_.cfar.reference_rows), "reference cells in the same row",
            "leave out the second number of --train");
-    const double pulse_cells = 1.0 / (radar::bandwidth_hz(plan_.radar.pulse) * plan_.raw_grid.interval_s);
+    const double pulse_cells =
+        1.0 / (radar::bandwidth_hz(acquisition_.link.pulse) * acquisition_.reception.raw_grid.interval_s);
     if (pulse_cells > 1.5 && static_cast<double>(options_.cfar.guard_columns) < pulse_cells)
       warn("a response is wider than the guard cells: a target masks itself",
            fmt::format("{} guard cells to either side", options_.cfar.guard_columns),
@@ -222,7 +226,7 @@ class Remarks {
            "give more with --guard");
   }
 
-  const simulate::Plan& plan_;
+  const simulate::Acquisition& acquisition_;
   const SearchOptions& options_;
   simulate::EchoSurvey survey_;
   double prf_hz_;
@@ -232,25 +236,26 @@ class Remarks {
 
 }  // namespace
 
-core::Problems problems_of_search(const simulate::Plan& plan, const SearchOptions& options) {
+core::Problems problems_of_search(const simulate::Acquisition& acquisition, const SearchOptions& options) {
   core::Problems problems;
   const auto refuse = [&](std::string message, std::string found, std::string expected, std::string hint) {
     problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
                                         std::move(expected), std::move(hint)));
   };
-  if (plan.simulation.processing == scene::Processing::srp)
+  if (acquisition.reception.is_profile())
     refuse("synthetic range profiles hold no pulses", "processing \"srp\"", "processing \"raw\" or \"matched-filter\"",
            "take another recording with --simulation");
   const bool trains = options.recorded_pulses() > 1;
-  if (trains && !evenly_spaced(plan))
+  if (trains && !evenly_spaced(acquisition))
     refuse("the pulses are not evenly spaced: Doppler frequencies and cancellers need even ones", "", "one PRF",
            "use a repetition of type \"constant\", or --interval 1 without a canceller");
-  if (trains && plan.radar.carrier.lowest_hz() != plan.radar.carrier.highest_hz())
-    refuse("the carrier changes from pulse to pulse: their phases cannot be compared",
-           fmt::format("{:.9g} to {:.9g} Hz", plan.radar.carrier.lowest_hz(), plan.radar.carrier.highest_hz()),
-           "one carrier", "use a carrier of type \"single\", or --interval 1 without a canceller");
-  const auto pulses = static_cast<std::size_t>(plan.pulses.count());
-  if (plan.simulation.processing != scene::Processing::srp && options.recorded_pulses() > pulses)
+  if (trains && acquisition.link.carrier.lowest_hz() != acquisition.link.carrier.highest_hz())
+    refuse(
+        "the carrier changes from pulse to pulse: their phases cannot be compared",
+        fmt::format("{:.9g} to {:.9g} Hz", acquisition.link.carrier.lowest_hz(), acquisition.link.carrier.highest_hz()),
+        "one carrier", "use a carrier of type \"single\", or --interval 1 without a canceller");
+  const auto pulses = static_cast<std::size_t>(acquisition.timing.pulses.count());
+  if (!acquisition.reception.is_profile() && options.recorded_pulses() > pulses)
     refuse("an interval takes more pulses than there are", fmt::format("{}", options.recorded_pulses()),
            fmt::format("at most {}", pulses), "give --interval less, or record for longer");
   if (options.frequencies > 0 && options.frequencies < options.pulses)
@@ -259,30 +264,31 @@ core::Problems problems_of_search(const simulate::Plan& plan, const SearchOption
   if (options.pulses == 1 && options.frequencies > 1)
     refuse("a single pulse has no Doppler frequencies", fmt::format("{}", options.frequencies), "1",
            "give --interval more, or leave out --frequencies");
-  if (options.detect && !signal::has_reference_cells(options.cfar, options.rows(), plan.columns))
-    refuse("no reference cells are left outside the guard", cells_text(options.cfar, options.rows(), plan.columns),
+  if (options.detect && !signal::has_reference_cells(options.cfar, options.rows(), acquisition.reception.columns))
+    refuse("no reference cells are left outside the guard",
+           cells_text(options.cfar, options.rows(), acquisition.reception.columns),
            "more cells to train on than to guard, and a guard smaller than the map",
            "give --train more, or --guard less");
   return problems;
 }
 
-core::Problems remarks_on_search(const simulate::Plan& plan, const SearchOptions& options,
+core::Problems remarks_on_search(const simulate::Acquisition& acquisition, const SearchOptions& options,
                                  const core::WorkControl& control) {
-  return Remarks(plan, options, control).all();
+  return Remarks(acquisition, options, control).all();
 }
 
-double beam_width_rad(const simulate::Plan& plan) {
+double beam_width_rad(const simulate::Acquisition& acquisition) {
   const auto width = [](const radar::AntennaPattern& pattern) {
     return pattern.kind == radar::AntennaPattern::Kind::sinx ? pattern.azimuth_beamwidth_rad : 0.0;
   };
-  const double transmit = width(plan.radar.transmit);
-  const double receive = width(plan.radar.receive);
+  const double transmit = width(acquisition.link.transmit);
+  const double receive = width(acquisition.link.receive);
   if (transmit > 0.0 && receive > 0.0) return std::min(transmit, receive);
   return std::max(transmit, receive);
 }
 
-std::optional<double> half_beam_rad(const simulate::Plan& plan) {
-  const radar::PatternRule rule = plan.scene->conventions.pattern;
+std::optional<double> half_beam_rad(const simulate::Acquisition& acquisition) {
+  const radar::PatternRule rule = acquisition.scene->conventions.pattern;
   const auto half = [rule](const radar::AntennaPattern& pattern) -> std::optional<double> {
     using Kind = radar::AntennaPattern::Kind;
     if (pattern.kind == Kind::isotropic) return std::nullopt;
@@ -298,36 +304,37 @@ std::optional<double> half_beam_rad(const simulate::Plan& plan) {
       if (power(step) >= 0.5 * most) farthest_rad = std::max(farthest_rad, core::pi * std::abs(step) / steps);
     return farthest_rad;
   };
-  const auto transmit = half(plan.radar.transmit);
-  const auto receive = half(plan.radar.receive);
+  const auto transmit = half(acquisition.link.transmit);
+  const auto receive = half(acquisition.link.receive);
   if (transmit && receive) return std::min(*transmit, *receive);
   return transmit ? transmit : receive;
 }
 
-bool beam_turns(const simulate::Plan& plan) {
+bool beam_turns(const simulate::Acquisition& acquisition) {
   constexpr int looks = 16;
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+  simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
   double first_rad = 0.0;
   for (int look = 0; look <= looks; ++look) {
     // Unevenly far apart, so that no turn fits between all of them.
     const double share = static_cast<double>(look * look) / (looks * looks);
-    geometry.set_pulse(plan.pulses.first + std::llround(share * static_cast<double>(plan.pulses.count() - 1)));
+    geometry.set_pulse(acquisition.timing.pulses.first +
+                       std::llround(share * static_cast<double>(acquisition.timing.pulses.count() - 1)));
     const double here_rad = core::azimuth_rad(geometry.pointing().axis_world());
     if (look == 0) first_rad = here_rad;
-    if (std::abs(std::remainder(here_rad - first_rad, 2.0 * core::pi)) > seen_width_rad(plan)) return true;
+    if (std::abs(std::remainder(here_rad - first_rad, 2.0 * core::pi)) > seen_width_rad(acquisition)) return true;
   }
   return false;
 }
 
-double seen_width_rad(const simulate::Plan& plan) {
-  const double width_rad = beam_width_rad(plan);
+double seen_width_rad(const simulate::Acquisition& acquisition) {
+  const double width_rad = beam_width_rad(acquisition);
   return width_rad > 0.0 ? width_rad : core::pi / 180.0;
 }
 
-std::size_t dwell_pulses(const simulate::Plan& plan) {
-  const double rate = std::abs(plan.radar.beam.rate_rad_per_s);
-  if (plan.radar.beam.kind != radar::Beam::Kind::rotating || rate == 0.0) return 1;
-  const double pulses = 0.5 * beam_width_rad(plan) / rate / plan.radar.repetition.mean_interval_s();
+std::size_t dwell_pulses(const simulate::Acquisition& acquisition) {
+  const double rate = std::abs(acquisition.link.beam.rate_rad_per_s);
+  if (acquisition.link.beam.kind != radar::Beam::Kind::rotating || rate == 0.0) return 1;
+  const double pulses = 0.5 * beam_width_rad(acquisition) / rate / acquisition.link.repetition.mean_interval_s();
   return static_cast<std::size_t>(std::clamp(std::floor(pulses + 1e-9), 1.0, 64.0));
 }
 

@@ -7,9 +7,9 @@
 namespace sarsim::workflow {
 namespace search_checks_test {
 
-simulate::Plan plan_of(scene::Scene scene) {
+simulate::Acquisition plan_of(scene::Scene scene) {
   scene.simulations[0] = compressed_simulation(scene.simulations[0]);
-  return simulate::make_plan(scene, 0);
+  return simulate::acquisition_of(scene, 0);
 }
 
 bool mentions(const core::Problems& problems, core::Severity severity, const std::string& text) {
@@ -52,21 +52,22 @@ TEST(ProblemsOfSearch, AreTrainsOfUnlikePulses) {
 }
 
 TEST(ProblemsOfSearch, AreSizesThatDoNotFit) {
-  const simulate::Plan plan = plan_of(noisy_scene(0.0));
+  const simulate::Acquisition acquisition = plan_of(noisy_scene(0.0));
   SearchOptions options = train_of(1024, 1);
-  EXPECT_TRUE(mentions(problems_of_search(plan, options), core::Severity::error, "more pulses than there are"));
-  EXPECT_TRUE(problems_of_search(plan, train_of(1023, 1)).empty());
+  EXPECT_TRUE(mentions(problems_of_search(acquisition, options), core::Severity::error, "more pulses than there are"));
+  EXPECT_TRUE(problems_of_search(acquisition, train_of(1023, 1)).empty());
   options = train_of(64);
   options.frequencies = 63;
   options.cfar.reference_columns = options.cfar.guard_columns;
-  const core::Problems both = problems_of_search(plan, options);
+  const core::Problems both = problems_of_search(acquisition, options);
   EXPECT_TRUE(mentions(both, core::Severity::error, "fewer Doppler frequencies"));
   EXPECT_TRUE(mentions(both, core::Severity::error, "no reference cells"));
   options.detect = false;
   options.frequencies = 64;
-  EXPECT_TRUE(problems_of_search(plan, options).empty());
+  EXPECT_TRUE(problems_of_search(acquisition, options).empty());
   options.pulses = 1;
-  EXPECT_TRUE(mentions(problems_of_search(plan, options), core::Severity::error, "a single pulse has no Doppler"));
+  EXPECT_TRUE(
+      mentions(problems_of_search(acquisition, options), core::Severity::error, "a single pulse has no Doppler"));
 }
 
 TEST(RemarksOnSearch, SayWhatFoldsAndWhatIsBlind) {
@@ -105,13 +106,13 @@ TEST(RemarksOnSearch, SayWhenTheBeamTurnsTooFarInAnInterval) {
   scene.radars[0].transmit_antenna.azimuth_beamwidth = core::Angle::from_deg(2.0);
   scene.radars[0].beam = scene::Radar::Beam::rotating;
   scene.radars[0].beam_rate = core::Angle::from_deg(360.0);
-  const simulate::Plan plan = plan_of(scene);
-  EXPECT_NEAR(beam_width_rad(plan), 2.0 * core::pi / 180.0, 1e-12);
+  const simulate::Acquisition acquisition = plan_of(scene);
+  EXPECT_NEAR(beam_width_rad(acquisition), 2.0 * core::pi / 180.0, 1e-12);
   // 2 degrees take 22.2 pulses.
-  EXPECT_EQ(dwell_pulses(plan), 11u);
-  EXPECT_TRUE(
-      mentions(remarks_on_search(plan, train_of(23)), core::Severity::warning, "intervals of at most 22 pulses"));
-  EXPECT_FALSE(mentions(remarks_on_search(plan, train_of(22)), core::Severity::warning, "beam turns"));
+  EXPECT_EQ(dwell_pulses(acquisition), 11u);
+  EXPECT_TRUE(mentions(remarks_on_search(acquisition, train_of(23)), core::Severity::warning,
+                       "intervals of at most 22 pulses"));
+  EXPECT_FALSE(mentions(remarks_on_search(acquisition, train_of(22)), core::Severity::warning, "beam turns"));
   EXPECT_EQ(dwell_pulses(plan_of(noisy_scene(0.0))), 1u);
 }
 
@@ -156,18 +157,18 @@ TEST(RemarksOnSearch, KnowThatAPlatformTurnsABeam) {
 }
 
 TEST(ProblemsOfSearch, AreGuardsLargerThanTheMap) {
-  const simulate::Plan plan = plan_of(noisy_scene(0.0));
+  const simulate::Acquisition acquisition = plan_of(noisy_scene(0.0));
   SearchOptions options = train_of(64);
   options.cfar.reference_columns = options.cfar.guard_columns = 1000;
   options.cfar.reference_rows = 2000;
   options.cfar.guard_rows = 1000;
-  EXPECT_TRUE(mentions(problems_of_search(plan, options), core::Severity::error, "no reference cells are left"));
+  EXPECT_TRUE(mentions(problems_of_search(acquisition, options), core::Severity::error, "no reference cells are left"));
   options.cfar.guard_rows = 62;
-  EXPECT_TRUE(problems_of_search(plan, options).empty());
+  EXPECT_TRUE(problems_of_search(acquisition, options).empty());
 }
 
 TEST(RemarksOnSearch, SayWhatTheDetectorCannotTrust) {
-  const simulate::Plan silent = plan_of(pulse_scene(0.0));
+  const simulate::Acquisition silent = plan_of(pulse_scene(0.0));
   EXPECT_TRUE(mentions(remarks_on_search(silent, train_of(64)), core::Severity::warning, "no noise"));
   SearchOptions options = train_of(64, 1);
   options.cfar.reference_rows = 2;
@@ -184,12 +185,12 @@ TEST(RemarksOnSearch, SayWhichEchoesTheEndOfARawRecordingCuts) {
   // A pulse of 1499 m in a window of 1700 m: echoes from 4901 m on are cut.
   scene::Scene scene = noisy_scene(0.0);
   scene.simulations[0].range_end_m = 6400.0;
-  EXPECT_TRUE(mentions(remarks_on_search(simulate::make_plan(scene, 0), train_of(64)), core::Severity::warning,
+  EXPECT_TRUE(mentions(remarks_on_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
                        "1 of 1 targets lie within a pulse's length of the end"));
   EXPECT_FALSE(mentions(remarks_on_search(plan_of(scene), train_of(64)), core::Severity::warning, "of the end"));
   scene.simulations[0].range_end_m = 6600.0;
-  EXPECT_FALSE(
-      mentions(remarks_on_search(simulate::make_plan(scene, 0), train_of(64)), core::Severity::warning, "of the end"));
+  EXPECT_FALSE(mentions(remarks_on_search(simulate::acquisition_of(scene, 0), train_of(64)), core::Severity::warning,
+                        "of the end"));
 }
 
 }  // namespace search_checks_test

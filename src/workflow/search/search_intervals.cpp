@@ -35,11 +35,11 @@ class IntervalGroups {
       : rows_(rows),
         options_(options),
         control_(control),
-        geometry_(*rows.plan->scene, rows.plan->radar),
+        geometry_(*rows.acquisition->scene, rows.acquisition->link),
         interval_(coherent_interval(options)),
         weights_(signal::pulse_weights(interval_)),
         cfar_(detector_of(rows, options)),
-        prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
+        prf_hz_(1.0 / rows.acquisition->link.repetition.mean_interval_s()) {
     interval_.step = options.step_pulses();
   }
 
@@ -178,7 +178,8 @@ class IntervalGroups {
       detection.doppler_hz = prf_hz_ * signal::peak_frequency(pulses, detection.doppler_hz / prf_hz_, reach);
       detection.doppler_hz -= prf_hz_ * std::floor(detection.doppler_hz / prf_hz_ + 0.5);
     }
-    detection.speed_mps = receding_speed_mps(*rows_.plan, rows_.number(interval.first_pulse), detection.doppler_hz);
+    detection.speed_mps =
+        receding_speed_mps(*rows_.acquisition, rows_.number(interval.first_pulse), detection.doppler_hz);
   }
 
   [[nodiscard]] double range_at(double column) const {
@@ -203,9 +204,9 @@ class IntervalGroups {
 
 }  // namespace
 
-double receding_speed_mps(const simulate::Plan& plan, std::int64_t pulse, double doppler_hz) {
+double receding_speed_mps(const simulate::Acquisition& acquisition, std::int64_t pulse, double doppler_hz) {
   const double wavelength_m =
-      radar::wavelength_of(plan.radar.carrier.carrier_hz(pulse), plan.scene->conventions.light_speed_mps);
+      radar::wavelength_of(acquisition.link.carrier.carrier_hz(pulse), acquisition.light_speed_mps());
   return radar::speed_of(doppler_hz, wavelength_m);
 }
 

@@ -35,7 +35,8 @@ struct SearchOptions {
 
 /// Speed at which a Doppler frequency, positive approaching, is left behind: -wavelength/2 times it.
 /// @param pulse  number in the radar's schedule, whose carrier counts
-[[nodiscard]] double receding_speed_mps(const simulate::Plan& plan, std::int64_t pulse, double doppler_hz);
+[[nodiscard]] double receding_speed_mps(const simulate::Acquisition& acquisition, std::int64_t pulse,
+                                        double doppler_hz);
 
 /// Whole intervals in a train of so many pulses.
 [[nodiscard]] std::size_t interval_count(const SearchOptions& options, std::size_t pulses);

@@ -8,6 +8,7 @@
 #include "core/maths/constants.hpp"
 #include "core/report/refused.hpp"
 #include "core/text/number_text.hpp"
+#include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/search/search_checks.hpp"
 
 namespace sarsim::workflow {
@@ -19,7 +20,7 @@ constexpr double max_pixels = 30000.0;           // of a picture's edge
 constexpr double widest_half_sector_rad = 0.25 * core::pi;
 
 core::Vec3 radar_at(const PulseRows& rows, std::size_t pulse) {
-  simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+  simulate::PulseGeometry geometry(*rows.acquisition->scene, rows.acquisition->link);
   geometry.set_pulse(rows.number(pulse));
   return geometry.radar_pose().position_world_m;
 }
@@ -66,7 +67,7 @@ signal::PpiGrid picture_grid(const PulseRows& rows, const PictureArguments& argu
 }
 
 double turns_of_beam(const PulseRows& rows) {
-  simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+  simulate::PulseGeometry geometry(*rows.acquisition->scene, rows.acquisition->link);
   double first_rad = 0.0;
   double last_rad = 0.0;
   double farthest_rad = 0.0;
@@ -82,10 +83,10 @@ double turns_of_beam(const PulseRows& rows) {
 }
 
 double turns_to_come(const PulseRows& rows) {
-  const radar::Beam& beam = rows.plan->radar.beam;
+  const radar::Beam& beam = rows.acquisition->link.beam;
   if (beam.kind != radar::Beam::Kind::rotating) return turns_of_beam(rows);
-  const radar::Repetition& repetition = rows.plan->radar.repetition;
-  const radar::PulseRange& pulses = rows.plan->pulses;
+  const radar::Repetition& repetition = rows.acquisition->link.repetition;
+  const radar::PulseRange& pulses = rows.acquisition->timing.pulses;
   const double time_s = repetition.send_time_s(pulses.last) - repetition.send_time_s(pulses.first);
   return std::floor(std::abs(beam.rate_rad_per_s) * time_s / (2.0 * core::pi) + 1e-9) + 1.0;
 }
@@ -100,7 +101,7 @@ GroundPlace place_of(const SearchInterval& interval, const SearchDetection& dete
 SearchPicture::SearchPicture(const PulseRows& rows, const PictureArguments& arguments)
     : rows_(rows),
       height_m_(arguments.height_m.value_or(0.0)),
-      still_rad_(beam_width_rad(*rows.plan)),
+      still_rad_(beam_width_rad(*rows.acquisition)),
       scan_(arguments.scan),
       picture_(picture_grid(rows, arguments)) {
   constexpr double usual_width_rad = core::pi / 180.0;

@@ -109,27 +109,28 @@ std::vector<double> noise_gains(const std::vector<double>& weights, std::size_t 
 SearchTargets::SearchTargets(const PulseRows& rows, const SearchOptions& options)
     : rows_(rows),
       options_(options),
-      geometry_(*rows.plan->scene, rows.plan->radar),
-      gain_(*rows.plan, rows.samples(), rows.plan->radar.window),
+      geometry_(*rows.acquisition->scene, rows.acquisition->link),
+      gain_(*rows.acquisition, rows.samples(), rows.acquisition->link.window),
       weights_(signal::pulse_weights(coherent_interval(options))),
       differences_(signal::canceller_weights(options.canceller)),
       pulses_v_(options.pulses),
       look_pulses_(pulses_of_look(options)),
       looks_((options.recorded_pulses() + look_pulses_ - 1) / look_pulses_),
-      prf_hz_(1.0 / rows.plan->radar.repetition.mean_interval_s()) {
-  cell_m_ = radar::range_of(std::max(1.0 / radar::bandwidth_hz(rows.plan->radar.pulse), rows.plan->raw_grid.interval_s),
-                            rows.plan->scene->conventions.light_speed_mps);
+      prf_hz_(1.0 / rows.acquisition->link.repetition.mean_interval_s()) {
+  cell_m_ = radar::range_of(std::max(1.0 / radar::bandwidth_hz(rows.acquisition->link.pulse),
+                                     rows.acquisition->reception.raw_grid.interval_s),
+                            rows.acquisition->light_speed_mps());
   noise_w_ = noise_gains(weights_, options.canceller, options.rows());
   for (double& noise_w : noise_w_) noise_w *= rows.noise_w;
   if (options.detect && rows.noise_w > 0.0)
     certain_snr_ = even_snr(equivalent_detector(detector_of(rows, options), options.rows(), rows.samples()),
                             options.rows(), rows.samples());
-  half_beam_rad_ = half_beam_rad(*rows.plan);
+  half_beam_rad_ = half_beam_rad(*rows.acquisition);
   // An antenna that sees all directions says with single pulses nothing of where a target is, but where it points to.
   constexpr double still_widths = 1.5;
-  if (!half_beam_rad_ && options.recorded_pulses() == 1 && !beam_turns(*rows.plan))
-    half_beam_rad_ = still_widths * seen_width_rad(*rows.plan);
-  targets_.resize(std::min(most, rows.plan->scene->scatterers.size()));
+  if (!half_beam_rad_ && options.recorded_pulses() == 1 && !beam_turns(*rows.acquisition))
+    half_beam_rad_ = still_widths * seen_width_rad(*rows.acquisition);
+  targets_.resize(std::min(most, rows.acquisition->scene->scatterers.size()));
   for (std::size_t t = 0; t < targets_.size(); ++t) targets_[t].target = t;
 }
 
@@ -149,7 +150,7 @@ std::vector<TargetSight> SearchTargets::sights(const SearchInterval& interval) {
 
 // Where the targets from `first` on are in the interval, and the amplitudes of their echoes, look by look.
 void SearchTargets::look(const SearchInterval& interval, std::size_t first, std::span<TargetSight> sights) {
-  const simulate::ResolvedScene& scene = *rows_.plan->scene;
+  const simulate::ResolvedScene& scene = *rows_.acquisition->scene;
   const double light_speed_mps = scene.conventions.light_speed_mps;
   const std::size_t pulses = options_.recorded_pulses();
   amplitudes_v_.resize(sights.size() * looks_);
@@ -181,9 +182,8 @@ void SearchTargets::place(const SearchInterval& interval, std::span<const double
   sight.interval = interval.number;
   sight.time_s = interval.time_s;
   // A chirp that is shifted in frequency peaks early or late (docs/theory/compression.md).
-  const double rate = rows_.plan->radar.pulse.sweep_rate_hz_per_s();
-  if (rate != 0.0)
-    sight.range_m -= radar::range_of(sight.doppler_hz, rows_.plan->scene->conventions.light_speed_mps) / rate;
+  const double rate = rows_.acquisition->link.pulse.sweep_rate_hz_per_s();
+  if (rate != 0.0) sight.range_m -= radar::range_of(sight.doppler_hz, rows_.acquisition->light_speed_mps()) / rate;
   const double step_m = rows_.samples() > 1 ? rows_.range_m[1] - rows_.range_m[0] : cell_m_;
   sight.in_window =
       sight.range_m > rows_.range_m.front() - 0.5 * step_m && sight.range_m < rows_.range_m.back() + 0.5 * step_m;
@@ -194,7 +194,7 @@ void SearchTargets::place(const SearchInterval& interval, std::span<const double
   else
     sight.amplitude_v = response(sight.doppler_hz, 0.0);
   if (!(sight.amplitude_v > 0.0)) return;
-  const double delay_s = radar::delay_of(rows_.range_m[sight.column], rows_.plan->scene->conventions.light_speed_mps);
+  const double delay_s = radar::delay_of(rows_.range_m[sight.column], rows_.acquisition->light_speed_mps());
   const double noise_w = noise_w_[sight.row] * gain_.noise(delay_s);
   sight.snr = noise_w > 0.0 ? sight.amplitude_v * sight.amplitude_v / noise_w : infinity;
 }
@@ -288,8 +288,7 @@ bool SearchTargets::fits(const SearchDetection& detection, const TargetSight& si
   if (sight.amplitude_v < min_of_largest * there.largest_v) return false;
   const double noise_v = deviations * sight.amplitude_v / std::sqrt(sight.snr);
   if (detection.magnitude_v > std::numbers::sqrt2 * there.sum_v + noise_v) return false;
-  const double wavelength_m =
-      radar::wavelength_of(geometry_.carrier_hz(), rows_.plan->scene->conventions.light_speed_mps);
+  const double wavelength_m = radar::wavelength_of(geometry_.carrier_hz(), rows_.acquisition->light_speed_mps());
   const double passed_m =
       0.5 * wavelength_m * std::abs(sight.doppler_hz) * static_cast<double>(options_.recorded_pulses()) / prf_hz_;
   const double cells = 1.0 + passed_m / cell_m_;

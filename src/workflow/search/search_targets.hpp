@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "simulate/plan/pulse_geometry.hpp"
 #include "workflow/focus/recorded_gain.hpp"
 #include "workflow/search/search_intervals.hpp"
 

@@ -344,11 +344,13 @@ TEST(SearchTargets, DoNotExpectWhatLiesOutsideTheRecordedRanges) {
 
 // Rows of what a run of the scene would record.
 PulseRows recorded_rows(const scene::Scene& scene) {
-  const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
-  const auto recording = std::make_shared<const simulate::Recording>(simulate::record(*plan));
-  return pulse_rows_of_recording(plan, core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(
-                                                                recording, &recording->samples),
-                                                            plan->rows, plan->columns));
+  const auto acquisition = std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0));
+  const auto recording = std::make_shared<const simulate::Recording>(
+      simulate::record(simulate::plan_of(*acquisition, simulate::Engine::automatic)));
+  return pulse_rows_of_recording(
+      acquisition,
+      core::rows_in_memory(std::shared_ptr<const std::vector<std::complex<double>>>(recording, &recording->samples),
+                           acquisition->timing.rows, acquisition->reception.columns));
 }
 
 TEST(SearchTargets, KnowWhatTheEndOfARawRecordingLeavesOfAnEcho) {

@@ -64,7 +64,7 @@ inline scene::Scene noise_scene(int pulses, int samples) {
 
 inline PulseRows pulse_rows_of(scene::Scene scene) {
   scene.simulations[0] = compressed_simulation(scene.simulations[0]);
-  return pulse_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0)));
+  return pulse_rows_of_scene(std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0)));
 }
 
 /// All intervals, kept.

@@ -51,12 +51,12 @@ IsarOptions isar_options(const IsarRequest& request) {
 }
 
 // The platform of that name, or the one with the strongest targets.
-std::size_t platform_of_name(const std::string& name, const simulate::Plan& plan) {
+std::size_t platform_of_name(const std::string& name, const simulate::Acquisition& acquisition) {
   if (name.empty()) {
-    if (const auto strongest = platform_of_targets(plan)) return *strongest;
+    if (const auto strongest = platform_of_targets(acquisition)) return *strongest;
     throw core::Refused("no target is on a platform of its own", "name the target's platform with --platform");
   }
-  const auto& platforms = plan.scene->platforms;
+  const auto& platforms = acquisition.scene->platforms;
   const auto found = std::ranges::find_if(
       platforms, [&](const simulate::ResolvedPlatform& p) { return core::equal_ignoring_case(p.name, name); });
   if (found == platforms.end()) {
@@ -68,7 +68,7 @@ std::size_t platform_of_name(const std::string& name, const simulate::Plan& plan
                         near.empty() ? "" : fmt::format("did you mean '{}'?", near));
   }
   const auto index = static_cast<std::size_t>(found - platforms.begin());
-  if (index == plan.radar.platform)
+  if (index == acquisition.link.platform)
     throw core::Refused(fmt::format("--platform: '{}' carries the radar itself", found->name),
                         "name the platform of the target");
   return index;
@@ -85,7 +85,7 @@ class IsarRun {
     options_ = isar_options(request_);
     input_ = open_stepped_input(request_.input, SteppedUse::isar, control_);
     if (options_.motion == Motion::estimated) expect_searchable(options_.fastest_mps, input_.rows);
-    options_.platform = platform_of_name(request_.platform, *input_.rows.plan);
+    options_.platform = platform_of_name(request_.platform, *input_.rows.acquisition);
     cut_bursts();
     expect_free_outputs(outputs(), {input_.sources, request_.replace, "--out"});
     find_problems();
@@ -170,7 +170,7 @@ class IsarRun {
     signal::FocusOptions focus;
     focus.range_window = options_.range_window;
     focus.azimuth_window = options_.azimuth_window;
-    const simulate::Plan& plan = *input_.rows.plan;
+    const simulate::Acquisition& acquisition = *input_.rows.acquisition;
     ImageOrigin origin{request_.input.path,
                        request_.input.script,
                        words_of_overrides(request_.input.overrides),
@@ -178,8 +178,8 @@ class IsarRun {
                        algorithm(),
                        focus,
                        "none",
-                       plan.radar.name,
-                       plan.scene->options,
+                       acquisition.link.name,
+                       acquisition.scene->options,
                        std::nullopt};
     if (request_.input.dataset.empty()) origin.recording = input_.recording;
     return origin;

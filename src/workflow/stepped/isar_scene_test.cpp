@@ -44,17 +44,16 @@ scene::Scene ship_scene(bool stepped) {
 }
 
 SteppedRows rows_of(scene::Scene scene) {
-  const simulate::Plan window = simulate::make_plan(scene, 0);
+  const simulate::Acquisition window = simulate::acquisition_of(scene, 0);
   EXPECT_FALSE(core::has_errors(problems_of_stepped(window, SteppedUse::isar, false)));
   scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
-  return stepped_rows_of_scene(
-      std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic)),
-      window);
+  return stepped_rows_of_scene(std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0)),
+                               window);
 }
 
 IsarOptions options_for(const SteppedRows& rows) {
   IsarOptions options;
-  options.platform = platform_of_targets(*rows.plan).value();
+  options.platform = platform_of_targets(*rows.acquisition).value();
   options.oversampling = 2;
   return options;
 }

@@ -128,7 +128,7 @@ ProfileSeries make_profiles(const SteppedRows& rows, const SeriesOptions& option
                                    options.to_m.value_or(shown.to_m), options.oversampling);
   ProfileSeries series;
   series.axis = maker.axis();
-  series.limits = signal::limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
+  series.limits = signal::limits_of(*rows.band, rows.acquisition->link.repetition.mean_interval_s());
   series.centre_hz = rows.band->centre_hz();
   series.band_hz = rows.band->band_hz();
   for (const signal::ProfileSet& bursts : signal::scans_of(illumination_of(rows, control), options.illuminated_share)) {

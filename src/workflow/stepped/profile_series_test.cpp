@@ -23,7 +23,8 @@ scene::Scene short_scene(scene::Simulation::PulsePosition position) {
 }
 
 SteppedRows recorded(const scene::Scene& scene) {
-  return stepped_rows_of_recording(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0)), {});
+  return stepped_rows_of_recording(std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0)),
+                                   {});
 }
 
 double last_sample_m(const SteppedRows& rows) {
@@ -49,10 +50,10 @@ TEST(ShownRanges, OfARecordingEndWithTheEchoThatTheLastSampleHoldsTheBeginningOf
 TEST(ShownRanges, OfASceneAreAllOfItsWindow) {
   for (const auto position : {scene::Simulation::PulsePosition::begin, scene::Simulation::PulsePosition::centre}) {
     scene::Scene scene = short_scene(position);
-    const simulate::Plan window = simulate::make_plan(scene, 0);
+    const simulate::Acquisition window = simulate::acquisition_of(scene, 0);
     scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
-    const SteppedRows rows =
-        stepped_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0)), window);
+    const SteppedRows rows = stepped_rows_of_scene(
+        std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0)), window);
     const RangeStretch shown = shown_ranges(rows);
     EXPECT_EQ(shown.from_m, 950.0);
     EXPECT_EQ(shown.to_m, 1076.0);

@@ -125,8 +125,8 @@ std::optional<KeptImage> made_set(const ProfileSeries& series, const SteppedInpu
                        window_words_of(request),
                        input.rows.band->waveform().light_speed_mps,
                        {},
-                       input.rows.plan->radar.name,
-                       input.rows.plan->scene->options};
+                       input.rows.acquisition->link.name,
+                       input.rows.acquisition->scene->options};
   if (!keeps(request) && output.has_parent_path()) fs::create_directories(output.parent_path());
   const auto write = [&](const ProfileSeries& made) -> std::optional<KeptImage> {
     origin.aspects_rad = aspects_rad(input.rows, made);
@@ -181,7 +181,7 @@ ProfilesReport profiles(const ProfilesRequest& request, const core::Observer& ob
   report.output = request.output.empty() ? fs::path(fs::path(request.input.path).stem().string() + "-profiles.img")
                                          : request.output;
   SteppedInput input = input_of_profiles(request, report.output, control);
-  if (!request.window) options.window = input.rows.plan->radar.window;
+  if (!request.window) options.window = input.rows.acquisition->link.window;
   expect_ranges(input, options);
   if (options.velocity == SeriesOptions::Velocity::estimated) expect_searchable(options.fastest_mps, input.rows);
   find_problems(input, options);

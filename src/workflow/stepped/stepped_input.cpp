@@ -22,23 +22,23 @@ SteppedInput of_script(const RecordingArguments& arguments, SteppedUse use, cons
 
 SteppedInput of_file(const RecordingArguments& arguments, SteppedUse use, const core::WorkControl& control) {
   StoredRecording stored = open_recording(
-      arguments, suits_use(use), [use](const simulate::Plan& plan) { return problems_of_stepped(plan, use, true); },
-      control);
-  return {stepped_rows_of_recording(stored.plan, stored.rows), stored.simulation, std::move(stored.problems),
+      arguments, suits_use(use),
+      [use](const simulate::Acquisition& acquisition) { return problems_of_stepped(acquisition, use, true); }, control);
+  return {stepped_rows_of_recording(stored.acquisition, stored.rows), stored.simulation, std::move(stored.problems),
           std::move(stored.sources), std::move(stored.file)};
 }
 
 // @param window  the plan of the simulation, raw
-SteppedInput input_in(scene::Scene& scene, std::size_t number, const simulate::Plan& window, SteppedUse use) {
+SteppedInput input_in(scene::Scene& scene, std::size_t number, const simulate::Acquisition& window, SteppedUse use) {
   SteppedInput stepped;
   stepped.simulation = number;
   scene::Simulation& simulation = scene.simulations[number];
   stepped.problems = problems_of_stepped(window, use, false);
   if (core::has_errors(stepped.problems)) return stepped;
   simulation = recorded_for_stepped(simulation, window);
-  const auto plan = std::make_shared<const simulate::Plan>(
-      simulate::make_plan(scene, number, window.scene, simulate::Engine::automatic));
-  stepped.rows = stepped_rows_of_scene(plan, window);
+  const auto acquisition =
+      std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, number, window.scene));
+  stepped.rows = stepped_rows_of_scene(acquisition, window);
   return stepped;
 }
 
@@ -58,12 +58,12 @@ Suits suits_use(SteppedUse use) {
 SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
                               const std::shared_ptr<const simulate::ResolvedScene>& resolved, SteppedUse use) {
   scene.simulations[number].processing = scene::Processing::raw;
-  return input_in(scene, number, simulate::make_plan(scene, number, resolved), use);
+  return input_in(scene, number, simulate::acquisition_of(scene, number, resolved), use);
 }
 
-SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number, const simulate::Plan& planned, SteppedUse use) {
-  if (planned.simulation.processing != scene::Processing::raw)
-    return stepped_input_of(scene, number, planned.scene, use);
+SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number, const simulate::Acquisition& planned,
+                              SteppedUse use) {
+  if (!planned.reception.is_raw()) return stepped_input_of(scene, number, planned.scene, use);
   return input_in(scene, number, planned, use);
 }
 

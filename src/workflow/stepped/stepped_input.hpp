@@ -24,8 +24,8 @@ struct SteppedInput {
                                             SteppedUse use);
 /// The same of a simulation that is planned already.
 /// @param planned  its plan, of any engine
-[[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number, const simulate::Plan& planned,
-                                            SteppedUse use);
+[[nodiscard]] SteppedInput stepped_input_of(scene::Scene& scene, std::size_t number,
+                                            const simulate::Acquisition& planned, SteppedUse use);
 
 /// Opens what the arguments name; throws core::Refused with all problems where it cannot be used.
 [[nodiscard]] SteppedInput open_stepped_input(const RecordingArguments& arguments, SteppedUse use,

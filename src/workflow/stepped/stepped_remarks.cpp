@@ -66,7 +66,8 @@ void remark_on_gates(core::Problems& problems, const signal::SteppedBand& band) 
 void remark_on_targets(core::Problems& problems, const SteppedRows& rows, const signal::SteppedLimits& limits) {
   const signal::SteppedWaveform& w = rows.band->waveform();
   if (w.subband_hz > 0.0 || w.steps < 2) return;
-  const simulate::RangeExtent extent = simulate::target_ranges(*rows.plan->scene, rows.plan->radar, rows.plan->pulses);
+  const simulate::RangeExtent extent =
+      simulate::target_ranges(*rows.acquisition->scene, rows.acquisition->link, rows.acquisition->timing.pulses);
   const double extent_m = extent.farthest_m - extent.nearest_m;
   // Within what one gate sees, targets so far apart share their bins.
   if (extent.empty() || extent_m <= limits.unambiguous_range_m || limits.seen_m <= limits.unambiguous_range_m) return;
@@ -115,17 +116,17 @@ std::string carriers_text(const radar::CarrierPlan& carrier) {
 
 }  // namespace
 
-core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, bool recorded) {
+core::Problems problems_of_stepped(const simulate::Acquisition& acquisition, SteppedUse use, bool recorded) {
   core::Problems problems;
   const auto add = [&](std::string message, std::string found, std::string expected, std::string hint) {
     problems.push_back(core::problem_of(core::Severity::error, std::move(message), std::move(found),
                                         std::move(expected), std::move(hint)));
   };
-  const std::optional<SteppedGrid> grid = stepped_grid(plan.radar.carrier, plan.pulses.first);
+  const std::optional<SteppedGrid> grid = stepped_grid(acquisition.link.carrier, acquisition.timing.pulses.first);
   const std::size_t steps = grid ? grid->steps : 1;
-  const bool mono = plan.radar.pulse.kind == radar::Pulse::Kind::mono;
+  const bool mono = acquisition.link.pulse.kind == radar::Pulse::Kind::mono;
   if (!grid)
-    add("the carriers of the list are not evenly spaced", carriers_text(plan.radar.carrier),
+    add("the carriers of the list are not evenly spaced", carriers_text(acquisition.link.carrier),
         "each carrier as often as the others, all of them multiples of one step apart",
         "leave out what does not fit, or use a carrier of type \"stepped\"");
   else if (steps > 1 && grid->step_hz == 0.0)
@@ -138,17 +139,18 @@ core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, b
     add("neither does the carrier step nor is the pulse modulated: there is no resolution in range",
         "a pulse of type \"mono\" on one carrier", "a carrier of type \"stepped\" or \"list\", or a modulated pulse",
         "");
-  if (recorded && plan.simulation.processing == scene::Processing::srp)
+  if (recorded && acquisition.reception.is_profile())
     add("the file holds range profiles already, not the echoes of single pulses", "processing \"srp\"",
         "\"raw\" or \"matched-filter\"", "record the pulses with processing = \"raw\"");
-  if (recorded && plan.simulation.processing == scene::Processing::matched_filter &&
-      plan.scene->conventions.compression != simulate::Conventions::Compression::keeps_peak)
+  if (recorded && acquisition.reception.is_compressed() &&
+      acquisition.scene->conventions.compression != simulate::Conventions::Compression::keeps_peak)
     add("the classic profile repeats or leaves out samples of this compressed recording", "", "",
         "use raw data, or the physical profile");
   const std::int64_t burst = grid ? grid->burst_pulses() : 1;
-  const std::int64_t first = radar::floor_divide(plan.pulses.first + burst - 1, burst);
-  if (radar::floor_divide(plan.pulses.last + 1, burst) <= first)
-    add("the recording holds no whole burst", fmt::format("pulses {} to {}", plan.pulses.first, plan.pulses.last),
+  const std::int64_t first = radar::floor_divide(acquisition.timing.pulses.first + burst - 1, burst);
+  if (radar::floor_divide(acquisition.timing.pulses.last + 1, burst) <= first)
+    add("the recording holds no whole burst",
+        fmt::format("pulses {} to {}", acquisition.timing.pulses.first, acquisition.timing.pulses.last),
         fmt::format("all {0} pulses of a burst; a burst begins at each multiple of {0}", burst),
         "lengthen the azimuth window");
   return problems;
@@ -156,7 +158,8 @@ core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, b
 
 core::Problems remarks_on_stepped(const SteppedRows& rows, SteppedUse use, std::optional<double> speed_mps) {
   core::Problems problems;
-  const signal::SteppedLimits limits = signal::limits_of(*rows.band, rows.plan->radar.repetition.mean_interval_s());
+  const signal::SteppedLimits limits =
+      signal::limits_of(*rows.band, rows.acquisition->link.repetition.mean_interval_s());
   remark_on_band(problems, *rows.band, limits);
   remark_on_gates(problems, *rows.band);
   remark_on_targets(problems, rows, limits);

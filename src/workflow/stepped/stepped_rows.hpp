@@ -16,7 +16,7 @@
 #include "signal/stepped/profile_maker.hpp"
 #include "signal/stepped/stepped_band.hpp"
 #include "signal/stepped/velocity_search.hpp"
-#include "simulate/plan/plan.hpp"
+#include "simulate/plan/acquisition.hpp"
 #include "workflow/focus/sar_rows.hpp"
 
 /// From simulations of stepped carriers and their recordings to what range profiles and images of turning targets are
@@ -26,7 +26,7 @@ namespace sarsim::workflow {
 /// Whole bursts of a recording, read or computed when they are asked for: a row for each pulse, counted from
 /// first_pulse, as SteppedBand::place takes it.
 struct SteppedRows : core::SampleRows<double> {
-  std::shared_ptr<const simulate::Plan> plan;
+  std::shared_ptr<const simulate::Acquisition> acquisition;
   std::shared_ptr<const signal::SteppedBand> band;
   std::int64_t first_pulse = 0;     ///< Of the first whole burst: its number in the schedule.
   std::size_t bursts = 0;           ///< Whole ones.
@@ -35,7 +35,7 @@ struct SteppedRows : core::SampleRows<double> {
   double to_m = 0.0;
 
   [[nodiscard]] double pulse_time_s(std::size_t pulse) const {
-    return plan->radar.repetition.send_time_s(first_pulse + static_cast<std::int64_t>(pulse));
+    return acquisition->link.repetition.send_time_s(first_pulse + static_cast<std::int64_t>(pulse));
   }
 };
 
@@ -48,7 +48,8 @@ enum class SteppedUse {
 /// What keeps a simulation from being used, all at once (errors): a carrier that does not step evenly, no whole burst,
 /// profiles instead of echoes, samples that the classic profile places unevenly.
 /// @param recorded  a file holds the echoes, which therefore must not be profiles already
-[[nodiscard]] core::Problems problems_of_stepped(const simulate::Plan& plan, SteppedUse use, bool recorded);
+[[nodiscard]] core::Problems problems_of_stepped(const simulate::Acquisition& acquisition, SteppedUse use,
+                                                 bool recorded);
 
 /// What makes profiles ambiguous, lost or blurred (warnings): steps wider than the pulse's band, gates that leave out
 /// echoes, targets that fold onto each other, and of profiles targets whose speed shifts and smears them.
@@ -58,15 +59,16 @@ enum class SteppedUse {
 
 /// The simulation as it is wanted recorded: raw, longer by a pulse at its end and, for CENTRE, by half a pulse, in
 /// whole samples, at its start. The sampling frequency stays the script's.
-[[nodiscard]] scene::Simulation recorded_for_stepped(const scene::Simulation& simulation, const simulate::Plan& plan);
+[[nodiscard]] scene::Simulation recorded_for_stepped(const scene::Simulation& simulation,
+                                                     const simulate::Acquisition& acquisition);
 
 /// Rows of a scene. `plan` is of a simulation made by `recorded_for_stepped`.
 /// @param window  the plan of the script's own window
-[[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Plan>& plan,
-                                                const simulate::Plan& window);
+[[nodiscard]] SteppedRows stepped_rows_of_scene(const std::shared_ptr<const simulate::Acquisition>& acquisition,
+                                                const simulate::Acquisition& window);
 
 /// Rows of a recording, raw or compressed, that a plan describes.
-[[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Plan>& plan,
+[[nodiscard]] SteppedRows stepped_rows_of_recording(const std::shared_ptr<const simulate::Acquisition>& acquisition,
                                                     core::SampleRows<double> recorded);
 
 /// Reads bursts [first, first + count), their pulses placed in the band.
@@ -100,7 +102,7 @@ struct BurstTruth {
 
 /// The platform that carries the strongest targets (by cross-section), the radar's own left out; nothing where there
 /// are no others.
-[[nodiscard]] std::optional<std::size_t> platform_of_targets(const simulate::Plan& plan);
+[[nodiscard]] std::optional<std::size_t> platform_of_targets(const simulate::Acquisition& acquisition);
 
 /// The antenna in the frame of a platform, pulse by pulse of some bursts.
 [[nodiscard]] std::vector<signal::TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform,

@@ -23,11 +23,11 @@ void make_chirped(scene::Scene& scene) {
   radar.pulse_width_s = 10e-6;
 }
 
-SteppedRows rows_of(scene::Scene scene, simulate::Engine engine = simulate::Engine::reference) {
-  const simulate::Plan window = simulate::make_plan(scene, 0);
+SteppedRows rows_of(scene::Scene scene) {
+  const simulate::Acquisition window = simulate::acquisition_of(scene, 0);
   EXPECT_FALSE(core::has_errors(problems_of_stepped(window, SteppedUse::profiles, false)));
   scene.simulations[0] = recorded_for_stepped(scene.simulations[0], window);
-  return stepped_rows_of_scene(std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0, nullptr, engine)),
+  return stepped_rows_of_scene(std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0)),
                                window);
 }
 
@@ -64,7 +64,7 @@ TEST(ProfileSeries, ShowsTargetsWhereTheyAreForEveryKindOfPulse) {
       scene.targets.push_back(simulate::target_on("Earth", {3041.0, 0.0, 0.0}));
       const SteppedRows rows = rows_of(scene);
       SeriesOptions options;
-      options.window = rows.plan->radar.window;
+      options.window = rows.acquisition->link.window;
       const ProfileSeries series = make_profiles(rows, options, one);
       ASSERT_EQ(series.rows.size(), 2u);
       EXPECT_EQ(series.scans.size(), 1u);
@@ -88,10 +88,12 @@ TEST(ProfileSeries, IsTheSameOfARecordingRawOrCompressed) {
     scene.simulations[0].range_end_m += 1600.0;  // Room for whole echoes.
     scene.simulations[0].processing = processing;
     scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
-    const auto plan = std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0));
-    const simulate::Recording recording = simulate::record(*plan);
-    const SteppedRows rows =
-        stepped_rows_of_recording(plan, core::rows_in_memory(std::span(recording.samples), plan->rows, plan->columns));
+    const auto acquisition = std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0));
+    const simulate::Recording recording =
+        simulate::record(simulate::plan_of(*acquisition, simulate::Engine::automatic));
+    const SteppedRows rows = stepped_rows_of_recording(
+        acquisition,
+        core::rows_in_memory(std::span(recording.samples), acquisition->timing.rows, acquisition->reception.columns));
     SeriesOptions options;
     options.to_m = 3080.0;
     const ProfileSeries series = make_profiles(rows, options, one);
@@ -111,7 +113,7 @@ TEST(ProfileSeries, ShowsTargetsWithTheReceiversGainOverTime) {
     scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
     const SteppedRows rows = rows_of(scene);
     SeriesOptions options;
-    options.window = rows.plan->radar.window;
+    options.window = rows.acquisition->link.window;
     const ProfileSeries series = make_profiles(rows, options, one);
     const std::vector<HeldTarget> held = hold_against_scene(rows, series, options, 1);
     ASSERT_EQ(held.size(), 1u);
@@ -259,7 +261,7 @@ TEST(ProfileSeries, DoesNotDependOnTheNumberOfThreads) {
   make_chirped(scene);
   scene.radars[0].noise_temperature_k = 300.0;
   scene.targets.push_back(simulate::target_on("Earth", {3003.3, 0.0, 0.0}));
-  const SteppedRows rows = rows_of(scene, simulate::Engine::automatic);
+  const SteppedRows rows = rows_of(scene);
   SeriesOptions options;
   options.velocity = SeriesOptions::Velocity::estimated;
   options.fastest_mps = 30.0;
@@ -277,7 +279,7 @@ TEST(ProfileSeries, IsEmptyWithoutTargetsThatEcho) {
 
 TEST(ProblemsOfStepped, SayWhatKeepsARecordingFromBeingUsed) {
   const auto problems = [](scene::Scene scene, SteppedUse use = SteppedUse::profiles, bool recorded = false) {
-    return text_of(problems_of_stepped(simulate::make_plan(scene, 0), use, recorded));
+    return text_of(problems_of_stepped(simulate::acquisition_of(scene, 0), use, recorded));
   };
   scene::Scene scene = stepped_scene();
   EXPECT_EQ(problems(scene), "");
@@ -353,13 +355,13 @@ TEST(PlatformOfTargets, CarriesTheStrongestAndIsNotTheRadars) {
   scene::Scene scene = stepped_scene();
   scene.platforms.push_back(simulate::resting("Ship", {3000.0, 0.0, 0.0}));
   scene.platforms.push_back(simulate::resting("Buoy", {3020.0, 0.0, 0.0}));
-  EXPECT_FALSE(platform_of_targets(*rows_of(scene).plan));
+  EXPECT_FALSE(platform_of_targets(*rows_of(scene).acquisition));
   scene.targets.push_back(simulate::target_on("Earth", {3000.0, 0.0, 0.0}));
-  EXPECT_FALSE(platform_of_targets(*rows_of(scene).plan));
+  EXPECT_FALSE(platform_of_targets(*rows_of(scene).acquisition));
   scene.targets.push_back(simulate::target_on("Buoy", {}));
   scene.targets.push_back(simulate::target_on("Ship", {}));
   scene.targets.back().rcs_m2 = 3.0;
-  EXPECT_EQ(platform_of_targets(*rows_of(scene).plan), 1u);
+  EXPECT_EQ(platform_of_targets(*rows_of(scene).acquisition), 1u);
 }
 
 }  // namespace stepped_rows_test

@@ -29,14 +29,14 @@ core::Vec3 turn_rate_radps(const radar::Pose& pose) {
 }  // namespace
 
 std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burst) {
-  const simulate::Plan& plan = *rows.plan;
+  const simulate::Acquisition& acquisition = *rows.acquisition;
   const std::size_t pulses = rows.band->waveform().burst_pulses();
-  const double light_mps = plan.scene->conventions.light_speed_mps;
-  std::vector<BurstTruth> truth(plan.scene->scatterers.size());
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  const bool compressed = plan.simulation.processing == scene::Processing::matched_filter;
+  const double light_mps = acquisition.light_speed_mps();
+  std::vector<BurstTruth> truth(acquisition.scene->scatterers.size());
+  simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
+  const bool compressed = acquisition.reception.is_compressed();
   const RecordedGain gain(
-      plan, plan.columns, compressed ? plan.radar.window : [](double) { return 1.0; });
+      acquisition, acquisition.reception.columns, compressed ? acquisition.link.window : [](double) { return 1.0; });
   for (std::size_t p = 0; p < pulses; ++p) {
     geometry.set_pulse(pulse_of(rows, burst, p));
     const radar::Pointing pointing = geometry.pointing();
@@ -54,11 +54,11 @@ std::vector<BurstTruth> truth_of_burst(const SteppedRows& rows, std::size_t burs
 }
 
 std::vector<double> illumination_of(const SteppedRows& rows, const core::WorkControl& control) {
-  const simulate::Plan& plan = *rows.plan;
-  const std::size_t targets = plan.scene->scatterers.size();
+  const simulate::Acquisition& acquisition = *rows.acquisition;
+  const std::size_t targets = acquisition.scene->scatterers.size();
   std::vector<double> power(rows.bursts);
   core::parallel_ranges(rows.bursts, 16, control, [&](std::size_t begin, std::size_t end) {
-    simulate::PulseGeometry geometry(*plan.scene, plan.radar);
+    simulate::PulseGeometry geometry(*acquisition.scene, acquisition.link);
     for (std::size_t b = begin; b < end; ++b) {
       geometry.set_pulse(pulse_of(rows, b, rows.band->waveform().burst_pulses() / 2));
       const radar::Pointing pointing = geometry.pointing();
@@ -83,41 +83,42 @@ double fastest_searched_mps(const SteppedRows& rows) {
 double mean_speed_mps(const SteppedRows& rows, std::size_t first, std::size_t count) {
   constexpr std::size_t max_looks = 17;
   const std::size_t looks = std::min(count, max_looks);
-  simulate::PulseGeometry geometry(*rows.plan->scene, rows.plan->radar);
+  simulate::PulseGeometry geometry(*rows.acquisition->scene, rows.acquisition->link);
   double power = 0.0;
   double sum = 0.0;
   for (std::size_t i = 0; i < looks; ++i) {
     const std::size_t burst = first + (looks > 1 ? i * (count - 1) / (looks - 1) : 0);
     geometry.set_pulse(pulse_of(rows, burst, rows.band->waveform().burst_pulses() / 2));
-    simulate::each_sampled_view(*rows.plan->scene, geometry, max_targets, [&](const simulate::ScattererView& view) {
-      const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
-      power += weight;
-      sum += weight * view.speed_mps;
-    });
+    simulate::each_sampled_view(*rows.acquisition->scene, geometry, max_targets,
+                                [&](const simulate::ScattererView& view) {
+                                  const double weight = view.amplitude_sqrt_w * view.amplitude_sqrt_w;
+                                  power += weight;
+                                  sum += weight * view.speed_mps;
+                                });
   }
   return power > 0.0 ? sum / power : 0.0;
 }
 
-std::optional<std::size_t> platform_of_targets(const simulate::Plan& plan) {
-  std::vector<double> rcs_m2(plan.scene->platforms.size());
-  for (const simulate::Scatterer& s : plan.scene->scatterers) rcs_m2[s.platform] += s.rcs_m2;
-  for (const simulate::ScattererSheet& sheet : plan.scene->sheets)
+std::optional<std::size_t> platform_of_targets(const simulate::Acquisition& acquisition) {
+  std::vector<double> rcs_m2(acquisition.scene->platforms.size());
+  for (const simulate::Scatterer& s : acquisition.scene->scatterers) rcs_m2[s.platform] += s.rcs_m2;
+  for (const simulate::ScattererSheet& sheet : acquisition.scene->sheets)
     rcs_m2[sheet.platform] += sheet.point_rcs_m2 * static_cast<double>(sheet.points_m.size());
-  rcs_m2[plan.radar.platform] = 0.0;
+  rcs_m2[acquisition.link.platform] = 0.0;
   const auto strongest = std::ranges::max_element(rcs_m2);
   if (strongest == rcs_m2.end() || !(*strongest > 0.0)) return std::nullopt;
   return static_cast<std::size_t>(strongest - rcs_m2.begin());
 }
 
 std::vector<double> aspects_rad(const SteppedRows& rows, const ProfileSeries& series) {
-  const simulate::Plan& plan = *rows.plan;
-  const std::optional<std::size_t> platform = platform_of_targets(plan);
+  const simulate::Acquisition& acquisition = *rows.acquisition;
+  const std::optional<std::size_t> platform = platform_of_targets(acquisition);
   if (!platform) return {};
   std::vector<double> aspects;
   for (const ProfileRow& row : series.rows) {
     const std::int64_t pulse = pulse_of(rows, row.burst, 0);
-    const radar::Pose target = plan.scene->platforms[*platform].track.at(row.time_s, pulse);
-    const radar::Pose radar = plan.scene->platforms[plan.radar.platform].track.at(row.time_s, pulse);
+    const radar::Pose target = acquisition.scene->platforms[*platform].track.at(row.time_s, pulse);
+    const radar::Pose radar = acquisition.scene->platforms[acquisition.link.platform].track.at(row.time_s, pulse);
     const core::Vec3 sight =
         core::transposed(target.world_from_platform) * (radar.position_world_m - target.position_world_m);
     const double angle = std::atan2(sight.y, sight.x);
@@ -129,15 +130,15 @@ std::vector<double> aspects_rad(const SteppedRows& rows, const ProfileSeries& se
 
 std::vector<signal::TrackPoint> seen_from_platform(const SteppedRows& rows, std::size_t platform, std::size_t first,
                                                    std::size_t count) {
-  const simulate::Plan& plan = *rows.plan;
+  const simulate::Acquisition& acquisition = *rows.acquisition;
   const std::size_t per_burst = rows.band->waveform().burst_pulses();
   signal::SarEchoes echoes;
   std::vector<signal::TargetPose> poses;
   for (std::size_t p = 0; p < count * per_burst; ++p) {
     const std::int64_t pulse = pulse_of(rows, first, p);
-    const double time_s = plan.radar.repetition.send_time_s(pulse);
-    const radar::Pose radar = plan.scene->platforms[plan.radar.platform].track.at(time_s, pulse);
-    const radar::Pose target = plan.scene->platforms[platform].track.at(time_s, pulse);
+    const double time_s = acquisition.link.repetition.send_time_s(pulse);
+    const radar::Pose radar = acquisition.scene->platforms[acquisition.link.platform].track.at(time_s, pulse);
+    const radar::Pose target = acquisition.scene->platforms[platform].track.at(time_s, pulse);
     echoes.track.push_back({time_s, radar.position_world_m, radar.velocity_world_mps});
     poses.push_back(
         {target.position_world_m, target.velocity_world_mps, target.world_from_platform, turn_rate_radps(target)});

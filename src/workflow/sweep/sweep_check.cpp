@@ -62,13 +62,13 @@ class Looker {
       ProductSize size;
       if (!job.table) {
         const simulate::Plan plan = simulate::make_plan(scene, simulation++, resolved, work_.engine, stop_);
-        size.rows = plan.rows;
-        size.columns = plan.columns;
+        size.rows = plan.acquisition.timing.rows;
+        size.columns = plan.acquisition.reception.columns;
         size.bytes = raster::expected_bytes(simulate::product_of(plan, {}),
-                                            {plan.simulation.format, false, work_.counts, false});
-        const scene::FileFormat format = plan.simulation.format;
+                                            {plan.acquisition.simulation.format, false, work_.counts, false});
+        const scene::FileFormat format = plan.acquisition.simulation.format;
         size.min_bytes = raster::min_bytes(format, size.bytes);
-        const bool twice = plan.simulation.lsb_v <= 0.0 && raster::holds_counts(format, work_.counts);
+        const bool twice = plan.acquisition.simulation.lsb_v <= 0.0 && raster::holds_counts(format, work_.counts);
         size.seconds = simulate::estimated_cost(plan, 1, known_machine()).seconds * (twice ? 2.0 : 1.0);
       }
       sizes.push_back(size);

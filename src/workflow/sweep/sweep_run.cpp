@@ -150,7 +150,7 @@ class VariationRunner {
     if (!resolved_)
       resolved_ = std::make_shared<const simulate::ResolvedScene>(simulate::resolve(scene_, {rules_.threads, stop_}));
     const simulate::Plan plan = simulate::make_plan(scene_, simulation, resolved_, rules_.engine, stop_);
-    const scene::FileFormat format = plan.simulation.format;
+    const scene::FileFormat format = plan.acquisition.simulation.format;
     core::Observer alone;  // Of a sweep whole variations are told.
     alone.stop = stop_;
     const RecordingReport report = workflow::make_recording(
@@ -159,7 +159,7 @@ class VariationRunner {
         rules_.threads, alone);
     row.run = report.run;
     row.engine = report.engine;
-    row.lsb_estimated = plan.simulation.lsb_v <= 0.0;
+    row.lsb_estimated = plan.acquisition.simulation.lsb_v <= 0.0;
     row.bytes = report.bytes.value_or(0.0);
   }
 

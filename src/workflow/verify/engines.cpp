@@ -41,14 +41,15 @@ scene::Scene busy_scene(std::size_t targets, scene::PulseDefinition pulse, doubl
 
 // Root of the sum of |a|^2 over the echoes of a row that touch it.
 double strength_v(const simulate::Plan& plan, std::size_t row) {
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  geometry.set_pulse(plan.first_pulse_of_row(row));
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
+  geometry.set_pulse(plan.acquisition.timing.first_pulse_of_row(row));
   radar::EchoBatch echoes;
   geometry.echoes(echoes);
   double squares = 0.0;
   for (std::size_t k = 0; k < echoes.size(); ++k) {
     const radar::SampleSpan on =
-        radar::touched_samples(plan.pulse, plan.raw_grid, echoes.delay_s[k], plan.pulse.clock_of(echoes, k));
+        radar::touched_samples(plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid, echoes.delay_s[k],
+                               plan.acquisition.reception.pulse.clock_of(echoes, k));
     if (on.begin < on.end) squares += echoes.amplitude_sqrt_w[k] * echoes.amplitude_sqrt_w[k];
   }
   return std::sqrt(squares);
@@ -63,10 +64,11 @@ struct PlainRows {
 PlainRows plain_rows_of(const scene::Scene& scene) {
   const simulate::Plan plan = simulate::make_plan(scene, 0, nullptr, simulate::Engine::reference);
   simulate::RowMaker maker(plan);
-  const double samples = plan.pulse.pulse.width_s / plan.raw_grid.interval_s;
+  const double samples =
+      plan.acquisition.reception.pulse.pulse.width_s / plan.acquisition.reception.raw_grid.interval_s;
   PlainRows plain;
-  for (std::size_t row = 0; row < plan.rows; ++row) {
-    maker.make_row(row, plain.rows.emplace_back(plan.columns));
+  for (std::size_t row = 0; row < plan.acquisition.timing.rows; ++row) {
+    maker.make_row(row, plain.rows.emplace_back(plan.acquisition.reception.columns));
     plain.norms_v.push_back(std::sqrt(samples) * strength_v(plan, row));
   }
   return plain;
@@ -76,7 +78,7 @@ PlainRows plain_rows_of(const scene::Scene& scene) {
 double relative_error(const scene::Scene& scene, simulate::Engine engine, const PlainRows& plain) {
   const simulate::Plan fast = simulate::make_plan(scene, 0, nullptr, engine);
   simulate::RowMaker maker(fast);
-  Row found(fast.columns);
+  Row found(fast.acquisition.reception.columns);
   double worst = 0.0;
   for (std::size_t row = 0; row < plain.rows.size(); ++row) {
     maker.make_row(row, found);
@@ -137,14 +139,15 @@ void measure_textbook(Record& record) {
   const scene::Scene scene = busy_scene(40, scene::PulseDefinition::ideal, 1e-6);
   const simulate::Plan plan = simulate::make_plan(scene, 0);
   simulate::RowMaker rows(plan);
-  Row got(plan.columns);
+  Row got(plan.acquisition.reception.columns);
   rows.make_row(3, got);
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  geometry.set_pulse(plan.first_pulse_of_row(3));
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
+  geometry.set_pulse(plan.acquisition.timing.first_pulse_of_row(3));
   radar::EchoBatch echoes;
   geometry.echoes(echoes);
-  Row expected(plan.columns);
-  add_textbook_echoes(expected, plan.raw_grid, plan.pulse, geometry.carrier_hz(), echoes);
+  Row expected(plan.acquisition.reception.columns);
+  add_textbook_echoes(expected, plan.acquisition.reception.raw_grid, plan.acquisition.reception.pulse,
+                      geometry.carrier_hz(), echoes);
   double error = 0.0;
   double power = 0.0;
   for (std::size_t i = 0; i < got.size(); ++i) {

@@ -46,7 +46,7 @@ scene::Scene strip() {
 }
 
 struct Echoes {
-  std::shared_ptr<const simulate::Plan> plan;
+  std::shared_ptr<const simulate::Acquisition> acquisition;
   signal::EchoRows rows;
 };
 
@@ -84,12 +84,11 @@ scene::Scene low_band(double nearest_m) {
 }
 
 Echoes recorded_echoes(scene::Scene scene) {
-  const simulate::Plan window = simulate::make_plan(scene, 0);
+  const simulate::Acquisition window = simulate::acquisition_of(scene, 0);
   scene.simulations[0] = recorded_for_sar(scene.simulations[0], window);
-  auto plan =
-      std::make_shared<const simulate::Plan>(simulate::make_plan(scene, 0, nullptr, simulate::Engine::automatic));
-  signal::EchoRows rows = sar_rows_of_scene(plan, window.columns);
-  return {std::move(plan), std::move(rows)};
+  auto acquisition = std::make_shared<const simulate::Acquisition>(simulate::acquisition_of(scene, 0));
+  signal::EchoRows rows = sar_rows_of_scene(acquisition, window.reception.columns);
+  return {std::move(acquisition), std::move(rows)};
 }
 
 void measure_cut(Record& record, const std::string& name, const std::optional<signal::ResponseFigures>& theory,
@@ -122,7 +121,7 @@ signal::FocusedImage back_projected_strip(const Echoes& echoes, signal::FocusedI
 // A slant grid is made of points of level ground, off the middle of the scene too.
 void measure_ground(Record& record) {
   const Echoes echoes = recorded_echoes(blown_strip());
-  const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}, true).at(0);
+  const TargetTheory theory = theory_of_targets(*echoes.acquisition, echoes.rows, {}, true).at(0);
   const core::WorkControl control{2, record.rules().stop};
   signal::FocusedImage axes = signal::image_of(echoes.rows, {});
   axes.frame.across = {1.0, 0.0, 0.0};
@@ -181,8 +180,8 @@ void measure_near_edges(Record& record) {
   for (const double nearest_m : {490.0, 300.0, 20.0}) {
     const Echoes echoes = recorded_echoes(low_band(nearest_m));
     signal::FocusOptions options;
-    options.spectrum = seen_spectrum(*echoes.plan, echoes.rows, {}, SeenPulses::sampled, control);
-    const double expected = theory_of_targets(*echoes.plan, echoes.rows, options).at(0).amplitude;
+    options.spectrum = seen_spectrum(*echoes.acquisition, echoes.rows, {}, SeenPulses::sampled, control);
+    const double expected = theory_of_targets(*echoes.acquisition, echoes.rows, options).at(0).amplitude;
     const signal::FocusedImage image = signal::focus(signal::sar_echoes(echoes.rows, control), options, control);
     const auto found = signal::measure_point(image, signal::reader_of(image), {0.0, 500.0}, 2.0);
     if (!found) throw std::runtime_error("the target is not in the image of a wide band");
@@ -262,7 +261,8 @@ void measure_wide_aperture(Record& record) {
   const signal::FocusedImage image = back_projected_strip(echoes, std::move(axes), wide_target_m, control);
   const auto found = signal::measure_point(image, signal::reader_of(image), place, 2.0);
   if (!found) throw std::runtime_error("the target is not in the image of a wide aperture");
-  const TargetTheory theory = theory_on_image({*echoes.plan, echoes.rows, {}, true, false}, image, control).at(0);
+  const TargetTheory theory =
+      theory_on_image({*echoes.acquisition, echoes.rows, {}, true, false}, image, control).at(0);
   const Response definition = annulus_response();
   const double width_m = half_power_width_s(definition);
   record.near("Aperture of 26 degrees, theory of range: half-power width", "m", width_m,
@@ -277,7 +277,7 @@ void measure_wide_aperture(Record& record) {
 
 void measure_focusing(Record& record) {
   const Echoes echoes = recorded_echoes(strip());
-  const TargetTheory theory = theory_of_targets(*echoes.plan, echoes.rows, {}).at(0);
+  const TargetTheory theory = theory_of_targets(*echoes.acquisition, echoes.rows, {}).at(0);
   measure_method(record, echoes, signal::FocusMethod::omega_k, theory, "Omega-k");
   measure_method(record, echoes, {}, theory, "Back-projection");
   measure_near_edges(record);

@@ -60,7 +60,7 @@ inline Response point_response(scene::Scene scene, std::size_t margin) {
                                        return any;
                                      }(),
                                      0)
-                                     .scene->conventions.light_speed_mps;
+                                     .acquisition.scene->conventions.light_speed_mps;
   const double spacing_m = 0.5 * light_speed_mps / scene.simulations[0].sample_rate_hz;
   const double start_m = 1000.0;
   scene.targets.clear();

@@ -49,28 +49,30 @@ scene::Scene crowd(std::size_t targets) {
 
 // Seconds of a pulse by the textbook's listing; a part of the echoes is enough.
 double textbook_pulse_s(const simulate::Plan& plan) {
-  simulate::PulseGeometry geometry(*plan.scene, plan.radar);
-  geometry.set_pulse(plan.first_pulse_of_row(0));
+  simulate::PulseGeometry geometry(*plan.acquisition.scene, plan.acquisition.link);
+  geometry.set_pulse(plan.acquisition.timing.first_pulse_of_row(0));
   radar::EchoBatch echoes;
   geometry.echoes(echoes);
   radar::EchoBatch part;
   const std::size_t stride = echoes.size() / 300 + 1;
   for (std::size_t k = 0; k < echoes.size(); k += stride)
     part.add(echoes.delay_s[k], echoes.amplitude_sqrt_w[k], echoes.doppler[k]);
-  Row row(plan.raw_grid.count);
-  const double seconds =
-      best_s(3, [&] { add_textbook_echoes(row, plan.raw_grid, plan.pulse, geometry.carrier_hz(), part); });
+  Row row(plan.acquisition.reception.raw_grid.count);
+  const double seconds = best_s(3, [&] {
+    add_textbook_echoes(row, plan.acquisition.reception.raw_grid, plan.acquisition.reception.pulse,
+                        geometry.carrier_hz(), part);
+  });
   return seconds * static_cast<double>(echoes.size()) / static_cast<double>(part.size());
 }
 
 double engine_pulse_s(const simulate::Plan& plan) {
   simulate::RowMaker rows(plan);
-  Row row(plan.columns);
+  Row row(plan.acquisition.reception.columns);
   rows.make_row(0, row);
   const double seconds = best_s(5, [&] {
-    for (std::size_t i = 0; i < plan.rows; ++i) rows.make_row(i, row);
+    for (std::size_t i = 0; i < plan.acquisition.timing.rows; ++i) rows.make_row(i, row);
   });
-  return seconds / static_cast<double>(plan.rows);
+  return seconds / static_cast<double>(plan.acquisition.timing.rows);
 }
 
 }  // namespace

@@ -49,7 +49,7 @@ scene::Scene section_4_4(scene::Profile profile) {
 double noise_stddev_4_4_v(scene::Profile profile) {
   scene::Scene scene = section_4_4(profile);
   scene.radars[0].noise_temperature_k = 100.0;
-  return simulate::make_plan(scene, 0).noise_stddev_v;
+  return simulate::make_plan(scene, 0).acquisition.reception.noise_stddev_v;
 }
 
 // N of (4.1): in the classic profile that of I and of Q, in the physical one that of both together at fs = 1/Tp.
@@ -75,7 +75,8 @@ double pulse_length_4_5_1_m(scene::Profile profile) {
   scene::Scene scene = section_4_4(profile);
   set_window(scene, 900.0, 1199.7925, 500e6);
   const simulate::Plan plan = simulate::make_plan(scene, 0);
-  return samples_on_4_5_1(profile) * (plan.column_range_m[1] - plan.column_range_m[0]);
+  return samples_on_4_5_1(profile) *
+         (plan.acquisition.reception.column_range_m[1] - plan.acquisition.reception.column_range_m[0]);
 }
 
 // Section 4.5.2: a recording whose largest magnitude is 6.39369e-5 mV, LSB left to be estimated.
@@ -123,7 +124,7 @@ std::complex<double> counts_a2(scene::Profile profile, double lsb_mv) {
 // Sampled at 100 times 1/Tp, with a window that starts a whole number of samples before the echo.
 Samples compressed_a2(scene::Profile profile) {
   scene::Scene scene = appendix_a2(profile);
-  const double light_speed_mps = simulate::make_plan(scene, 0).scene->conventions.light_speed_mps;
+  const double light_speed_mps = simulate::make_plan(scene, 0).acquisition.scene->conventions.light_speed_mps;
   set_window(scene, 1000.0 - 4000.0 * light_speed_mps / (2.0 * 400e6), 1750.0, 400e6);
   scene.simulations[0].processing = scene::Processing::matched_filter;
   return recorded(scene).samples;
@@ -176,7 +177,7 @@ double resolution_a3_m(scene::Profile profile) {
   const std::size_t peak = peak_index(samples);
   std::size_t zero = peak;
   while (std::norm(samples[zero + 1]) < std::norm(samples[zero])) ++zero;
-  return plan.column_range_m[zero] - plan.column_range_m[peak];
+  return plan.acquisition.reception.column_range_m[zero] - plan.acquisition.reception.column_range_m[peak];
 }
 
 // Range of the strongest sample between two ranges.
@@ -185,8 +186,9 @@ double peak_a3_m(scene::Profile profile, double from_m, double to_m) {
   const simulate::Plan plan = simulate::make_plan(scene, 0);
   Samples samples = recorded(scene).samples;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (plan.column_range_m[i] < from_m || plan.column_range_m[i] > to_m) samples[i] = 0.0;
-  return plan.column_range_m[peak_index(samples)];
+    if (plan.acquisition.reception.column_range_m[i] < from_m || plan.acquisition.reception.column_range_m[i] > to_m)
+      samples[i] = 0.0;
+  return plan.acquisition.reception.column_range_m[peak_index(samples)];
 }
 
 // ---- Appendix A.4 ---------------------------------------------------------------------------------------------
@@ -236,7 +238,8 @@ double resolution_a4_m(scene::Profile profile) {
   const Samples samples = recorded(scene).samples;
   const double half = 0.5 * std::abs(samples[peak_index(samples)]);
   const auto wide = std::ranges::count_if(samples, [half](const auto& s) { return std::abs(s) >= half; });
-  return static_cast<double>(wide) * (plan.column_range_m[1] - plan.column_range_m[0]);
+  return static_cast<double>(wide) *
+         (plan.acquisition.reception.column_range_m[1] - plan.acquisition.reception.column_range_m[0]);
 }
 
 // ---- Figure 7.5 -----------------------------------------------------------------------------------------------
@@ -284,8 +287,9 @@ void add_chapters_3_and_4(std::vector<ThesisNumber>& numbers) {
   add("Section451Length", pulse_length_4_5_1_m);
   add("Section452Lsb", lsb_4_5_2_mv);
   add("Section452Code", code_4_5_2);
-  add("Figure49Samples", [](scene::Profile p) { return static_cast<double>(figure_4_9(p).columns); });
-  add("Figure49Pulses", [](scene::Profile p) { return static_cast<double>(figure_4_9(p).rows); });
+  add("Figure49Samples",
+      [](scene::Profile p) { return static_cast<double>(figure_4_9(p).acquisition.reception.columns); });
+  add("Figure49Pulses", [](scene::Profile p) { return static_cast<double>(figure_4_9(p).acquisition.timing.rows); });
 }
 
 void add_appendix(std::vector<ThesisNumber>& numbers) {
@@ -295,7 +299,7 @@ void add_appendix(std::vector<ThesisNumber>& numbers) {
   add("A1Samples", [](scene::Profile p) { return static_cast<double>(recorded(appendix_a2(p)).report.columns); });
   add("A1Spacing", [](scene::Profile p) {
     const simulate::Plan plan = simulate::make_plan(appendix_a2(p), 0);
-    return plan.column_range_m[1] - plan.column_range_m[0];
+    return plan.acquisition.reception.column_range_m[1] - plan.acquisition.reception.column_range_m[0];
   });
   add("A1CountI", [](scene::Profile p) { return counts_a2(p, 1.67572e-6).real(); });
   add("A1CountQ", [](scene::Profile p) { return counts_a2(p, 1.67572e-6).imag(); });
@@ -381,9 +385,11 @@ ThesisNumber completed(ThesisNumber number) {
 std::vector<ThesisNumber> thesis_numbers() {
   std::vector<ThesisNumber> numbers;
   add_chapters_3_and_4(numbers);
-  numbers.push_back(
-      made("Figure75Samples", [](scene::Profile p) { return static_cast<double>(figure_7_5(p).columns); }));
-  numbers.push_back(made("Figure75Pulses", [](scene::Profile p) { return static_cast<double>(figure_7_5(p).rows); }));
+  numbers.push_back(made("Figure75Samples", [](scene::Profile p) {
+    return static_cast<double>(figure_7_5(p).acquisition.reception.columns);
+  }));
+  numbers.push_back(made("Figure75Pulses",
+                         [](scene::Profile p) { return static_cast<double>(figure_7_5(p).acquisition.timing.rows); }));
   add_appendix(numbers);
   for (ThesisNumber& number : numbers) number = completed(std::move(number));
   return numbers;

@@ -61,14 +61,14 @@ int record(const char* script, const char* file, const char* picture) {
       sarsim::simulate::make_plan(reading.scene, 0, nullptr, sarsim::simulate::Engine::automatic);
   const sarsim::simulate::Recording recording = sarsim::simulate::record(plan);
   std::cout << "sarsim " << sarsim::core::program_version << '\n'
-            << plan.rows << " x " << plan.columns << '\n'
+            << plan.acquisition.timing.rows << " x " << plan.acquisition.reception.columns << '\n'
             << std::hex << checksum(recording.samples) << '\n';
-  draw(recording, plan.columns, picture);
+  draw(recording, plan.acquisition.reception.columns, picture);
 
   const sarsim::simulate::Product product = product_of(plan, sarsim::scene::write_script(reading.scene));
   const std::unique_ptr<sarsim::simulate::Sink> sink =
       sarsim::raster::make_sink(file, product, {sarsim::scene::FileFormat::hdf5});
-  run(plan, plan.simulation.lsb_v, *sink, {});
+  run(plan, plan.acquisition.simulation.lsb_v, *sink, {});
   return 0;
 }
 
