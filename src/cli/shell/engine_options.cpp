@@ -3,12 +3,7 @@
 namespace sarsim::cli {
 
 CLI::Option* add_engine(CLI::App& app, std::optional<simulate::Engine>& engine, const std::string& description) {
-  return add_choice<simulate::Engine>(app, "--engine", engine,
-                                      {{"auto", simulate::Engine::automatic},
-                                       {"direct", simulate::Engine::direct},
-                                       {"spectral", simulate::Engine::spectral},
-                                       {"reference", simulate::Engine::reference}},
-                                      description);
+  return add_choice<simulate::Engine>(app, "--engine", engine, simulate::named_engines(), description);
 }
 
 }  // namespace sarsim::cli

@@ -1,9 +1,9 @@
 #include <algorithm>
 
 #include "core/report/expect.hpp"
-#include "simulate/plan/cost_of_pulse.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
+#include "simulate/plan/row_kernel.hpp"
 
 namespace sarsim::simulate {
 
@@ -19,9 +19,6 @@ constexpr double per_noise_sample_s = 5e-9;
 constexpr double gain_of_thread = 0.85;
 constexpr double gain_of_crowded_thread = 0.5;
 constexpr double crowded_points = 2e5;
-// Before the first pulse: tables of the pulse, plans of transforms.
-constexpr double direct_start_s = 0.8e-3;
-constexpr double spectral_start_s = 3.5e-3;
 // Where the points are, for the fast engines; the cost of the reference has it.
 constexpr double per_sight_s = 1.5e-9;
 constexpr double per_platform_s = 0.25e-6;  // where it is and how it turns
@@ -51,38 +48,10 @@ double share_in_sight(const Plan& plan) {
   return seen / (all * std::size(shares));
 }
 
-// What the engine has to do, as if the radar saw all scatterers.
-struct EngineWork {
-  double pulse_ns = 0.0;
-  double transform_points = 0.0;  // of one pulse and Doppler term
-  double transforms = 0.0;        // terms
-  double start_s = 0.0;
-};
-
-EngineWork engine_work(const Plan& plan) {
-  const PulseCost cost(*plan.acquisition.scene, plan.acquisition.link, plan.acquisition.reception.pulse,
-                       plan.acquisition.reception.raw_grid, plan.acquisition.scene->options.tolerance);
-  switch (plan.engine.engine) {
-    case Engine::direct: return {cost.direct_ns(), 0.0, 0.0, direct_start_s};
-    case Engine::spectral: {
-      const SpectralEstimate estimate = cost.spectral(plan.acquisition.timing.pulses);
-      return {estimate.ns, static_cast<double>(estimate.cost.transform_size),
-              static_cast<double>(estimate.cost.doppler_terms), spectral_start_s};
-    }
-    case Engine::automatic:
-    case Engine::reference: break;
-  }
-  return {cost.reference_ns(), 0.0, 0.0, 0.0};
-}
-
-double speed_of(const MachineSpeed& machine, Engine engine) {
-  switch (engine) {
-    case Engine::direct: return machine.direct;
-    case Engine::spectral: return machine.spectral;
-    case Engine::automatic:
-    case Engine::reference: break;
-  }
-  return machine.reference;
+KernelCost kernel_cost(const Plan& plan) {
+  const PulseCost pulse(*plan.acquisition.scene, plan.acquisition.link, plan.acquisition.reception.pulse,
+                        plan.acquisition.reception.raw_grid, plan.acquisition.scene->options.tolerance);
+  return row_kernel(plan.engine.engine).cost(pulse, plan.acquisition.timing.pulses);
 }
 
 // What is not echoes: rows, noise, filters and conversion.
@@ -100,19 +69,20 @@ double row_seconds(const Plan& plan, double echo_samples, const MachineSpeed& ma
 
 // One pulse on one core.
 // @param echo_samples  samples of all its echoes together
-double pulse_seconds(const Plan& plan, const EngineWork& work, double echo_samples, const MachineSpeed& machine) {
+double pulse_seconds(const Plan& plan, const KernelCost& work, double echo_samples, const MachineSpeed& machine) {
   const double heard = static_cast<double>(1 + plan.sources.other_pulses.pulses.size());
-  const double sight_s = plan.engine.engine == Engine::reference
+  const double sight_s = row_kernel(plan.engine.engine).point_by_point
                              ? 0.0
                              : per_sight_s * scatterers_of(*plan.acquisition.scene) +
                                    per_platform_s * static_cast<double>(plan.acquisition.scene->platforms.size());
-  return speed_of(machine, plan.engine.engine) * heard * share_in_sight(plan) * (1e-9 * work.pulse_ns + sight_s) +
+  return machine.*row_kernel(plan.engine.engine).speed * heard * share_in_sight(plan) *
+             (1e-9 * work.pulse_ns + sight_s) +
          row_seconds(plan, echo_samples, machine);
 }
 
 // The most that is held at once: while the script is read and checked and its platforms are looked at, or while its
 // pulses are computed.
-double max_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
+double max_memory(const Plan& plan, const KernelCost& work, unsigned threads) {
   constexpr double program = 11e6;
   constexpr double transform_library = 5e6;
   constexpr double platform = 70e3;
@@ -133,7 +103,8 @@ double max_memory(const Plan& plan, const EngineWork& work, unsigned threads) {
   const double sheets = all - static_cast<double>(scene.scatterers.size());
   const double checked = checked_target * targets + surveyed_target * std::min(all, max_surveyed) +
                          platform * static_cast<double>(scene.platforms.size());
-  const double at_once = work.transforms > 0.0 ? std::min(all, static_cast<double>(points_at_once)) : all;
+  const std::size_t taken = row_kernel(plan.engine.engine).points_at_once;
+  const double at_once = taken > 0 ? std::min(all, static_cast<double>(taken)) : all;
   double of_thread = echo * at_once + sample * static_cast<double>(std::max(plan.acquisition.reception.raw_grid.count,
                                                                             plan.acquisition.reception.columns));
   double computed = resolved_target * (targets + sheets);
@@ -163,7 +134,7 @@ Cost estimated_cost(const Plan& plan, unsigned threads, const MachineSpeed& mach
   cost.echo_samples = cost.echoes * pulse_samples;
   cost.samples =
       static_cast<double>(plan.acquisition.timing.rows) * static_cast<double>(plan.acquisition.reception.columns);
-  const EngineWork work = engine_work(plan);
+  const KernelCost work = kernel_cost(plan);
   const double computing_s = pulses * pulse_seconds(plan, work, cost.echo_samples / std::max(pulses, 1.0), machine);
   const bool crowded = work.transforms * work.transform_points > crowded_points;
   const double gain = crowded ? gain_of_crowded_thread : gain_of_thread;

@@ -3,12 +3,14 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "simulate/plan/acquisition.hpp"
 
 namespace sarsim::simulate {
 
-/// How echoes are added up. All compute the same definition of a row; the choice is a matter of speed.
+/// How echoes are summed: by one of the kernels of `row_kernels()`.
 enum class Engine {
   automatic,
   reference,  ///< Plain double-precision sum (radar/echo/reference_kernel.hpp).
@@ -18,6 +20,8 @@ enum class Engine {
 
 /// The word of an engine on the command line and in files.
 [[nodiscard]] std::string_view name_of(Engine engine);
+/// Engines and their words, as lists of choices show them.
+[[nodiscard]] std::vector<std::pair<std::string, Engine>> named_engines();
 /// The engine of a word; nothing where there is none.
 [[nodiscard]] std::optional<Engine> engine_from_name(std::string_view name);
 

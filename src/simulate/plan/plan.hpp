@@ -27,14 +27,10 @@ struct Plan {
   Sources sources;
   EngineChoice engine;
 
-  /// Whether the matched filter is one more factor of the spectral kernel's spectra. A gain over time (STC) comes
-  /// between echoes and filter and keeps them apart; so do echoes of other pulses, each with its own phase, and
-  /// samples without reception.
-  [[nodiscard]] bool filters_spectra() const {
-    return engine.engine == Engine::spectral && acquisition.reception.compressor &&
-           acquisition.reception.stc_gain.empty() && sources.other_pulses.pulses.empty() &&
-           acquisition.scene->options.eclipsing == scene::Eclipsing::none;
-  }
+  /// Whether the matched filter is one more factor of what the kernel sums. A gain over time (STC) comes between echoes
+  /// and filter and keeps them apart; so do echoes of other pulses, each with its own phase, and samples without
+  /// reception.
+  [[nodiscard]] bool filters_spectra() const;
 };
 
 /// Decides how an acquisition is computed.

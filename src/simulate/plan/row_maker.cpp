@@ -9,21 +9,15 @@
 
 namespace sarsim::simulate {
 
-RowMaker::RowMaker(const Plan& plan) : plan_(&plan), geometry_(*plan.acquisition.scene, plan.acquisition.link) {
-  CORE_EXPECT(plan.acquisition.scene != nullptr);
-  CORE_EXPECT(plan.acquisition.reception.stc_gain.empty() ||
-              plan.acquisition.reception.stc_gain.size() == plan.acquisition.reception.raw_grid.count);
-  if (plan.acquisition.reception.compressor) scratch_.resize(plan.acquisition.reception.compressor->scratch_size());
-  if (plan.acquisition.reception.profiler) scratch_.resize(plan.acquisition.reception.columns);
-  const double tolerance = plan.acquisition.scene->options.tolerance;
-  if (plan.engine.engine == Engine::direct)
-    direct_.emplace(plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid, tolerance);
-  if (plan.engine.engine != Engine::spectral) return;
+RowMaker::RowMaker(const Plan& plan)
+    : plan_(&plan), geometry_(*plan.acquisition.scene, plan.acquisition.link), kind_(&row_kernel(plan.engine.engine)) {
+  const Reception& reception = plan.acquisition.reception;
+  CORE_EXPECT(reception.stc_gain.empty() || reception.stc_gain.size() == reception.raw_grid.count);
+  if (reception.compressor) scratch_.resize(reception.compressor->scratch_size());
+  if (reception.profiler) scratch_.resize(reception.columns);
   radar::RowFilter filter;
-  if (plan.filters_spectra())
-    filter = {plan.acquisition.reception.compressor->filter().taps,
-              plan.acquisition.reception.compressor->output_index()};
-  spectral_.emplace(plan.acquisition.reception.pulse, plan.acquisition.reception.raw_grid, tolerance, filter);
+  if (plan.filters_spectra()) filter = {reception.compressor->filter().taps, reception.compressor->output_index()};
+  kernel_ = kind_->make(reception.pulse, reception.raw_grid, plan.acquisition.scene->options.tolerance, filter);
 }
 
 radar::SampleSpan RowMaker::make_row(std::size_t row, std::span<std::complex<double>> out,
@@ -57,7 +51,7 @@ void RowMaker::make_compressed(std::int64_t pulse, std::span<std::complex<double
     plan.acquisition.reception.compressor->compress(raw_, out, scratch_);
   }
   geometry_.set_pulse(pulse);
-  if (take_in_parts({})) spectral_->finish_filtered(out);
+  add_pulse(out, {});
 }
 
 radar::SampleSpan RowMaker::make_raw(std::int64_t pulse, std::span<std::complex<double>> raw,
@@ -85,56 +79,44 @@ void RowMaker::add_receiver_noise(std::int64_t pulse, std::span<std::complex<dou
                    plan.acquisition.reception.noise_first_sample);
 }
 
-// The echoes of the geometry's pulse: all of them, or those heard in a row whose pulse left so much later.
-void RowMaker::take_echoes(std::optional<double> since_s) {
-  if (plan_->engine.engine == Engine::reference)
-    geometry_.echoes(echoes_);
-  else
-    fast_echoes(*plan_->sources.points, geometry_, echoes_);
-  keep_heard(since_s);
-}
-
+// Leaves out what is not heard in a row whose pulse left so much later.
 void RowMaker::keep_heard(std::optional<double> since_s) {
   if (since_s)
     simulate::keep_heard(echoes_, *since_s, plan_->acquisition.reception.pulse, plan_->acquisition.reception.raw_grid);
 }
 
-// The same, given to the spectral kernel part by part. Returns whether there are any.
-bool RowMaker::take_in_parts(std::optional<double> since_s) {
-  const PointGroups& points = *plan_->sources.points;
-  bool any = false;
-  for (std::size_t from = 0; from < points.count; from += points_at_once) {
-    const radar::PointSpan run{from, std::min(from + points_at_once, points.count)};
-    if (!certain_echoes(points, geometry_, run, echoes_)) {
-      // Where in doubt the plain geometry decides, and says what is wrong with which target.
-      geometry_.echoes(echoes_);
-      keep_heard(since_s);
-      spectral_->begin(geometry_.carrier_hz());
-      spectral_->take(echoes_);
-      return echoes_.size() > 0;
-    }
-    keep_heard(since_s);
-    if (from == 0) spectral_->begin(geometry_.carrier_hz(), points.count);
-    spectral_->take(echoes_);
-    any = any || echoes_.size() > 0;
-  }
-  return any;
+void RowMaker::take_point_by_point(std::optional<double> since_s) {
+  geometry_.echoes(echoes_);
+  keep_heard(since_s);
+  kernel_->take(echoes_);
 }
 
-// Adds these echoes to a row. Returns the samples outside of which it is as it was.
-radar::SampleSpan RowMaker::add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s) {
-  const Plan& plan = *plan_;
-  if (spectral_) {
-    if (!take_in_parts(since_s)) return {};
-    spectral_->finish(raw);
-    return {0, raw.size()};
+void RowMaker::take_groups(std::span<std::complex<double>> raw, std::optional<double> since_s) {
+  const PointGroups& points = *plan_->sources.points;
+  const std::size_t at_once = kind_->points_at_once > 0 ? kind_->points_at_once : points.count;
+  kernel_->begin(geometry_.carrier_hz(), points.count, raw);
+  for (std::size_t from = 0; from < points.count; from += at_once) {
+    const radar::PointSpan run{from, std::min(from + at_once, points.count)};
+    if (!certain_echoes(points, geometry_, run, echoes_)) {
+      // Where in doubt the plain geometry decides, and says what is wrong with which target.
+      kernel_->begin(geometry_.carrier_hz(), 0, raw);
+      return take_point_by_point(since_s);
+    }
+    keep_heard(since_s);
+    kernel_->take(echoes_);
   }
-  take_echoes(since_s);
-  if (echoes_.size() == 0) return {};
-  if (direct_) return direct_->add(raw, geometry_.carrier_hz(), echoes_);
-  radar::add_echoes(raw, plan.acquisition.reception.raw_grid, plan.acquisition.reception.pulse, geometry_.carrier_hz(),
-                    echoes_);
-  return {0, raw.size()};
+}
+
+// Adds the echoes of the geometry's pulse to a row: all of them, or those heard in a row whose pulse left so much
+// later. Returns the samples outside of which it is as it was.
+radar::SampleSpan RowMaker::add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s) {
+  if (kind_->point_by_point) {
+    kernel_->begin(geometry_.carrier_hz(), 0, raw);
+    take_point_by_point(since_s);
+  } else {
+    take_groups(raw, since_s);
+  }
+  return kernel_->finish();
 }
 
 // An echo of another pulse is one of the row's pulse that comes by so much earlier as that pulse left before: its phase

@@ -3,14 +3,14 @@
 #include <complex>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "radar/echo/direct_kernel.hpp"
-#include "radar/echo/spectral_kernel.hpp"
 #include "simulate/plan/plan.hpp"
 #include "simulate/plan/pulse_geometry.hpp"
+#include "simulate/plan/row_kernel.hpp"
 
 namespace sarsim::simulate {
 
@@ -32,9 +32,9 @@ class RowMaker {
   void make_compressed(std::int64_t pulse, std::span<std::complex<double>> out);
   void make_profile(std::size_t row, std::span<std::complex<double>> out);
 
-  void take_echoes(std::optional<double> since_s);
   void keep_heard(std::optional<double> since_s);
-  [[nodiscard]] bool take_in_parts(std::optional<double> since_s);
+  void take_point_by_point(std::optional<double> since_s);
+  void take_groups(std::span<std::complex<double>> raw, std::optional<double> since_s);
   radar::SampleSpan add_pulse(std::span<std::complex<double>> raw, std::optional<double> since_s);
   radar::SampleSpan add_other_pulses(std::int64_t pulse, std::span<std::complex<double>> raw);
   void blank_while_sending(std::int64_t pulse, std::span<std::complex<double>> raw) const;
@@ -42,8 +42,8 @@ class RowMaker {
 
   const Plan* plan_;
   PulseGeometry geometry_;
-  std::optional<radar::DirectKernel> direct_;
-  std::optional<radar::SpectralKernel> spectral_;
+  const RowKernelKind* kind_;
+  std::unique_ptr<RowKernel> kernel_;
   radar::EchoBatch echoes_;
   std::vector<std::complex<double>> raw_;
   radar::SampleSpan raw_filled_;             // outside of which `raw_` is 0

@@ -10,6 +10,7 @@
 
 #include "core/maths/constants.hpp"
 #include "radar/path/path.hpp"
+#include "simulate/plan/row_kernel.hpp"
 #include "simulate/run/run.hpp"
 
 namespace sarsim::simulate {
@@ -102,9 +103,12 @@ class Measuring {
     take({.rows = 1024}, &MachineSpeed::samples);
     take({.rows = 24, .noise = true}, &MachineSpeed::noise);
     take({.pulse_samples = 400.0, .rows = 96, .filter = true}, &MachineSpeed::compression);
-    take({.engine = Engine::direct, .targets = 200, .pulse_samples = 400.0, .rows = 128}, &MachineSpeed::direct);
-    take({.engine = Engine::reference, .targets = 16, .pulse_samples = 400.0, .rows = 16}, &MachineSpeed::reference);
-    take({.engine = Engine::spectral, .targets = 20000, .pulse_samples = 400.0, .rows = 16}, &MachineSpeed::spectral);
+    for (const RowKernelKind& kind : row_kernels())
+      take({.engine = kind.engine,
+            .targets = kind.to_measure.targets,
+            .pulse_samples = kind.to_measure.pulse_samples,
+            .rows = kind.to_measure.rows},
+           kind.speed);
     return speed_;
   }
 

@@ -97,7 +97,8 @@ void measure_accuracy(Record& record) {
   Curve allowed{"allowed", tolerances, tolerances, false};
   for (const scene::PulseDefinition pulse : {scene::PulseDefinition::ideal, scene::PulseDefinition::band_limited}) {
     const PlainRows plain = plain_rows_of(busy_scene(targets, pulse, 1e-6));
-    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
+    for (const simulate::RowKernelKind& kind : simulate::row_kernels().subspan(1)) {
+      const simulate::Engine engine = kind.engine;
       const std::string name = fmt::format("{}, {} pulses", simulate::name_of(engine),
                                            pulse == scene::PulseDefinition::ideal ? "ideal" : "band-limited");
       Curve curve{name, {}, {}, true};
@@ -126,7 +127,8 @@ void measure_levels(Record& record) {
     plain.push_back(plain_rows_of(busy.emplace_back(busy_scene(targets, pulse, 1e-6))));
   for (const std::string& level : simulate::simd_levels()) {
     const simulate::SimdLevelScope scope(level);
-    for (const simulate::Engine engine : {simulate::Engine::direct, simulate::Engine::spectral}) {
+    for (const simulate::RowKernelKind& kind : simulate::row_kernels().subspan(1)) {
+      const simulate::Engine engine = kind.engine;
       double worst = simulate::simd_level() == level ? 0.0 : 1.0;
       for (std::size_t i = 0; i < busy.size(); ++i) worst = std::max(worst, relative_error(busy[i], engine, plain[i]));
       record.at_most(fmt::format("Error of {} with --simd {} at 1e-06", simulate::name_of(engine), level), "", 1e-6,
